@@ -1,0 +1,14 @@
+//! `editor_core`: everything behind the program `editor`, in layers.
+//!
+//! From the bottom up: [`math`], [`geometry`], [`character`], [`scene`], [`io`] and [`editor`]
+//! know nothing of windows or graphics. ARCHITECTURE.md says which layer may use which, and
+//! `tests/architecture.rs` holds it.
+#![deny(unsafe_code)]
+#![warn(missing_docs)]
+
+pub mod character;
+pub mod editor;
+pub mod geometry;
+pub mod io;
+pub mod math;
+pub mod scene;

@@ -1,0 +1,82 @@
+use super::{Attachments, AttachmentsError, Pose, SkeletalModel, skinning};
+use crate::geometry::{Mesh, SharedMesh};
+use glam::{Mat4, Vec3};
+
+/// A skeleton with the mesh bound to it: what Import Character brings in.
+#[derive(Clone, Debug)]
+#[doc(alias = "ImportCharacter")]
+pub struct Character {
+    skeleton: SkeletalModel,
+    attachments: Attachments,
+    bind_mesh: SharedMesh,
+}
+
+/// Why mesh, weights and skeleton do not make a character.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum CharacterError {
+    /// Not as many rows of weights as vertices.
+    #[error("expected weights for {vertices} vertices, found {rows}")]
+    RowCount {
+        /// Vertices of the mesh.
+        vertices: usize,
+        /// Rows of weights.
+        rows: usize,
+    },
+    /// Weights that name no joint.
+    #[error(transparent)]
+    Attachments(#[from] AttachmentsError),
+}
+
+impl Character {
+    /// Binds `bind_mesh` (positions in model space, in the order of the rows of `attachments`)
+    /// to `skeleton`.
+    ///
+    /// # Errors
+    /// If the counts differ or a weight names a joint that does not exist.
+    pub fn new(
+        skeleton: SkeletalModel,
+        attachments: Attachments,
+        bind_mesh: Mesh,
+    ) -> Result<Self, CharacterError> {
+        let (vertices, rows) = (bind_mesh.positions.len(), attachments.vertex_count());
+        if vertices != rows {
+            return Err(CharacterError::RowCount { vertices, rows });
+        }
+        attachments.check(skeleton.joints().len())?;
+        Ok(Self {
+            skeleton,
+            attachments,
+            bind_mesh: SharedMesh::new(bind_mesh),
+        })
+    }
+
+    /// The skeleton.
+    pub fn skeleton(&self) -> &SkeletalModel {
+        &self.skeleton
+    }
+
+    /// The weights, one run a vertex of the mesh.
+    pub fn attachments(&self) -> &Attachments {
+        &self.attachments
+    }
+
+    /// The mesh in the bind pose.
+    pub fn bind_mesh(&self) -> &SharedMesh {
+        &self.bind_mesh
+    }
+
+    /// The mesh's vertices, in the order of the file, where the joints stand at
+    /// `model_from_joint`.
+    pub fn skin(&self, model_from_joint: &[Mat4]) -> Vec<Vec3> {
+        let palette = self.skeleton.palette(model_from_joint);
+        let bind = &self.bind_mesh.positions;
+        let mut skinned = vec![Vec3::ZERO; bind.len()];
+        skinning::skin_positions(&palette, &self.attachments, bind, &mut skinned);
+        skinned
+    }
+
+    /// The mesh's vertices under `pose`, in the order of the file.
+    pub fn skin_pose(&self, pose: &Pose) -> Vec<Vec3> {
+        self.skin(&self.skeleton.update_current_joint_to_world_transforms(pose))
+    }
+}

@@ -1,0 +1,19 @@
+//! Rigged characters: skeletons, poses, weights, and skinning by skeletal subspace deformation.
+//!
+//! Everything here is in the character's model space, which the shape's transform then places in
+//! the world. Joint indices are the order of the file.
+
+mod attachments;
+mod import_character;
+mod joint;
+mod pose;
+mod skeletal_model;
+pub mod skinning;
+mod stick_figure;
+
+pub use attachments::{Attachments, AttachmentsError, Influence};
+pub use import_character::{Character, CharacterError};
+pub use joint::{COURSE_JOINT_NAMES, Joint};
+pub use pose::{Pose, PoseError};
+pub use skeletal_model::{SkeletalModel, SkeletonError};
+pub use stick_figure::{Bone, StickFigure};

@@ -1,0 +1,94 @@
+use super::SkeletalModel;
+use crate::math::Euler;
+use glam::Vec3;
+use std::collections::BTreeMap;
+
+/// The angles of a character's joints, by joint index, and how far its roots have moved.
+///
+/// Setting a joint replaces what it had; nothing accumulates.
+#[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Pose {
+    rotations: BTreeMap<usize, Euler>,
+    root_offsets: BTreeMap<usize, Vec3>,
+}
+
+/// Why a pose does not fit a skeleton.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PoseError {
+    /// No joint has this name or index.
+    #[error("expected the name or index of a joint, found “{0}”")]
+    NoSuchJoint(String),
+    /// Only roots can be moved.
+    #[error("expected a root joint, found “{0}”, which has a parent")]
+    NotARoot(String),
+}
+
+impl Pose {
+    /// The bind pose.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Turns `joint` to `Rx · Ry · Rz` of its parent's frame (assignment, "Sliders").
+    #[doc(alias = "setJointTransform")]
+    pub fn set_joint_transform(&mut self, joint: usize, rotation: Euler) {
+        if rotation == Euler::ZERO {
+            self.rotations.remove(&joint);
+        } else {
+            self.rotations.insert(joint, rotation);
+        }
+    }
+
+    /// The rotation of `joint`; none if it was never set.
+    pub fn rotation(&self, joint: usize) -> Euler {
+        self.rotations.get(&joint).copied().unwrap_or(Euler::ZERO)
+    }
+
+    /// Moves a root by `offset` from its place at rest, in model space.
+    pub fn set_root_offset(&mut self, root: usize, offset: Vec3) {
+        if offset == Vec3::ZERO {
+            self.root_offsets.remove(&root);
+        } else {
+            self.root_offsets.insert(root, offset);
+        }
+    }
+
+    /// How far a root has moved from its place at rest, in model space.
+    pub fn root_offset(&self, joint: usize) -> Vec3 {
+        self.root_offsets.get(&joint).copied().unwrap_or(Vec3::ZERO)
+    }
+
+    /// Whether `joint` differs from the bind pose.
+    pub fn is_changed(&self, joint: usize) -> bool {
+        self.rotations.contains_key(&joint) || self.root_offsets.contains_key(&joint)
+    }
+
+    /// Whether this is the bind pose.
+    pub fn is_bind(&self) -> bool {
+        self.rotations.is_empty() && self.root_offsets.is_empty()
+    }
+
+    /// Puts `joint` back to its rest.
+    pub fn reset_joint(&mut self, joint: usize) {
+        self.rotations.remove(&joint);
+        self.root_offsets.remove(&joint);
+    }
+
+    /// The joint that a pose file calls `name_or_index`: a name first, then an index.
+    ///
+    /// # Errors
+    /// If the skeleton has no such joint.
+    pub fn find_joint(skeleton: &SkeletalModel, name_or_index: &str) -> Result<usize, PoseError> {
+        let joints = skeleton.joints();
+        joints
+            .iter()
+            .position(|joint| joint.name == name_or_index)
+            .or_else(|| {
+                name_or_index
+                    .parse()
+                    .ok()
+                    .filter(|&index: &usize| index < joints.len())
+            })
+            .ok_or_else(|| PoseError::NoSuchJoint(name_or_index.to_owned()))
+    }
+}

@@ -1,0 +1,187 @@
+use super::{Joint, Pose};
+use crate::math::MatrixStack;
+use glam::{Mat4, Vec3};
+
+/// A forest of joints with the transforms of its rest pose, the bind pose.
+///
+/// Once made it does not change: poses lie beside it, and the current transforms are computed
+/// from both, so there is no order of calls to remember.
+#[derive(Clone, Debug)]
+pub struct SkeletalModel {
+    joints: Vec<Joint>,
+    roots: Vec<usize>,
+    children: Vec<Vec<usize>>,
+    bind_joint_from_model: Vec<Mat4>,
+}
+
+/// Why a list of joints is no skeleton. Joint numbers are indices into the list.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SkeletonError {
+    /// There is nothing to make a skeleton of.
+    #[error("expected at least one joint, found none")]
+    Empty,
+    /// A parent's index is past the end.
+    #[error("joint {joint}: expected a parent below {count}, found {parent}")]
+    BadParent {
+        /// The joint that names it.
+        joint: usize,
+        /// The index it names.
+        parent: usize,
+        /// How many joints there are.
+        count: usize,
+    },
+    /// A joint is its own ancestor.
+    #[error("joint {joint}: expected a tree, found a joint that is its own ancestor")]
+    Cycle {
+        /// The first joint on the cycle.
+        joint: usize,
+    },
+}
+
+impl SkeletonError {
+    /// The joint at fault, where there is one.
+    pub fn joint(&self) -> Option<usize> {
+        match *self {
+            Self::Empty => None,
+            Self::BadParent { joint, .. } | Self::Cycle { joint } => Some(joint),
+        }
+    }
+}
+
+impl SkeletalModel {
+    /// Builds the skeleton and its bind transforms. Parents may come after their children.
+    ///
+    /// # Errors
+    /// If there are no joints, a parent does not exist, or a joint is its own ancestor.
+    pub fn new(joints: Vec<Joint>) -> Result<Self, SkeletonError> {
+        let count = joints.len();
+        if count == 0 {
+            return Err(SkeletonError::Empty);
+        }
+        let mut roots = Vec::new();
+        let mut children = vec![Vec::new(); count];
+        for (joint, parent) in joints.iter().map(|joint| joint.parent).enumerate() {
+            match parent {
+                None => roots.push(joint),
+                Some(parent) if parent < count => children[parent].push(joint),
+                Some(parent) => {
+                    return Err(SkeletonError::BadParent {
+                        joint,
+                        parent,
+                        count,
+                    });
+                }
+            }
+        }
+        let mut model = Self {
+            joints,
+            roots,
+            children,
+            bind_joint_from_model: Vec::new(),
+        };
+        if let Some(joint) = model.first_unreachable() {
+            return Err(SkeletonError::Cycle { joint });
+        }
+        model.compute_bind_world_to_joint_transforms();
+        Ok(model)
+    }
+
+    /// The joints, in the order of the file.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// The joints without a parent, in the order of the file.
+    pub fn roots(&self) -> &[usize] {
+        &self.roots
+    }
+
+    /// The children of `joint`, in the order of the file.
+    pub fn children(&self, joint: usize) -> &[usize] {
+        &self.children[joint]
+    }
+
+    /// B⁻¹ of every joint: from model space to the joint's frame in the bind pose (assignment,
+    /// `bindWorldToJointTransform`).
+    pub fn bind_joint_from_model(&self) -> &[Mat4] {
+        &self.bind_joint_from_model
+    }
+
+    /// T of every joint under `pose`: from the joint's frame to model space (assignment,
+    /// `currentJointToWorldTransform`). Rotations that the pose lacks count as none.
+    #[doc(alias = "updateCurrentJointToWorldTransforms")]
+    pub fn update_current_joint_to_world_transforms(&self, pose: &Pose) -> Vec<Mat4> {
+        self.by_recursion(|joint| {
+            let offset = self.joints[joint].offset + pose.root_offset(joint);
+            Mat4::from_translation(offset) * pose.rotation(joint).to_mat4()
+        })
+    }
+
+    /// `T · B⁻¹` of every joint: where the joint has taken what it held in the bind pose, in
+    /// model space. The identity for an untouched skeleton.
+    pub fn palette(&self, current_model_from_joint: &[Mat4]) -> Vec<Mat4> {
+        current_model_from_joint
+            .iter()
+            .zip(&self.bind_joint_from_model)
+            .map(|(model_from_joint, joint_from_bind)| *model_from_joint * *joint_from_bind)
+            .collect()
+    }
+
+    /// Positions of all joints at rest, in model space.
+    pub fn bind_positions(&self) -> Vec<Vec3> {
+        self.by_recursion(|joint| Mat4::from_translation(self.joints[joint].offset))
+            .iter()
+            .map(|model_from_joint| model_from_joint.w_axis.truncate())
+            .collect()
+    }
+
+    #[doc(alias = "computeBindWorldToJointTransforms")]
+    fn compute_bind_world_to_joint_transforms(&mut self) {
+        self.bind_joint_from_model = self
+            .by_recursion(|joint| Mat4::from_translation(self.joints[joint].offset))
+            .iter()
+            .map(Mat4::inverse)
+            .collect();
+    }
+
+    /// `model_from_joint` of every joint, by walking the forest over a matrix stack.
+    ///
+    /// The walk keeps its own list of what to visit: a chain of joints as long as a file cares
+    /// to make it must not overflow the thread's stack.
+    fn by_recursion(&self, parent_from_joint: impl Fn(usize) -> Mat4) -> Vec<Mat4> {
+        enum Step {
+            Enter(usize),
+            Leave,
+        }
+        let mut model_from_joint = vec![Mat4::IDENTITY; self.joints.len()];
+        let mut stack = MatrixStack::new();
+        let mut steps: Vec<Step> = self
+            .roots
+            .iter()
+            .rev()
+            .map(|&root| Step::Enter(root))
+            .collect();
+        while let Some(step) = steps.pop() {
+            match step {
+                Step::Enter(joint) => {
+                    stack.push(parent_from_joint(joint));
+                    model_from_joint[joint] = stack.top();
+                    steps.push(Step::Leave);
+                    steps.extend(self.children[joint].iter().rev().map(|&c| Step::Enter(c)));
+                }
+                Step::Leave => stack.pop(),
+            }
+        }
+        model_from_joint
+    }
+
+    fn first_unreachable(&self) -> Option<usize> {
+        let mut reached = vec![false; self.joints.len()];
+        let mut open = self.roots.clone();
+        while let Some(joint) = open.pop() {
+            reached[joint] = true;
+            open.extend(&self.children[joint]);
+        }
+        reached.iter().position(|&reached| !reached)
+    }
+}

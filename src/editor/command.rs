@@ -1,0 +1,125 @@
+use crate::character::Pose;
+use crate::math::{Euler, Transform};
+use crate::scene::{
+    Camera, CharacterDisplay, Look, Placement, Shading, ShapeColor, ShapeId, ShapeKind, Source,
+    ViewDirection,
+};
+use glam::Vec3;
+
+/// What a panel, a menu, a key or a gesture wants done.
+#[derive(Clone, Debug)]
+pub enum Action {
+    /// Changes the scene.
+    Edit(Edit),
+    /// Changes how the scene is looked at.
+    View(View),
+    /// Needs a dialog, a file or the program itself.
+    Ask(Ask),
+}
+
+/// A change of the scene.
+#[derive(Clone, Debug)]
+pub enum Edit {
+    /// Adds a shape, in the color of its kind, and selects it.
+    Insert {
+        /// What the list will call it.
+        name: String,
+        /// What it is.
+        kind: ShapeKind,
+        /// Where it came from.
+        source: Option<Source>,
+    },
+    /// Takes a shape away.
+    Delete(ShapeId),
+    /// Puts placement, color and joint angles back to how the shape started.
+    Reset(ShapeId),
+    /// Moves, turns or scales a shape.
+    SetTransform(ShapeId, Transform),
+    /// Scales all axes together, or each by its own. Turning it on makes all scales the x one.
+    SetUniformScaling(ShapeId, bool),
+    /// Colors a shape.
+    SetColor(ShapeId, ShapeColor),
+    /// Replaces placement and color at once.
+    SetPlacement(ShapeId, Placement),
+    /// Changes how a character is drawn.
+    SetDisplay(ShapeId, CharacterDisplay),
+    /// Replaces the angles of one joint.
+    SetJointTransform {
+        /// The character.
+        shape: ShapeId,
+        /// Index of the joint.
+        joint: usize,
+        /// Its new angles.
+        rotation: Euler,
+    },
+    /// Moves a root joint from its place at rest, in the character's space.
+    SetRootOffset {
+        /// The character.
+        shape: ShapeId,
+        /// Index of the root joint.
+        root: usize,
+        /// How far.
+        offset: Vec3,
+    },
+    /// Puts one joint back to rest.
+    ResetJoint(ShapeId, usize),
+    /// Replaces all angles.
+    SetPose(ShapeId, Pose),
+}
+
+/// A change of how the scene is looked at.
+#[derive(Clone, Debug)]
+pub enum View {
+    /// Puts the camera elsewhere.
+    SetCamera(Camera),
+    /// One of the six views of the View menu.
+    From(ViewDirection),
+    /// The course's first view.
+    ResetCamera,
+    /// Moves the camera so that the selected shape, or everything if none is, fills a picture of
+    /// this aspect (width over height).
+    Fit {
+        /// Width over height.
+        aspect: f32,
+    },
+    /// Shows or hides the axes.
+    SetAxis(bool),
+    /// Shows or hides the Studio look's grid.
+    SetGrid(bool),
+    /// Changes light and background.
+    SetLook(Look),
+    /// Changes the normals that surfaces are lit with.
+    SetShading(Shading),
+    /// Selects a shape, or none.
+    Select(Option<ShapeId>),
+    /// Selects a joint of the selected shape, or none.
+    SelectJoint(Option<usize>),
+    /// Marks the joint that the pointer is over, or none.
+    HoverJoint(Option<usize>),
+    /// Takes the fresh messages away; the history keeps them.
+    DismissMessages,
+}
+
+/// Something that only the program around the editor can do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Ask {
+    /// Import ▸ Import Shape: choose a file.
+    ImportShape,
+    /// Import ▸ Import Character: choose a file.
+    ImportCharacter,
+    /// A built-in character by its name.
+    InsertBuiltin(&'static str),
+    /// Save a picture of the view: choose a file.
+    Screenshot(Screenshot),
+    /// End the program.
+    Quit,
+}
+
+/// What a picture of the view should show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Screenshot {
+    /// Whether the panels are in it.
+    pub with_panels: bool,
+    /// Its size in pixels; the window's own if `None`. Pictures with panels have the window's.
+    pub size: Option<(u32, u32)>,
+}

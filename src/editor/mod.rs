@@ -1,0 +1,12 @@
+//! What a person does to a scene, as data: panels and tools return [`Action`]s, and
+//! [`apply_edit`] and [`apply_view`] are the only places that change anything.
+
+mod apply;
+mod command;
+mod messages;
+mod session;
+
+pub use apply::{apply_edit, apply_view};
+pub use command::{Action, Ask, Edit, Screenshot, View};
+pub use messages::{Message, Messages, Severity};
+pub use session::Session;

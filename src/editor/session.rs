@@ -1,0 +1,79 @@
+use super::Messages;
+use crate::scene::{Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
+
+/// One running editor: the scene and all that concerns its user rather than the scene.
+#[derive(Debug, Default)]
+pub struct Session {
+    /// What is edited. Changed by [`super::apply_edit`] alone.
+    pub(super) scene: Scene,
+    pub(super) selected: Option<ShapeId>,
+    pub(super) selected_joint: Option<usize>,
+    pub(super) hovered_joint: Option<usize>,
+    pub(super) view: ViewSettings,
+    /// What was told to the user.
+    pub messages: Messages,
+    evaluator: Evaluator,
+    evaluated: Evaluated,
+}
+
+impl Session {
+    /// An empty scene under the course's first view.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// A session that starts with `scene` seen through `view`; its last shape is selected.
+    pub fn with_scene(scene: Scene, view: ViewSettings) -> Self {
+        let selected = scene.shapes().last().map(|shape| shape.id);
+        let mut session = Self {
+            scene,
+            view,
+            selected,
+            ..Self::default()
+        };
+        session.refresh();
+        session
+    }
+
+    /// What is edited.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The selected shape; always one that exists.
+    pub fn selected(&self) -> Option<ShapeId> {
+        self.selected
+    }
+
+    /// The selected joint of the selected shape; always one that exists.
+    pub fn selected_joint(&self) -> Option<usize> {
+        self.selected_joint
+    }
+
+    /// The joint of the selected shape that the pointer is over, in the view or in the panel.
+    pub fn hovered_joint(&self) -> Option<usize> {
+        self.hovered_joint
+    }
+
+    /// How the scene is looked at.
+    pub fn view(&self) -> &ViewSettings {
+        &self.view
+    }
+
+    /// All that follows from the scene as it is now.
+    pub fn evaluated(&self) -> &Evaluated {
+        &self.evaluated
+    }
+
+    /// Works out anew what changed. Both apply functions end with this.
+    pub(super) fn refresh(&mut self) {
+        self.evaluated = self.evaluator.evaluate(&self.scene);
+        self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
+        let joints = self
+            .selected
+            .and_then(|id| self.scene.character(id))
+            .map_or(0, |character| character.character.skeleton().joints().len());
+        self.selected_joint = self.selected_joint.filter(|&joint| joint < joints);
+        self.hovered_joint = self.hovered_joint.filter(|&joint| joint < joints);
+    }
+}

@@ -1,0 +1,36 @@
+use super::Euler;
+use glam::{Mat4, Vec3};
+
+/// Where a shape stands: `world_from_model = T · Rx · Ry · Rz · S` (course editor, "Euler
+/// angles").
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Transform {
+    /// Position of the model's origin in the world.
+    pub position: Vec3,
+    /// Rotation, applied after scaling and before moving.
+    pub rotation: Euler,
+    /// Scale along the model's own axes.
+    pub scale: Vec3,
+}
+
+impl Transform {
+    /// At the origin, unturned, at its own size.
+    pub const IDENTITY: Self = Self {
+        position: Vec3::ZERO,
+        rotation: Euler::ZERO,
+        scale: Vec3::ONE,
+    };
+
+    /// The matrix from the model's space to the world's.
+    pub fn world_from_model(&self) -> Mat4 {
+        Mat4::from_translation(self.position)
+            * self.rotation.to_mat4()
+            * Mat4::from_scale(self.scale)
+    }
+}
+
+impl Default for Transform {
+    fn default() -> Self {
+        Self::IDENTITY
+    }
+}

@@ -1,0 +1,303 @@
+use crate::math::{Aabb, Ray};
+use glam::camera::rh::{proj::opengl, view};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use std::f32::consts::{FRAC_PI_2, PI};
+
+/// How far φ stays from the poles when it is turned by hand, radians.
+const POLE_MARGIN: f32 = 0.1;
+const PAN_PER_PIXEL: f32 = 0.01;
+const TURN_PER_PIXEL: f32 = 0.005;
+const ZOOM_PER_NOTCH: f32 = 0.5;
+const NEAREST: f32 = 0.5;
+
+/// A camera that looks at a target from a distance:
+/// `eye = target + r (cosφ cosθ, sinφ, cosφ sinθ)`, +Y up. Angles in radians.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct Camera {
+    /// What it looks at, in the world.
+    pub target: Vec3,
+    /// Distance of the eye from the target.
+    pub radius: f32,
+    /// Angle about +Y, from +X towards +Z.
+    pub theta: f32,
+    /// Angle above the horizontal plane.
+    pub phi: f32,
+    /// Vertical field of view.
+    pub fovy: f32,
+    /// Distance of the near plane.
+    pub near: f32,
+    /// Distance of the far plane.
+    pub far: f32,
+}
+
+/// The six views of the View menu, named for the side from which they look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ViewDirection {
+    /// From +X.
+    PlusX,
+    /// From -X.
+    MinusX,
+    /// From above, with +X to the right.
+    PlusY,
+    /// From below, with +X to the right.
+    MinusY,
+    /// From +Z.
+    PlusZ,
+    /// From -Z.
+    MinusZ,
+}
+
+impl ViewDirection {
+    /// All six, in the order of the menu.
+    pub const ALL: [Self; 6] = [
+        Self::PlusX,
+        Self::MinusX,
+        Self::PlusY,
+        Self::MinusY,
+        Self::PlusZ,
+        Self::MinusZ,
+    ];
+
+    /// `+X` and so on.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::PlusX => "+X",
+            Self::MinusX => "-X",
+            Self::PlusY => "+Y",
+            Self::MinusY => "-Y",
+            Self::PlusZ => "+Z",
+            Self::MinusZ => "-Z",
+        }
+    }
+
+    /// θ and φ. Seen from straight above or below, θ says which way is up in the picture: at 90°
+    /// +X is to the right.
+    fn angles(self) -> (f32, f32) {
+        match self {
+            Self::PlusX => (0.0, 0.0),
+            Self::MinusX => (PI, 0.0),
+            Self::PlusY => (FRAC_PI_2, FRAC_PI_2),
+            Self::MinusY => (FRAC_PI_2, -FRAC_PI_2),
+            Self::PlusZ => (FRAC_PI_2, 0.0),
+            Self::MinusZ => (-FRAC_PI_2, 0.0),
+        }
+    }
+}
+
+impl Default for Camera {
+    fn default() -> Self {
+        Self {
+            target: Vec3::ZERO,
+            radius: 5.0,
+            theta: FRAC_PI_2,
+            phi: 0.0,
+            fovy: 45.0_f32.to_radians(),
+            near: 0.1,
+            far: 100.0,
+        }
+    }
+}
+
+impl Camera {
+    /// One of the six views of the View menu: target at the origin, distance 5.
+    pub fn preset(direction: ViewDirection) -> Self {
+        let (theta, phi) = direction.angles();
+        Self {
+            theta,
+            phi,
+            ..Self::default()
+        }
+    }
+
+    /// Turned to look from `direction`, with target and distance kept.
+    pub fn looking_from(self, direction: ViewDirection) -> Self {
+        let (theta, phi) = direction.angles();
+        Self { theta, phi, ..self }
+    }
+
+    /// Unit vector from the target to the eye.
+    fn outward(&self) -> Vec3 {
+        let (sin_theta, cos_theta) = self.theta.sin_cos();
+        let (sin_phi, cos_phi) = self.phi.sin_cos();
+        Vec3::new(cos_phi * cos_theta, sin_phi, cos_phi * sin_theta)
+    }
+
+    /// Unit vector to the right of the picture. It follows from θ alone and so is defined at the
+    /// poles too.
+    pub fn right(&self) -> Vec3 {
+        Vec3::new(self.theta.sin(), 0.0, -self.theta.cos())
+    }
+
+    /// Unit vector to the top of the picture.
+    pub fn up(&self) -> Vec3 {
+        self.outward().cross(self.right())
+    }
+
+    /// Where the eye is, in the world.
+    pub fn eye(&self) -> Vec3 {
+        self.target + self.outward() * self.radius
+    }
+
+    /// From the world to the eye's space (x right, y up, looking along -z).
+    pub fn view_from_world(&self) -> Mat4 {
+        view::look_at_mat4(self.eye(), self.target, self.up())
+    }
+
+    /// From the eye's space to clip space; `aspect` is width over height of the picture.
+    pub fn clip_from_view(&self, aspect: f32) -> Mat4 {
+        opengl::perspective(self.fovy, aspect, self.near, self.far)
+    }
+
+    /// From the world to clip space.
+    pub fn clip_from_world(&self, aspect: f32) -> Mat4 {
+        self.clip_from_view(aspect) * self.view_from_world()
+    }
+
+    /// The ray, in the world, under a point of the picture: `pixel` from the top left, in a
+    /// picture of `size`. Starts at the eye; its direction has unit length.
+    pub fn ray(&self, pixel: Vec2, size: Vec2) -> Ray {
+        let half_height = (self.fovy * 0.5).tan();
+        let x = (2.0 * pixel.x / size.x - 1.0) * half_height * size.x / size.y;
+        let y = (1.0 - 2.0 * pixel.y / size.y) * half_height;
+        let direction = self.right() * x + self.up() * y - self.outward();
+        Ray {
+            origin: self.eye(),
+            direction: direction.normalize_or(-self.outward()),
+        }
+    }
+
+    /// Where a point of the world lies in a picture of `size`, from the top left; `None` behind
+    /// the eye.
+    pub fn pixel(&self, world: Vec3, size: Vec2) -> Option<Vec2> {
+        let clip: Vec4 = self.clip_from_world(size.x / size.y) * world.extend(1.0);
+        (clip.w > 0.0).then(|| {
+            let ndc = clip.truncate() / clip.w;
+            Vec2::new((ndc.x + 1.0) * 0.5 * size.x, (1.0 - ndc.y) * 0.5 * size.y)
+        })
+    }
+
+    /// Drags the scene with the pointer, which moved by `delta` pixels (y down). The vertical
+    /// part runs along the world's +Y, as in the course's editor.
+    pub fn pan(&mut self, delta: Vec2) {
+        self.target -= self.right() * (delta.x * PAN_PER_PIXEL);
+        self.target += Vec3::Y * (delta.y * PAN_PER_PIXEL);
+    }
+
+    /// Turns about the target by a drag of `delta` pixels (y down).
+    pub fn turn(&mut self, delta: Vec2) {
+        let limit = FRAC_PI_2 - POLE_MARGIN;
+        self.theta -= TURN_PER_PIXEL * delta.x;
+        self.phi = (self.phi - TURN_PER_PIXEL * delta.y).clamp(-limit, limit);
+    }
+
+    /// Moves the eye towards the target by `notches` of the wheel.
+    pub fn zoom(&mut self, notches: f32) {
+        self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(NEAREST);
+    }
+
+    /// Moves and, if need be, pulls the planes apart so that all of `bounds` is in a picture of
+    /// `aspect`, keeping the direction of view. An empty box changes nothing.
+    pub fn fit(&mut self, bounds: &Aabb, aspect: f32) {
+        if bounds.is_empty() {
+            return;
+        }
+        const MARGIN: f32 = 1.1;
+        let half_height = (self.fovy * 0.5).tan();
+        let half_width = half_height * aspect;
+        let center = bounds.center();
+        let mut radius = NEAREST;
+        let mut half_depth = 0.0_f32;
+        for corner in bounds.corners() {
+            let offset = corner - center;
+            let towards_eye = offset.dot(self.outward());
+            let across = (offset.dot(self.right()).abs() / half_width)
+                .max(offset.dot(self.up()).abs() / half_height);
+            radius = radius.max(towards_eye + across * MARGIN);
+            half_depth = half_depth.max(towards_eye.abs());
+        }
+        self.target = center;
+        self.radius = radius;
+        let course = Self::default();
+        self.far = course.far.max((radius + half_depth) * 2.0);
+        self.near = course
+            .near
+            .min((radius - half_depth).max(radius * 1e-3) * 0.5);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_ray_through_a_pixel_comes_back_to_that_pixel() {
+        let size = Vec2::new(800.0, 600.0);
+        for direction in ViewDirection::ALL {
+            let camera = Camera {
+                target: Vec3::new(0.3, -0.2, 0.7),
+                ..Camera::preset(direction)
+            };
+            for pixel in [Vec2::ZERO, Vec2::new(13.0, 577.0), size * 0.5] {
+                let ray = camera.ray(pixel, size);
+                let back = camera.pixel(ray.at(3.7), size).unwrap();
+                assert!(
+                    back.abs_diff_eq(pixel, 1e-2),
+                    "{direction:?} {pixel} {back}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn seen_from_above_and_below_plus_x_is_to_the_right() {
+        for direction in [
+            ViewDirection::PlusY,
+            ViewDirection::MinusY,
+            ViewDirection::PlusZ,
+        ] {
+            let camera = Camera::preset(direction);
+            let pixel = camera.pixel(Vec3::X, Vec2::new(800.0, 600.0)).unwrap();
+            assert!(pixel.x > 450.0, "{direction:?} {pixel}");
+        }
+    }
+
+    #[test]
+    fn a_pan_moves_the_scene_with_the_pointer() {
+        let size = Vec2::new(800.0, 600.0);
+        let mut camera = Camera::default();
+        let before = camera.pixel(Vec3::ZERO, size).unwrap();
+        camera.pan(Vec2::new(50.0, 40.0));
+        let after = camera.pixel(Vec3::ZERO, size).unwrap();
+        assert!(after.x > before.x && after.y > before.y);
+    }
+
+    #[test]
+    fn turning_stops_short_of_the_poles_and_zooming_before_the_target() {
+        let mut camera = Camera::default();
+        camera.turn(Vec2::new(0.0, -10_000.0));
+        assert!((camera.phi - (FRAC_PI_2 - 0.1)).abs() < 1e-6);
+        camera.zoom(1000.0);
+        assert_eq!(camera.radius, 0.5);
+    }
+
+    #[test]
+    fn fitting_brings_every_corner_into_the_picture() {
+        let size = Vec2::new(800.0, 600.0);
+        let bounds = Aabb {
+            min: Vec3::new(-30.0, 0.0, -2.0),
+            max: Vec3::new(10.0, 5.0, 400.0),
+        };
+        for direction in ViewDirection::ALL {
+            let mut camera = Camera::preset(direction);
+            camera.fit(&bounds, size.x / size.y);
+            for corner in bounds.corners() {
+                let clip = camera.clip_from_world(size.x / size.y) * corner.extend(1.0);
+                let ndc = clip.truncate() / clip.w;
+                assert!(
+                    clip.w > 0.0 && ndc.abs().max_element() <= 1.0,
+                    "{direction:?} {ndc}"
+                );
+            }
+        }
+    }
+}

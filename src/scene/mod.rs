@@ -1,0 +1,21 @@
+//! What the user arranges: shapes with their placement, and how they are looked at.
+
+mod camera;
+mod color_presets;
+pub mod custom;
+mod evaluate;
+mod picking;
+mod shape;
+mod shape_manager;
+mod view_settings;
+
+pub use camera::{Camera, ViewDirection};
+pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
+pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
+pub use picking::pick_shape;
+pub use shape::{
+    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, Placement, Shape,
+    ShapeId, ShapeKind, Source,
+};
+pub use shape_manager::{Scene, name_of_import};
+pub use view_settings::{Look, Shading, ViewSettings};

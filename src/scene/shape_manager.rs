@@ -1,0 +1,121 @@
+use super::{CharacterShape, Placement, Shape, ShapeId, ShapeKind, Source};
+
+/// The scene: the list of shapes, in the order they were made.
+#[derive(Clone, Debug)]
+#[doc(alias = "ShapeManager")]
+pub struct Scene {
+    shapes: Vec<Shape>,
+    next_id: u32,
+}
+
+impl Default for Scene {
+    fn default() -> Self {
+        Self {
+            shapes: Vec::new(),
+            next_id: 1,
+        }
+    }
+}
+
+impl Scene {
+    /// A scene without shapes.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The shapes, in the order they were made.
+    pub fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+
+    /// The shape called `id`.
+    pub fn shape(&self, id: ShapeId) -> Option<&Shape> {
+        self.shapes.iter().find(|shape| shape.id == id)
+    }
+
+    /// The shape called `id`, to be changed.
+    pub fn shape_mut(&mut self, id: ShapeId) -> Option<&mut Shape> {
+        self.shapes.iter_mut().find(|shape| shape.id == id)
+    }
+
+    /// The character called `id`, if it is one.
+    pub fn character(&self, id: ShapeId) -> Option<&CharacterShape> {
+        match &self.shape(id)?.kind {
+            ShapeKind::Character(character) => Some(character),
+            _ => None,
+        }
+    }
+
+    /// The character called `id`, to be changed, if it is one.
+    pub fn character_mut(&mut self, id: ShapeId) -> Option<&mut CharacterShape> {
+        match &mut self.shape_mut(id)?.kind {
+            ShapeKind::Character(character) => Some(character),
+            _ => None,
+        }
+    }
+
+    /// Adds a shape at the origin in the color of its kind, and returns its new id.
+    pub fn add(&mut self, name: String, kind: ShapeKind, source: Option<Source>) -> ShapeId {
+        let id = ShapeId(self.next_id);
+        self.next_id += 1;
+        let start = Placement::at_origin(kind.start_color());
+        self.shapes.push(Shape {
+            id,
+            name,
+            kind,
+            source,
+            start,
+            placement: start,
+        });
+        id
+    }
+
+    /// Takes a shape away. Its id is not used again.
+    pub fn delete(&mut self, id: ShapeId) -> Option<Shape> {
+        let index = self.shapes.iter().position(|shape| shape.id == id)?;
+        Some(self.shapes.remove(index))
+    }
+
+    /// Puts position, scale, rotation, color and joint angles back to how the shape started.
+    pub fn reset(&mut self, id: ShapeId) {
+        if let Some(shape) = self.shape_mut(id) {
+            shape.placement = shape.start;
+            if let ShapeKind::Character(character) = &mut shape.kind {
+                character.set_pose(crate::character::Pose::new());
+            }
+        }
+    }
+}
+
+/// The name that an imported file gets in the list: its stem, first letter upper, rest lower.
+pub fn name_of_import(stem: &str) -> String {
+    let mut letters = stem.chars();
+    match letters.next() {
+        Some(first) => first
+            .to_uppercase()
+            .chain(letters.flat_map(char::to_lowercase))
+            .collect(),
+        None => "Shape".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_count_from_1_and_are_not_used_again() {
+        let mut scene = Scene::new();
+        let first = scene.add("Cube".into(), ShapeKind::Cube, None);
+        assert_eq!(first, ShapeId(1));
+        scene.delete(first);
+        assert_eq!(scene.add("Cube".into(), ShapeKind::Cube, None), ShapeId(2));
+    }
+
+    #[test]
+    fn imports_are_named_by_the_stem_first_letter_upper_rest_lower() {
+        assert_eq!(name_of_import("myTeaPot"), "Myteapot");
+        assert_eq!(name_of_import("MODEL1"), "Model1");
+        assert_eq!(name_of_import(""), "Shape");
+    }
+}
