@@ -1,0 +1,195 @@
+//! The fixed-function state of a draw, always set as a whole.
+
+use glow::HasContext as _;
+
+use super::Gl;
+
+/// Which fragments pass against the depth that is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DepthTest {
+    /// All of them; depth is neither read nor written.
+    Off,
+    /// The nearer ones.
+    #[default]
+    Less,
+    /// The nearer ones and those equally far.
+    LessEqual,
+    /// All of them, and depth may be written.
+    Always,
+}
+
+/// How a fragment's color combines with the one that is there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Blend {
+    /// It replaces it.
+    #[default]
+    None,
+    /// Covers it by its alpha; the picture's own alpha stays right too.
+    Alpha,
+    /// As `Alpha`, with colors that are already multiplied by their alpha.
+    Premultiplied,
+}
+
+/// Which triangles are left out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Cull {
+    /// None.
+    #[default]
+    None,
+    /// Those seen from behind: clockwise on the screen.
+    Back,
+    /// Those seen from the front: counter-clockwise on the screen.
+    Front,
+}
+
+/// Everything about a draw that is neither shader nor data.
+///
+/// [`apply`](Self::apply) sets the whole of it every time, since a user interface painter leaves
+/// its own state behind. Rectangles are x, y, width, height in pixels, from the bottom left.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawState {
+    /// Where the picture goes.
+    pub viewport: [i32; 4],
+    /// Nothing outside changes, if set.
+    pub scissor: Option<[i32; 4]>,
+    /// Which fragments pass.
+    pub depth_test: DepthTest,
+    /// Whether those that pass leave their depth.
+    pub depth_write: bool,
+    /// How colors combine.
+    pub blend: Blend,
+    /// Which triangles are left out.
+    pub cull: Cull,
+    /// Moves filled triangles away from the eye: factor (slopes) and units (smallest steps), so
+    /// that lines on them win.
+    pub polygon_offset: Option<[f32; 2]>,
+    /// Which of red, green, blue, alpha change.
+    pub color_mask: [bool; 4],
+}
+
+impl DrawState {
+    /// An opaque draw with depth over the whole of a picture of this size.
+    #[must_use]
+    pub fn opaque(width: u32, height: u32) -> Self {
+        let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX);
+        Self {
+            viewport: [0, 0, side(width), side(height)],
+            scissor: None,
+            depth_test: DepthTest::Less,
+            depth_write: true,
+            blend: Blend::None,
+            cull: Cull::None,
+            polygon_offset: None,
+            color_mask: [true; 4],
+        }
+    }
+
+    /// Makes this the state of the following draws, whatever was set before.
+    pub fn apply(&self, gl: &Gl) {
+        gl.set_viewport(self.viewport);
+        let glow = gl.raw();
+        reset_unused(glow, gl.info().is_gles);
+        let [red, green, blue, alpha] = self.color_mask;
+        // SAFETY: current context; all values are constants that OpenGL knows.
+        unsafe {
+            if let Some([x, y, width, height]) = self.scissor {
+                glow.scissor(x, y, width.max(0), height.max(0));
+            }
+            set_enabled(glow, glow::SCISSOR_TEST, self.scissor.is_some());
+            set_enabled(glow, glow::DEPTH_TEST, self.depth_test != DepthTest::Off);
+            glow.depth_func(match self.depth_test {
+                DepthTest::Less => glow::LESS,
+                DepthTest::LessEqual => glow::LEQUAL,
+                DepthTest::Off | DepthTest::Always => glow::ALWAYS,
+            });
+            glow.depth_mask(self.depth_write);
+            glow.color_mask(red, green, blue, alpha);
+            set_enabled(glow, glow::CULL_FACE, self.cull != Cull::None);
+            glow.cull_face(if self.cull == Cull::Front {
+                glow::FRONT
+            } else {
+                glow::BACK
+            });
+            let [factor, units] = self.polygon_offset.unwrap_or_default();
+            set_enabled(
+                glow,
+                glow::POLYGON_OFFSET_FILL,
+                self.polygon_offset.is_some(),
+            );
+            glow.polygon_offset(factor, units);
+        }
+        self.blend.apply(glow);
+    }
+}
+
+impl Blend {
+    fn apply(self, glow: &glow::Context) {
+        let source = if self == Self::Alpha {
+            glow::SRC_ALPHA
+        } else {
+            glow::ONE
+        };
+        let rest = if self == Self::None {
+            glow::ZERO
+        } else {
+            glow::ONE_MINUS_SRC_ALPHA
+        };
+        // SAFETY: current context; all values are constants that OpenGL knows.
+        unsafe {
+            set_enabled(glow, glow::BLEND, self != Self::None);
+            glow.blend_equation(glow::FUNC_ADD);
+            glow.blend_func_separate(source, rest, glow::ONE, rest);
+        }
+    }
+}
+
+/// State that no draw of ours changes, but others may have.
+fn reset_unused(glow: &glow::Context, is_gles: bool) {
+    let off = [
+        glow::DITHER,
+        glow::STENCIL_TEST,
+        glow::SAMPLE_ALPHA_TO_COVERAGE,
+        glow::SAMPLE_COVERAGE,
+        glow::RASTERIZER_DISCARD,
+    ];
+    // OpenGL ES has none of these; there, points have the shader's size and multisampling is on.
+    let off_natively = [
+        glow::FRAMEBUFFER_SRGB,
+        glow::COLOR_LOGIC_OP,
+        glow::PRIMITIVE_RESTART,
+        glow::DEPTH_CLAMP,
+        glow::LINE_SMOOTH,
+        glow::POLYGON_SMOOTH,
+        glow::POLYGON_OFFSET_LINE,
+        glow::POLYGON_OFFSET_POINT,
+    ];
+    // SAFETY: current context; all values are constants that OpenGL 3.3 knows, or ES where it is.
+    unsafe {
+        off.iter().for_each(|&capability| glow.disable(capability));
+        glow.front_face(glow::CCW);
+        glow.depth_range_f32(0.0, 1.0);
+        glow.line_width(1.0);
+        glow.active_texture(glow::TEXTURE0);
+        if !is_gles {
+            off_natively
+                .iter()
+                .for_each(|&capability| glow.disable(capability));
+            glow.enable(glow::MULTISAMPLE);
+            glow.enable(glow::PROGRAM_POINT_SIZE);
+            glow.polygon_mode(glow::FRONT_AND_BACK, glow::FILL);
+        }
+    }
+}
+
+/// # Safety
+/// The context is current and knows `capability`.
+unsafe fn set_enabled(glow: &glow::Context, capability: u32, enabled: bool) {
+    // SAFETY: by contract.
+    unsafe {
+        if enabled {
+            glow.enable(capability)
+        } else {
+            glow.disable(capability)
+        }
+    }
+}

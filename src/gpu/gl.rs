@@ -1,0 +1,173 @@
+//! [`Gl`]: the handle through which everything here speaks to OpenGL.
+
+use std::cell::{Cell, RefCell};
+use std::ffi::{CStr, c_void};
+use std::fmt;
+use std::rc::Rc;
+use std::sync::{Arc, Mutex};
+
+use glow::HasContext as _;
+
+use super::current::{NativeContext, OwnedNative};
+use super::{ContextError, GpuError, Info, driver};
+
+/// Messages kept between two checks; more would only repeat what the first ones say.
+pub(in crate::gpu) const MAX_MESSAGES: usize = 64;
+
+struct Inner {
+    glow: Arc<glow::Context>,
+    info: Info,
+    driver_messages: Arc<Mutex<Vec<String>>>,
+    faults: RefCell<Vec<String>>,
+    viewport: Cell<[i32; 4]>,
+    /// The last field: `glow` says good-bye to the driver while the context is still there.
+    native: OwnedNative,
+}
+
+impl Drop for Inner {
+    fn drop(&mut self) {
+        // Where this fails, the driver ignores what `glow` tells it.
+        let _ = self.native.make_current();
+    }
+}
+
+/// A handle to an OpenGL context: cheap to clone, tied to the thread that made it.
+///
+/// Each object made from it holds a clone, and the context lives until the last clone is dropped.
+/// Several contexts may live on one thread: whatever is used makes its own context current first.
+#[derive(Clone)]
+pub struct Gl {
+    inner: Rc<Inner>,
+}
+
+impl fmt::Debug for Gl {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Gl").field(&self.inner.info.version).finish()
+    }
+}
+
+impl Gl {
+    /// Makes `native` current and loads the entry points through `load` (null for unknown names).
+    pub(in crate::gpu) fn new(
+        native: Rc<dyn NativeContext>,
+        load: impl Fn(&CStr) -> *const c_void,
+    ) -> Result<Self, ContextError> {
+        let native = OwnedNative::new(native);
+        native.make_current()?;
+        driver::check_version(&load)?;
+        // SAFETY: the context is current, and `load` returns the entry points of its driver.
+        let mut glow = unsafe { glow::Context::from_loader_function_cstr(load) };
+        let driver_messages = driver::collect_messages(&mut glow);
+        let info = driver::read_info(&glow);
+        let viewport = Cell::new([0; 4]);
+        let faults = RefCell::default();
+        let glow = Arc::new(glow);
+        Ok(Self {
+            inner: Rc::new(Inner {
+                glow,
+                info,
+                driver_messages,
+                faults,
+                viewport,
+                native,
+            }),
+        })
+    }
+
+    /// What the driver is and can do.
+    #[must_use]
+    pub fn info(&self) -> &Info {
+        &self.inner.info
+    }
+
+    /// Makes this context current on the thread. Needed only before foreign code (a user interface
+    /// painter) uses [`glow_context`](Self::glow_context); everything in `gpu` does it by itself.
+    ///
+    /// # Errors
+    /// When the window system refuses, for example after the display was lost.
+    pub fn make_current(&self) -> Result<(), ContextError> {
+        self.inner.native.make_current()
+    }
+
+    /// The `glow` context, for the user interface's painter. It must not be used after the last
+    /// [`Gl`] of this context is gone, nor without [`make_current`](Self::make_current).
+    #[must_use]
+    pub fn glow_context(&self) -> Arc<glow::Context> {
+        Arc::clone(&self.inner.glow)
+    }
+
+    /// Draws into the window from now on, instead of a framebuffer.
+    pub fn bind_window(&self) {
+        // SAFETY: current context.
+        unsafe { self.raw().bind_framebuffer(glow::FRAMEBUFFER, None) }
+    }
+
+    /// Everything that went wrong since the last check, each fault told once.
+    ///
+    /// # Errors
+    /// [`GpuError::Faults`] with the driver's error codes and messages of errors or high severity,
+    /// and the mistakes that this layer caught before they reached the driver.
+    pub fn check(&self, what: &str) -> Result<(), GpuError> {
+        let mut faults = Vec::new();
+        // A lost context may report errors for ever, hence the bound.
+        for _ in 0..MAX_MESSAGES {
+            // SAFETY: current context.
+            match unsafe { self.raw().get_error() } {
+                glow::NO_ERROR => break,
+                code => faults.push(error_name(code)),
+            }
+        }
+        faults.append(&mut self.inner.faults.borrow_mut());
+        if let Ok(mut messages) = self.inner.driver_messages.lock() {
+            faults.append(&mut messages);
+        }
+        if faults.is_empty() {
+            return Ok(());
+        }
+        let what = what.to_owned();
+        Err(GpuError::Faults { what, faults })
+    }
+
+    /// The entry points, with the context made current. If that fails, the fault is kept for
+    /// [`check`](Self::check); the drivers then ignore the calls.
+    pub(in crate::gpu) fn raw(&self) -> &glow::Context {
+        if let Err(error) = self.make_current() {
+            self.report(error.to_string());
+        }
+        &self.inner.glow
+    }
+
+    /// Keeps a fault until the next check.
+    pub(in crate::gpu) fn report(&self, fault: String) {
+        let mut faults = self.inner.faults.borrow_mut();
+        if faults.len() < MAX_MESSAGES && !faults.contains(&fault) {
+            faults.push(fault);
+        }
+    }
+
+    /// The viewport that was set last: x, y, width, height in pixels.
+    pub(in crate::gpu) fn viewport(&self) -> [i32; 4] {
+        self.inner.viewport.get()
+    }
+
+    pub(in crate::gpu) fn set_viewport(&self, viewport: [i32; 4]) {
+        let [x, y, width, height] = viewport;
+        self.inner.viewport.set(viewport);
+        // SAFETY: current context.
+        unsafe { self.raw().viewport(x, y, width.max(0), height.max(0)) }
+    }
+}
+
+fn error_name(code: u32) -> String {
+    match code {
+        glow::INVALID_ENUM => "GL_INVALID_ENUM".to_owned(),
+        glow::INVALID_VALUE => "GL_INVALID_VALUE".to_owned(),
+        glow::INVALID_OPERATION => "GL_INVALID_OPERATION".to_owned(),
+        glow::INVALID_FRAMEBUFFER_OPERATION => "GL_INVALID_FRAMEBUFFER_OPERATION".to_owned(),
+        glow::OUT_OF_MEMORY => "GL_OUT_OF_MEMORY (out of graphics memory)".to_owned(),
+        glow::CONTEXT_LOST => {
+            "GL_CONTEXT_LOST (the driver was reset: restart the program)".to_owned()
+        }
+        other => format!("GL error 0x{other:04x}"),
+    }
+}

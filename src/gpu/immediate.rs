@@ -1,0 +1,257 @@
+//! The compatibility layer: `glBegin … glEnd` on top of core OpenGL.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+use super::thick_line::{self, Point};
+use super::{Attribute, Buffer, Gl, GpuError, Primitive, Program, Usage, VertexArray};
+
+/// What the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) make.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    /// `GL_POINTS`.
+    Points,
+    /// `GL_LINES`: one segment two vertices.
+    Lines,
+    /// `GL_LINE_STRIP`.
+    LineStrip,
+    /// `GL_LINE_LOOP`: a strip that returns to its first vertex.
+    LineLoop,
+    /// `GL_TRIANGLES`.
+    Triangles,
+    /// `GL_TRIANGLE_STRIP`.
+    TriangleStrip,
+    /// `GL_TRIANGLE_FAN`.
+    TriangleFan,
+    /// `GL_QUADS`: one quad four vertices, around it.
+    Quads,
+}
+
+/// How points look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[doc(alias = "GL_POINT_SMOOTH")]
+pub enum PointShape {
+    /// OpenGL's own.
+    #[default]
+    Square,
+    /// A disc with a hard edge, for draws without blending.
+    Disc,
+    /// A disc whose edge fades out through alpha: needs [`Blend::Alpha`](super::Blend::Alpha).
+    SmoothDisc,
+}
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Vertex {
+    position: Vec4,
+    color: Vec4,
+}
+
+/// Draws points, lines and triangles given vertex by vertex, one draw call for each
+/// `begin … end`, into what is bound and with the [`DrawState`](super::DrawState) applied last.
+///
+/// As in OpenGL, the matrix, color, sizes and shape stay until changed. A vertex outside of
+/// `begin … end`, or those two in a wrong order, are faults told by [`Gl::check`].
+pub struct Immediate {
+    gl: Gl,
+    program: Program,
+    buffer: Buffer<Vertex>,
+    vertex_array: VertexArray,
+    vertices: Vec<Vertex>,
+    mode: Option<Mode>,
+    color: Vec4,
+    clip_from_world: Mat4,
+    point_size: f32,
+    point_shape: PointShape,
+    line_width: f32,
+}
+
+impl std::fmt::Debug for Immediate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Immediate")
+            .field("mode", &self.mode)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Immediate {
+    /// Starts with the identity matrix, white, points and lines of one pixel, square points.
+    ///
+    /// # Errors
+    /// When the driver refuses the shader or a buffer.
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let vertex_body = include_str!("../../shaders/immediate_vertex.glsl");
+        let fragment_body = include_str!("../../shaders/immediate_fragment.glsl");
+        let program = Program::new(gl, "immediate", vertex_body, fragment_body)?;
+        let buffer = Buffer::vertices(gl, Usage::Stream, &[])?;
+        let color_offset = std::mem::offset_of!(Vertex, color);
+        let vertex_array = VertexArray::builder(gl)
+            .attribute(&buffer, Attribute::f32(0, 4))
+            .attribute(&buffer, Attribute::f32(1, 4).offset(color_offset))
+            .build()?;
+        Ok(Self {
+            gl: gl.clone(),
+            program,
+            buffer,
+            vertex_array,
+            vertices: Vec::new(),
+            mode: None,
+            color: Vec4::ONE,
+            clip_from_world: Mat4::IDENTITY,
+            point_size: 1.0,
+            point_shape: PointShape::Square,
+            line_width: 1.0,
+        })
+    }
+
+    /// Sets the matrix that takes vertices to clip space.
+    #[doc(alias = "glLoadMatrixf")]
+    pub fn load_matrix(&mut self, clip_from_world: Mat4) {
+        self.clip_from_world = clip_from_world;
+    }
+
+    /// Sets the diameter of points in pixels, at most the driver's limit.
+    #[doc(alias = "glPointSize")]
+    pub fn point_size(&mut self, pixels: f32) {
+        self.point_size = pixels.clamp(1.0, self.gl.info().max_point_size);
+    }
+
+    /// Sets the shape of points.
+    #[doc(alias = "GL_POINT_SMOOTH")]
+    pub fn point_shape(&mut self, shape: PointShape) {
+        self.point_shape = shape;
+    }
+
+    /// Sets the width of lines in pixels. At 1 they are OpenGL's own; wider ones have this width
+    /// across at every distance, and end square at their ends.
+    #[doc(alias = "glLineWidth")]
+    pub fn line_width(&mut self, pixels: f32) {
+        self.line_width = pixels.max(1.0);
+    }
+
+    /// Starts a group of vertices.
+    #[doc(alias = "glBegin")]
+    pub fn begin(&mut self, mode: Mode) {
+        if self.mode.is_some() {
+            self.gl
+                .report("immediate: begin without end before it".to_owned());
+        }
+        self.vertices.clear();
+        self.mode = Some(mode);
+    }
+
+    /// Sets the color (red, green, blue in 0..1) of the vertices that follow.
+    #[doc(alias = "glColor3f")]
+    pub fn color(&mut self, rgb: Vec3) {
+        self.color = rgb.extend(1.0);
+    }
+
+    /// Sets the color of the vertices that follow, with alpha.
+    #[doc(alias = "glColor4f")]
+    pub fn color_alpha(&mut self, rgba: Vec4) {
+        self.color = rgba;
+    }
+
+    /// Adds a vertex, in the space that the matrix starts from.
+    #[doc(alias = "glVertex3f")]
+    pub fn vertex(&mut self, position: Vec3) {
+        if self.mode.is_none() {
+            self.gl
+                .report("immediate: vertex outside of begin and end".to_owned());
+            return;
+        }
+        self.vertices.push(Vertex {
+            position: position.extend(1.0),
+            color: self.color,
+        });
+    }
+
+    /// Draws the group.
+    #[doc(alias = "glEnd")]
+    pub fn end(&mut self) {
+        let Some(mode) = self.mode.take() else {
+            self.gl.report("immediate: end without begin".to_owned());
+            return;
+        };
+        let is_line = matches!(mode, Mode::Lines | Mode::LineStrip | Mode::LineLoop);
+        let (primitive, clip_from_vertex) = if is_line && self.line_width > 1.0 {
+            self.widen_lines(mode);
+            (Primitive::Triangles, Mat4::IDENTITY)
+        } else {
+            (self.plain(mode), self.clip_from_world)
+        };
+        if let Err(error) = self.buffer.update(&self.vertices) {
+            self.gl.report(error.to_string());
+            return;
+        }
+        let shape = if mode == Mode::Points {
+            self.point_shape
+        } else {
+            PointShape::Square
+        };
+        // A smooth edge reaches half a pixel beyond the disc.
+        let margin = if shape == PointShape::SmoothDisc {
+            1.0
+        } else {
+            0.0
+        };
+        self.program.set_mat4("clip_from_world", clip_from_vertex);
+        self.program.set_f32("point_size", self.point_size);
+        self.program
+            .set_f32("sprite_size", self.point_size + margin);
+        self.program.set_i32("point_shape", shape as i32);
+        let count = self.vertex_array.vertex_count();
+        self.vertex_array.draw(&self.program, primitive, 0..count);
+    }
+
+    /// The primitive for a mode that OpenGL draws; quads become triangles first.
+    fn plain(&mut self, mode: Mode) -> Primitive {
+        match mode {
+            Mode::Points => Primitive::Points,
+            Mode::Lines => Primitive::Lines,
+            Mode::LineStrip => Primitive::LineStrip,
+            Mode::LineLoop => Primitive::LineLoop,
+            Mode::Triangles => Primitive::Triangles,
+            Mode::TriangleStrip => Primitive::TriangleStrip,
+            Mode::TriangleFan => Primitive::TriangleFan,
+            Mode::Quads => {
+                let quads = self.vertices.chunks_exact(4);
+                self.vertices = quads
+                    .flat_map(|q| [q[0], q[1], q[2], q[0], q[2], q[3]])
+                    .collect();
+                Primitive::Triangles
+            }
+        }
+    }
+
+    /// Replaces the vertices of lines by triangles in clip space.
+    fn widen_lines(&mut self, mode: Mode) {
+        let [_, _, width, height] = self.gl.viewport();
+        let viewport = Vec2::new(width.max(1) as f32, height.max(1) as f32);
+        let points: Vec<Point> = self
+            .vertices
+            .drain(..)
+            .map(|vertex| Point {
+                clip: self.clip_from_world * vertex.position,
+                color: vertex.color,
+            })
+            .collect();
+        let mut segments: Vec<(Point, Point)> = match mode {
+            Mode::Lines => points
+                .chunks_exact(2)
+                .map(|pair| (pair[0], pair[1]))
+                .collect(),
+            _ => points.windows(2).map(|pair| (pair[0], pair[1])).collect(),
+        };
+        if let (Mode::LineLoop, [first, .., last]) = (mode, points.as_slice()) {
+            segments.push((*last, *first));
+        }
+        let quads = segments
+            .into_iter()
+            .filter_map(|(from, to)| thick_line::quad(from, to, self.line_width, viewport));
+        self.vertices.extend(quads.flatten().map(|point| Vertex {
+            position: point.clip,
+            color: point.color,
+        }));
+    }
+}

@@ -1,0 +1,238 @@
+//! Textures: pictures to show, and tables of numbers to look up in a shader.
+
+use bytemuck::cast_slice;
+use glow::HasContext as _;
+
+use super::{Gl, GpuError};
+
+/// What is seen between and around the centers of pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Filter {
+    /// The nearest pixel.
+    Nearest,
+    /// A mixture of the neighbors.
+    #[default]
+    Linear,
+}
+
+/// What is seen outside of 0..1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Wrap {
+    /// The pixel at the edge.
+    #[default]
+    Clamp,
+    /// The picture again.
+    Repeat,
+}
+
+/// How a shader reads a [`Texture`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Sampling {
+    /// Between pixels.
+    pub filter: Filter,
+    /// Outside of 0..1.
+    pub wrap: Wrap,
+    /// Whether smaller versions are made, for a quiet picture from far away.
+    pub mipmaps: bool,
+}
+
+/// A picture: red, green, blue, alpha, 8 bits each.
+pub struct Texture {
+    raw: Raw,
+}
+
+impl std::fmt::Debug for Texture {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Texture")
+    }
+}
+
+impl Texture {
+    /// `pixels`: `4 * width * height` bytes, rows without gaps. The first row is at v = 0.
+    ///
+    /// # Errors
+    /// A side of zero or beyond the driver's limit, data of another length, or no memory.
+    pub fn new(
+        gl: &Gl,
+        width: u32,
+        height: u32,
+        pixels: &[u8],
+        sampling: Sampling,
+    ) -> Result<Self, GpuError> {
+        let raw = Raw::new(gl)?;
+        raw.write(glow::RGBA8, glow::UNSIGNED_BYTE, [width, height], pixels, 4)?;
+        let (min, mag) = match (sampling.filter, sampling.mipmaps) {
+            (Filter::Nearest, false) => (glow::NEAREST, glow::NEAREST),
+            (Filter::Nearest, true) => (glow::NEAREST_MIPMAP_LINEAR, glow::NEAREST),
+            (Filter::Linear, false) => (glow::LINEAR, glow::LINEAR),
+            (Filter::Linear, true) => (glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR),
+        };
+        let wrap = match sampling.wrap {
+            Wrap::Clamp => glow::CLAMP_TO_EDGE,
+            Wrap::Repeat => glow::REPEAT,
+        };
+        raw.set_sampling(min, mag, wrap);
+        if sampling.mipmaps {
+            raw.bind(0);
+            // SAFETY: current context; the texture is bound and has its first level.
+            unsafe { gl.raw().generate_mipmap(glow::TEXTURE_2D) };
+        }
+        gl.check("making a texture")?;
+        Ok(Self { raw })
+    }
+
+    /// A `sampler2D` of this unit reads it from now on.
+    pub fn bind(&self, unit: u32) {
+        self.raw.bind(unit);
+    }
+}
+
+/// A table of four `f32` a cell, read with `texelFetch`: matrix palettes, for example.
+pub struct FloatTexture {
+    raw: Raw,
+}
+
+impl std::fmt::Debug for FloatTexture {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("FloatTexture")
+    }
+}
+
+impl FloatTexture {
+    /// `cells`: `width * height` of them, row after row; cell (x, y) is
+    /// `texelFetch(table, ivec2(x, y), 0)`.
+    ///
+    /// # Errors
+    /// A side of zero or beyond the driver's limit, data of another length, or no memory.
+    pub fn new(gl: &Gl, width: u32, height: u32, cells: &[[f32; 4]]) -> Result<Self, GpuError> {
+        let raw = Raw::new(gl)?;
+        raw.set_sampling(glow::NEAREST, glow::NEAREST, glow::CLAMP_TO_EDGE);
+        let texture = Self { raw };
+        texture.update(width, height, cells)?;
+        Ok(texture)
+    }
+
+    /// Replaces the content, of any size.
+    ///
+    /// # Errors
+    /// As for [`new`](Self::new).
+    pub fn update(&self, width: u32, height: u32, cells: &[[f32; 4]]) -> Result<(), GpuError> {
+        self.raw.write(
+            glow::RGBA32F,
+            glow::FLOAT,
+            [width, height],
+            cast_slice(cells),
+            16,
+        )?;
+        self.raw.gl.check("writing a float texture")
+    }
+
+    /// A `sampler2D` of this unit reads it from now on.
+    pub fn bind(&self, unit: u32) {
+        self.raw.bind(unit);
+    }
+}
+
+struct Raw {
+    gl: Gl,
+    raw: glow::Texture,
+}
+
+impl Raw {
+    fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let create = |why| GpuError::Create {
+            what: "texture",
+            why,
+        };
+        // SAFETY: current context.
+        let raw = unsafe { gl.raw().create_texture() }.map_err(create)?;
+        Ok(Self {
+            gl: gl.clone(),
+            raw,
+        })
+    }
+
+    fn bind(&self, unit: u32) {
+        let glow = self.gl.raw();
+        // SAFETY: current context; a unit that does not exist is an error of the driver's.
+        unsafe {
+            glow.active_texture(glow::TEXTURE0.saturating_add(unit));
+            glow.bind_texture(glow::TEXTURE_2D, Some(self.raw));
+            // A sampler object left there by somebody else would win over the texture's sampling.
+            glow.bind_sampler(unit, None);
+        }
+    }
+
+    fn set_sampling(&self, min: u32, mag: u32, wrap: u32) {
+        self.bind(0);
+        let set = |parameter, value: u32| {
+            // SAFETY: current context; the texture is bound, the constants are OpenGL's.
+            unsafe {
+                self.gl
+                    .raw()
+                    .tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32)
+            };
+        };
+        set(glow::TEXTURE_MIN_FILTER, min);
+        set(glow::TEXTURE_MAG_FILTER, mag);
+        set(glow::TEXTURE_WRAP_S, wrap);
+        set(glow::TEXTURE_WRAP_T, wrap);
+    }
+
+    fn write(
+        &self,
+        format: u32,
+        component: u32,
+        [width, height]: [u32; 2],
+        bytes: &[u8],
+        bytes_per_cell: usize,
+    ) -> Result<(), GpuError> {
+        let max = self.gl.info().max_texture_size;
+        if !(1..=max).contains(&width) || !(1..=max).contains(&height) {
+            return Err(GpuError::Size {
+                what: "texture",
+                width,
+                height,
+                max,
+            });
+        }
+        let expected = width as usize * height as usize * bytes_per_cell;
+        if bytes.len() != expected {
+            let problem = format!("{} bytes, {expected} expected", bytes.len());
+            return Err(GpuError::Data {
+                what: "texture",
+                problem,
+            });
+        }
+        self.bind(0);
+        let glow = self.gl.raw();
+        // SAFETY: current context; the data has exactly the length that the driver will read,
+        // since rows are unpacked without gaps. Sizes and formats fit i32.
+        unsafe {
+            glow.bind_buffer(glow::PIXEL_UNPACK_BUFFER, None);
+            glow.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+            glow.pixel_store_i32(glow::UNPACK_ROW_LENGTH, 0);
+            glow.pixel_store_i32(glow::UNPACK_SKIP_ROWS, 0);
+            glow.pixel_store_i32(glow::UNPACK_SKIP_PIXELS, 0);
+            glow.tex_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                format as i32,
+                width as i32,
+                height as i32,
+                0,
+                glow::RGBA,
+                component,
+                glow::PixelUnpackData::Slice(Some(bytes)),
+            );
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Raw {
+    fn drop(&mut self) {
+        // SAFETY: current context; deleted once.
+        unsafe { self.gl.raw().delete_texture(self.raw) }
+    }
+}
