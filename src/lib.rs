@@ -9,6 +9,9 @@
 pub mod character;
 pub mod editor;
 pub mod geometry;
+#[allow(unsafe_code, reason = "the one place that calls OpenGL")]
+pub mod gpu;
 pub mod io;
 pub mod math;
+pub mod render;
 pub mod scene;

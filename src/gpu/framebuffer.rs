@@ -201,6 +201,18 @@ impl Framebuffer {
         Ok(())
     }
 
+    /// A `sampler2D` of this unit reads the picture from now on, unfiltered; not while it is
+    /// drawn into. Afterwards this framebuffer is bound.
+    pub fn bind_texture(&self, unit: u32) {
+        self.resolve();
+        let target = self.resolved.as_ref().unwrap_or(&self.drawn);
+        // SAFETY: current context; a target without samples has a texture.
+        unsafe {
+            self.gl.raw().active_texture(glow::TEXTURE0 + unit);
+            self.gl.raw().bind_texture(glow::TEXTURE_2D, target.texture);
+        }
+    }
+
     fn rect(&self) -> Rect {
         let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX);
         Rect {
@@ -264,10 +276,12 @@ fn blit(
     }
 }
 
-/// One framebuffer object and its renderbuffers.
+/// One framebuffer object and what is attached to it: renderbuffers, and without samples a
+/// texture for the color, so that later passes can read it.
 struct Target {
     gl: Gl,
     raw: glow::Framebuffer,
+    texture: Option<glow::Texture>,
     attachments: Vec<glow::Renderbuffer>,
 }
 
@@ -282,14 +296,19 @@ impl Target {
         let mut target = Self {
             gl: gl.clone(),
             raw,
+            texture: None,
             attachments: Vec::new(),
         };
         // SAFETY: current context.
         unsafe { gl.raw().bind_framebuffer(glow::FRAMEBUFFER, Some(raw)) };
         let size = [width, height, samples].map(|n| i32::try_from(n).unwrap_or(i32::MAX));
-        target
-            .attach(glow::COLOR_ATTACHMENT0, glow::RGBA8, size)
-            .map_err(create)?;
+        if samples == 0 {
+            target.attach_texture(size).map_err(create)?;
+        } else {
+            target
+                .attach(glow::COLOR_ATTACHMENT0, glow::RGBA8, size)
+                .map_err(create)?;
+        }
         if depth {
             target
                 .attach(glow::DEPTH_ATTACHMENT, glow::DEPTH_COMPONENT24, size)
@@ -303,6 +322,45 @@ impl Target {
             return Err(create(format!("incomplete, status 0x{status:04x}")));
         }
         Ok(target)
+    }
+
+    fn attach_texture(&mut self, [width, height, _]: [i32; 3]) -> Result<(), String> {
+        let glow = self.gl.raw();
+        // SAFETY: current context; this framebuffer is bound, no data is passed, and the driver
+        // checks the sizes.
+        unsafe {
+            let raw = glow.create_texture()?;
+            self.texture = Some(raw);
+            glow.bind_texture(glow::TEXTURE_2D, Some(raw));
+            for (name, value) in [
+                (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
+                (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
+                (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
+                (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
+            ] {
+                glow.tex_parameter_i32(glow::TEXTURE_2D, name, value.cast_signed());
+            }
+            glow.tex_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                glow::RGBA8.cast_signed(),
+                width,
+                height,
+                0,
+                glow::RGBA,
+                glow::UNSIGNED_BYTE,
+                glow::PixelUnpackData::Slice(None),
+            );
+            glow.framebuffer_texture_2d(
+                glow::FRAMEBUFFER,
+                glow::COLOR_ATTACHMENT0,
+                glow::TEXTURE_2D,
+                Some(raw),
+                0,
+            );
+            glow.bind_texture(glow::TEXTURE_2D, None);
+        }
+        Ok(())
     }
 
     fn attach(&mut self, point: u32, format: u32, size: [i32; 3]) -> Result<(), String> {
@@ -340,6 +398,9 @@ impl Drop for Target {
             self.attachments
                 .iter()
                 .for_each(|&attachment| glow.delete_renderbuffer(attachment));
+            if let Some(texture) = self.texture {
+                glow.delete_texture(texture);
+            }
         }
     }
 }

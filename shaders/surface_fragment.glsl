@@ -1,0 +1,73 @@
+// Lights a surface, in one of two looks.
+in vec3 world_position;
+in vec3 world_normal;
+in vec3 tint;
+
+uniform vec3 color;
+uniform float alpha;
+// 1: one normal a triangle, from the positions; 0: the interpolated one.
+uniform int flat_normals;
+// 0: Course, 1: Studio.
+uniform int look;
+uniform vec3 course_light;
+uniform vec3 eye;
+uniform vec3 key_direction;
+uniform vec3 fill_direction;
+uniform vec3 rim_direction;
+
+out vec4 fragment_color;
+
+vec3 unit(vec3 v) {
+    float squared = dot(v, v);
+    return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+}
+
+// The normal on the side that the triangle's winding calls outward.
+vec3 surface_normal() {
+    if (flat_normals == 0) {
+        return unit(world_normal);
+    }
+    vec3 towards_eye = unit(cross(dFdx(world_position), dFdy(world_position)));
+    return gl_FrontFacing ? towards_eye : -towards_eye;
+}
+
+// The course's: Phong with one light. Its highlights are seen from the world's origin.
+vec3 course(vec3 surface, vec3 n) {
+    vec3 l = unit(course_light - world_position);
+    vec3 v = unit(-world_position);
+    float diffuse = max(dot(n, l), 0.0);
+    float specular = pow(max(dot(v, reflect(-l, n)), 0.0), 32.0);
+    return surface * (0.2 + 0.8 * diffuse) + vec3(0.4 * specular);
+}
+
+// Light adds up linearly, while colors are stored as the screen shows them.
+vec3 linear_from_stored(vec3 stored) {
+    return pow(stored, vec3(2.2));
+}
+
+vec3 lit(vec3 surface, vec3 n, vec3 v, vec3 l, vec3 light, float shine) {
+    float diffuse = max(dot(n, l), 0.0);
+    float specular = pow(max(dot(n, unit(l + v)), 0.0), 48.0);
+    return light * (surface * diffuse + vec3(shine * specular * step(0.0, dot(n, l))));
+}
+
+// Key, fill and rim light, a sky above and a ground below.
+vec3 studio(vec3 stored, vec3 n) {
+    vec3 surface = linear_from_stored(stored);
+    vec3 v = unit(eye - world_position);
+    if (dot(n, v) < 0.0) {
+        n = -n;
+    }
+    vec3 sky = mix(vec3(0.10, 0.095, 0.09), vec3(0.26, 0.28, 0.31), 0.5 * n.y + 0.5);
+    vec3 sum = surface * sky;
+    sum += lit(surface, n, v, key_direction, vec3(0.95, 0.91, 0.85), 0.10);
+    sum += lit(surface, n, v, fill_direction, vec3(0.20, 0.24, 0.30), 0.03);
+    sum += lit(surface, n, v, rim_direction, vec3(0.42, 0.46, 0.52), 0.12);
+    return pow(min(sum, vec3(1.0)), vec3(1.0 / 2.2));
+}
+
+void main() {
+    vec3 n = surface_normal();
+    vec3 surface = color * tint;
+    fragment_color = vec4(look == 0 ? course(surface, n) : studio(surface, n), alpha);
+}

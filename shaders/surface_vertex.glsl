@@ -1,0 +1,19 @@
+// A surface in model space.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+uniform mat4 clip_from_world;
+uniform mat4 world_from_model;
+uniform mat3 world_from_model_normal;
+
+out vec3 world_position;
+out vec3 world_normal;
+out vec3 tint;
+
+void main() {
+    vec4 world = world_from_model * vec4(position, 1.0);
+    world_position = world.xyz;
+    world_normal = world_from_model_normal * normal;
+    tint = vec3(1.0);
+    gl_Position = clip_from_world * world;
+}

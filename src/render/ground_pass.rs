@@ -1,0 +1,49 @@
+use super::frame::PassContext;
+use crate::gpu::{
+    Attribute, Blend, Buffer, DrawState, Gl, GpuError, Primitive, Program, Usage, VertexArray,
+};
+use crate::scene::Camera;
+use glam::Vec2;
+
+/// The Studio look's grid on the plane y = 0, one unit wide, every tenth line stronger.
+#[derive(Debug)]
+pub(super) struct GroundPass {
+    program: Program,
+    square: VertexArray,
+}
+
+impl GroundPass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let program = Program::new(
+            gl,
+            "ground",
+            include_str!("../../shaders/ground_vertex.glsl"),
+            include_str!("../../shaders/ground_fragment.glsl"),
+        )?;
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
+        let buffer = Buffer::vertices(gl, Usage::Static, &corners.map(|(x, z)| Vec2::new(x, z)))?;
+        let square = VertexArray::builder(gl)
+            .attribute(&buffer, Attribute::f32(0, 2))
+            .build()?;
+        Ok(Self { program, square })
+    }
+
+    /// Drawn after everything opaque, since it lets through what lies behind it.
+    pub fn draw(&self, gl: &Gl, context: &PassContext, camera: &Camera) {
+        let state = DrawState {
+            depth_write: false,
+            blend: Blend::Alpha,
+            ..DrawState::opaque(context.width, context.height)
+        };
+        state.apply(gl);
+        // Reaches as far as it can be told from the horizon, and follows the camera.
+        let reach = (camera.radius * 12.0).clamp(20.0, camera.far);
+        self.program
+            .set_mat4("clip_from_world", context.clip_from_world);
+        self.program
+            .set_vec2("center", Vec2::new(camera.target.x, camera.target.z));
+        self.program.set_f32("reach", reach);
+        self.square
+            .draw(&self.program, Primitive::TriangleStrip, 0..4);
+    }
+}

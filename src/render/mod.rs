@@ -1,0 +1,21 @@
+//! Draws a scene: [`Renderer`] for the picture, [`InterfacePainter`] for the panels over it, and
+//! [`Offscreen`] for both without a window. The window and the command line draw through the same
+//! [`Renderer::draw`].
+
+mod axis_pass;
+mod background_pass;
+mod frame;
+mod ground_pass;
+mod interface_painter;
+mod lights;
+mod mesh_cache;
+mod offscreen;
+mod outline_pass;
+mod renderer;
+mod skeleton_pass;
+mod surface_pass;
+
+pub use frame::{Frame, Marks};
+pub use interface_painter::{InterfaceError, InterfacePainter};
+pub use offscreen::{Offscreen, OffscreenError, read_picture};
+pub use renderer::Renderer;

@@ -1,0 +1,85 @@
+use super::{Frame, Renderer};
+use crate::geometry::Picture;
+use crate::gpu::{Backend, ContextError, Framebuffer, Gl, GpuError, HeadlessContext};
+
+/// Draws pictures without a window.
+#[derive(Debug)]
+pub struct Offscreen {
+    renderer: Renderer,
+    context: HeadlessContext,
+}
+
+/// Why no picture could be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum OffscreenError {
+    /// There is no OpenGL to draw with.
+    #[error(transparent)]
+    Context(#[from] ContextError),
+    /// OpenGL refused something.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
+
+impl Offscreen {
+    /// A context of `backend` with a renderer in it.
+    ///
+    /// # Errors
+    /// When there is no such backend or it lacks OpenGL 3.3; the message names the remedy.
+    pub fn new(backend: Backend) -> Result<Self, OffscreenError> {
+        let context = HeadlessContext::new(backend)?;
+        let renderer = Renderer::new(context.gl())?;
+        Ok(Self { renderer, context })
+    }
+
+    /// The context that pictures are drawn with.
+    pub fn gl(&self) -> &Gl {
+        self.context.gl()
+    }
+
+    /// The backend that was found.
+    pub fn backend(&self) -> Backend {
+        self.context.backend()
+    }
+
+    /// Draws `frame` in a picture of `width` by `height` pixels with `samples` samples a pixel,
+    /// 0 for none.
+    ///
+    /// # Errors
+    /// When the size or the number of samples is beyond the driver's limits, or drawing fails.
+    pub fn render(
+        &mut self,
+        frame: &Frame,
+        (width, height): (u32, u32),
+        samples: u32,
+    ) -> Result<Framebuffer, GpuError> {
+        let target = Framebuffer::new(self.context.gl(), width, height, samples)?;
+        self.renderer.draw(frame, &target)?;
+        target.resolve();
+        Ok(target)
+    }
+
+    /// What [`Offscreen::render`] draws, as a picture in memory.
+    ///
+    /// # Errors
+    /// As [`Offscreen::render`].
+    pub fn picture(
+        &mut self,
+        frame: &Frame,
+        size: (u32, u32),
+        samples: u32,
+    ) -> Result<Picture, GpuError> {
+        read_picture(&self.render(frame, size, samples)?)
+    }
+}
+
+/// Reads a framebuffer into a picture in memory.
+///
+/// # Errors
+/// When a GL error occurred.
+pub fn read_picture(target: &Framebuffer) -> Result<Picture, GpuError> {
+    Ok(Picture {
+        width: target.width(),
+        height: target.height(),
+        rgba: target.read_rgba()?,
+    })
+}

@@ -1,0 +1,126 @@
+use super::background_pass::whole_picture;
+use super::frame::{Frame, PassContext};
+use super::mesh_cache::MeshCache;
+use super::skeleton_pass::SkeletonPass;
+use crate::gpu::{
+    DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program, VertexArray,
+};
+use crate::scene::{ModelDisplay, ShapeId, ShapeKind};
+use glam::Vec3;
+
+const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
+const HOVERED: Vec3 = Vec3::new(0.85, 0.88, 0.92);
+/// Width of the line in pixels of a picture 800 high or less.
+const WIDTH: u32 = 2;
+
+/// Draws a line round the selected shape and the one under the pointer, through whatever stands
+/// before them: their outline is first drawn as a mask, whose edge is then drawn over the picture.
+#[derive(Debug)]
+pub(super) struct OutlinePass {
+    mask_program: Program,
+    edge_program: Program,
+    whole_picture: VertexArray,
+    mask: Option<Framebuffer>,
+}
+
+impl OutlinePass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        Ok(Self {
+            mask_program: Program::new(
+                gl,
+                "mask",
+                include_str!("../../shaders/surface_vertex.glsl"),
+                include_str!("../../shaders/mask_fragment.glsl"),
+            )?,
+            edge_program: Program::new(
+                gl,
+                "outline",
+                include_str!("../../shaders/whole_picture_vertex.glsl"),
+                include_str!("../../shaders/outline_fragment.glsl"),
+            )?,
+            whole_picture: whole_picture(gl)?,
+            mask: None,
+        })
+    }
+
+    pub fn draw(
+        &mut self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        meshes: &MeshCache,
+        skeletons: &mut SkeletonPass,
+        target: &Framebuffer,
+    ) -> Result<(), GpuError> {
+        let marks = frame.marks;
+        if marks.selected.is_none() && marks.hovered.is_none() {
+            return Ok(());
+        }
+        let (width, height) = (context.width, context.height);
+        if self
+            .mask
+            .as_ref()
+            .is_none_or(|m| (m.width(), m.height()) != (width, height))
+        {
+            self.mask = Some(Framebuffer::new(gl, width, height, 0)?);
+        }
+        let Some(mask) = &self.mask else {
+            return Ok(());
+        };
+        mask.clear([0.0; 4]);
+        let flat = DrawState {
+            depth_test: DepthTest::Off,
+            depth_write: false,
+            ..DrawState::opaque(width, height)
+        };
+        flat.apply(gl);
+        // The selected shape last, so that it keeps its pixels where the two overlap.
+        for (id, color) in [(marks.hovered, Vec3::Y), (marks.selected, Vec3::X)] {
+            if let Some(id) = id {
+                self.draw_mask(context, frame, meshes, skeletons, id, color)?;
+            }
+        }
+        mask.bind_texture(0);
+        target.bind();
+        flat.apply(gl);
+        let program = &self.edge_program;
+        program.set_sampler("mask", 0);
+        program.set_vec3("selected_color", SELECTED);
+        program.set_vec3("hovered_color", HOVERED);
+        program.set_i32("reach", (WIDTH * height.div_ceil(800)).min(6) as i32);
+        self.whole_picture.draw(program, Primitive::Triangles, 0..3);
+        Ok(())
+    }
+
+    fn draw_mask(
+        &self,
+        context: &PassContext,
+        frame: &Frame,
+        meshes: &MeshCache,
+        skeletons: &mut SkeletonPass,
+        id: ShapeId,
+        color: Vec3,
+    ) -> Result<(), GpuError> {
+        let (Some(shape), Some(evaluated), Some(cached)) = (
+            frame.scene.shape(id),
+            frame.evaluated.shape(id),
+            meshes.get(id),
+        ) else {
+            return Ok(());
+        };
+        if let ShapeKind::Character(character) = &shape.kind
+            && character.display.mode == ModelDisplay::Skeleton
+        {
+            return skeletons.draw_mask(context, evaluated, color);
+        }
+        let program = &self.mask_program;
+        program.set_mat4("clip_from_world", context.clip_from_world);
+        program.set_mat4("world_from_model", evaluated.world_from_model);
+        program.set_vec3("color", color);
+        let indices = cached.vertex_array.index_count();
+        cached
+            .vertex_array
+            .draw_indexed(program, Primitive::Triangles, 0..indices);
+        Ok(())
+    }
+}

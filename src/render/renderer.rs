@@ -1,0 +1,79 @@
+use super::axis_pass::draw_axis;
+use super::background_pass::BackgroundPass;
+use super::frame::{Frame, PassContext};
+use super::ground_pass::GroundPass;
+use super::mesh_cache::MeshCache;
+use super::outline_pass::OutlinePass;
+use super::skeleton_pass::SkeletonPass;
+use super::surface_pass::SurfacePass;
+use crate::gpu::{Framebuffer, Gl, GpuError, Immediate};
+use crate::scene::Look;
+
+/// Draws frames into pictures, and keeps what it uploaded for the next.
+#[derive(Debug)]
+pub struct Renderer {
+    gl: Gl,
+    meshes: MeshCache,
+    background: BackgroundPass,
+    surfaces: SurfacePass,
+    skeletons: SkeletonPass,
+    ground: GroundPass,
+    outline: OutlinePass,
+    immediate: Immediate,
+}
+
+impl Renderer {
+    /// Compiles the shaders.
+    ///
+    /// # Errors
+    /// When the driver refuses a shader or a buffer.
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        Ok(Self {
+            gl: gl.clone(),
+            meshes: MeshCache::default(),
+            background: BackgroundPass::new(gl)?,
+            surfaces: SurfacePass::new(gl)?,
+            skeletons: SkeletonPass::new(gl)?,
+            ground: GroundPass::new(gl)?,
+            outline: OutlinePass::new(gl)?,
+            immediate: Immediate::new(gl)?,
+        })
+    }
+
+    /// Draws the whole of `target` anew. Whatever state the context is in does not matter.
+    ///
+    /// # Errors
+    /// When something does not fit into the driver's memory or limits, or a GL error occurred.
+    pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
+        let Self {
+            gl,
+            meshes,
+            immediate,
+            ..
+        } = self;
+        let (width, height) = (target.width(), target.height());
+        let camera = &frame.view.camera;
+        let aspect = width as f32 / height as f32;
+        let clip_from_world = camera.clip_from_world(aspect);
+        let context = PassContext {
+            width,
+            height,
+            clip_from_world,
+        };
+
+        meshes.update(gl, frame.evaluated, frame.view.shading)?;
+        self.background.draw(gl, &context, frame.view.look, target);
+        if frame.view.axis {
+            draw_axis(gl, immediate, &context);
+        }
+        self.surfaces.draw_opaque(gl, &context, frame, meshes);
+        self.skeletons.draw(gl, &context, frame, immediate)?;
+        self.surfaces.draw_translucent(gl, &context, frame, meshes);
+        if frame.view.grid && frame.view.look == Look::Studio {
+            self.ground.draw(gl, &context, camera);
+        }
+        self.outline
+            .draw(gl, &context, frame, meshes, &mut self.skeletons, target)?;
+        gl.check("drawing the scene")
+    }
+}

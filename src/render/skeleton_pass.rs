@@ -1,0 +1,297 @@
+use super::frame::{Frame, PassContext};
+use super::lights::set_lights;
+use crate::character::StickFigure;
+use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, cube, sphere};
+use crate::gpu::{
+    Attribute, Blend, Buffer, DrawState, Gl, GpuError, Immediate, IndexBuffer, Mode, PointShape,
+    Primitive, Program, Usage, VertexArray,
+};
+use crate::scene::{
+    BoneStyle, CharacterDisplay, EvaluatedShape, JointStyle, ModelDisplay, ShapeId, ShapeKind,
+};
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3};
+
+/// Radius of a joint's sphere, in the character's space.
+const JOINT_RADIUS: f32 = 0.02;
+const PLAIN: Vec3 = Vec3::ONE;
+const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
+const HOVERED: Vec3 = Vec3::new(0.1, 0.85, 1.0);
+
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
+struct Instance {
+    /// Column by column: a `Mat4` would be padded.
+    world_from_unit: [f32; 16],
+    color: Vec3,
+}
+
+impl Instance {
+    fn new(world_from_unit: Mat4, color: Vec3) -> Self {
+        Self {
+            world_from_unit: world_from_unit.to_cols_array(),
+            color,
+        }
+    }
+}
+
+/// A unit shape drawn once for every joint, or for every bone (assignment, "Stick figure": one
+/// vertex array for the joints, one for the bones).
+#[derive(Debug)]
+struct Instances {
+    vertex_array: VertexArray,
+    buffer: Buffer<Instance>,
+    flat: bool,
+}
+
+/// Draws skeletons: joints as points or spheres, bones as lines or boxes.
+#[derive(Debug)]
+pub(super) struct SkeletonPass {
+    program: Program,
+    mask_program: Program,
+    joints: Instances,
+    bones: Instances,
+}
+
+impl SkeletonPass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let vertex = include_str!("../../shaders/instance_vertex.glsl");
+        let unit_box = cube();
+        // The cube reaches ±0.5; a bone's box ±1 across and 0 to 1 along.
+        let positions = unit_box
+            .positions
+            .iter()
+            .map(|p| Vec3::new(p.x * 2.0, p.y * 2.0, p.z + 0.5));
+        let unit_box = Mesh::new(positions.collect(), unit_box.triangles.clone());
+        Ok(Self {
+            program: Program::new(
+                gl,
+                "skeleton",
+                vertex,
+                include_str!("../../shaders/surface_fragment.glsl"),
+            )?,
+            mask_program: Program::new(
+                gl,
+                "skeleton mask",
+                vertex,
+                include_str!("../../shaders/mask_fragment.glsl"),
+            )?,
+            joints: Instances::new(gl, &sphere(1.0, 16, 16))?,
+            bones: Instances::new(gl, &unit_box)?,
+        })
+    }
+
+    /// Every character whose skeleton shows.
+    pub fn draw(
+        &mut self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        immediate: &mut Immediate,
+    ) -> Result<(), GpuError> {
+        for (shape, evaluated) in frame.scene.shapes().iter().zip(&frame.evaluated.shapes) {
+            let ShapeKind::Character(character) = &shape.kind else {
+                continue;
+            };
+            let Some(figure) = &evaluated.geometry.figure else {
+                continue;
+            };
+            if character.display.mode == ModelDisplay::Mesh {
+                continue;
+            }
+            let colors = JointColors::new(frame, shape.id);
+            let world_from_model = evaluated.world_from_model;
+            let blended = DrawState {
+                blend: Blend::Alpha,
+                ..DrawState::opaque(context.width, context.height)
+            };
+            blended.apply(gl);
+            immediate.load_matrix(context.clip_from_world * world_from_model);
+            self.prepare(context, frame);
+            if character.display.bones == BoneStyle::Lines {
+                draw_bone_lines(immediate, figure, character.display, &colors);
+            } else {
+                self.bones.draw(
+                    &self.program,
+                    &bone_boxes(figure, world_from_model, &colors),
+                )?;
+            }
+            if character.display.joints == JointStyle::Points {
+                draw_joint_points(immediate, figure, character.display, &colors);
+            } else {
+                let spheres = joint_spheres(figure, world_from_model, &colors);
+                self.joints.draw(&self.program, &spheres)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The pixels of a skeleton, whatever style it is drawn in, in one color.
+    pub fn draw_mask(
+        &mut self,
+        context: &PassContext,
+        evaluated: &EvaluatedShape,
+        color: Vec3,
+    ) -> Result<(), GpuError> {
+        let Some(figure) = &evaluated.geometry.figure else {
+            return Ok(());
+        };
+        self.mask_program
+            .set_mat4("clip_from_world", context.clip_from_world);
+        self.mask_program.set_vec3("color", color);
+        let plain = JointColors::default();
+        let world_from_model = evaluated.world_from_model;
+        self.bones.draw(
+            &self.mask_program,
+            &bone_boxes(figure, world_from_model, &plain),
+        )?;
+        self.joints.draw(
+            &self.mask_program,
+            &joint_spheres(figure, world_from_model, &plain),
+        )
+    }
+
+    fn prepare(&self, context: &PassContext, frame: &Frame) {
+        let program = &self.program;
+        program.set_mat4("clip_from_world", context.clip_from_world);
+        program.set_vec3("color", Vec3::ONE);
+        program.set_f32("alpha", 1.0);
+        set_lights(program, frame.view.look, &frame.view.camera);
+    }
+}
+
+impl Instances {
+    fn new(gl: &Gl, mesh: &Mesh) -> Result<Self, GpuError> {
+        let positions = Buffer::vertices(gl, Usage::Static, &mesh.positions)?;
+        let indices = IndexBuffer::new(gl, Usage::Static, mesh.triangles.as_flattened())?;
+        let buffer: Buffer<Instance> = Buffer::vertices(gl, Usage::Stream, &[])?;
+        let mut builder = VertexArray::builder(gl)
+            .attribute(&positions, Attribute::f32(0, 3))
+            .indices(&indices)
+            .attribute(
+                &buffer,
+                Attribute::f32(6, 3)
+                    .offset(std::mem::offset_of!(Instance, color))
+                    .divisor(1),
+            );
+        for column in 0..4 {
+            let offset = column as usize * size_of::<[f32; 4]>();
+            let attribute = Attribute::f32(2 + column, 4).offset(offset).divisor(1);
+            builder = builder.attribute(&buffer, attribute);
+        }
+        if let Normals::PerVertex(normals) = &mesh.normals {
+            let normals = Buffer::vertices(gl, Usage::Static, normals)?;
+            builder = builder.attribute(&normals, Attribute::f32(1, 3));
+        }
+        let flat = mesh.normals == Normals::Flat;
+        Ok(Self {
+            vertex_array: builder.build()?,
+            buffer,
+            flat,
+        })
+    }
+
+    fn draw(&self, program: &Program, instances: &[Instance]) -> Result<(), GpuError> {
+        if instances.is_empty() {
+            return Ok(());
+        }
+        self.buffer.update(instances)?;
+        if program.label() == "skeleton" {
+            program.set_i32("flat_normals", i32::from(self.flat));
+        }
+        let indices = 0..self.vertex_array.index_count();
+        self.vertex_array.draw_indexed_instanced(
+            program,
+            Primitive::Triangles,
+            indices,
+            instances.len() as u32,
+        );
+        Ok(())
+    }
+}
+
+/// Which joints are marked; a bone takes the color of the joint that turns it.
+#[derive(Clone, Copy, Debug, Default)]
+struct JointColors {
+    selected: Option<usize>,
+    hovered: Option<usize>,
+}
+
+impl JointColors {
+    fn new(frame: &Frame, shape: ShapeId) -> Self {
+        if frame.marks.selected != Some(shape) {
+            return Self::default();
+        }
+        Self {
+            selected: frame.marks.selected_joint,
+            hovered: frame.marks.hovered_joint,
+        }
+    }
+
+    fn of(&self, joint: usize) -> Vec3 {
+        match Some(joint) {
+            joint if joint == self.hovered => HOVERED,
+            joint if joint == self.selected => SELECTED,
+            _ => PLAIN,
+        }
+    }
+}
+
+fn joint_spheres(figure: &StickFigure, world: Mat4, colors: &JointColors) -> Vec<Instance> {
+    figure
+        .joints
+        .iter()
+        .enumerate()
+        .map(|(joint, &at)| {
+            let model_from_unit =
+                Mat4::from_translation(at) * Mat4::from_scale(Vec3::splat(JOINT_RADIUS));
+            Instance::new(world * model_from_unit, colors.of(joint))
+        })
+        .collect()
+}
+
+fn bone_boxes(figure: &StickFigure, world: Mat4, colors: &JointColors) -> Vec<Instance> {
+    figure
+        .bones
+        .iter()
+        .filter_map(|bone| {
+            let model_from_unit = bone.model_from_unit(BONE_HALF_WIDTH)?;
+            Some(Instance::new(
+                world * model_from_unit,
+                colors.of(bone.joint),
+            ))
+        })
+        .collect()
+}
+
+fn draw_bone_lines(
+    immediate: &mut Immediate,
+    figure: &StickFigure,
+    display: CharacterDisplay,
+    colors: &JointColors,
+) {
+    immediate.line_width(display.line_width);
+    immediate.begin(Mode::Lines);
+    for bone in &figure.bones {
+        immediate.color(colors.of(bone.joint));
+        immediate.vertex(bone.start);
+        immediate.vertex(bone.end);
+    }
+    immediate.end();
+}
+
+fn draw_joint_points(
+    immediate: &mut Immediate,
+    figure: &StickFigure,
+    display: CharacterDisplay,
+    colors: &JointColors,
+) {
+    immediate.point_size(display.point_size);
+    immediate.point_shape(PointShape::SmoothDisc);
+    immediate.begin(Mode::Points);
+    for (joint, &at) in figure.joints.iter().enumerate() {
+        immediate.color(colors.of(joint));
+        immediate.vertex(at);
+    }
+    immediate.end();
+}
