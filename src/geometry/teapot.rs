@@ -110,8 +110,7 @@ fn turned(profile: [[f32; 2]; 4], quarter: usize) -> Patch {
             for _ in 0..quarter {
                 on_arc = on_arc.perp();
             }
-            // Height runs down the profile, so u must run from z to x to face outward.
-            Vec3::new(radius * on_arc.y, height, radius * on_arc.x)
+            Vec3::new(radius * on_arc.x, height, radius * on_arc.y)
         })
     })
 }
@@ -192,4 +191,42 @@ fn normal(patch: &Patch, u: f32, v: f32) -> Vec3 {
     at(u, v)
         .or_else(|| at(inside(u), inside(v)))
         .unwrap_or(Vec3::Y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Normals, face_normals};
+
+    #[test]
+    fn its_box_is_the_course_s_and_the_spout_points_along_plus_x() {
+        let bounds = teapot().bounds();
+        let expected = Vec3::new(1.0445, 0.5118, 0.65);
+        assert!(bounds.max.abs_diff_eq(expected, 2e-3), "{bounds:?}");
+        assert!(bounds.min.abs_diff_eq(-expected, 2e-3), "{bounds:?}");
+    }
+
+    #[test]
+    fn faces_and_normals_point_outward() {
+        let mesh = teapot();
+        let Normals::PerVertex(normals) = &mesh.normals else {
+            panic!("the teapot is smooth");
+        };
+        let faces = face_normals(&mesh.positions, &mesh.triangles);
+        let mut outward = 0;
+        for (triangle, face) in mesh.triangles.iter().zip(faces) {
+            let [a, b, c] = triangle.map(|corner| mesh.positions[corner as usize]);
+            assert!(
+                triangle
+                    .iter()
+                    .all(|&i| normals[i as usize].dot(face) > 0.0)
+            );
+            outward += i32::from((a + b + c).dot(face) > 0.0);
+        }
+        // Not all: the undersides of handle and lid look towards the middle.
+        assert!(
+            outward as usize > mesh.triangles.len() * 7 / 10,
+            "{outward}"
+        );
+    }
 }
