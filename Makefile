@@ -1,0 +1,42 @@
+# make        builds ./editor
+# make run    installs what a window needs, builds, and opens the showcase
+#             (without a display: draws it to showcase.png)
+# make test   installs what the tests need and runs everything
+# make lint   what must be clean before a change lands: format, clippy, documentation
+
+CARGO ?= cargo
+
+.PHONY: all editor run test lint clean packages-run packages-test
+
+all: editor
+
+# Cargo knows best whether something changed.
+editor:
+	$(CARGO) build --release --locked
+	@cp target/release/editor editor.new && mv -f editor.new editor
+
+run: packages-run editor
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ]; then \
+		./editor builtin:showcase; \
+	else \
+		./editor render builtin:showcase --size 1280x800 --samples 4 -o showcase.png && \
+		echo "There is no display, so the showcase was drawn to showcase.png."; \
+	fi
+
+test: packages-test
+	$(CARGO) test --locked --quiet
+
+lint:
+	$(CARGO) fmt --check
+	$(CARGO) clippy --locked --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --lib
+
+packages-run:
+	@sh scripts/packages.sh run
+
+packages-test:
+	@sh scripts/packages.sh test
+
+clean:
+	$(CARGO) clean
+	rm -f editor showcase.png
