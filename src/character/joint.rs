@@ -4,7 +4,7 @@ use glam::Vec3;
 ///
 /// A joint's frame at rest is parallel to the character's axes, so its rest transform relative
 /// to the parent is the translation by `offset` alone.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Joint {
     /// Shown in panels and used by pose files.
     pub name: String,

@@ -1,8 +1,9 @@
 use super::Messages;
+use crate::geometry::Revision;
 use crate::scene::{Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
 
 /// One running editor: the scene and all that concerns its user rather than the scene.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Session {
     /// What is edited. Changed by [`super::apply_edit`] alone.
     pub(super) scene: Scene,
@@ -14,6 +15,23 @@ pub struct Session {
     pub messages: Messages,
     evaluator: Evaluator,
     evaluated: Evaluated,
+    revision: Revision,
+}
+
+impl Default for Session {
+    fn default() -> Self {
+        Self {
+            scene: Scene::new(),
+            selected: None,
+            selected_joint: None,
+            hovered_joint: None,
+            view: ViewSettings::default(),
+            messages: Messages::default(),
+            evaluator: Evaluator::new(),
+            evaluated: Evaluated::default(),
+            revision: Revision::new(),
+        }
+    }
 }
 
 impl Session {
@@ -65,8 +83,14 @@ impl Session {
         &self.evaluated
     }
 
+    /// Changes whenever anything that a picture depends on may have changed.
+    pub fn revision(&self) -> Revision {
+        self.revision
+    }
+
     /// Works out anew what changed. Both apply functions end with this.
     pub(super) fn refresh(&mut self) {
+        self.revision = Revision::new();
         self.evaluated = self.evaluator.evaluate(&self.scene);
         self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
         let joints = self

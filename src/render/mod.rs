@@ -4,6 +4,7 @@
 
 mod axis_pass;
 mod background_pass;
+mod compose;
 mod frame;
 mod ground_pass;
 mod interface_painter;
@@ -15,6 +16,7 @@ mod renderer;
 mod skeleton_pass;
 mod surface_pass;
 
+pub use compose::{compose, view_place};
 pub use frame::{Frame, Marks};
 pub use interface_painter::{InterfaceError, InterfacePainter};
 pub use offscreen::{Offscreen, OffscreenError, read_picture};
