@@ -29,6 +29,19 @@ impl NativeContext for NoContext {
     fn release(&self) {}
 }
 
+/// None while the thread ends, too: whatever is dropped then finds no context current.
+fn current() -> Option<Rc<dyn NativeContext>> {
+    CURRENT
+        .try_with(|current| current.borrow().upgrade())
+        .ok()
+        .flatten()
+}
+
+fn set_current(context: Weak<dyn NativeContext>) {
+    // While the thread ends there is nothing to remember.
+    let _ = CURRENT.try_with(|current| current.replace(context));
+}
+
 /// The native context, released when dropped: drivers keep a context that is still current.
 pub(in crate::gpu) struct OwnedNative(Rc<dyn NativeContext>);
 
@@ -39,26 +52,24 @@ impl OwnedNative {
 
     /// Makes it current on this thread, unless it is.
     pub(in crate::gpu) fn make_current(&self) -> Result<(), ContextError> {
-        let old = CURRENT.with(|current| current.borrow().upgrade());
-        if let Some(old) = old {
+        if let Some(old) = current() {
             if Rc::ptr_eq(&old, &self.0) {
                 return Ok(());
             }
             old.release();
         }
-        CURRENT.set(Weak::<NoContext>::new());
+        set_current(Weak::<NoContext>::new());
         self.0.make_current()?;
-        CURRENT.set(Rc::downgrade(&self.0));
+        set_current(Rc::downgrade(&self.0) as Weak<dyn NativeContext>);
         Ok(())
     }
 }
 
 impl Drop for OwnedNative {
     fn drop(&mut self) {
-        let current = CURRENT.with(|current| current.borrow().upgrade());
-        if current.is_some_and(|current| Rc::ptr_eq(&current, &self.0)) {
+        if current().is_some_and(|current| Rc::ptr_eq(&current, &self.0)) {
             self.0.release();
-            CURRENT.set(Weak::<NoContext>::new());
+            set_current(Weak::<NoContext>::new());
         }
     }
 }

@@ -136,7 +136,9 @@ pub(in crate::gpu) fn read_info(glow: &glow::Context) -> Info {
         is_gles,
         max_samples: number(glow::MAX_SAMPLES),
         max_texture_size: number(glow::MAX_TEXTURE_SIZE),
-        max_framebuffer_size: number(glow::MAX_RENDERBUFFER_SIZE).min(largest_viewport),
+        max_framebuffer_size: number(glow::MAX_RENDERBUFFER_SIZE)
+            .min(number(glow::MAX_TEXTURE_SIZE))
+            .min(largest_viewport),
         max_point_size: largest(point_sizes),
         max_line_width: largest(glow::ALIASED_LINE_WIDTH_RANGE),
     }

@@ -2,6 +2,7 @@
 
 use glow::HasContext as _;
 
+use super::target::Target;
 use super::{Gl, GpuError};
 
 /// A rectangle of pixels, counted from the bottom left.
@@ -208,8 +209,11 @@ impl Framebuffer {
         let target = self.resolved.as_ref().unwrap_or(&self.drawn);
         // SAFETY: current context; a target without samples has a texture.
         unsafe {
-            self.gl.raw().active_texture(glow::TEXTURE0 + unit);
-            self.gl.raw().bind_texture(glow::TEXTURE_2D, target.texture);
+            let glow = self.gl.raw();
+            glow.active_texture(glow::TEXTURE0.saturating_add(unit));
+            glow.bind_texture(glow::TEXTURE_2D, target.texture);
+            // A sampler object left there by somebody else would win over the texture's sampling.
+            glow.bind_sampler(unit, None);
         }
     }
 
@@ -273,134 +277,5 @@ fn blit(
             glow::COLOR_BUFFER_BIT,
             filter,
         );
-    }
-}
-
-/// One framebuffer object and what is attached to it: renderbuffers, and without samples a
-/// texture for the color, so that later passes can read it.
-struct Target {
-    gl: Gl,
-    raw: glow::Framebuffer,
-    texture: Option<glow::Texture>,
-    attachments: Vec<glow::Renderbuffer>,
-}
-
-impl Target {
-    fn new(gl: &Gl, width: u32, height: u32, samples: u32, depth: bool) -> Result<Self, GpuError> {
-        let create = |why| GpuError::Create {
-            what: "picture",
-            why,
-        };
-        // SAFETY: current context.
-        let raw = unsafe { gl.raw().create_framebuffer() }.map_err(create)?;
-        let mut target = Self {
-            gl: gl.clone(),
-            raw,
-            texture: None,
-            attachments: Vec::new(),
-        };
-        // SAFETY: current context.
-        unsafe { gl.raw().bind_framebuffer(glow::FRAMEBUFFER, Some(raw)) };
-        let size = [width, height, samples].map(|n| i32::try_from(n).unwrap_or(i32::MAX));
-        if samples == 0 {
-            target.attach_texture(size).map_err(create)?;
-        } else {
-            target
-                .attach(glow::COLOR_ATTACHMENT0, glow::RGBA8, size)
-                .map_err(create)?;
-        }
-        if depth {
-            target
-                .attach(glow::DEPTH_ATTACHMENT, glow::DEPTH_COMPONENT24, size)
-                .map_err(create)?;
-        }
-        // SAFETY: current context.
-        let status = unsafe { gl.raw().check_framebuffer_status(glow::FRAMEBUFFER) };
-        gl.check("making a picture")
-            .map_err(|error| create(error.to_string()))?;
-        if status != glow::FRAMEBUFFER_COMPLETE {
-            return Err(create(format!("incomplete, status 0x{status:04x}")));
-        }
-        Ok(target)
-    }
-
-    fn attach_texture(&mut self, [width, height, _]: [i32; 3]) -> Result<(), String> {
-        let glow = self.gl.raw();
-        // SAFETY: current context; this framebuffer is bound, no data is passed, and the driver
-        // checks the sizes.
-        unsafe {
-            let raw = glow.create_texture()?;
-            self.texture = Some(raw);
-            glow.bind_texture(glow::TEXTURE_2D, Some(raw));
-            for (name, value) in [
-                (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
-                (glow::TEXTURE_MAG_FILTER, glow::NEAREST),
-                (glow::TEXTURE_WRAP_S, glow::CLAMP_TO_EDGE),
-                (glow::TEXTURE_WRAP_T, glow::CLAMP_TO_EDGE),
-            ] {
-                glow.tex_parameter_i32(glow::TEXTURE_2D, name, value.cast_signed());
-            }
-            glow.tex_image_2d(
-                glow::TEXTURE_2D,
-                0,
-                glow::RGBA8.cast_signed(),
-                width,
-                height,
-                0,
-                glow::RGBA,
-                glow::UNSIGNED_BYTE,
-                glow::PixelUnpackData::Slice(None),
-            );
-            glow.framebuffer_texture_2d(
-                glow::FRAMEBUFFER,
-                glow::COLOR_ATTACHMENT0,
-                glow::TEXTURE_2D,
-                Some(raw),
-                0,
-            );
-            glow.bind_texture(glow::TEXTURE_2D, None);
-        }
-        Ok(())
-    }
-
-    fn attach(&mut self, point: u32, format: u32, size: [i32; 3]) -> Result<(), String> {
-        let [width, height, samples] = size;
-        let glow = self.gl.raw();
-        // SAFETY: current context; this framebuffer is bound, and the driver checks the sizes.
-        unsafe {
-            let raw = glow.create_renderbuffer()?;
-            self.attachments.push(raw);
-            glow.bind_renderbuffer(glow::RENDERBUFFER, Some(raw));
-            if samples == 0 {
-                glow.renderbuffer_storage(glow::RENDERBUFFER, format, width, height);
-            } else {
-                glow.renderbuffer_storage_multisample(
-                    glow::RENDERBUFFER,
-                    samples,
-                    format,
-                    width,
-                    height,
-                );
-            }
-            glow.framebuffer_renderbuffer(glow::FRAMEBUFFER, point, glow::RENDERBUFFER, Some(raw));
-            glow.bind_renderbuffer(glow::RENDERBUFFER, None);
-        }
-        Ok(())
-    }
-}
-
-impl Drop for Target {
-    fn drop(&mut self) {
-        let glow = self.gl.raw();
-        // SAFETY: current context; deleted once.
-        unsafe {
-            glow.delete_framebuffer(self.raw);
-            self.attachments
-                .iter()
-                .for_each(|&attachment| glow.delete_renderbuffer(attachment));
-            if let Some(texture) = self.texture {
-                glow.delete_texture(texture);
-            }
-        }
     }
 }

@@ -33,6 +33,7 @@ mod framebuffer;
 mod gl;
 mod immediate;
 mod program;
+mod target;
 mod texture;
 mod thick_line;
 mod vertex_array;

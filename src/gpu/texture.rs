@@ -1,4 +1,6 @@
 //! Textures: pictures to show, and tables of numbers to look up in a shader.
+//!
+//! Making or updating one leaves it bound to unit 0: bind what a draw reads just before it.
 
 use bytemuck::cast_slice;
 use glow::HasContext as _;

@@ -1,4 +1,8 @@
 //! Tests that draw without a window, on each backend by the same body.
 
+mod backends;
+mod draw_state;
 mod gpu;
+mod immediate;
 mod support;
+mod texture;

@@ -77,8 +77,13 @@ impl ContextError {
     /// For the failure of an event loop to start: there is no display, or it does not answer.
     #[must_use]
     pub fn no_display(cause: &impl std::fmt::Display) -> Self {
+        let cause = cause.to_string();
+        // `winit` tells first where in its own source the failure was noticed.
+        let told = cause
+            .split_once(".rs:")
+            .and_then(|(_, rest)| rest.split_once(": "));
         Self::NoDisplay {
-            cause: cause.to_string(),
+            cause: told.map_or(cause.as_str(), |(_, told)| told).to_owned(),
         }
     }
 
@@ -94,5 +99,36 @@ fn library_remedy(library: &str) -> &'static str {
         OSMESA_PACKAGE
     } else {
         EGL_PACKAGES
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missing_display_is_told_without_the_place_in_foreign_source() {
+        let told = |cause: &str| match ContextError::no_display(&cause) {
+            ContextError::NoDisplay { cause } => cause,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!(
+            told("os error at /x/winit-1/linux/mod.rs:788: no X server"),
+            "no X server"
+        );
+        assert_eq!(told("no X server"), "no X server");
+    }
+
+    #[test]
+    fn a_missing_library_names_the_package_to_install() {
+        let message = |library| {
+            ContextError::Library {
+                library,
+                cause: "not found".to_owned(),
+            }
+            .to_string()
+        };
+        assert!(message("libEGL").contains("apt-get install libegl1 libgl1-mesa-dri"));
+        assert!(message("libOSMesa").contains("apt-get install libosmesa6"));
     }
 }

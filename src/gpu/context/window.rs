@@ -218,8 +218,8 @@ fn create_context(
         display
             .create_context(config, &core)
             .or_else(|error| display.create_context(config, &es).map_err(|_| error))
-            .map_err(|_| ContextError::TooOld {
-                found: "below 3.3".to_owned(),
+            .map_err(|error| ContextError::TooOld {
+                found: format!("below 3.3 ({error})"),
             })
     }
 }
