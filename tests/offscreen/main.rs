@@ -4,5 +4,6 @@ mod backends;
 mod draw_state;
 mod gpu;
 mod immediate;
+mod scene;
 mod support;
 mod texture;

@@ -1,0 +1,282 @@
+//! Scenes drawn by the renderer that the window and the command line share.
+
+use std::sync::Arc;
+
+use editor_core::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
+use editor_core::geometry::Mesh;
+use editor_core::gpu::{Framebuffer, Gl};
+use editor_core::math::Euler;
+use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::scene::{
+    BoneStyle, CharacterShape, Evaluator, JointStyle, Look, ModelDisplay, Scene, Shading, ShapeId,
+    ShapeKind, ViewSettings,
+};
+use glam::Vec3;
+
+use crate::support::{Picture, on_each_backend};
+
+const SIZE: (u32, u32) = (160, 120);
+const BACKGROUND: [u8; 4] = [26, 26, 26, 255];
+
+/// A beam of two bones along +X, whose far half follows joint 1.
+fn beam() -> CharacterShape {
+    let joint = |name: &str, parent, offset| Joint {
+        name: name.to_owned(),
+        parent,
+        offset,
+        ..Joint::default()
+    };
+    let skeleton = SkeletalModel::new(vec![
+        joint("near", None, Vec3::new(-1.0, 0.0, 0.0)),
+        joint("middle", Some(0), Vec3::X),
+        joint("far", Some(1), Vec3::X),
+    ]);
+    let positions: Vec<Vec3> = [-1.0, 0.0, 1.0]
+        .into_iter()
+        .flat_map(|x| [Vec3::new(x, -0.2, 0.0), Vec3::new(x, 0.2, 0.0)])
+        .collect();
+    let triangles = vec![[0, 2, 3], [0, 3, 1], [2, 4, 5], [2, 5, 3]];
+    let mut attachments = Attachments::new();
+    for position in &positions {
+        let joint = u32::from(position.x > 0.5);
+        attachments.push_vertex([Influence { joint, weight: 1.0 }]);
+    }
+    let character = Character::new(
+        skeleton.expect("a skeleton"),
+        attachments,
+        Mesh::new(positions, triangles),
+    );
+    CharacterShape::new(Arc::new(character.expect("a character")))
+}
+
+fn scene_of(kind: ShapeKind) -> (Scene, ShapeId) {
+    let mut scene = Scene::new();
+    let id = scene.add("Shape".to_owned(), kind, None);
+    (scene, id)
+}
+
+fn no_axis() -> ViewSettings {
+    ViewSettings {
+        axis: false,
+        ..ViewSettings::default()
+    }
+}
+
+fn draw(
+    gl: &Gl,
+    renderer: &mut Renderer,
+    scene: &Scene,
+    view: &ViewSettings,
+    marks: Marks,
+) -> Picture {
+    let evaluated = Evaluator::new().evaluate(scene);
+    let frame = Frame {
+        scene,
+        evaluated: &evaluated,
+        view,
+        marks,
+    };
+    let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).expect("a picture");
+    renderer.draw(&frame, &target).expect("a drawn frame");
+    Picture::of(&target)
+}
+
+fn drawn(picture: &Picture) -> usize {
+    picture.count(|pixel| pixel != BACKGROUND)
+}
+
+#[test]
+fn an_empty_scene_is_the_course_s_gray_and_nothing_else() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let picture = draw(
+            gl,
+            &mut renderer,
+            &Scene::new(),
+            &no_axis(),
+            Marks::default(),
+        );
+        assert_eq!(drawn(&picture), 0);
+    });
+}
+
+#[test]
+fn every_shape_of_the_insert_menu_shows_in_its_own_color() {
+    let kinds = [
+        (ShapeKind::Cube, [true, false, false]),
+        (ShapeKind::Sphere, [false, true, false]),
+        (ShapeKind::Pyramid, [true, true, false]),
+        (ShapeKind::Teapot, [false, false, true]),
+        (ShapeKind::Icosahedron, [false, true, true]),
+        (ShapeKind::Custom, [true, true, false]),
+    ];
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        for (kind, color) in &kinds {
+            let (scene, _) = scene_of(kind.clone());
+            let picture = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+            let in_color = picture.count(|pixel| {
+                (0..3).all(|c| {
+                    if color[c] {
+                        pixel[c] > 60
+                    } else {
+                        pixel[c] < 20
+                    }
+                })
+            });
+            assert!(in_color > 300, "{}: {in_color} pixels", kind.label());
+        }
+    });
+}
+
+#[test]
+fn the_axes_are_red_green_and_blue() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let mut view = ViewSettings::default();
+        view.camera.theta = 1.0;
+        view.camera.phi = 0.4;
+        let picture = draw(gl, &mut renderer, &Scene::new(), &view, Marks::default());
+        for axis in 0..3 {
+            let line = picture.count(|pixel| (0..3).all(|c| (pixel[c] > 200) == (c == axis)));
+            assert!(line > 50, "axis {axis}: {line} pixels");
+        }
+    });
+}
+
+#[test]
+fn a_turned_joint_takes_its_part_of_the_mesh_along() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let (mut scene, id) = scene_of(ShapeKind::Character(beam()));
+        let before = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+        let mut pose = Pose::new();
+        pose.set_joint_transform(1, Euler::from_degrees(Vec3::new(0.0, 0.0, 90.0)));
+        scene
+            .character_mut(id)
+            .expect("the character")
+            .set_pose(pose);
+        let after = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+
+        let (right, up) = ((100, 60), (80, 40));
+        assert_ne!(before.at(right.0, right.1), BACKGROUND);
+        assert_eq!(before.at(up.0, up.1), BACKGROUND);
+        assert_eq!(after.at(right.0, right.1), BACKGROUND);
+        assert_ne!(after.at(up.0, up.1), BACKGROUND);
+    });
+}
+
+#[test]
+fn a_skeleton_is_drawn_in_every_style_and_seen_through_its_mesh() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let (mut scene, id) = scene_of(ShapeKind::Character(beam()));
+        let mut counts = Vec::new();
+        for mode in [ModelDisplay::Skeleton, ModelDisplay::Both] {
+            for joints in [JointStyle::Points, JointStyle::Spheres] {
+                for bones in [BoneStyle::Lines, BoneStyle::Boxes] {
+                    let display = &mut scene.character_mut(id).expect("the character").display;
+                    (display.mode, display.joints, display.bones) = (mode, joints, bones);
+                    let picture = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+                    // The mesh is green: red comes from the skeleton, through the mesh or not.
+                    let white = picture.count(|[r, _, b, _]| r > 40 && r == b);
+                    assert!(white > 20, "{mode:?} {joints:?} {bones:?}: {white} pixels");
+                    counts.push(drawn(&picture));
+                }
+            }
+        }
+        assert!(
+            counts[4..].iter().min() > counts[..4].iter().max(),
+            "{counts:?}"
+        );
+    });
+}
+
+#[test]
+fn joints_as_points_are_as_wide_as_told() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let (mut scene, id) = scene_of(ShapeKind::Character(beam()));
+        let mut counts = Vec::new();
+        for size in [4.0, 8.0, 16.0] {
+            let display = &mut scene.character_mut(id).expect("the character").display;
+            display.mode = ModelDisplay::Skeleton;
+            (display.joints, display.point_size) = (JointStyle::Points, size);
+            display.bones = BoneStyle::Lines;
+            counts.push(drawn(&draw(
+                gl,
+                &mut renderer,
+                &scene,
+                &no_axis(),
+                Marks::default(),
+            )));
+        }
+        assert!(counts[0] < counts[1] && counts[1] < counts[2], "{counts:?}");
+    });
+}
+
+#[test]
+fn the_selected_shape_is_outlined_and_the_outline_is_no_part_of_the_picture_to_hand_in() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let (scene, id) = scene_of(ShapeKind::Cube);
+        let plain = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+        let marks = Marks {
+            selected: Some(id),
+            ..Marks::default()
+        };
+        let marked = draw(gl, &mut renderer, &scene, &no_axis(), marks);
+        let orange = |picture: &Picture| {
+            picture.count(|[r, g, b, _]| r > 250 && (140..180).contains(&g) && b < 60)
+        };
+        assert_eq!(orange(&plain), 0);
+        assert!(orange(&marked) > 100, "{}", orange(&marked));
+    });
+}
+
+#[test]
+fn looks_and_shadings_differ() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let (scene, _) = scene_of(ShapeKind::Sphere);
+        let mut pictures = Vec::new();
+        for look in [Look::Course, Look::Studio] {
+            for shading in [Shading::Flat, Shading::Smooth] {
+                let view = ViewSettings {
+                    look,
+                    shading,
+                    ..no_axis()
+                };
+                pictures.push(draw(gl, &mut renderer, &scene, &view, Marks::default()).rgba);
+            }
+        }
+        for a in 0..4 {
+            for b in 0..a {
+                assert_ne!(pictures[a], pictures[b], "{a} and {b}");
+            }
+        }
+    });
+}
+
+#[test]
+fn what_the_renderer_kept_from_other_frames_does_not_show() {
+    on_each_backend(|gl| {
+        let mut used = Renderer::new(gl).expect("a renderer");
+        let (mut scene, id) = scene_of(ShapeKind::Character(beam()));
+        let first = draw(gl, &mut used, &scene, &no_axis(), Marks::default());
+        scene.character_mut(id).expect("the character").display.mode = ModelDisplay::Both;
+        draw(
+            gl,
+            &mut used,
+            &scene,
+            &ViewSettings::default(),
+            Marks::default(),
+        );
+        let (other, _) = scene_of(ShapeKind::Teapot);
+        let used_picture = draw(gl, &mut used, &other, &no_axis(), Marks::default());
+        let mut fresh = Renderer::new(gl).expect("a renderer");
+        let fresh_picture = draw(gl, &mut fresh, &other, &no_axis(), Marks::default());
+        assert!(used_picture == fresh_picture);
+        assert!(first != fresh_picture);
+    });
+}
