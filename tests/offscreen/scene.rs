@@ -172,12 +172,15 @@ fn a_skeleton_is_drawn_in_every_style_and_seen_through_its_mesh() {
         let mut renderer = Renderer::new(gl).expect("a renderer");
         let (mut scene, id) = scene_of(ShapeKind::Character(beam()));
         let mut counts = Vec::new();
+        // Near enough for boxes of a hundredth to cover pixels.
+        let mut view = no_axis();
+        view.camera.radius = 1.0;
         for mode in [ModelDisplay::Skeleton, ModelDisplay::Both] {
             for joints in [JointStyle::Points, JointStyle::Spheres] {
                 for bones in [BoneStyle::Lines, BoneStyle::Boxes] {
                     let display = &mut scene.character_mut(id).expect("the character").display;
                     (display.mode, display.joints, display.bones) = (mode, joints, bones);
-                    let picture = draw(gl, &mut renderer, &scene, &no_axis(), Marks::default());
+                    let picture = draw(gl, &mut renderer, &scene, &view, Marks::default());
                     // The mesh is green: red comes from the skeleton, through the mesh or not.
                     let white = picture.count(|[r, _, b, _]| r > 40 && r == b);
                     assert!(white > 20, "{mode:?} {joints:?} {bones:?}: {white} pixels");
