@@ -60,6 +60,8 @@ pub struct Immediate {
     vertices: Vec<Vertex>,
     mode: Option<Mode>,
     color: Vec4,
+    normal: Vec3,
+    towards_light: Option<Vec3>,
     clip_from_world: Mat4,
     point_size: f32,
     point_shape: PointShape,
@@ -97,6 +99,8 @@ impl Immediate {
             vertices: Vec::new(),
             mode: None,
             color: Vec4::ONE,
+            normal: Vec3::Z,
+            towards_light: None,
             clip_from_world: Mat4::IDENTITY,
             point_size: 1.0,
             point_shape: PointShape::Square,
@@ -152,6 +156,21 @@ impl Immediate {
         self.color = rgba;
     }
 
+    /// Sets the normal of the vertices that follow, of unit length, in their space. It matters
+    /// where there is a light.
+    #[doc(alias = "glNormal3f")]
+    pub fn normal(&mut self, normal: Vec3) {
+        self.normal = normal;
+    }
+
+    /// Lights the vertices that follow from a direction, given in their space, or leaves their
+    /// colors as they are. As in OpenGL's own lighting each vertex is lit by itself: a fifth of
+    /// its color everywhere, the rest by the angle between normal and light.
+    #[doc(alias = "GL_LIGHTING")]
+    pub fn light(&mut self, towards_light: Option<Vec3>) {
+        self.towards_light = towards_light.map(Vec3::normalize_or_zero);
+    }
+
     /// Adds a vertex, in the space that the matrix starts from.
     #[doc(alias = "glVertex3f")]
     pub fn vertex(&mut self, position: Vec3) {
@@ -162,8 +181,16 @@ impl Immediate {
         }
         self.vertices.push(Vertex {
             position: position.extend(1.0),
-            color: self.color,
+            color: self.lit_color(),
         });
+    }
+
+    fn lit_color(&self) -> Vec4 {
+        let Some(towards_light) = self.towards_light else {
+            return self.color;
+        };
+        let light = 0.2 + 0.8 * self.normal.dot(towards_light).max(0.0);
+        (self.color.truncate() * light).extend(self.color.w)
     }
 
     /// Draws the group.

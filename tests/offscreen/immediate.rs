@@ -263,3 +263,21 @@ fn an_empty_group_is_no_fault() {
         }
     });
 }
+
+#[test]
+fn a_lit_vertex_is_as_bright_as_its_normal_faces_the_light() {
+    on_each_backend(|gl| {
+        for (normal, brightness) in [(Vec3::Z, 255), (Vec3::X, 51), (Vec3::NEG_Z, 51)] {
+            let (framebuffer, mut immediate) = on_pixels(gl, 8, 8);
+            immediate.light(Some(Vec3::Z * 3.0));
+            immediate.normal(normal);
+            draw(
+                &mut immediate,
+                Mode::Quads,
+                &[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]],
+            );
+            let [red, ..] = Picture::of(&framebuffer).at(4, 4);
+            assert_eq!(red, brightness, "{normal}");
+        }
+    });
+}
