@@ -79,7 +79,7 @@ impl SkeletalModel {
             children,
             bind_joint_from_model: Vec::new(),
         };
-        if let Some(joint) = model.first_unreachable() {
+        if let Some(joint) = model.first_on_a_cycle() {
             return Err(SkeletonError::Cycle { joint });
         }
         model.compute_bind_world_to_joint_transforms();
@@ -175,13 +175,23 @@ impl SkeletalModel {
         model_from_joint
     }
 
-    fn first_unreachable(&self) -> Option<usize> {
+    fn first_on_a_cycle(&self) -> Option<usize> {
         let mut reached = vec![false; self.joints.len()];
         let mut open = self.roots.clone();
         while let Some(joint) = open.pop() {
             reached[joint] = true;
             open.extend(&self.children[joint]);
         }
-        reached.iter().position(|&reached| !reached)
+        // No root is above a joint that was not reached, so going up long enough ends on a cycle.
+        let up = |joint: usize| self.joints[joint].parent.unwrap_or(joint);
+        let unreached = reached.iter().position(|&reached| !reached)?;
+        let on_cycle = (0..self.joints.len()).fold(unreached, |joint, _| up(joint));
+        let mut first = on_cycle;
+        let mut joint = up(on_cycle);
+        while joint != on_cycle {
+            first = first.min(joint);
+            joint = up(joint);
+        }
+        Some(first)
     }
 }

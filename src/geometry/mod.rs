@@ -9,6 +9,7 @@ mod pyramid;
 mod revision;
 mod sphere;
 mod teapot;
+mod triangulate;
 
 pub use cube::cube;
 pub use cuboid::{BONE_HALF_WIDTH, cuboid_from_unit};
@@ -19,3 +20,4 @@ pub use pyramid::pyramid;
 pub use revision::{Revision, SharedMesh};
 pub use sphere::sphere;
 pub use teapot::teapot;
+pub use triangulate::triangulate;

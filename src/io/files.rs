@@ -1,5 +1,6 @@
 use super::Diagnostic;
-use std::path::Path;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 
 /// Where importers get bytes from. The program hands in the disk, tests a table in memory; the
 /// importers themselves never touch the file system.
@@ -12,4 +13,33 @@ pub trait Files {
 
     /// Whether `path` is a file.
     fn exists(&self, path: &Path) -> bool;
+}
+
+/// Files in memory, by path.
+impl Files for HashMap<PathBuf, Vec<u8>> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        self.get(path)
+            .cloned()
+            .ok_or_else(|| Diagnostic::new(path, "there is no such file"))
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.contains_key(path)
+    }
+}
+
+/// The extension of `path` in lower case, empty if there is none.
+pub(super) fn extension(path: &Path) -> String {
+    path.extension()
+        .map(|extension| extension.to_string_lossy().to_lowercase())
+        .unwrap_or_default()
+}
+
+/// An extension as a message shows it.
+pub(super) fn shown_extension(extension: &str) -> String {
+    if extension.is_empty() {
+        "none".to_owned()
+    } else {
+        format!(".{extension}")
+    }
 }

@@ -1,0 +1,147 @@
+use glam::{Vec2, Vec3};
+
+/// Above this many corners the search for ears, whose time grows with the cube of it, gives way
+/// to a fan.
+const MOST_CORNERS: usize = 512;
+
+/// Cuts a polygon into triangles that wind as it does, as indices into `corners`; two fewer than
+/// corners, none below three. A polygon that turns one way only becomes a fan round its first
+/// corner. Others, dents in them or not quite flat, are cut ear by ear in the plane of their mean
+/// normal (Meisters 1975); where none is left, as in a polygon that crosses itself, a fan is made
+/// of the rest.
+pub fn triangulate(corners: &[Vec3]) -> Vec<[usize; 3]> {
+    let count = corners.len();
+    let mut left: Vec<usize> = (0..count).collect();
+    let mut triangles = Vec::with_capacity(count.saturating_sub(2));
+    if (4..=MOST_CORNERS).contains(&count) {
+        let flat = in_their_plane(corners);
+        let dents = |left: &[usize]| (0..left.len()).any(|at| turn(&flat, left, at) < 0.0);
+        while left.len() > 3 && dents(&left) {
+            let Some(ear) = (0..left.len()).find(|&at| is_ear(&flat, &left, at)) else {
+                break;
+            };
+            triangles.push(around(&left, ear));
+            left.remove(ear);
+        }
+    }
+    triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
+    triangles
+}
+
+/// The corners seen from the side from which they wind counter-clockwise.
+fn in_their_plane(corners: &[Vec3]) -> Vec<Vec2> {
+    let first = corners[0];
+    let doubled_area = (2..corners.len())
+        .map(|at| (corners[at - 1] - first).cross(corners[at] - first))
+        .sum::<Vec3>();
+    let normal = doubled_area.normalize_or(Vec3::Z);
+    let (u, v) = normal.any_orthonormal_pair();
+    corners
+        .iter()
+        .map(|&corner| Vec2::new((corner - first).dot(u), (corner - first).dot(v)))
+        .collect()
+}
+
+/// The corner `at` of those `left`, between its neighbors.
+fn around(left: &[usize], at: usize) -> [usize; 3] {
+    let count = left.len();
+    [
+        left[(at + count - 1) % count],
+        left[at],
+        left[(at + 1) % count],
+    ]
+}
+
+/// Positive where the polygon turns left at a corner.
+fn turn(flat: &[Vec2], left: &[usize], at: usize) -> f32 {
+    let [a, b, c] = around(left, at).map(|corner| flat[corner]);
+    (b - a).perp_dot(c - b)
+}
+
+/// Whether the triangle at a corner can be cut off: it turns left and no other corner is in it.
+fn is_ear(flat: &[Vec2], left: &[usize], at: usize) -> bool {
+    let indices = around(left, at);
+    let [a, b, c] = indices.map(|corner| flat[corner]);
+    let inside = |p: Vec2| {
+        // A corner that lies where one of the triangle's does is no obstacle.
+        p != a
+            && p != b
+            && p != c
+            && (b - a).perp_dot(p - a) >= 0.0
+            && (c - b).perp_dot(p - b) >= 0.0
+            && (a - c).perp_dot(p - c) >= 0.0
+    };
+    turn(flat, left, at) > 0.0
+        && !left
+            .iter()
+            .any(|corner| !indices.contains(corner) && inside(flat[*corner]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn area(corners: &[Vec3], triangles: &[[usize; 3]]) -> f32 {
+        let doubled = |[a, b, c]: [Vec3; 3]| (b - a).cross(c - a).length();
+        let triangles = triangles.iter().map(|t| doubled(t.map(|i| corners[i])));
+        triangles.sum::<f32>() * 0.5
+    }
+
+    #[test]
+    fn a_convex_polygon_becomes_a_fan() {
+        let square = [Vec3::ZERO, Vec3::X, Vec3::X + Vec3::Y, Vec3::Y];
+        assert_eq!(triangulate(&square), [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(triangulate(&square[..3]), [[0, 1, 2]]);
+        assert!(triangulate(&square[..2]).is_empty());
+    }
+
+    #[test]
+    fn a_dented_quad_is_cut_through_its_dent_whichever_corner_comes_first() {
+        let quad = [
+            Vec3::new(0.0, 2.0, 1.0),
+            Vec3::new(-1.0, -1.0, 1.0),
+            Vec3::new(0.0, 0.0, 1.0),
+            Vec3::new(1.0, -1.0, 1.0),
+        ];
+        for first in 0..4 {
+            let corners: Vec<Vec3> = (0..4).map(|i| quad[(first + i) % 4]).collect();
+            let triangles = triangulate(&corners);
+            assert_eq!(triangles.len(), 2);
+            let area = area(&corners, &triangles);
+            assert!((area - 2.0).abs() < 1e-6, "{first} {area}");
+        }
+    }
+
+    #[test]
+    fn a_letter_u_keeps_its_area_and_its_side() {
+        let u = [
+            (0, 0),
+            (3, 0),
+            (3, 3),
+            (2, 3),
+            (2, 1),
+            (1, 1),
+            (1, 3),
+            (0, 3),
+        ];
+        let corners = u.map(|(x, z)| Vec3::new(x as f32, 5.0, -z as f32));
+        let triangles = triangulate(&corners);
+        assert_eq!(triangles.len(), 6);
+        assert!((area(&corners, &triangles) - 7.0).abs() < 1e-5);
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|i| corners[i]);
+            assert!((b - a).cross(c - a).y > 0.0);
+        }
+    }
+
+    #[test]
+    fn no_polygon_loses_a_triangle_however_bad() {
+        let crossed = [Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Y];
+        for bad in [&crossed[..], &[Vec3::ZERO; 6][..], &[Vec3::NAN; 5][..]] {
+            assert_eq!(triangulate(bad).len(), bad.len() - 2);
+        }
+        let circle = |i: usize| Vec3::new((i as f32).cos(), (i as f32).sin(), 0.0);
+        let star: Vec<Vec3> = (0..2000).map(circle).collect();
+        assert_eq!(triangulate(&star).len(), 1998);
+    }
+}

@@ -1,0 +1,177 @@
+//! Pictures as files: PNG, JPEG and GIF.
+
+use super::{Diagnostic, files};
+use crate::geometry::Picture;
+use ::image::codecs::gif::GifEncoder;
+use ::image::codecs::jpeg::JpegEncoder;
+use ::image::codecs::png::PngEncoder;
+use ::image::{ExtendedColorType, ImageEncoder, ImageReader};
+use std::io::Cursor;
+use std::path::Path;
+
+/// The kinds of picture that this program writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureFormat {
+    /// `.png`, exact.
+    Png,
+    /// `.jpg` or `.jpeg`, without transparency.
+    Jpeg,
+    /// `.gif`, at most 256 colors.
+    Gif,
+}
+
+/// Of 100: hardly to be told from the original.
+const JPEG_QUALITY: u8 = 95;
+/// From 1, slow, to 30; below 10 the search for colors takes seconds and gains nothing seen.
+const GIF_SPEED: i32 = 10;
+
+impl PictureFormat {
+    /// The format that the extension of `path` asks for.
+    ///
+    /// # Errors
+    /// If it is none of those that can be written; the message names them.
+    pub fn of(path: &Path) -> Result<Self, Diagnostic> {
+        let extension = files::extension(path);
+        match extension.as_str() {
+            "png" => Ok(Self::Png),
+            "jpg" | "jpeg" => Ok(Self::Jpeg),
+            "gif" => Ok(Self::Gif),
+            _ => Err(Diagnostic::new(
+                path,
+                format!(
+                    "expected a picture's name that ends in .png, .jpg or .gif, found {}",
+                    files::shown_extension(&extension)
+                ),
+            )),
+        }
+    }
+}
+
+/// `picture` as the content of a file.
+///
+/// # Errors
+/// If the format cannot hold it, as with a JPEG or GIF of more than 65,535 pixels a side.
+pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, String> {
+    let (width, height) = (picture.width, picture.height);
+    if picture.rgba.len() as u64 != 4 * u64::from(width) * u64::from(height) {
+        return Err(format!(
+            "expected 4 bytes for each of {width}×{height} pixels, found {}",
+            picture.rgba.len()
+        ));
+    }
+    let mut bytes = Vec::new();
+    match format {
+        PictureFormat::Png => PngEncoder::new(&mut bytes).write_image(
+            &picture.rgba,
+            width,
+            height,
+            ExtendedColorType::Rgba8,
+        ),
+        PictureFormat::Jpeg => {
+            let pixels = picture.rgba.chunks_exact(4);
+            let rgb: Vec<u8> = pixels
+                .flat_map(|rgba| [rgba[0], rgba[1], rgba[2]])
+                .collect();
+            JpegEncoder::new_with_quality(&mut bytes, JPEG_QUALITY).write_image(
+                &rgb,
+                width,
+                height,
+                ExtendedColorType::Rgb8,
+            )
+        }
+        PictureFormat::Gif => GifEncoder::new_with_speed(&mut bytes, GIF_SPEED).encode(
+            &picture.rgba,
+            width,
+            height,
+            ExtendedColorType::Rgba8,
+        ),
+    }
+    .map_err(|error| format!("the picture cannot be written: {error}"))?;
+    Ok(bytes)
+}
+
+/// Reads a PNG, JPEG or GIF, whatever its name says; of several frames the first.
+///
+/// # Errors
+/// If it is none of these, is damaged, or would take an unreasonable amount of memory.
+pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
+    let wrong = |error: &dyn std::fmt::Display| {
+        Diagnostic::new(path, format!("expected a PNG, JPEG or GIF: {error}"))
+    };
+    let reader = ImageReader::new(Cursor::new(bytes))
+        .with_guessed_format()
+        .map_err(|error| wrong(&error))?;
+    let rgba = reader.decode().map_err(|error| wrong(&error))?.into_rgba8();
+    Ok(Picture {
+        width: rgba.width(),
+        height: rgba.height(),
+        rgba: rgba.into_raw(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn gradient() -> Picture {
+        let (width, height) = (16, 8);
+        let pixel = |i: u32| [(i % width * 16) as u8, (i / width * 32) as u8, 128, 255];
+        Picture {
+            width,
+            height,
+            rgba: (0..width * height).flat_map(pixel).collect(),
+        }
+    }
+
+    #[test]
+    fn a_png_comes_back_exactly() {
+        let bytes = encode(&gradient(), PictureFormat::Png).unwrap();
+        assert_eq!(decode(Path::new("a.png"), &bytes), Ok(gradient()));
+    }
+
+    #[test]
+    fn a_jpeg_and_a_gif_come_back_nearly() {
+        for (format, tolerance) in [(PictureFormat::Jpeg, 12), (PictureFormat::Gif, 12)] {
+            let bytes = encode(&gradient(), format).unwrap();
+            let back = decode(Path::new("a"), &bytes).unwrap();
+            assert_eq!((back.width, back.height), (16, 8));
+            let pairs = back.rgba.iter().zip(gradient().rgba);
+            let worst = pairs.map(|(&a, b)| a.abs_diff(b)).max();
+            assert!(worst <= Some(tolerance), "{format:?} {worst:?}");
+        }
+    }
+
+    #[test]
+    fn the_extension_chooses_the_format_and_a_wrong_one_names_the_three() {
+        assert_eq!(
+            PictureFormat::of(Path::new("a.PNG")),
+            Ok(PictureFormat::Png)
+        );
+        assert_eq!(
+            PictureFormat::of(Path::new("a.jpeg")),
+            Ok(PictureFormat::Jpeg)
+        );
+        let error = PictureFormat::of(Path::new("a.bmp")).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a.bmp: expected a picture's name that ends in .png, .jpg or .gif, found .bmp"
+        );
+    }
+
+    #[test]
+    fn what_does_not_fit_is_an_error() {
+        let wrong = Picture {
+            width: 1,
+            ..gradient()
+        };
+        assert!(encode(&wrong, PictureFormat::Png).is_err());
+        let wide = Picture {
+            width: 70_000,
+            height: 1,
+            rgba: vec![0; 280_000],
+        };
+        assert!(encode(&wide, PictureFormat::Gif).is_err());
+        assert!(encode(&wide, PictureFormat::Jpeg).is_err());
+        assert!(decode(Path::new("a.png"), b"no picture").is_err());
+    }
+}

@@ -1,0 +1,89 @@
+//! What the formats written as JSON share.
+
+use super::{Diagnostic, scanner};
+use glam::Vec3;
+use serde::Deserialize;
+use serde::de::{DeserializeOwned, Deserializer};
+use std::path::Path;
+
+/// Reads `bytes` as one value.
+///
+/// # Errors
+/// With line and column, for what is no JSON and for what is no such value.
+pub(super) fn read<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Diagnostic> {
+    let text = scanner::utf8(path, bytes)?;
+    serde_json::from_str(text).map_err(|error| {
+        // The library counts columns in bytes, and puts the place into the message as well.
+        let (line, column) = (error.line(), error.column());
+        let message = error.to_string();
+        let place = format!(" at line {line} column {column}");
+        let message = message.strip_suffix(&place).unwrap_or(&message);
+        let bytes = text
+            .lines()
+            .nth(line.saturating_sub(1))
+            .unwrap_or("")
+            .as_bytes();
+        let mut before = column.saturating_sub(1).min(bytes.len());
+        if error.is_data() {
+            before = start_of_token(bytes, before);
+        }
+        let column = String::from_utf8_lossy(&bytes[..before]).chars().count() + 1;
+        Diagnostic::at(path, line.max(1), column, message)
+    })
+}
+
+/// Where the string, number or word starts whose last byte is `end` of `line`.
+fn start_of_token(line: &[u8], end: usize) -> usize {
+    let before = &line[..end.min(line.len())];
+    if line.get(end) == Some(&b'"') {
+        // A quote within a string has a backslash before it.
+        (0..before.len())
+            .rev()
+            .find(|&at| before[at] == b'"' && (at == 0 || before[at - 1] != b'\\'))
+            .unwrap_or(end)
+    } else {
+        let in_word = |byte: &&u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
+        end - before.iter().rev().take_while(in_word).count()
+    }
+}
+
+/// Where the key `key` first stands in the text after `after`, itself a key; for faults that
+/// show only when the whole file is known.
+pub(super) fn position_of_key(text: &str, after: &str, key: &str) -> Option<super::Position> {
+    let spelled = serde_json::to_string(key).ok()?;
+    let from = text.find(&format!("\"{after}\""))? + after.len() + 2;
+    let at = from + text[from..].find(&spelled)?;
+    let before = &text[..at];
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    Some(super::Position {
+        line: before.matches('\n').count() + 1,
+        column: before[line_start..].chars().count() + 1,
+    })
+}
+
+/// A number that an `f32` holds: JSON has larger ones.
+///
+/// # Errors
+/// If it does not.
+pub(super) fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+    checked(f32::deserialize(deserializer)?)
+}
+
+/// Three numbers that an `f32` holds.
+///
+/// # Errors
+/// If one does not.
+pub(super) fn finite3<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
+    let [x, y, z] = <[f32; 3]>::deserialize(deserializer)?;
+    Ok(Vec3::new(checked(x)?, checked(y)?, checked(z)?))
+}
+
+fn checked<E: serde::de::Error>(number: f32) -> Result<f32, E> {
+    if number.is_finite() {
+        Ok(number)
+    } else {
+        Err(E::custom(
+            "expected a number below 3.4e38, found a larger one",
+        ))
+    }
+}

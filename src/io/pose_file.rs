@@ -1,0 +1,351 @@
+use super::{Diagnostic, json, scanner};
+use crate::character::{Pose, PoseError, SkeletalModel};
+use crate::math::Euler;
+use crate::scene::{Scene, ShapeId, ShapeKind};
+use glam::Vec3;
+use serde::de::{Deserializer, Error, MapAccess, Visitor};
+use serde::{Deserialize, Serialize, Serializer};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+/// A pose as files have it: joints by name or index, angles in degrees.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PoseData {
+    /// Name or index of a joint, and its angles about X, Y and Z in degrees.
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    pub joints: Entries,
+    /// Name or index of a root, and how far it has moved, in the character's model space.
+    #[serde(skip_serializing_if = "Entries::is_empty")]
+    pub roots: Entries,
+}
+
+/// Joints with three numbers each, in the order of the file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Entries(pub Vec<(String, Vec3)>);
+
+/// A pose file: the pose, and the text that errors point into.
+#[derive(Clone, Debug)]
+pub struct PoseFile {
+    path: PathBuf,
+    text: String,
+    data: PoseData,
+}
+
+/// How many names an error suggests.
+const SUGGESTED: usize = 3;
+
+impl PoseFile {
+    /// Reads a `POSE.json`: `{"joints": {"Left elbow": [0, 0, 50], "3": [10, 0, 0]},
+    /// "roots": {"Root": [0, 0.2, 0]}}`.
+    ///
+    /// # Errors
+    /// If it is no JSON, or not of this form, or names a joint twice.
+    pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
+        Ok(Self {
+            path: path.to_owned(),
+            text: scanner::utf8(path, bytes)?.to_owned(),
+            data: json::read(path, bytes)?,
+        })
+    }
+
+    /// What it says.
+    pub fn data(&self) -> &PoseData {
+        &self.data
+    }
+
+    /// Poses every character of `scene` that has joints of the names or indices in the file, by
+    /// those it has; its other joints go back to rest. Characters without any stay as they are.
+    ///
+    /// # Errors
+    /// If there is no character, or a joint that none has; the message lists names like it. Then
+    /// nothing is changed.
+    pub fn apply_to(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
+        let characters: Vec<(ShapeId, &SkeletalModel)> = scene
+            .shapes()
+            .iter()
+            .filter_map(|shape| match &shape.kind {
+                ShapeKind::Character(character) => Some((shape.id, character.character.skeleton())),
+                _ => None,
+            })
+            .collect();
+        if characters.is_empty() {
+            let message = "expected a character to pose, found none";
+            return Err(Diagnostic::new(&self.path, message));
+        }
+        let skeletons: Vec<_> = characters.iter().map(|(_, skeleton)| *skeleton).collect();
+        self.check(&skeletons)?;
+        let poses: Vec<(ShapeId, Pose)> = characters
+            .iter()
+            .filter_map(|(id, skeleton)| Some((*id, self.data.pose_of(skeleton)?)))
+            .collect();
+        for (id, pose) in poses {
+            if let Some(character) = scene.character_mut(id) {
+                character.set_pose(pose);
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, skeletons: &[&SkeletalModel]) -> Result<(), Diagnostic> {
+        self.data
+            .check(skeletons)
+            .map_err(|(section, key, message)| Diagnostic {
+                position: json::position_of_key(&self.text, section, &key),
+                ..Diagnostic::new(&self.path, message)
+            })
+    }
+}
+
+impl PoseData {
+    /// This pose for `skeleton`, by the joints that it has; `None` if it has none of them.
+    pub fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
+        let mut pose = Pose::new();
+        let mut any = false;
+        for (key, degrees) in &self.joints.0 {
+            if let Ok(joint) = Pose::find_joint(skeleton, key) {
+                pose.set_joint_transform(joint, Euler::from_degrees(*degrees));
+                any = true;
+            }
+        }
+        for (key, offset) in &self.roots.0 {
+            if let Ok(root) = find_root(skeleton, key) {
+                pose.set_root_offset(root, *offset);
+                any = true;
+            }
+        }
+        any.then_some(pose)
+    }
+
+    /// Checks that every joint it names is in one of `skeletons`.
+    ///
+    /// # Errors
+    /// With the section and the key of the first that is in none, and what to say about it.
+    pub(super) fn check(
+        &self,
+        skeletons: &[&SkeletalModel],
+    ) -> Result<(), (&'static str, String, String)> {
+        let missing = |entries: &Entries, find: &dyn Fn(&SkeletalModel, &str) -> bool| {
+            let in_none = |key: &str| !skeletons.iter().any(|skeleton| find(skeleton, key));
+            let mut keys = entries.0.iter().map(|(key, _)| key.clone());
+            keys.find(|key| in_none(key))
+        };
+        let has_joint =
+            |skeleton: &SkeletalModel, key: &str| Pose::find_joint(skeleton, key).is_ok();
+        if let Some(key) = missing(&self.joints, &has_joint) {
+            let message = no_such_joint(&key, skeletons);
+            return Err(("joints", key, message));
+        }
+        let has_root = |skeleton: &SkeletalModel, key: &str| find_root(skeleton, key).is_ok();
+        if let Some(key) = missing(&self.roots, &has_root) {
+            let message = if skeletons.iter().any(|skeleton| has_joint(skeleton, &key)) {
+                PoseError::NotARoot(key.clone()).to_string()
+            } else {
+                no_such_joint(&key, skeletons)
+            };
+            return Err(("roots", key, message));
+        }
+        Ok(())
+    }
+}
+
+fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {
+    let joint = Pose::find_joint(skeleton, key)?;
+    if skeleton.roots().contains(&joint) {
+        Ok(joint)
+    } else {
+        Err(PoseError::NotARoot(key.to_owned()))
+    }
+}
+
+fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
+    let names = skeletons.iter().flat_map(|skeleton| skeleton.joints());
+    let names: HashSet<&str> = names.map(|joint| joint.name.as_str()).collect();
+    let mut near: Vec<(usize, &str)> = names
+        .into_iter()
+        .map(|name| (distance(key, name), name))
+        .collect();
+    near.sort_unstable();
+    let near: Vec<String> = near
+        .iter()
+        .take(SUGGESTED)
+        .map(|(_, name)| scanner::quoted(name))
+        .collect();
+    let found = scanner::quoted(key);
+    format!(
+        "expected the name or index of a joint, such as {}, found {found}",
+        near.join(", ")
+    )
+}
+
+/// How many letters must be changed, put in or taken out to make `a` from `b` (Levenshtein
+/// 1966); upper and lower case are the same.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.to_lowercase().chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, a) in a.to_lowercase().chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &b) in b.iter().enumerate() {
+            let replaced = diagonal + usize::from(a != b);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[b.len()]
+}
+
+impl Entries {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl Serialize for Entries {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+    }
+}
+
+impl<'de> Deserialize<'de> for Entries {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Entry(Vec3);
+        impl<'de> Deserialize<'de> for Entry {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                json::finite3(deserializer).map(Self)
+            }
+        }
+        struct Pairs;
+        impl<'de> Visitor<'de> for Pairs {
+            type Value = Entries;
+
+            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+                f.write_str("joints with three numbers each")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
+                let mut entries = Vec::new();
+                let mut seen = HashSet::new();
+                while let Some(key) = map.next_key::<String>()? {
+                    if !seen.insert(key.clone()) {
+                        return Err(A::Error::custom(format!(
+                            "expected each joint once, found {} again",
+                            scanner::quoted(&key)
+                        )));
+                    }
+                    let Entry(value) = map.next_value()?;
+                    entries.push((key, value));
+                }
+                Ok(Entries(entries))
+            }
+        }
+        deserializer.deserialize_map(Pairs)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::{Attachments, Character, Joint};
+    use crate::geometry::Mesh;
+    use crate::scene::CharacterShape;
+    use std::sync::Arc;
+
+    fn scene_with(names: &[&[&str]]) -> Scene {
+        let mut scene = Scene::new();
+        for names in names {
+            let joints = names.iter().enumerate().map(|(index, name)| Joint {
+                name: (*name).to_owned(),
+                parent: index.checked_sub(1),
+                offset: Vec3::Y,
+            });
+            let skeleton = SkeletalModel::new(joints.collect()).unwrap();
+            let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();
+            let shape = CharacterShape::new(Arc::new(character));
+            scene.add("C".into(), ShapeKind::Character(shape), None);
+        }
+        scene
+    }
+
+    fn apply(text: &str, scene: &mut Scene) -> Result<(), String> {
+        PoseFile::read(Path::new("p.json"), text.as_bytes())
+            .and_then(|pose| pose.apply_to(scene))
+            .map_err(|error| error.to_string())
+    }
+
+    fn degrees(scene: &Scene, shape: u32, joint: usize) -> Vec3 {
+        let pose = scene.character(ShapeId(shape)).unwrap().pose();
+        pose.rotation(joint).degrees()
+    }
+
+    #[test]
+    fn a_pose_goes_to_every_character_that_has_the_joints() {
+        let mut scene = scene_with(&[&["Root", "Elbow"], &["Root", "Tail"], &["Hip"]]);
+        let pose = r#"{"joints": {"Elbow": [0, 0, 50], "Tail": [1, 2, 3]}, "roots": {"Root": [0, 0.2, 0]}}"#;
+        apply(pose, &mut scene).unwrap();
+        assert!(degrees(&scene, 1, 1).abs_diff_eq(Vec3::Z * 50.0, 1e-4));
+        assert!(degrees(&scene, 2, 1).abs_diff_eq(Vec3::new(1.0, 2.0, 3.0), 1e-4));
+        let root = scene.character(ShapeId(2)).unwrap().pose().root_offset(0);
+        assert_eq!(root, Vec3::new(0.0, 0.2, 0.0));
+        assert!(scene.character(ShapeId(3)).unwrap().pose().is_bind());
+    }
+
+    #[test]
+    fn a_joint_may_be_given_by_its_index_and_joints_not_named_go_to_rest() {
+        let mut scene = scene_with(&[&["Root", "Elbow"]]);
+        apply(r#"{"joints": {"1": [10, 0, 0]}}"#, &mut scene).unwrap();
+        assert!(degrees(&scene, 1, 1).abs_diff_eq(Vec3::X * 10.0, 1e-5));
+        apply(r#"{"joints": {"0": [20, 0, 0]}}"#, &mut scene).unwrap();
+        assert_eq!(degrees(&scene, 1, 1), Vec3::ZERO);
+    }
+
+    #[test]
+    fn each_fault_is_told_where_it_is_and_nothing_is_posed() {
+        for (text, error) in [
+            (
+                "{\"joints\": {\n  \"Root\": [1, 2, 3],\n  \"left elbo\": [0, 0, 0]}}",
+                "p.json:3:3: expected the name or index of a joint, such as “Left elbow”, “Left foot”, “Root”, found “left elbo”",
+            ),
+            (
+                "{\"joints\": {\"9\": [0, 0, 0]}}",
+                "p.json:1:13: expected the name or index of a joint, such as “Root”, “Left foot”, “Left elbow”, found “9”",
+            ),
+            (
+                "{\"roots\": {\"Left foot\": [0, 0, 0]}}",
+                "p.json:1:12: expected a root joint, found “Left foot”, which has a parent",
+            ),
+            (
+                "{\"joints\": {\"Root\": [0, 0]}}",
+                "p.json:1:25: invalid length 2, expected an array of length 3",
+            ),
+            (
+                "{\"joints\": {\"Root\": [0, 0, \"é\"]}}",
+                "p.json:1:28: invalid type: string \"é\", expected f32",
+            ),
+            (
+                "{\"joints\": {\"Root\": [0, 0, 1e300]}}",
+                "p.json:1:28: expected a number below 3.4e38, found a larger one",
+            ),
+            (
+                "{\"joints\": {\"0\": [1, 0, 0],\n \"0\": [0, 0, 0]}}",
+                "p.json:2:2: expected each joint once, found “0” again",
+            ),
+            (
+                "{\"Joints\": {}}",
+                "p.json:1:2: unknown field `Joints`, expected `joints` or `roots`",
+            ),
+            ("{\"joints\": {", "p.json:1:12: EOF while parsing an object"),
+            ("", "p.json:1:1: EOF while parsing a value"),
+        ] {
+            let mut scene = scene_with(&[&["Root", "Left elbow", "Left foot"]]);
+            assert_eq!(apply(text, &mut scene), Err(error.to_owned()), "{text}");
+            assert!(scene.character(ShapeId(1)).unwrap().pose().is_bind());
+        }
+        let none = apply("{}", &mut Scene::new());
+        assert_eq!(
+            none,
+            Err("p.json: expected a character to pose, found none".into())
+        );
+    }
+}

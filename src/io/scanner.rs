@@ -1,0 +1,250 @@
+use super::{Diagnostic, Position, number};
+use std::path::Path;
+
+/// Walks a text file word by word and line by line, and knows where it is, so that an error
+/// names line and column. Words are separated by white space; `#` starts a comment that runs to
+/// the end of the line. Nothing is copied.
+#[derive(Debug)]
+pub(super) struct Scanner<'a> {
+    path: &'a Path,
+    text: &'a str,
+    at: usize,
+    line: usize,
+    line_start: usize,
+}
+
+/// A word and where it starts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Word<'a> {
+    pub text: &'a str,
+    start: usize,
+}
+
+/// How much of a wrong word an error repeats, in characters.
+const SHOWN: usize = 40;
+
+impl<'a> Scanner<'a> {
+    /// At the start of the first line of `bytes`.
+    ///
+    /// # Errors
+    /// If they are no text in UTF-8.
+    pub fn new(path: &'a Path, bytes: &'a [u8]) -> Result<Self, Diagnostic> {
+        let text = utf8(path, bytes)?;
+        Ok(Self {
+            path,
+            text,
+            at: 0,
+            line: 1,
+            line_start: 0,
+        })
+    }
+
+    /// The next word of this line.
+    #[inline]
+    pub fn word(&mut self) -> Option<Word<'a>> {
+        let bytes = self.text.as_bytes();
+        while self.at < bytes.len() && is_blank(bytes[self.at]) {
+            self.at += 1;
+        }
+        let start = self.at;
+        while self.at < bytes.len() && !is_end_of_word(bytes[self.at]) {
+            self.at += 1;
+        }
+        (self.at > start).then(|| Word {
+            text: &self.text[start..self.at],
+            start,
+        })
+    }
+
+    /// Passes over white space and up to `limit` words that are a lone `0`, and says how many of
+    /// these there were; it may leave one for [`Scanner::word`].
+    #[inline]
+    pub fn skip_zeros(&mut self, limit: usize) -> usize {
+        let bytes = self.text.as_bytes();
+        while self.at < bytes.len() && is_blank(bytes[self.at]) {
+            self.at += 1;
+        }
+        let mut zeros = 0;
+        while zeros < limit && bytes.get(self.at..self.at + 2) == Some(b"0 ") {
+            self.at += 2;
+            zeros += 1;
+        }
+        zeros
+    }
+
+    /// The words left on this line as they stand, `#` included, without white space around them:
+    /// for names, which may hold both.
+    pub fn rest(&mut self) -> Option<Word<'a>> {
+        let line = &self.text[self.at..];
+        let line = &line[..line.find('\n').unwrap_or(line.len())];
+        let start = self.at + (line.len() - line.trim_start().len());
+        self.at += line.len();
+        let text = line.trim();
+        (!text.is_empty()).then_some(Word { text, start })
+    }
+
+    /// The comment at the end of this line, without its `#`; none if there is none or if words
+    /// come before it.
+    pub fn comment(&mut self) -> Option<&'a str> {
+        let rest = self.rest()?;
+        rest.text.strip_prefix('#').map(str::trim)
+    }
+
+    /// Goes to the start of the next line; false at the end of the file.
+    pub fn next_line(&mut self) -> bool {
+        let Some(rest) = self.text.as_bytes().get(self.at..) else {
+            return false;
+        };
+        let Some(length) = rest.iter().position(|&byte| byte == b'\n') else {
+            self.at = self.text.len();
+            return false;
+        };
+        self.at += length + 1;
+        self.line += 1;
+        self.line_start = self.at;
+        true
+    }
+
+    /// Where `word`, of this line, starts; where the line's last word ends if there is no word.
+    pub fn position(&self, word: Option<Word>) -> Position {
+        let start = word.map_or_else(
+            || {
+                let before = self.text[self.line_start..self.at].trim_end();
+                self.line_start + before.len()
+            },
+            |word| word.start,
+        );
+        Position {
+            line: self.line,
+            column: self.text[self.line_start..start].chars().count() + 1,
+        }
+    }
+
+    /// The error that at `word`, of this line, something else was expected.
+    pub fn expected(&self, what: &str, word: Option<Word>) -> Diagnostic {
+        let found = word.map_or_else(|| "the end of the line".to_owned(), |w| quoted(w.text));
+        self.error(
+            self.position(word),
+            format!("expected {what}, found {found}"),
+        )
+    }
+
+    /// An error or a warning at `position`.
+    pub fn error(&self, position: Position, message: impl Into<String>) -> Diagnostic {
+        Diagnostic {
+            position: Some(position),
+            ..Diagnostic::new(self.path, message)
+        }
+    }
+
+    /// The next word as a finite number.
+    ///
+    /// # Errors
+    /// If it is none or missing; `what` is what the error says was expected.
+    #[inline]
+    pub fn number(&mut self, what: &str) -> Result<f32, Diagnostic> {
+        let word = self.word();
+        word.and_then(|word| number::finite(word.text))
+            .ok_or_else(|| self.expected(what, word))
+    }
+
+    /// Makes sure that no word is left on this line.
+    ///
+    /// # Errors
+    /// If one is.
+    pub fn end_of_line(&mut self) -> Result<(), Diagnostic> {
+        match self.word() {
+            None => Ok(()),
+            word => Err(self.expected("the end of the line", word)),
+        }
+    }
+}
+
+/// `bytes` as text, without the mark that some editors put before it.
+///
+/// # Errors
+/// If they are not UTF-8, with the place of the first that is not.
+pub(super) fn utf8<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, Diagnostic> {
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    std::str::from_utf8(bytes).map_err(|error| {
+        let good = &bytes[..error.valid_up_to()];
+        let line = good.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        let last = good.rsplit(|&byte| byte == b'\n').next().unwrap_or(good);
+        let column = String::from_utf8_lossy(last).chars().count() + 1;
+        let found = bytes[error.valid_up_to()];
+        let message = format!("expected text in UTF-8, found the byte 0x{found:02x}");
+        Diagnostic::at(path, line, column, message)
+    })
+}
+
+/// `text` in quotes, shortened and without control characters, fit for a message.
+pub(super) fn quoted(text: &str) -> String {
+    let shown: String = text
+        .chars()
+        .take(SHOWN)
+        .flat_map(|c| {
+            if c.is_control() {
+                c.escape_default().collect()
+            } else {
+                vec![c]
+            }
+        })
+        .collect();
+    let more = if text.chars().nth(SHOWN).is_some() {
+        "…"
+    } else {
+        ""
+    };
+    format!("“{shown}{more}”")
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\r' | 0x0b | 0x0c)
+}
+
+fn is_end_of_word(byte: u8) -> bool {
+    is_blank(byte) || matches!(byte, b'\n' | b'#')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters_and_not_bytes() {
+        let path = Path::new("a.skel");
+        let mut scanner = Scanner::new(path, "x\nüü  b".as_bytes()).unwrap();
+        assert!(scanner.next_line());
+        scanner.word();
+        let word = scanner.word();
+        let error = scanner.expected("c", word);
+        assert_eq!(error.to_string(), "a.skel:2:5: expected c, found “b”");
+    }
+
+    #[test]
+    fn a_missing_word_is_told_at_the_end_of_the_line() {
+        let mut scanner = Scanner::new(Path::new("a"), b"1 2  \r\n3").unwrap();
+        scanner.word();
+        scanner.word();
+        let error = scanner.number("z").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a:1:4: expected z, found the end of the line"
+        );
+    }
+
+    #[test]
+    fn bytes_that_are_no_text_are_told_with_their_place() {
+        let error = Scanner::new(Path::new("a"), b"1\n\xC3\xA4\xFF").unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a:2:2: expected text in UTF-8, found the byte 0xff"
+        );
+    }
+
+    #[test]
+    fn a_long_or_unprintable_word_is_shortened_and_escaped() {
+        assert_eq!(quoted("a\0b"), "“a\\u{0}b”");
+        assert_eq!(quoted(&"x".repeat(100)).chars().count(), SHOWN + 3);
+    }
+}
