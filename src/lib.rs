@@ -15,3 +15,4 @@ pub mod io;
 pub mod math;
 pub mod render;
 pub mod scene;
+pub mod ui;

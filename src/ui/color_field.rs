@@ -1,0 +1,82 @@
+use super::widgets::named;
+use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, ShapeColor};
+use egui::{Atom, Button, Color32, ComboBox, Id, Sense, StrokeKind, Ui, Vec2, vec2};
+use glam::Vec3;
+
+const SWATCH: Vec2 = vec2(24.0, 14.0);
+
+/// The list of presets with their swatches, and for Custom a picker. Returns the color chosen.
+pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeColor> {
+    let mut chosen = None;
+    let custom = color.preset_index() == CUSTOM_PRESET;
+    if custom {
+        let mut rgb = color.rgb().to_array();
+        let picker = ui.color_edit_button_rgb(&mut rgb);
+        if picker.changed() {
+            chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
+        }
+        named(picker, "Custom color").on_hover_text("Pick a color");
+    } else {
+        let (rect, _) = ui.allocate_exact_size(
+            vec2(ui.spacing().interact_size.x, ui.spacing().interact_size.y),
+            Sense::hover(),
+        );
+        paint_swatch(ui, rect.shrink2(vec2(0.0, 1.0)), color.rgb());
+    }
+    let used = ui.spacing().interact_size.x + ui.spacing().item_spacing.x;
+    let combo = ComboBox::from_id_salt("color")
+        .width(width - used)
+        .selected_text(COLOR_PRESETS[color.preset_index()].name)
+        .show_ui(ui, |ui| {
+            for index in 0..COLOR_PRESETS.len() {
+                if preset(ui, index, color) {
+                    chosen = Some(if index == CUSTOM_PRESET {
+                        ShapeColor::Custom(color.rgb())
+                    } else {
+                        ShapeColor::Preset(index)
+                    });
+                }
+            }
+        });
+    named(combo.response, "Color");
+    chosen.filter(|&chosen| chosen != color)
+}
+
+/// One line of the list; whether it was chosen.
+fn preset(ui: &mut Ui, index: usize, color: ShapeColor) -> bool {
+    let preset = &COLOR_PRESETS[index];
+    let selected = color.preset_index() == index;
+    let swatch = Id::new("swatch");
+    let line = Button::selectable(selected, (Atom::custom(swatch, SWATCH), preset.name))
+        .min_size(vec2(ui.available_width(), 0.0))
+        .atom_ui(ui);
+    if let Some(rect) = line.rect(swatch) {
+        let shown = if index == CUSTOM_PRESET {
+            color.rgb()
+        } else {
+            preset.color
+        };
+        paint_swatch(ui, rect, shown);
+    }
+    if selected && line.response.gained_focus() {
+        line.response.scroll_to_me(None);
+    }
+    line.response.clicked()
+}
+
+fn paint_swatch(ui: &Ui, rect: egui::Rect, rgb: Vec3) {
+    ui.painter().rect(
+        rect,
+        2.0,
+        to_color32(rgb),
+        ui.visuals().widgets.noninteractive.bg_stroke,
+        StrokeKind::Inside,
+    );
+}
+
+fn to_color32(rgb: Vec3) -> Color32 {
+    let [r, g, b] = rgb
+        .to_array()
+        .map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
+    Color32::from_rgb(r, g, b)
+}

@@ -1,0 +1,47 @@
+use super::theme::Palette;
+use super::widgets::named;
+use egui::{Align, Button, Frame, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+
+/// What a newcomer needs to know.
+const LINES: [(&str, &str); 3] = [
+    (
+        "Look around",
+        "right drag turns, left drag moves, wheel zooms",
+    ),
+    ("Pose", "drag or type the numbers of a joint at the right"),
+    ("More", "Insert adds shapes · ? shows every key"),
+];
+const SIZE: egui::Vec2 = vec2(368.0, 88.0);
+
+/// Three lines for newcomers in the view's upper left corner; whether their × was clicked.
+pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
+    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 24.0 {
+        return false;
+    }
+    let corner = pos2(view.left() + 12.0, view.top() + 12.0);
+    let builder = UiBuilder::new()
+        .id_salt("first help")
+        .max_rect(Rect::from_min_size(corner, SIZE));
+    let mut inner = ui.new_child(builder);
+    let mut closed = false;
+    Frame::popup(ui.style())
+        .inner_margin(Margin::symmetric(12, 8))
+        .show(&mut inner, |ui| {
+            ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
+                ui.vertical(|ui| {
+                    for (what, how) in LINES {
+                        ui.horizontal(|ui| {
+                            let strong = Palette::of(ui.visuals()).strong;
+                            ui.label(RichText::new(what).color(strong));
+                            ui.label(RichText::new(how).small());
+                        });
+                    }
+                });
+                let close = ui.add(Button::new("×").frame_when_inactive(false));
+                closed = named(close, "Close help")
+                    .on_hover_text("Hide these lines")
+                    .clicked();
+            });
+        });
+    closed
+}

@@ -1,0 +1,58 @@
+use super::keys::{GESTURES, Menu, entries};
+use super::theme::Palette;
+use egui::{Grid, RichText, ScrollArea, Ui};
+
+/// Help ▸ Keys and Mouse, straight from the table of commands.
+pub(super) fn show(ui: &mut Ui) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        heading(ui, "Mouse");
+        Grid::new("gestures").num_columns(2).show(ui, |ui| {
+            for gesture in GESTURES {
+                ui.label(key(ui, gesture.gesture));
+                ui.label(gesture.does);
+                ui.end_row();
+            }
+        });
+        for menu in Menu::ALL {
+            let mut entries = entries(menu)
+                .filter(|entry| !entry.shortcuts.is_empty())
+                .peekable();
+            if entries.peek().is_none() {
+                continue;
+            }
+            heading(ui, title(menu));
+            Grid::new(title(menu)).num_columns(2).show(ui, |ui| {
+                for entry in entries {
+                    ui.label(key(ui, &entry.keys(ui.ctx())));
+                    ui.label(entry.label).on_hover_text(entry.tooltip);
+                    ui.end_row();
+                }
+            });
+        }
+    });
+}
+
+fn title(menu: Menu) -> &'static str {
+    match menu {
+        Menu::File => "File",
+        Menu::Insert => "Insert",
+        Menu::Import => "Insert ▸ Import",
+        Menu::Shape => "Selected shape",
+        Menu::View => "View",
+        Menu::Look => "View ▸ Look",
+        Menu::Shading => "View ▸ Shading",
+        Menu::Ground => "View ▸ Ground",
+        Menu::Theme => "View ▸ Theme",
+        Menu::Help => "Help",
+    }
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(8.0);
+    let color = Palette::of(ui.visuals()).strong;
+    ui.label(RichText::new(text).color(color));
+}
+
+fn key(ui: &Ui, text: &str) -> RichText {
+    RichText::new(text).color(Palette::of(ui.visuals()).accent)
+}

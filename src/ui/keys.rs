@@ -1,0 +1,354 @@
+use crate::scene::{Look, Shading, ShapeKind, ViewDirection};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, ThemePreference};
+
+/// Everything that a menu item or a key can start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Opens the dialog for a picture of the view.
+    Screenshot,
+    /// Closes what is open, else ends the program.
+    Quit,
+    /// Adds a shape.
+    Insert(Primitive),
+    /// Adds a shape from a file.
+    ImportShape,
+    /// Adds a character from its files.
+    ImportCharacter,
+    /// Takes the selected shape away.
+    Delete,
+    /// Puts the selected shape back to how it started.
+    Reset,
+    /// One of the six views.
+    ViewFrom(ViewDirection),
+    /// The course's first view.
+    ResetCamera,
+    /// Fills the view with the selected shape.
+    Fit,
+    /// Shows or hides the axes.
+    ToggleAxis,
+    /// Shows or hides the grid on the ground.
+    ToggleGrid,
+    /// Chooses light and background.
+    SetLook(Look),
+    /// Chooses the normals to light surfaces with.
+    SetShading(Shading),
+    /// Chooses the colors of the panels.
+    SetTheme(ThemePreference),
+    /// Opens the list of keys and gestures.
+    Keys,
+    /// Opens the history of messages.
+    Messages,
+    /// Opens the window about the program.
+    About,
+}
+
+/// The shapes of the Insert menu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Primitive {
+    /// See [`ShapeKind::Cube`].
+    Cube,
+    /// See [`ShapeKind::Sphere`].
+    Sphere,
+    /// See [`ShapeKind::Pyramid`].
+    Pyramid,
+    /// See [`ShapeKind::Teapot`].
+    Teapot,
+    /// See [`ShapeKind::Icosahedron`].
+    Icosahedron,
+    /// See [`ShapeKind::Custom`].
+    Custom,
+}
+
+impl Primitive {
+    /// The shape itself.
+    pub fn kind(self) -> ShapeKind {
+        match self {
+            Self::Cube => ShapeKind::Cube,
+            Self::Sphere => ShapeKind::Sphere,
+            Self::Pyramid => ShapeKind::Pyramid,
+            Self::Teapot => ShapeKind::Teapot,
+            Self::Icosahedron => ShapeKind::Icosahedron,
+            Self::Custom => ShapeKind::Custom,
+        }
+    }
+}
+
+/// The menu, or the part of one between two lines, that a command is listed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Menu {
+    /// File.
+    File,
+    /// Insert.
+    Insert,
+    /// Insert ▸ Import.
+    Import,
+    /// View, first part.
+    View,
+    /// View ▸ Look.
+    Look,
+    /// View ▸ Shading.
+    Shading,
+    /// View, last part.
+    Ground,
+    /// View ▸ Theme.
+    Theme,
+    /// Help.
+    Help,
+    /// The shape panel's buttons.
+    Shape,
+}
+
+impl Menu {
+    /// All, in the order of the window about the keys.
+    pub const ALL: [Self; 10] = [
+        Self::File,
+        Self::Insert,
+        Self::Import,
+        Self::Shape,
+        Self::View,
+        Self::Look,
+        Self::Shading,
+        Self::Ground,
+        Self::Theme,
+        Self::Help,
+    ];
+}
+
+/// One line of the table of commands.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// What it starts.
+    pub command: Command,
+    /// Where it is listed.
+    pub menu: Menu,
+    /// What menus call it.
+    pub label: &'static str,
+    /// What the tooltip says.
+    pub tooltip: &'static str,
+    /// Keys that start it; menus show the first.
+    pub shortcuts: &'static [KeyboardShortcut],
+}
+
+const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+const fn entry(
+    command: Command,
+    menu: Menu,
+    label: &'static str,
+    tooltip: &'static str,
+    shortcuts: &'static [KeyboardShortcut],
+) -> Entry {
+    Entry {
+        command,
+        menu,
+        label,
+        tooltip,
+        shortcuts,
+    }
+}
+
+/// All commands: the one table behind key handling, menus, tooltips and Help ▸ Keys and Mouse.
+#[rustfmt::skip]
+pub const COMMANDS: &[Entry] = &[
+    entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end the program", &[key(NONE, Key::Escape)]),
+
+    entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
+    entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),
+    entry(Command::Insert(Primitive::Pyramid), Menu::Insert, "Pyramid", "Add a pyramid at the origin", &[key(SHIFT, Key::P)]),
+    entry(Command::Insert(Primitive::Teapot), Menu::Insert, "Teapot", "Add the Utah teapot at the origin", &[key(SHIFT, Key::T)]),
+    entry(Command::Insert(Primitive::Icosahedron), Menu::Insert, "Icosahedron", "Add an icosahedron at the origin", &[key(SHIFT, Key::I)]),
+    entry(Command::Insert(Primitive::Custom), Menu::Insert, "Custom Shape", "Add the shape that custom.rs makes", &[key(SHIFT, Key::U)]),
+    entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj file", &[key(CTRL, Key::I)]),
+    entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
+
+    entry(Command::Delete, Menu::Shape, "Delete", "Take the selected shape away", &[key(NONE, Key::Delete)]),
+    entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
+
+    entry(Command::ViewFrom(ViewDirection::PlusX), Menu::View, "View from +X", "Look at the origin from +X", &[key(NONE, Key::Num3)]),
+    entry(Command::ViewFrom(ViewDirection::MinusX), Menu::View, "View from -X", "Look at the origin from -X", &[key(CTRL, Key::Num3)]),
+    entry(Command::ViewFrom(ViewDirection::PlusY), Menu::View, "View from +Y", "Look at the origin from above", &[key(NONE, Key::Num7)]),
+    entry(Command::ViewFrom(ViewDirection::MinusY), Menu::View, "View from -Y", "Look at the origin from below", &[key(CTRL, Key::Num7)]),
+    entry(Command::ViewFrom(ViewDirection::PlusZ), Menu::View, "View from +Z", "Look at the origin from +Z", &[key(NONE, Key::Num1)]),
+    entry(Command::ViewFrom(ViewDirection::MinusZ), Menu::View, "View from -Z", "Look at the origin from -Z", &[key(CTRL, Key::Num1)]),
+    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]),
+    entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
+    entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
+    entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
+    entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid on the ground", &[key(NONE, Key::F3)]),
+    entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh brings; facetted where it has none", &[key(NONE, Key::F5)]),
+    entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
+    entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
+    entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
+    entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop has it", &[]),
+    entry(Command::SetTheme(ThemePreference::Dark), Menu::Theme, "Dark", "Light text on dark panels", &[]),
+    entry(Command::SetTheme(ThemePreference::Light), Menu::Theme, "Light", "Dark text on light panels", &[]),
+
+    entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
+    entry(Command::Messages, Menu::Help, "Messages", "Everything the program has told since it started", &[key(NONE, Key::F9)]),
+    entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),
+];
+
+/// A gesture of the mouse, for the window about the keys.
+#[derive(Clone, Copy, Debug)]
+pub struct Gesture {
+    /// What the hand does.
+    pub gesture: &'static str,
+    /// What happens.
+    pub does: &'static str,
+}
+
+const fn gesture(gesture: &'static str, does: &'static str) -> Gesture {
+    Gesture { gesture, does }
+}
+
+/// Gestures in the view, then in the panels.
+pub const GESTURES: &[Gesture] = &[
+    gesture("Click in the view", "Select the shape under the pointer"),
+    gesture("Left drag in the view", "Move the scene with the pointer"),
+    gesture("Right drag in the view", "Turn the camera about its target"),
+    gesture("Wheel in the view", "Move the camera closer or away"),
+    gesture("Click an end of the axis ball", "Look from that side"),
+    gesture(
+        "Drag a number",
+        "Change it; Shift is finer, Ctrl is coarser",
+    ),
+    gesture("Click a number", "Type a value or a sum such as 45/2"),
+    gesture("Right click a number", "Put it back to where it started"),
+    gesture("↑ ↓ in a list", "Choose the row above or below"),
+    gesture("← → in the joint list", "Fold or unfold a joint"),
+    gesture("Ctrl +, Ctrl −, Ctrl 0", "Larger, smaller, normal text"),
+];
+
+/// The table's entries for one menu, in order.
+pub(super) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry> {
+    COMMANDS.iter().filter(move |entry| entry.menu == menu)
+}
+
+impl Entry {
+    /// All its keys, as menus and the window about the keys show them.
+    pub(super) fn keys(&self, ctx: &Context) -> String {
+        let keys: Vec<String> = self
+            .shortcuts
+            .iter()
+            .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
+            .collect();
+        keys.join(", ")
+    }
+
+    /// Its first key, for a menu.
+    pub(super) fn first_key(&self, ctx: &Context) -> String {
+        self.shortcuts
+            .first()
+            .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
+            .unwrap_or_default()
+    }
+}
+
+/// `Esc` is what keyboards have on them.
+fn short(shortcut: &str) -> String {
+    shortcut.replace("Escape", "Esc")
+}
+
+/// The tooltip of `command`, with its key.
+pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
+    COMMANDS
+        .iter()
+        .find(|entry| entry.command == command)
+        .map(|entry| match entry.first_key(ctx) {
+            key if key.is_empty() => entry.tooltip.to_owned(),
+            key => format!("{} ({key})", entry.tooltip),
+        })
+        .unwrap_or_default()
+}
+
+/// Takes the pressed keys of the table out of this frame's input and returns what they start.
+pub(super) fn pressed(ctx: &Context) -> Vec<Command> {
+    ctx.input_mut(|input| {
+        let mut commands = Vec::new();
+        input.events.retain(|event| {
+            let Event::Key {
+                key,
+                pressed: true,
+                modifiers,
+                ..
+            } = event
+            else {
+                return true;
+            };
+            let hit = command_of(*modifiers, *key);
+            commands.extend(hit);
+            hit.is_none()
+        });
+        commands
+    })
+}
+
+fn command_of(modifiers: Modifiers, key: Key) -> Option<Command> {
+    // Where the question mark lies, and with which modifiers, differs between keyboards.
+    let modifiers = if key == Key::Questionmark {
+        Modifiers::NONE
+    } else {
+        modifiers
+    };
+    COMMANDS
+        .iter()
+        .find(|entry| {
+            entry.shortcuts.iter().any(|shortcut| {
+                shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
+            })
+        })
+        .map(|entry| entry.command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_commands_share_a_key_or_a_label() {
+        for (i, one) in COMMANDS.iter().enumerate() {
+            for other in &COMMANDS[i + 1..] {
+                assert_ne!(one.label, other.label);
+                for shortcut in one.shortcuts {
+                    assert!(
+                        !other.shortcuts.contains(shortcut),
+                        "{} and {}",
+                        one.label,
+                        other.label
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_key_means_another_command_with_shift() {
+        assert_eq!(command_of(NONE, Key::T), Some(Command::ToggleAxis));
+        assert_eq!(
+            command_of(SHIFT, Key::T),
+            Some(Command::Insert(Primitive::Teapot))
+        );
+        assert_eq!(command_of(Modifiers::CTRL, Key::T), None);
+    }
+
+    #[test]
+    fn the_question_mark_counts_wherever_a_keyboard_has_it() {
+        assert_eq!(command_of(SHIFT, Key::Questionmark), Some(Command::Keys));
+        assert_eq!(command_of(NONE, Key::Questionmark), Some(Command::Keys));
+    }
+
+    #[test]
+    fn every_command_is_in_a_menu_and_explained() {
+        for entry in COMMANDS {
+            assert!(Menu::ALL.contains(&entry.menu), "{}", entry.label);
+            assert!(!entry.tooltip.is_empty(), "{}", entry.label);
+        }
+    }
+}

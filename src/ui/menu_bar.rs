@@ -1,0 +1,123 @@
+use super::ViewInput;
+use super::keys::{self, Command, Entry, Menu};
+use super::run_command::{is_on, run, why_disabled};
+use super::state::UiState;
+use super::theme::Palette;
+use super::widgets::named;
+use crate::editor::{Action, Ask, Session};
+use egui::containers::menu::{MenuBar, MenuConfig};
+use egui::{Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, Ui};
+
+/// What every item of every menu needs.
+struct Items<'a> {
+    session: &'a Session,
+    state: &'a mut UiState,
+    input: &'a ViewInput<'a>,
+    aspect: f32,
+    actions: &'a mut Vec<Action>,
+}
+
+/// The menus, and at the right the window's title where there is room for it.
+pub(super) fn show(
+    root: &mut Ui,
+    session: &Session,
+    state: &mut UiState,
+    input: &ViewInput,
+    aspect: f32,
+    actions: &mut Vec<Action>,
+) {
+    let mut items = Items {
+        session,
+        state,
+        input,
+        aspect,
+        actions,
+    };
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
+    Panel::top("menu bar").frame(frame).show(root, |ui| {
+        let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClick);
+        MenuBar::new().config(config).ui(ui, |ui| {
+            ui.spacing_mut().button_padding = egui::vec2(8.0, 2.0);
+            ui.menu_button("File", |ui| items.all(ui, Menu::File));
+            ui.menu_button("Insert", |ui| items.insert(ui));
+            ui.menu_button("View", |ui| items.view(ui));
+            ui.menu_button("Help", |ui| items.all(ui, Menu::Help));
+            title(ui, items.input.title);
+        });
+    });
+}
+
+fn title(ui: &mut Ui, title: &str) {
+    ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
+        let color = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(title).color(color)).truncate());
+    });
+}
+
+impl Items<'_> {
+    fn insert(&mut self, ui: &mut Ui) {
+        self.all(ui, Menu::Insert);
+        ui.separator();
+        let names = self.input.builtin_characters;
+        if !names.is_empty() {
+            ui.menu_button("Built-in Character", |ui| {
+                for &name in names {
+                    let item = ui
+                        .button(name)
+                        .on_hover_text("Add this character at the origin");
+                    if item.clicked() {
+                        self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
+                    }
+                }
+            });
+        }
+        ui.menu_button("Import", |ui| self.all(ui, Menu::Import));
+    }
+
+    fn view(&mut self, ui: &mut Ui) {
+        self.all(ui, Menu::View);
+        ui.separator();
+        ui.menu_button("Look", |ui| self.all(ui, Menu::Look));
+        ui.menu_button("Shading", |ui| self.all(ui, Menu::Shading));
+        self.all(ui, Menu::Ground);
+        ui.separator();
+        ui.menu_button("Theme", |ui| self.all(ui, Menu::Theme));
+    }
+
+    /// The table's commands of one menu.
+    fn all(&mut self, ui: &mut Ui, menu: Menu) {
+        for entry in keys::entries(menu) {
+            self.item(ui, entry);
+        }
+    }
+
+    fn item(&mut self, ui: &mut Ui, entry: &Entry) {
+        let why = why_disabled(entry.command, self.session);
+        let on = is_on(entry.command, self.session, self.state);
+        let mark = match on {
+            Some(true) => format!("✔ {}", entry.label),
+            Some(false) => format!("     {}", entry.label),
+            None => entry.label.to_owned(),
+        };
+        let button = Button::new(mark)
+            .shortcut_text(entry.first_key(ui.ctx()))
+            .wrap_mode(egui::TextWrapMode::Extend);
+        let item = named(ui.add_enabled(why.is_none(), button), entry.label);
+        if let Some(on) = on {
+            let toggled = egui::accesskit::Toggled::from(on);
+            ui.ctx()
+                .accesskit_node_builder(item.id, |node| node.set_toggled(toggled));
+        }
+        let item = item
+            .on_hover_text(entry.tooltip)
+            .on_disabled_hover_text(why.unwrap_or_default());
+        if item.clicked() {
+            self.run(entry.command);
+        }
+    }
+
+    fn run(&mut self, command: Command) {
+        let action = run(command, self.session, self.state, self.aspect);
+        self.actions.extend(action);
+    }
+}

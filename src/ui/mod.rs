@@ -1,0 +1,143 @@
+//! The panels: one a file, drawn with egui over an editing session that they only read.
+//!
+//! [`show`] is called once a frame with the root `Ui` that `egui::Context::run_ui` hands out.
+//! Everything a user does comes back as [`crate::editor::Action`]s.
+
+mod about;
+mod axis_ball;
+mod color_field;
+mod display;
+mod expression;
+mod first_help;
+mod help;
+mod joint_list;
+mod joint_row;
+mod joint_tree;
+mod keys;
+mod menu_bar;
+mod messages;
+mod notices;
+mod number_field;
+mod number_text;
+mod properties;
+mod run_command;
+mod screenshot;
+mod shape_list;
+mod shape_panel;
+mod state;
+mod status_line;
+mod theme;
+mod view_overlay;
+mod widgets;
+mod windows;
+
+pub use expression::evaluate;
+pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
+pub use state::UiState;
+pub use theme::{DARK, LIGHT, Palette};
+
+use crate::editor::{Action, Session};
+use crate::scene::ShapeId;
+use egui::{Rect, Response, Ui};
+
+/// What the panels show that neither session nor their own state knows.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ViewInput<'a> {
+    /// The window's title.
+    pub title: &'a str,
+    /// Names for Insert ▸ Built-in Character; none, no such menu.
+    pub builtin_characters: &'a [&'static str],
+    /// The shape under the pointer in the view.
+    pub hovered_shape: Option<ShapeId>,
+    /// How fast pictures are drawn, while they are.
+    pub frames_per_second: Option<f32>,
+    /// What draws them: version and renderer.
+    pub backend: &'a str,
+    /// Whether a gesture in the view is under way. It takes away the help for newcomers.
+    pub gesture_under_way: bool,
+    /// Whether the keyboard belongs to something of the program's own, such as a file dialog or
+    /// a gesture that Esc cancels. The panels then leave all keys alone.
+    pub keys_are_taken: bool,
+}
+
+/// What came of one frame of panels.
+#[derive(Clone, Debug)]
+pub struct UiOutput {
+    /// What the user wants done, in order.
+    pub actions: Vec<Action>,
+    /// What the panels leave free, in points: where the scene belongs.
+    pub view_rect: Rect,
+    /// The view as a widget below everything that lies over it: `hovered()`, `clicked()`,
+    /// `dragged_by(…)` and `drag_delta()` say what the pointer does to the scene.
+    pub view: Response,
+}
+
+impl UiOutput {
+    /// Width over height of the view, never zero or infinite.
+    pub fn aspect(&self) -> f32 {
+        aspect(self.view_rect)
+    }
+}
+
+fn aspect(rect: Rect) -> f32 {
+    rect.width().max(1.0) / rect.height().max(1.0)
+}
+
+/// Shows all panels in `root`, the `Ui` of the whole window.
+pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewInput) -> UiOutput {
+    let ctx = root.ctx().clone();
+    if !state.styled {
+        theme::apply(&ctx);
+        state.styled = true;
+    }
+    if ctx.options(|options| options.theme_preference) != state.theme {
+        ctx.set_theme(state.theme);
+    }
+    let mut actions = Vec::new();
+    let keys_taken = input.keys_are_taken || state.keys_were_taken || takes_keys(&ctx);
+
+    let last_view = state.view_rect;
+    menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
+    shape_panel::show(root, session, state, &mut actions);
+    status_line::show(root, session, input);
+    let view = view_overlay::show(root, session, state, input, &mut actions);
+    windows::show(root, session, state, input, &mut actions);
+    state.view_rect = view.rect;
+
+    // Last, so that a list or a field that has the keyboard comes first.
+    if !keys_taken {
+        for command in keys::pressed(&ctx) {
+            press(command, session, state, aspect(view.rect), &mut actions);
+            ctx.request_repaint();
+        }
+    }
+    state.keys_were_taken = takes_keys(&ctx);
+    UiOutput {
+        actions,
+        view_rect: view.rect,
+        view,
+    }
+}
+
+/// Whether a text field or a popup has the keyboard.
+fn takes_keys(ctx: &egui::Context) -> bool {
+    ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
+}
+
+/// What a key does: Esc closes the window opened last before it ends the program, and nothing
+/// else works below a dialog.
+fn press(
+    command: Command,
+    session: &Session,
+    state: &mut UiState,
+    aspect: f32,
+    actions: &mut Vec<Action>,
+) {
+    if command == Command::Quit && state.open.pop().is_some() {
+        return;
+    }
+    if state.is_open(state::Dialog::Screenshot) {
+        return;
+    }
+    actions.extend(run_command::run(command, session, state, aspect));
+}

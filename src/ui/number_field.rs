@@ -1,0 +1,360 @@
+use super::expression::evaluate;
+use super::number_text::{fitted, precise};
+use super::theme::{Palette, number_style};
+use super::widgets::named;
+use egui::text::{CCursor, CCursorRange};
+use egui::{
+    Align2, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense, StrokeKind,
+    TextEdit, Ui, UiBuilder, Vec2, WidgetInfo, accesskit, pos2, vec2,
+};
+use std::ops::RangeInclusive;
+
+/// How much slower a drag with Shift, and faster with Ctrl.
+const FINER: f64 = 0.1;
+const COARSER: f64 = 10.0;
+/// Fields narrower than this show their axis as a line below rather than as a letter.
+const ROOM_FOR_LETTER: f32 = 44.0;
+
+/// A number that can be dragged, typed as arithmetic, stepped with ↑ and ↓, and put back to
+/// where it started by a right click.
+#[derive(Clone, Debug)]
+pub(super) struct NumberField<'a> {
+    name: &'a str,
+    value: f64,
+    rest: f64,
+    step: f64,
+    range: RangeInclusive<f64>,
+    unit: &'static str,
+    decimals: RangeInclusive<usize>,
+    axis: Option<usize>,
+    wrap: Option<f64>,
+}
+
+/// What is being typed into a field, kept by egui while the field has the keyboard.
+#[derive(Clone, Default)]
+struct Typed {
+    text: String,
+    /// The text that typing began with: leaving it as it is changes nothing, though it may be
+    /// shorter than the value.
+    began_with: String,
+    /// egui's count of passes when the field was shown last. What was typed into a field that
+    /// then was not shown for a while is forgotten.
+    pass: u64,
+}
+
+impl<'a> NumberField<'a> {
+    /// A field for `value`, called `name` for screen readers and tests, that changes by `step` a
+    /// pixel.
+    pub(super) fn new(name: &'a str, value: f32, step: f64) -> Self {
+        Self {
+            name,
+            value: f64::from(value),
+            rest: 0.0,
+            step,
+            range: f64::NEG_INFINITY..=f64::INFINITY,
+            unit: "",
+            decimals: 0..=3,
+            axis: None,
+            wrap: None,
+        }
+    }
+
+    /// An angle in degrees, shown between 0 and 360.
+    pub(super) fn degrees(name: &'a str, value: f32) -> Self {
+        Self {
+            unit: "°",
+            wrap: Some(360.0),
+            ..Self::new(name, value, 1.0)
+        }
+    }
+
+    /// What a right click brings back.
+    pub(super) fn rest(self, rest: f32) -> Self {
+        let rest = f64::from(rest);
+        Self { rest, ..self }
+    }
+
+    /// The values allowed.
+    pub(super) fn range(self, range: RangeInclusive<f64>) -> Self {
+        Self { range, ..self }
+    }
+
+    /// Written behind the number.
+    pub(super) fn unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
+    /// How many decimals are shown at least and, where there is room, at most.
+    pub(super) fn decimals(self, decimals: RangeInclusive<usize>) -> Self {
+        Self { decimals, ..self }
+    }
+
+    /// Marks the field as belonging to axis 0, 1 or 2.
+    pub(super) fn axis(self, axis: usize) -> Self {
+        Self {
+            axis: Some(axis),
+            ..self
+        }
+    }
+
+    /// Shows the field and returns the value that the user gave it, if any.
+    pub(super) fn show(self, ui: &mut Ui, size: Vec2) -> Option<f32> {
+        let (id, rect) = ui.allocate_space(size);
+        self.show_at(ui, id, rect)
+    }
+
+    /// Shows the field in a place that is allocated already.
+    pub(super) fn show_at(self, ui: &mut Ui, id: Id, rect: Rect) -> Option<f32> {
+        let typing = ui.is_enabled()
+            && ui.memory_mut(|memory| {
+                memory.interested_in_focus(id, ui.layer_id());
+                memory.has_focus(id)
+            });
+        let (response, given) = if typing {
+            self.type_into(ui, id, rect)
+        } else {
+            let left = self.left(ui, id);
+            let (response, dragged) = self.drag(ui, id, rect);
+            (response, dragged.or(left))
+        };
+        let given = given.or_else(|| self.asked_by_assistive_technology(ui, id));
+        self.describe(ui, &response, typing);
+        let given = self.brought_into_range(given?);
+        (given != self.value).then_some(given as f32)
+    }
+
+    fn brought_into_range(&self, value: f64) -> f64 {
+        let value = match self.wrap {
+            Some(turn) => {
+                let wrapped = value.rem_euclid(turn);
+                if wrapped > turn - 5e-5 { 0.0 } else { wrapped }
+            }
+            None => value,
+        };
+        value.clamp(*self.range.start(), *self.range.end())
+    }
+
+    /// The value typed, when the keyboard has just gone elsewhere other than by Esc.
+    fn left(&self, ui: &Ui, id: Id) -> Option<f64> {
+        let typed: Typed = ui.data_mut(|data| data.remove_temp(id))?;
+        let just_now = typed.pass + 1 == ui.ctx().cumulative_pass_nr();
+        let escaped = ui.input(|input| input.key_pressed(Key::Escape));
+        if just_now && !escaped {
+            typed.value()
+        } else {
+            None
+        }
+    }
+
+    fn type_into(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
+        let kept: Option<Typed> = ui.data_mut(|data| data.remove_temp(id));
+        let begins = kept.is_none();
+        let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.value)));
+        let stepped = self.stepped(ui, &mut typed);
+        if begins {
+            select_all(ui, id, &typed.text);
+        }
+        let wrong = evaluate(&typed.text).is_none();
+        let palette = Palette::of(ui.visuals());
+        let color = if wrong { palette.error } else { palette.strong };
+        let edit = TextEdit::singleline(&mut typed.text)
+            .id(id)
+            .font(number_style())
+            .text_color(color)
+            .margin(vec2(4.0, 2.0))
+            .min_size(rect.size())
+            .desired_width(rect.width() - 8.0)
+            .vertical_align(egui::Align::Center)
+            .clip_text(true);
+        let mut inner = ui.new_child(UiBuilder::new().max_rect(rect));
+        let response = inner.add_sized(rect.size(), edit);
+        if response.lost_focus() {
+            let escaped = ui.input(|input| input.key_pressed(Key::Escape));
+            let given = if escaped { None } else { typed.value() };
+            return (response, given.or(stepped));
+        }
+        typed.pass = ui.ctx().cumulative_pass_nr();
+        ui.data_mut(|data| data.insert_temp(id, typed));
+        (response, stepped)
+    }
+
+    /// ↑ and ↓ while typing: the value and the text, changed by one step.
+    fn stepped(&self, ui: &Ui, typed: &mut Typed) -> Option<f64> {
+        let steps = ui.input_mut(|input| {
+            input.count_and_consume_key(Modifiers::NONE, Key::ArrowUp) as f64
+                - input.count_and_consume_key(Modifiers::NONE, Key::ArrowDown) as f64
+        });
+        if steps == 0.0 {
+            return None;
+        }
+        let from = typed.value().unwrap_or(self.value);
+        let value = self.brought_into_range(clean(from + steps * self.step));
+        *typed = Typed::beginning_with(precise(value));
+        Some(value)
+    }
+
+    fn drag(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
+        let response = ui
+            .interact(rect, id, Sense::click_and_drag())
+            .on_hover_cursor(CursorIcon::ResizeHorizontal);
+        self.paint(ui, &response, rect);
+        if response.clicked() || response.double_clicked() {
+            response.request_focus();
+        }
+        if response.secondary_clicked() {
+            return (response, Some(self.rest));
+        }
+        let given = self.dragged_to(ui, &response);
+        (response, given)
+    }
+
+    fn dragged_to(&self, ui: &Ui, response: &Response) -> Option<f64> {
+        let exact = response.id.with("exact");
+        if !response.dragged_by(PointerButton::Primary) {
+            ui.data_mut(|data| data.remove::<f64>(exact));
+            return None;
+        }
+        // What the pointer moved before egui decided that this is a drag counts too.
+        let delta = if response.drag_started() {
+            response.total_drag_delta().unwrap_or_default().x
+        } else {
+            response.drag_delta().x
+        };
+        let (shift, ctrl) = ui.input(|input| (input.modifiers.shift, input.modifiers.command));
+        let factor = match (shift, ctrl) {
+            (true, _) => FINER,
+            (_, true) => COARSER,
+            _ => 1.0,
+        };
+        let before = ui.data(|data| data.get_temp(exact)).unwrap_or(self.value);
+        let after = before + f64::from(delta) * self.step * factor;
+        let after = match self.wrap {
+            Some(_) => after,
+            None => self.brought_into_range(after),
+        };
+        ui.data_mut(|data| data.insert_temp(exact, after));
+        if delta == 0.0 {
+            return None;
+        }
+        let grid = self.step * factor;
+        Some(clean((after / grid).round() * grid))
+    }
+
+    fn paint(&self, ui: &Ui, response: &Response, rect: Rect) {
+        if !ui.is_rect_visible(rect) {
+            return;
+        }
+        let visuals = ui.style().interact(response);
+        let palette = Palette::of(ui.visuals());
+        let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+        painter.rect(
+            rect,
+            visuals.corner_radius,
+            visuals.weak_bg_fill,
+            visuals.bg_stroke,
+            StrokeKind::Inside,
+        );
+        let font = number_style().resolve(ui.style());
+        let mut room = rect.width() - 8.0;
+        if let Some(axis) = self.axis {
+            let color = palette.axes[axis.min(2)];
+            if rect.width() >= ROOM_FOR_LETTER {
+                let at = rect.left_center() + vec2(5.0, 0.0);
+                let letter = ["X", "Y", "Z"][axis.min(2)];
+                painter.text(at, Align2::LEFT_CENTER, letter, font.clone(), color);
+                room -= 11.0;
+            } else {
+                let line = Rect::from_min_max(
+                    pos2(rect.left() + 2.0, rect.bottom() - 3.0),
+                    pos2(rect.right() - 2.0, rect.bottom() - 1.0),
+                );
+                painter.rect_filled(line, 1.0, color);
+            }
+        }
+        let text = fitted(self.value, self.unit, self.decimals.clone(), |text| {
+            painter
+                .layout_no_wrap(text.to_owned(), font.clone(), visuals.text_color())
+                .size()
+                .x
+                <= room
+        });
+        let at = rect.right_center() - vec2(4.0, 0.0);
+        painter.text(at, Align2::RIGHT_CENTER, text, font, visuals.text_color());
+    }
+
+    fn asked_by_assistive_technology(&self, ui: &Ui, id: Id) -> Option<f64> {
+        use accesskit::{Action, ActionData};
+        ui.input(|input| {
+            let set = input
+                .accesskit_action_requests(id, Action::SetValue)
+                .find_map(|request| match &request.data {
+                    Some(ActionData::NumericValue(value)) => Some(*value),
+                    Some(ActionData::Value(text)) => evaluate(text),
+                    _ => None,
+                });
+            let steps = input.num_accesskit_action_requests(id, Action::Increment) as f64
+                - input.num_accesskit_action_requests(id, Action::Decrement) as f64;
+            set.or((steps != 0.0).then_some(self.value + steps * self.step))
+        })
+    }
+
+    /// Name, value and bounds for assistive technology; what the mouse does, for the tooltip.
+    fn describe(&self, ui: &Ui, response: &Response, typing: bool) {
+        response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), self.value));
+        let response = named(response.clone(), self.name);
+        let whole = format!("{}{}", precise(self.value), self.unit);
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            use accesskit::Action;
+            node.set_numeric_value(self.value);
+            node.set_numeric_value_step(self.step);
+            if self.range.start().is_finite() {
+                node.set_min_numeric_value(*self.range.start());
+            }
+            if self.range.end().is_finite() {
+                node.set_max_numeric_value(*self.range.end());
+            }
+            for action in [Action::SetValue, Action::Increment, Action::Decrement] {
+                node.add_action(action);
+            }
+            if !typing {
+                node.set_value(whole.as_str());
+            }
+        });
+        if !typing && !response.dragged() {
+            response.on_hover_text(format!(
+                "{}: {whole}\nDrag (Shift finer, Ctrl coarser) · click to type · right click for {}{}",
+                self.name,
+                precise(self.rest),
+                self.unit
+            ));
+        }
+    }
+}
+
+impl Typed {
+    fn beginning_with(text: String) -> Self {
+        Self {
+            began_with: text.clone(),
+            text,
+            pass: 0,
+        }
+    }
+
+    fn value(&self) -> Option<f64> {
+        (self.text != self.began_with).then(|| evaluate(&self.text))?
+    }
+}
+
+/// Takes away what adding tenths in binary leaves behind.
+fn clean(value: f64) -> f64 {
+    (value * 1e6).round() / 1e6
+}
+
+fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    let end = CCursor::new(text.chars().count());
+    state
+        .cursor
+        .set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+    state.store(ui.ctx(), id);
+}

@@ -1,0 +1,67 @@
+//! Numbers as text: as many decimals as there is room for, none that mean nothing.
+
+use std::ops::RangeInclusive;
+
+/// `value` with all the decimals that a user could mean: up to 4, without trailing zeros.
+pub(super) fn precise(value: f64) -> String {
+    rounded(value, 0, 4)
+}
+
+/// `value` with `unit` and as many of the decimals as `fits` lets through; the fewest, where
+/// nothing fits.
+pub(super) fn fitted(
+    value: f64,
+    unit: &str,
+    decimals: RangeInclusive<usize>,
+    fits: impl Fn(&str) -> bool,
+) -> String {
+    let (least, most) = (*decimals.start(), *decimals.end());
+    let mut text = String::new();
+    for places in (0..=most).rev() {
+        text = rounded(value, least.min(places), places) + unit;
+        if fits(&text) {
+            break;
+        }
+    }
+    text
+}
+
+/// `value` rounded to `most` decimals, of which at least `least` are written.
+fn rounded(value: f64, least: usize, most: usize) -> String {
+    let mut text = format!("{value:.most$}");
+    if let Some(point) = text.find('.') {
+        let zeros = text.len() - text.trim_end_matches('0').len();
+        let spare = (text.len() - point - 1).saturating_sub(least);
+        text.truncate(text.len() - zeros.min(spare));
+        if text.ends_with('.') {
+            text.pop();
+        }
+    }
+    if text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.')) {
+        text.remove(0);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn trailing_zeros_and_a_minus_before_zero_are_not_written() {
+        assert_eq!(precise(45.0), "45");
+        assert_eq!(precise(-0.000_01), "0");
+        assert_eq!(precise(-2.25), "-2.25");
+        assert_eq!(precise(29.999_999), "30");
+    }
+
+    #[test]
+    fn decimals_give_way_where_room_is_short_and_stay_where_they_are_wanted() {
+        let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
+        assert_eq!(fitted(329.567, "°", 0..=3, up_to(8)), "329.567°");
+        assert_eq!(fitted(329.567, "°", 0..=3, up_to(6)), "329.6°");
+        assert_eq!(fitted(329.567, "°", 0..=3, up_to(1)), "330°");
+        assert_eq!(fitted(1.0, "", 2..=3, up_to(8)), "1.00");
+        assert_eq!(fitted(1.0, "", 2..=3, up_to(3)), "1.0");
+    }
+}

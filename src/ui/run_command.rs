@@ -1,0 +1,74 @@
+use super::keys::Command;
+use super::state::{Dialog, UiState};
+use crate::editor::{Action, Ask, Edit, Session, View};
+use crate::scene::{Look, ShapeKind};
+
+/// Carries out what a menu item or key starts: windows of the panels at once, all else as
+/// actions. `aspect` is width over height of the view.
+pub(super) fn run(
+    command: Command,
+    session: &Session,
+    state: &mut UiState,
+    aspect: f32,
+) -> Option<Action> {
+    if why_disabled(command, session).is_some() {
+        return None;
+    }
+    let view = session.view();
+    match command {
+        Command::Screenshot => state.open(Dialog::Screenshot),
+        Command::Keys => state.open(Dialog::Keys),
+        Command::Messages => state.open(Dialog::Messages),
+        Command::About => state.open(Dialog::About),
+        Command::SetTheme(theme) => state.theme = theme,
+        Command::Quit => return Some(Action::Ask(Ask::Quit)),
+        Command::Insert(primitive) => return Some(Action::Edit(insert(primitive.kind()))),
+        Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
+        Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
+        Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
+        Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
+        Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
+        Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
+        Command::Fit => return Some(Action::View(View::Fit { aspect })),
+        Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
+        Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
+        Command::SetLook(look) => return Some(Action::View(View::SetLook(look))),
+        Command::SetShading(shading) => return Some(Action::View(View::SetShading(shading))),
+    }
+    None
+}
+
+fn insert(kind: ShapeKind) -> Edit {
+    Edit::Insert {
+        name: kind.label().to_owned(),
+        kind,
+        source: None,
+    }
+}
+
+/// Whether a command that switches something has it switched on; `None` for all others.
+pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Option<bool> {
+    let view = session.view();
+    match command {
+        Command::ToggleAxis => Some(view.axis),
+        Command::ToggleGrid => Some(view.grid && view.look == Look::Studio),
+        Command::SetLook(look) => Some(view.look == look),
+        Command::SetShading(shading) => Some(view.shading == shading),
+        Command::SetTheme(theme) => Some(state.theme == theme),
+        _ => None,
+    }
+}
+
+/// Why a command cannot be used now, in words for its tooltip.
+pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
+    match command {
+        Command::ToggleGrid if session.view().look != Look::Studio => {
+            Some("Only the Studio look has a ground (View ▸ Look ▸ Studio)")
+        }
+        Command::Delete | Command::Reset if session.selected().is_none() => {
+            Some("No shape is selected")
+        }
+        Command::Fit if session.scene().shapes().is_empty() => Some("There is nothing to fit"),
+        _ => None,
+    }
+}

@@ -1,0 +1,95 @@
+use super::screenshot::ScreenshotForm;
+use crate::scene::ShapeId;
+use egui::ThemePreference;
+use std::collections::{BTreeSet, HashMap};
+
+/// What panels remember between frames that is neither scene nor view: searches, folded rows,
+/// open windows. Nothing in it changes a picture of the scene.
+#[derive(Clone, Debug)]
+pub struct UiState {
+    /// Colors of the panels. Public because the program keeps it from one run to the next.
+    pub theme: ThemePreference,
+    /// Whether the three lines for newcomers are shown.
+    pub first_help: bool,
+    /// Open windows; the one opened last is last, and Esc closes it first.
+    pub(super) open: Vec<Dialog>,
+    pub(super) screenshot: ScreenshotForm,
+    pub(super) joints: JointListState,
+    pub(super) notices: NoticeState,
+    /// Whether a text field or a popup had the keyboard at the end of the last frame. egui takes
+    /// the keyboard away from them at the start of the frame in which Esc is pressed.
+    pub(super) keys_were_taken: bool,
+    pub(super) styled: bool,
+    /// The view in the last frame, for menus that are shown before it is known.
+    pub(super) view_rect: egui::Rect,
+}
+
+/// A window over the view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Dialog {
+    Keys,
+    Messages,
+    About,
+    Screenshot,
+}
+
+/// What the joint list remembers.
+#[derive(Clone, Debug, Default)]
+pub(super) struct JointListState {
+    pub search: String,
+    pub folded: HashMap<ShapeId, BTreeSet<usize>>,
+    /// The joint that the pointer was over in the list; one hovered in the view is not the
+    /// list's to clear.
+    pub hovered: Option<usize>,
+    /// The joint that was selected in the last frame, to notice one selected in the view.
+    pub selected: Option<(ShapeId, usize)>,
+}
+
+/// What the notices over the view remember.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct NoticeState {
+    /// Length of the history when it last grew, and when that was, in seconds of egui's clock.
+    pub seen: Option<(usize, f64)>,
+}
+
+impl Default for UiState {
+    fn default() -> Self {
+        Self {
+            theme: ThemePreference::System,
+            first_help: false,
+            open: Vec::new(),
+            screenshot: ScreenshotForm::default(),
+            joints: JointListState::default(),
+            notices: NoticeState::default(),
+            keys_were_taken: false,
+            styled: false,
+            view_rect: egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(4.0, 3.0)),
+        }
+    }
+}
+
+impl UiState {
+    /// Everything closed, nothing searched.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Whether a window of the panels is open, so that Esc is not the program's.
+    pub fn has_open_windows(&self) -> bool {
+        !self.open.is_empty()
+    }
+
+    /// Brings a window up, or to the end of the row for Esc if it is up already.
+    pub(super) fn open(&mut self, dialog: Dialog) {
+        self.close(dialog);
+        self.open.push(dialog);
+    }
+
+    pub(super) fn close(&mut self, dialog: Dialog) {
+        self.open.retain(|&open| open != dialog);
+    }
+
+    pub(super) fn is_open(&self, dialog: Dialog) -> bool {
+        self.open.contains(&dialog)
+    }
+}

@@ -1,0 +1,35 @@
+use super::state::UiState;
+use super::{ViewInput, axis_ball, first_help, notices};
+use crate::editor::{Action, Session};
+use egui::{Response, Sense, Ui, WidgetInfo, WidgetType};
+
+/// Takes what the panels left free as the view, and shows what lies over it.
+///
+/// The view is a widget below all others here: egui says which of them the pointer is for.
+pub(super) fn show(
+    root: &mut Ui,
+    session: &Session,
+    state: &mut UiState,
+    input: &ViewInput,
+    actions: &mut Vec<Action>,
+) -> Response {
+    let rect = root.available_rect_before_wrap();
+    let id = root.id().with("view");
+    let response = root.interact(rect, id, Sense::click_and_drag() | Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "View of the scene"));
+    let mut over = root.new_child(
+        egui::UiBuilder::new()
+            .id_salt("over the view")
+            .max_rect(rect),
+    );
+    over.set_clip_rect(rect.intersect(root.clip_rect()));
+
+    axis_ball::show(&mut over, rect, &session.view().camera, actions);
+    notices::show(&mut over, rect, session, &mut state.notices, actions);
+    if state.first_help {
+        let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
+        let closed = first_help::show(&mut over, rect);
+        state.first_help = !(closed || gesture);
+    }
+    response
+}
