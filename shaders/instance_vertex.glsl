@@ -11,6 +11,8 @@ uniform mat4 clip_from_world;
 
 out vec3 world_position;
 out vec3 world_normal;
+// The same, of the triangle's last corner alone.
+flat out vec3 face_normal;
 out vec3 tint;
 
 void main() {
@@ -19,6 +21,7 @@ void main() {
     vec4 world = world_from_unit * vec4(position, 1.0);
     world_position = world.xyz;
     world_normal = transpose(inverse(mat3(world_from_unit))) * normal;
+    face_normal = world_normal;
     tint = instance_color;
     gl_Position = clip_from_world * world;
 }

@@ -1,11 +1,12 @@
 // Lights a surface, in one of two looks.
 in vec3 world_position;
 in vec3 world_normal;
+flat in vec3 face_normal;
 in vec3 tint;
 
 uniform vec3 color;
 uniform float alpha;
-// 1: one normal a triangle, from the positions; 0: the interpolated one.
+// 1: one normal a triangle; 0: the interpolated one.
 uniform int flat_normals;
 // 0: Course, 1: Studio.
 uniform int look;
@@ -20,15 +21,6 @@ out vec4 fragment_color;
 vec3 unit(vec3 v) {
     float squared = dot(v, v);
     return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
-}
-
-// The normal on the side that the triangle's winding calls outward.
-vec3 surface_normal() {
-    if (flat_normals == 0) {
-        return unit(world_normal);
-    }
-    vec3 towards_eye = unit(cross(dFdx(world_position), dFdy(world_position)));
-    return gl_FrontFacing ? towards_eye : -towards_eye;
 }
 
 // The course's: Phong with one light. Its highlights are seen from the world's origin.
@@ -67,7 +59,7 @@ vec3 studio(vec3 stored, vec3 n) {
 }
 
 void main() {
-    vec3 n = surface_normal();
+    vec3 n = unit(flat_normals == 1 ? face_normal : world_normal);
     vec3 surface = color * tint;
     fragment_color = vec4(look == 0 ? course(surface, n) : studio(surface, n), alpha);
 }

@@ -8,12 +8,15 @@ uniform mat3 world_from_model_normal;
 
 out vec3 world_position;
 out vec3 world_normal;
+// The same, of the triangle's last corner alone.
+flat out vec3 face_normal;
 out vec3 tint;
 
 void main() {
     vec4 world = world_from_model * vec4(position, 1.0);
     world_position = world.xyz;
     world_normal = world_from_model_normal * normal;
+    face_normal = world_normal;
     tint = vec3(1.0);
     gl_Position = clip_from_world * world;
 }

@@ -3,8 +3,8 @@ use glam::Vec3;
 
 const CIRCUMRADIUS: f32 = 0.7;
 
-/// A regular icosahedron of circumradius 0.7 with vertices along (0, ±φ, ±1), (±φ, ±1, 0) and
-/// (±1, 0, ±φ), φ the golden ratio; flat normals.
+/// A regular icosahedron of circumradius 0.7 with vertices along (0, ±1, ±φ), (±1, ±φ, 0) and
+/// (±φ, 0, ±1), φ the golden ratio, as the course's pictures have it; flat normals.
 #[doc(alias = "Icosahedron")]
 pub fn icosahedron() -> Mesh {
     let golden = (1.0 + 5.0_f32.sqrt()) / 2.0;
@@ -12,9 +12,9 @@ pub fn icosahedron() -> Mesh {
     let mut positions = Vec::with_capacity(12);
     for a in [golden, -golden] {
         for b in [1.0, -1.0] {
-            positions.push(Vec3::new(0.0, a, b) * scale);
-            positions.push(Vec3::new(a, b, 0.0) * scale);
-            positions.push(Vec3::new(b, 0.0, a) * scale);
+            positions.push(Vec3::new(0.0, b, a) * scale);
+            positions.push(Vec3::new(b, a, 0.0) * scale);
+            positions.push(Vec3::new(a, 0.0, b) * scale);
         }
     }
     // The faces are the triples of vertices that are one edge (2 · scale) apart from each other.

@@ -2,6 +2,7 @@
 
 mod cube;
 mod cuboid;
+mod facets;
 mod icosahedron;
 mod mesh;
 mod normals;
@@ -13,11 +14,12 @@ mod triangulate;
 
 pub use cube::cube;
 pub use cuboid::{BONE_HALF_WIDTH, cuboid_from_unit};
+pub use facets::Facets;
 pub use icosahedron::icosahedron;
 pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, nearest_triangle};
 pub use normals::{face_normal, face_normals, smooth_normals};
 pub use pyramid::pyramid;
 pub use revision::{Revision, SharedMesh};
-pub use sphere::sphere;
+pub use sphere::{Poles, sphere};
 pub use teapot::teapot;
 pub use triangulate::triangulate;

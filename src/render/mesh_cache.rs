@@ -1,7 +1,8 @@
-use crate::geometry::{Normals, Revision, SharedMesh, smooth_normals};
+use crate::geometry::{Facets, Normals, Revision, SharedMesh, face_normals, smooth_normals};
 use crate::gpu::{Attribute, Buffer, Gl, GpuError, IndexBuffer, Usage, VertexArray};
 use crate::scene::{Evaluated, EvaluatedGeometry, Shading, ShapeId};
 use glam::Vec3;
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 /// The meshes of a scene in the memory of the graphics card. Only what has a new revision is
@@ -15,13 +16,13 @@ pub(super) struct MeshCache {
 #[derive(Debug)]
 pub(super) struct CachedMesh {
     pub vertex_array: VertexArray,
-    /// Whether `vertex_array` has normals; otherwise the surface is drawn facetted.
-    pub has_normals: bool,
+    /// How the mesh was rearranged to be drawn facetted; `None` if it is drawn smooth.
+    facets: Option<Facets>,
     mesh: Revision,
     positions: Revision,
     shading: Shading,
     position_buffer: Buffer<Vec3>,
-    normal_buffer: Option<Buffer<Vec3>>,
+    normal_buffer: Buffer<Vec3>,
 }
 
 impl MeshCache {
@@ -61,27 +62,38 @@ impl CachedMesh {
         } else {
             Usage::Static
         };
-        let position_buffer = Buffer::vertices(gl, usage, geometry.positions())?;
-        let normal_buffer = normals(geometry, shading)
-            .map(|normals| Buffer::vertices(gl, usage, &normals))
-            .transpose()?;
-        let indices: &[u32] = mesh.triangles.as_flattened();
-        let index_buffer = IndexBuffer::new(gl, Usage::Static, indices)?;
-        let mut builder = VertexArray::builder(gl)
+        let is_flat = match shading {
+            Shading::AsAuthored => mesh.normals == Normals::Flat,
+            Shading::Flat => true,
+            Shading::Smooth => false,
+        };
+        let facets = is_flat.then(|| Facets::new(mesh.positions.len(), &mesh.triangles));
+        let (positions, normals) = vertices(geometry, facets.as_ref());
+        let position_buffer = Buffer::vertices(gl, usage, &positions)?;
+        let normal_buffer = Buffer::vertices(gl, usage, &normals)?;
+        let triangles = facets
+            .as_ref()
+            .map_or(&mesh.triangles, |facets| &facets.triangles);
+        let index_buffer = IndexBuffer::new(gl, Usage::Static, triangles.as_flattened())?;
+        let vertex_array = VertexArray::builder(gl)
             .attribute(&position_buffer, Attribute::f32(0, 3))
-            .indices(&index_buffer);
-        if let Some(normals) = &normal_buffer {
-            builder = builder.attribute(normals, Attribute::f32(1, 3));
-        }
+            .attribute(&normal_buffer, Attribute::f32(1, 3))
+            .indices(&index_buffer)
+            .build()?;
         Ok(Self {
-            vertex_array: builder.build()?,
-            has_normals: normal_buffer.is_some(),
+            vertex_array,
+            facets,
             mesh: mesh.revision(),
             positions: geometry.revision,
             shading,
             position_buffer,
             normal_buffer,
         })
+    }
+
+    /// Whether each triangle has one normal, which its last corner carries.
+    pub fn is_flat(&self) -> bool {
+        self.facets.is_some()
     }
 
     fn fits(&self, mesh: &SharedMesh, shading: Shading) -> bool {
@@ -92,30 +104,28 @@ impl CachedMesh {
         if self.positions == geometry.revision {
             return Ok(());
         }
-        self.position_buffer.update(geometry.positions())?;
-        if let (Some(buffer), Some(normals)) =
-            (&self.normal_buffer, normals(geometry, self.shading))
-        {
-            buffer.update(&normals)?;
-        }
+        let (positions, normals) = vertices(geometry, self.facets.as_ref());
+        self.position_buffer.update(&positions)?;
+        self.normal_buffer.update(&normals)?;
         self.positions = geometry.revision;
         Ok(())
     }
 }
 
-/// One normal a vertex; `None` where every triangle has its own, which the fragment shader finds
-/// from the current positions.
-fn normals(geometry: &EvaluatedGeometry, shading: Shading) -> Option<Vec<Vec3>> {
-    let authored = match &geometry.mesh.normals {
-        Normals::PerVertex(normals) => Some(normals),
-        Normals::Flat => None,
-    };
-    match (shading, authored) {
-        (Shading::Flat, _) | (Shading::AsAuthored, None) => None,
-        (_, Some(normals)) if geometry.skinned.is_none() => Some(normals.clone()),
-        _ => Some(smooth_normals(
-            geometry.positions(),
-            &geometry.mesh.triangles,
-        )),
+/// Current positions and normals as they are uploaded.
+fn vertices<'a>(
+    geometry: &'a EvaluatedGeometry,
+    facets: Option<&Facets>,
+) -> (Cow<'a, [Vec3]>, Cow<'a, [Vec3]>) {
+    let positions = geometry.positions();
+    let triangles = &geometry.mesh.triangles;
+    if let Some(facets) = facets {
+        let normals = facets.at_last_corners(&face_normals(positions, triangles));
+        return (facets.gather(positions).into(), normals.into());
     }
+    let normals = match &geometry.mesh.normals {
+        Normals::PerVertex(normals) if geometry.skinned.is_none() => normals.into(),
+        _ => smooth_normals(positions, triangles).into(),
+    };
+    (positions.into(), normals)
 }

@@ -1,7 +1,7 @@
 use super::frame::{Frame, PassContext};
 use super::lights::set_lights;
 use crate::character::StickFigure;
-use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, cube, sphere};
+use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, smooth_normals, sphere};
 use crate::gpu::{
     Attribute, Blend, Buffer, DrawState, Gl, GpuError, Immediate, IndexBuffer, Mode, PointShape,
     Primitive, Program, Usage, VertexArray,
@@ -41,7 +41,6 @@ impl Instance {
 struct Instances {
     vertex_array: VertexArray,
     buffer: Buffer<Instance>,
-    flat: bool,
 }
 
 /// Draws skeletons: joints as points or spheres, bones as lines or boxes.
@@ -76,7 +75,7 @@ impl SkeletonPass {
                 vertex,
                 include_str!("../../shaders/mask_fragment.glsl"),
             )?,
-            joints: Instances::new(gl, &sphere(1.0, 16, 16))?,
+            joints: Instances::new(gl, &sphere(1.0, 16, 16, Poles::Z))?,
             bones: Instances::new(gl, &unit_box)?,
         })
     }
@@ -156,6 +155,7 @@ impl SkeletonPass {
         program.set_mat4("clip_from_world", context.clip_from_world);
         program.set_vec3("color", Vec3::ONE);
         program.set_f32("alpha", 1.0);
+        program.set_i32("flat_normals", 0);
         set_lights(program, frame.view.look, &frame.view.camera);
     }
 }
@@ -179,15 +179,16 @@ impl Instances {
             let attribute = Attribute::f32(2 + column, 4).offset(offset).divisor(1);
             builder = builder.attribute(&buffer, attribute);
         }
-        if let Normals::PerVertex(normals) = &mesh.normals {
-            let normals = Buffer::vertices(gl, Usage::Static, normals)?;
-            builder = builder.attribute(&normals, Attribute::f32(1, 3));
-        }
-        let flat = mesh.normals == Normals::Flat;
+        // The box has its own corners on every side, so that smooth normals are flat there.
+        let normals = match &mesh.normals {
+            Normals::PerVertex(normals) => normals.clone(),
+            Normals::Flat => smooth_normals(&mesh.positions, &mesh.triangles),
+        };
+        let normals = Buffer::vertices(gl, Usage::Static, &normals)?;
+        builder = builder.attribute(&normals, Attribute::f32(1, 3));
         Ok(Self {
             vertex_array: builder.build()?,
             buffer,
-            flat,
         })
     }
 
@@ -196,9 +197,6 @@ impl Instances {
             return Ok(());
         }
         self.buffer.update(instances)?;
-        if program.label() == "skeleton" {
-            program.set_i32("flat_normals", i32::from(self.flat));
-        }
         let indices = 0..self.vertex_array.index_count();
         self.vertex_array.draw_indexed_instanced(
             program,

@@ -87,7 +87,7 @@ impl SurfacePass {
             "world_from_model_normal",
             normal_matrix(evaluated.world_from_model),
         );
-        program.set_i32("flat_normals", i32::from(!cached.has_normals));
+        program.set_i32("flat_normals", i32::from(cached.is_flat()));
         program.set_f32("alpha", alpha);
         let own = shape.placement.color.rgb();
         for (triangles, color) in colored_ranges(&evaluated.geometry.mesh, own) {

@@ -219,7 +219,7 @@ impl ShapeKind {
     pub fn mesh(&self) -> SharedMesh {
         static CUBE: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(geometry::cube()));
         static SPHERE: LazyLock<SharedMesh> =
-            LazyLock::new(|| SharedMesh::new(geometry::sphere(0.5, 20, 20)));
+            LazyLock::new(|| SharedMesh::new(geometry::sphere(0.5, 20, 20, geometry::Poles::Y)));
         static PYRAMID: LazyLock<SharedMesh> =
             LazyLock::new(|| SharedMesh::new(geometry::pyramid()));
         static TEAPOT: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(geometry::teapot()));

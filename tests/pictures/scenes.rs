@@ -1,0 +1,158 @@
+//! The scenes of the original's pictures, built from what their list says.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use editor_core::character::Pose;
+use editor_core::geometry::{Mesh, SharedMesh, face_normals};
+use editor_core::io::{self, Diagnostic, Files};
+use editor_core::math::{Euler, Transform};
+use editor_core::scene::{
+    Camera, CharacterShape, ModelDisplay, Scene, ShapeColor, ShapeKind, ViewSettings,
+};
+use glam::Vec3;
+
+use crate::reference::{Render, Renders};
+
+struct Disk;
+
+impl Files for Disk {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        std::fs::read(path).map_err(|error| Diagnostic::new(path, error.to_string()))
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        path.is_file()
+    }
+}
+
+/// The scene of one picture and how it is looked at.
+pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
+    let camera = Camera {
+        target: Vec3::from_array(render.camera.target),
+        radius: render.camera.radius,
+        theta: render.camera.theta_rad as f32,
+        phi: render.camera.phi_rad as f32,
+        ..Camera::default()
+    };
+    let view = ViewSettings {
+        camera,
+        axis: render.axis,
+        ..ViewSettings::default()
+    };
+    let mut scene = Scene::new();
+    let file = render.file.as_str();
+    if let Some(model) = &render.model {
+        let mode = match render.mode.as_deref() {
+            Some("skel") => ModelDisplay::Skeleton,
+            _ => ModelDisplay::Mesh,
+        };
+        add_character(renders, &mut scene, model, mode, render);
+    } else if file.starts_with("view_") {
+        scene.add("Model1".into(), just_imported(renders, "Model1"), None);
+        let green = ShapeColor::Preset(12);
+        let id = scene.shapes()[0].id;
+        scene.shape_mut(id).expect("the character").placement.color = green;
+        place(
+            &mut scene,
+            Transform {
+                position: Vec3::splat(-0.5),
+                scale: Vec3::splat(2.0),
+                ..Transform::IDENTITY
+            },
+        );
+        scene.add("Cube".into(), ShapeKind::Cube, None);
+        place(
+            &mut scene,
+            Transform {
+                position: Vec3::new(1.2, 0.4, 0.0),
+                scale: Vec3::splat(0.5),
+                ..Transform::IDENTITY
+            },
+        );
+    } else if file.starts_with("cube_transformed") {
+        scene.add("Cube".into(), ShapeKind::Cube, None);
+        place(
+            &mut scene,
+            Transform {
+                position: Vec3::new(0.5, -0.25, 0.3),
+                rotation: Euler::from_degrees(Vec3::new(30.0, 45.0, 60.0)),
+                scale: Vec3::new(1.0, 2.0, 0.5),
+            },
+        );
+    } else if let Some(path) = content_path(renders, render) {
+        let bytes = Disk.read(&path).expect("the shape's file");
+        let mesh = io::read_shape_obj(&Disk, &path, &bytes)
+            .expect("a shape")
+            .value;
+        scene.add("Shape".into(), ShapeKind::Mesh(SharedMesh::new(mesh)), None);
+    } else if let Some(shape) = file.strip_prefix("shape_") {
+        let kind = match shape.split('_').next() {
+            Some("cube") => ShapeKind::Cube,
+            Some("sphere") => ShapeKind::Sphere,
+            Some("pyramid") => ShapeKind::Pyramid,
+            Some("icosahedron") => ShapeKind::Icosahedron,
+            other => panic!("unknown shape {other:?}"),
+        };
+        scene.add("Shape".into(), kind, None);
+    } else {
+        assert!(file.starts_with("empty"), "{file}: what is in it?");
+    }
+    (scene, view)
+}
+
+/// `data/obj/torus.obj` of the original lies in `obj/` of the reference.
+fn content_path(renders: &Renders, render: &Render) -> Option<std::path::PathBuf> {
+    let inside = render.content.as_deref()?.strip_prefix("data/")?;
+    Some(renders.course.join(inside.split(',').next()?))
+}
+
+/// A character as the original shows it between its import and the first move of a slider: the
+/// vertices have been through the weights, whose sums are not quite one, while the normals are
+/// still those of the vertices in the file. Ours are always of the current vertices.
+fn just_imported(renders: &Renders, model: &str) -> ShapeKind {
+    let path = character_path(renders, model);
+    let character = io::read_character(&Disk, &path).expect("a character").value;
+    let skinned = character.skin_pose(&Pose::new());
+    let mesh = character.bind_mesh();
+    let normals = face_normals(&mesh.positions, &mesh.triangles);
+    let corners = mesh.triangles.iter().flatten();
+    let positions = corners
+        .map(|&corner| skinned[corner as usize])
+        .collect::<Vec<_>>();
+    let triangles = (0..mesh.triangles.len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+    let apart = Mesh::new(positions, triangles.collect())
+        .with_normals(normals.into_iter().flat_map(|normal| [normal; 3]).collect());
+    ShapeKind::Mesh(SharedMesh::new(apart))
+}
+
+fn character_path(renders: &Renders, model: &str) -> std::path::PathBuf {
+    renders
+        .course
+        .join("characters")
+        .join(format!("{model}.obj"))
+}
+
+fn add_character(
+    renders: &Renders,
+    scene: &mut Scene,
+    model: &str,
+    mode: ModelDisplay,
+    render: &Render,
+) {
+    let path = character_path(renders, model);
+    let character = io::read_character(&Disk, &path).expect("a character").value;
+    let mut shape = CharacterShape::new(Arc::new(character));
+    shape.display.mode = mode;
+    let mut pose = Pose::new();
+    for (&joint, angles) in &render.joints {
+        pose.set_joint_transform(joint, Euler::from_degrees(Vec3::from_array(angles.xyz_deg)));
+    }
+    shape.set_pose(pose);
+    scene.add(model.to_owned(), ShapeKind::Character(shape), None);
+}
+
+fn place(scene: &mut Scene, transform: Transform) {
+    let id = scene.shapes().last().expect("a shape to place").id;
+    scene.shape_mut(id).expect("the shape").placement.transform = transform;
+}
