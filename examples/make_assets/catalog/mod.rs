@@ -4,9 +4,11 @@ mod dog;
 mod field;
 mod mesh;
 mod polygonize;
+mod poses;
 mod remesh;
 mod rig;
 mod robot;
+mod shapes;
 mod skin;
 mod solids;
 mod text;
@@ -25,6 +27,20 @@ pub fn files() -> Vec<File> {
     files.extend(character("adult", &adult::character()));
     files.extend(character("robot", &robot::character()));
     files.extend(character("dog", &dog::character()));
+    let mut shape = |name: &str, text: String| {
+        files.push(File {
+            path: format!("shapes/{name}"),
+            text,
+        });
+    };
+    shape("gear.obj", shapes::gear());
+    shape("gem.obj", shapes::gem());
+    shape("plant.obj", shapes::plant());
+    shape("plant.mtl", shapes::plant_materials());
+    files.extend(poses::texts().map(|(name, text)| File {
+        path: format!("poses/{name}.json"),
+        text,
+    }));
     files
 }
 

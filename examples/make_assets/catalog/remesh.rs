@@ -17,6 +17,14 @@ pub struct Target<'a> {
     pub rounds: usize,
 }
 
+/// Two triangles on both sides of an edge, and the two that the other diagonal would make.
+struct Quad {
+    at: [u32; 2],
+    across: [u32; 2],
+    old: [[u32; 3]; 2],
+    new: [[u32; 3]; 2],
+}
+
 struct Remesher<'a> {
     target: &'a Target<'a>,
     positions: Vec<DVec3>,
@@ -46,7 +54,10 @@ pub fn remesh(mesh: &Mesh, target: &Target) -> Mesh {
         work.flip_edges();
         work.relax();
     }
-    work.flip_edges();
+    for _ in 0..3 {
+        work.relax();
+        work.align_edges();
+    }
     work.compact()
 }
 
@@ -261,11 +272,8 @@ impl Remesher<'_> {
 
     /// Replaces the edge ab by the one across it, if that evens out the valences.
     fn flip(&mut self, a: u32, b: u32) {
-        let [s, t] = self.sides(a, b)[..] else { return };
-        let (c, d) = (self.opposite(s, a, b), self.opposite(t, a, b));
-        if c == d || (self.on_seam(c) && self.on_seam(d)) || !self.sides(c, d).is_empty() {
-            return;
-        }
+        let Some(quad) = self.quad(a, b) else { return };
+        let [c, d] = quad.across;
         let excess = |v: u32| {
             let count = self.around[v as usize].len() as i32;
             if self.on_seam(v) {
@@ -278,31 +286,76 @@ impl Remesher<'_> {
         let cost = |v: u32, by: i32| (excess(v) + by * step(v)).pow(2);
         let before = cost(a, 0) + cost(b, 0) + cost(c, 0) + cost(d, 0);
         let after = cost(a, -1) + cost(b, -1) + cost(c, 1) + cost(d, 1);
-        let worst = |x: [u32; 3], y: [u32; 3]| self.quality(x).min(self.quality(y));
-        let (old_s, old_t) = (self.triangles[s as usize], self.triangles[t as usize]);
-        // The corner after a in the order of s tells on which side c lies.
-        let swap = |triangle: [u32; 3], old: u32, new: u32| {
-            triangle.map(|v| if v == old { new } else { v })
+        let worst = |[x, y]: [[u32; 3]; 2]| self.quality(x).min(self.quality(y));
+        let (old, new) = (worst(quad.old), worst(quad.new));
+        let rescue = old < 0.3 && new > 1.3 * old;
+        let evens = after < before && new > 0.6 * old.min(0.6);
+        let [flat_old, flat_new] = [quad.old, quad.new].map(|pair| self.flatness(pair));
+        if (rescue || evens) && flat_new > flat_old - 0.15 {
+            self.turn(a, b, &quad);
+        }
+    }
+
+    /// Turns edges that cut across a crease of the field to run along it.
+    fn align_edges(&mut self) {
+        for t in 0..self.triangles.len() {
+            for side in 0..3 {
+                let triangle = self.triangles[t];
+                if triangle == GONE {
+                    break;
+                }
+                let (a, b) = (triangle[side], triangle[(side + 1) % 3]);
+                let Some(quad) = self.quad(a, b) else {
+                    continue;
+                };
+                let off =
+                    |x: u32, y: u32| (self.target.field)((self.at(x) + self.at(y)) * 0.5).abs();
+                let (old, new) = (off(a, b), off(quad.across[0], quad.across[1]));
+                let fair = self.quality(quad.new[0]).min(self.quality(quad.new[1])) > 0.4;
+                if fair && old > 0.03 * self.wanted(a, b) && new < 0.6 * old {
+                    self.turn(a, b, &quad);
+                }
+            }
+        }
+    }
+
+    /// What an edge's two triangles would become if it ran the other way; none where it must not.
+    fn quad(&self, a: u32, b: u32) -> Option<Quad> {
+        let [s, t] = self.sides(a, b)[..] else {
+            return None;
         };
-        let (new_s, new_t) = (swap(old_s, b, d), swap(old_t, a, c));
-        let (quality_old, quality_new) = (worst(old_s, old_t), worst(new_s, new_t));
-        let rescue = quality_old < 0.3 && quality_new > 1.3 * quality_old;
-        if !(rescue || (after < before && quality_new > 0.6 * quality_old.min(0.6))) {
-            return;
+        let (c, d) = (self.opposite(s, a, b), self.opposite(t, a, b));
+        if c == d || (self.on_seam(c) && self.on_seam(d)) || !self.sides(c, d).is_empty() {
+            return None;
         }
-        let bend = |x: [u32; 3]| self.normal(x).normalize_or_zero();
-        let mean = bend(old_s) + bend(old_t);
-        let (flat_old, flat_new) = (bend(old_s).dot(bend(old_t)), bend(new_s).dot(bend(new_t)));
-        if bend(new_s).dot(mean) < 0.6 || bend(new_t).dot(mean) < 0.6 || flat_new < flat_old - 0.15
-        {
-            return;
-        }
-        self.triangles[s as usize] = new_s;
-        self.triangles[t as usize] = new_t;
+        let swap = |t: [u32; 3], old: u32, new: u32| t.map(|v| if v == old { new } else { v });
+        let old = [self.triangles[s as usize], self.triangles[t as usize]];
+        let new = [swap(old[0], b, d), swap(old[1], a, c)];
+        let unit = |x: [u32; 3]| self.normal(x).normalize_or_zero();
+        let mean = unit(old[0]) + unit(old[1]);
+        let upright = new.iter().all(|&x| unit(x).dot(mean) > 0.6);
+        upright.then_some(Quad {
+            at: [s, t],
+            across: [c, d],
+            old,
+            new,
+        })
+    }
+
+    fn turn(&mut self, a: u32, b: u32, quad: &Quad) {
+        let ([s, t], [c, d]) = (quad.at, quad.across);
+        self.triangles[s as usize] = quad.new[0];
+        self.triangles[t as usize] = quad.new[1];
         self.around[a as usize].retain(|&x| x != t);
         self.around[b as usize].retain(|&x| x != s);
         self.around[c as usize].push(t);
         self.around[d as usize].push(s);
+    }
+
+    /// 1 for two triangles in a plane, less the more they are folded.
+    fn flatness(&self, [x, y]: [[u32; 3]; 2]) -> f64 {
+        let unit = |t: [u32; 3]| self.normal(t).normalize_or_zero();
+        unit(x).dot(unit(y))
     }
 
     /// 1 for an equilateral triangle, 0 for a degenerate one.

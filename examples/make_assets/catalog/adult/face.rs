@@ -8,11 +8,11 @@ static FACE: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
             [1.570, 0.0, 0.058, 0.026, 0.032, 0.050],
-            [1.582, 0.0, 0.046, 0.040, 0.047, 0.062],
-            [1.600, 0.0, 0.030, 0.050, 0.063, 0.066],
-            [1.625, 0.0, 0.014, 0.058, 0.079, 0.062],
-            [1.655, 0.0, 0.008, 0.064, 0.085, 0.066],
-            [1.685, 0.0, 0.004, 0.068, 0.088, 0.080],
+            [1.582, 0.0, 0.046, 0.043, 0.047, 0.062],
+            [1.600, 0.0, 0.030, 0.054, 0.063, 0.066],
+            [1.625, 0.0, 0.014, 0.062, 0.079, 0.062],
+            [1.655, 0.0, 0.008, 0.067, 0.085, 0.066],
+            [1.685, 0.0, 0.004, 0.070, 0.088, 0.080],
             [1.715, 0.0, 0.0, 0.070, 0.095, 0.090],
             [1.745, 0.0, 0.0, 0.067, 0.088, 0.090],
         ],
@@ -21,7 +21,7 @@ static FACE: LazyLock<Loft> = LazyLock::new(|| {
     )
 });
 
-pub const EYE: DVec3 = DVec3::new(0.0315, 1.6885, 0.0735);
+pub const EYE: DVec3 = DVec3::new(0.0325, 1.6880, 0.0735);
 
 /// The left half of the head.
 pub fn surface(p: DVec3) -> f64 {
@@ -35,15 +35,12 @@ pub fn surface(p: DVec3) -> f64 {
         DVec3::new(0.075, 0.086, 0.094),
     );
     d = blend(d, FACE.distance(p.y, DVec2::new(p.x, p.z)), 0.03);
-    d = blend(
-        d,
-        ellipsoid(
-            p,
-            DVec3::new(0.046, 1.660, 0.060),
-            DVec3::new(0.022, 0.016, 0.022),
-        ),
-        0.025,
+    let cheekbone = ellipsoid(
+        p,
+        DVec3::new(0.043, 1.657, 0.052),
+        DVec3::new(0.026, 0.022, 0.028),
     );
+    d = blend(d, cheekbone, 0.03);
     d = blend(d, sphere(p, DVec3::new(0.0, 1.580, 0.082), 0.016), 0.02);
     d = sockets_and_brow(p, d);
     d = nose(p, d);
@@ -80,8 +77,8 @@ fn sockets_and_brow(p: DVec3, d: f64) -> f64 {
 }
 
 fn nose(p: DVec3, d: f64) -> f64 {
-    let tip = DVec3::new(0.0, 1.6480, 0.1120);
-    let bridge = round_cone(p, (DVec3::new(0.0, 1.7020, 0.0880), 0.0080), (tip, 0.0105));
+    let tip = DVec3::new(0.0, 1.6470, 0.1105);
+    let bridge = round_cone(p, (DVec3::new(0.0, 1.7020, 0.0870), 0.0090), (tip, 0.0115));
     let d = blend(d, bridge, 0.014);
     let wing = ellipsoid(
         p,
@@ -100,7 +97,7 @@ fn nose(p: DVec3, d: f64) -> f64 {
 fn mouth(p: DVec3, d: f64) -> f64 {
     // The lips follow the curve of the teeth behind them.
     let back = 5.0 * p.x * p.x;
-    let q = DVec3::new(p.x, p.y, p.z + back);
+    let q = DVec3::new(p.x, p.y - 4.0 * p.x * p.x, p.z + back);
     let muzzle = ellipsoid(
         p,
         DVec3::new(0.0, 1.615, 0.080),
@@ -132,24 +129,19 @@ fn mouth(p: DVec3, d: f64) -> f64 {
 }
 
 fn eye(p: DVec3, d: f64) -> f64 {
-    let ball = sphere(p, EYE, 0.0135);
     let from = p - EYE;
-    // The lids are a thin shell over the ball, open between two arcs.
-    let slit = 0.0062 * (1.0 - (from.x / 0.0150).powi(2)) - (from.y - 0.0008 - 0.05 * from.x).abs();
-    let lids = carve(sphere(p, EYE, 0.0162), slit_depth(slit, from), 0.0020);
-    let d = blend(d, lids, 0.004);
-    let d = carve(
-        d,
-        slit_depth(slit, from).max(from.z.min(0.0).abs() - 1.0),
-        0.0020,
-    );
-    let pupil = sphere(p, EYE + DVec3::new(0.0, 0.0005, 0.0158), 0.0042);
-    blend(d, carve(ball, pupil, 0.0015), 0.001)
-}
-
-/// Inside where the lids are open.
-fn slit_depth(slit: f64, from: DVec3) -> f64 {
-    (-slit).max(0.004 - from.z)
+    // The lids are a shell over the ball, open between two arcs that meet in the corners.
+    let half_width = 0.0165;
+    let arc = 1.0 - (from.x / half_width).powi(2);
+    let upper = from.y - (0.0014 + 0.0062 * arc);
+    let lower = (0.0014 - 0.0056 * arc) - from.y;
+    let open = clip(clip(upper, lower, 0.001), 0.004 - from.z, 0.001);
+    let fold = sphere(p, EYE + DVec3::new(0.0, 0.0022, 0.0008), 0.0178);
+    let lid = blend(sphere(p, EYE, 0.0175), fold, 0.001);
+    let d = carve(blend(d, lid, 0.005), open, 0.0014);
+    let ball = sphere(p, EYE, 0.0148);
+    let iris = sphere(p, EYE + DVec3::new(-0.0004, 0.0012, 0.0166), 0.0056);
+    blend(d, carve(ball, iris, 0.001), 0.0008)
 }
 
 fn ear(p: DVec3, d: f64) -> f64 {
@@ -159,7 +151,7 @@ fn ear(p: DVec3, d: f64) -> f64 {
     let (lean, out) = (0.20, 0.42);
     let q = DVec3::new(q.x, q.y - lean * q.z, q.z + lean * q.y);
     let q = DVec3::new(q.x + out * q.z, q.y, q.z - out * q.x);
-    let shell = ellipsoid(q, DVec3::ZERO, DVec3::new(0.0070, 0.0300, 0.0185));
+    let shell = ellipsoid(q, DVec3::ZERO, DVec3::new(0.0085, 0.0300, 0.0190));
     let bowl = ellipsoid(
         q,
         DVec3::new(0.0085, 0.0040, 0.0015),

@@ -5,10 +5,10 @@ use glam::DVec3;
 
 /// Fingers as (knuckle across the palm, along, spread, lengths, radius).
 const FINGERS: [(f64, f64, f64, [f64; 3], f64); 4] = [
-    (0.0335, 0.090, 0.13, [0.042, 0.025, 0.017], 0.0092),
-    (0.0110, 0.094, 0.03, [0.046, 0.029, 0.019], 0.0095),
-    (-0.0118, 0.090, -0.08, [0.043, 0.027, 0.018], 0.0090),
-    (-0.0330, 0.081, -0.20, [0.033, 0.020, 0.016], 0.0080),
+    (0.0345, 0.088, 0.11, [0.042, 0.026, 0.018], 0.0104),
+    (0.0112, 0.092, 0.02, [0.046, 0.030, 0.020], 0.0107),
+    (-0.0122, 0.088, -0.07, [0.043, 0.028, 0.019], 0.0102),
+    (-0.0342, 0.079, -0.17, [0.034, 0.021, 0.017], 0.0090),
 ];
 
 /// The frame at the wrist: along the fingers, out of the back of the hand, toward the thumb.
@@ -104,8 +104,8 @@ fn finger(
         let direction = DVec3::new(1.0, -slope, spread).normalize_or_zero();
         let to = at + direction * length;
         let (from, end) = (
-            radius * (1.0 - 0.07 * i as f64),
-            radius * (0.93 - 0.08 * i as f64),
+            radius * (1.0 - 0.05 * i as f64),
+            radius * (0.95 - 0.06 * i as f64),
         );
         d = blend(d, round_cone(q, (at, from), (to, end)), 0.002);
         at = to;

@@ -5,7 +5,9 @@ mod body;
 mod face;
 mod hair;
 mod hand;
+mod jacket;
 mod shoe;
+mod trousers;
 
 use super::mesh::mirror;
 use super::polygonize::{Grid, polygonize};
@@ -50,19 +52,23 @@ fn size(p: DVec3) -> f64 {
         fine + 0.16 * (p.distance(center) - radius).max(0.0)
     };
     let band = |at: f64, fine: f64| fine + 0.2 * ((p.y - at).abs() - 0.008).max(0.0);
-    let mut size: f64 = 0.0185;
+    let mut size: f64 = 0.0206;
     size = size.min(near(DVec3::new(0.0, 1.68, 0.0), 0.11, 0.0105));
-    size = size.min(near(DVec3::new(0.025, 1.645, 0.10), 0.045, 0.0058));
-    size = size.min(near(DVec3::new(0.033, 1.69, 0.09), 0.018, 0.0036));
-    size = size.min(near(DVec3::new(0.008, 1.615, 0.11), 0.022, 0.0042));
-    size = size.min(near(DVec3::new(0.08, 1.675, -0.005), 0.025, 0.0055));
-    size = size.min(near(hand::center(), 0.09, 0.0066));
-    size = size.min(near(DVec3::new(0.14, 0.05, 0.06), 0.13, 0.0115));
+    size = size.min(near(DVec3::new(0.0, 1.77, 0.02), 0.07, 0.0078));
+    size = size.min(near(DVec3::new(0.020, 1.645, 0.10), 0.040, 0.0060));
+    size = size.min(near(face::EYE, 0.018, 0.0028));
+    size = size.min(near(DVec3::new(0.008, 1.615, 0.11), 0.022, 0.0040));
+    size = size.min(near(DVec3::new(0.08, 1.675, -0.005), 0.025, 0.0050));
+    size = size.min(near(hand::center(), 0.09, 0.0071));
+    size = size.min(near(DVec3::new(0.145, 0.05, 0.065), 0.13, 0.0098));
+    size = size.min(near(body::ELBOW, 0.05, 0.0125));
     if p.x < 0.3 {
         size = size
-            .min(band(0.962, 0.010))
-            .min(band(1.01, 0.011))
-            .min(band(0.08, 0.009));
+            .min(band(jacket::HEM, 0.011))
+            .min(band(jacket::RIB, 0.010));
+        size = size.min(band(trousers::TURN_UP, 0.0105));
+        size = size.min(near(DVec3::new(0.0, 1.52, -0.01), 0.07, 0.0074));
+        size = size.min(near(DVec3::new(0.10, 1.10, 0.10), 0.05, 0.0100));
     }
     size
 }

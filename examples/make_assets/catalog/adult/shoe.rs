@@ -8,19 +8,21 @@ use std::sync::LazyLock;
 static UPPER: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
-            [-0.070, 0.0, 0.0, 0.026, 0.066, 0.05],
-            [-0.045, 0.0, 0.0, 0.036, 0.100, 0.05],
-            [0.000, 0.0, 0.0, 0.040, 0.112, 0.05],
-            [0.040, 0.002, 0.0, 0.041, 0.103, 0.05],
-            [0.080, 0.003, 0.0, 0.044, 0.083, 0.05],
-            [0.120, 0.002, 0.0, 0.048, 0.068, 0.05],
-            [0.155, 0.0, 0.0, 0.048, 0.059, 0.05],
-            [0.185, -0.003, 0.0, 0.041, 0.051, 0.05],
+            [-0.072, 0.0, 0.0, 0.028, 0.076, 0.05],
+            [-0.045, 0.0, 0.0, 0.038, 0.108, 0.05],
+            [0.000, 0.0, 0.0, 0.041, 0.118, 0.05],
+            [0.040, 0.002, 0.0, 0.042, 0.110, 0.05],
+            [0.080, 0.003, 0.0, 0.046, 0.092, 0.05],
+            [0.120, 0.002, 0.0, 0.050, 0.077, 0.05],
+            [0.155, 0.0, 0.0, 0.050, 0.068, 0.05],
+            [0.188, -0.004, 0.0, 0.042, 0.060, 0.05],
         ],
-        2.4,
-        (0.012, 0.024),
+        2.5,
+        (0.012, 0.026),
     )
 });
+/// How thick the sole is.
+const SOLE: f64 = 0.030;
 
 /// The surface of the left shoe.
 pub fn surface(p: DVec3) -> f64 {
@@ -35,20 +37,20 @@ pub fn surface(p: DVec3) -> f64 {
     let across = q.x * cos - q.z * sin;
     let upper = UPPER.distance(along, DVec2::new(across, p.y));
     // The sole stands out all round and rolls up under the toe.
-    let ground = 0.012 * smooth_step(0.13, 0.215, along).powi(2);
-    let outline = UPPER.distance(along, DVec2::new(across, 0.012)) - 0.005;
+    let lift = 0.012 * smooth_step(0.13, 0.215, along).powi(2);
+    let outline = UPPER.distance(along, DVec2::new(across, 0.012)) - 0.0100;
     let sole = clip(
-        clip(outline, p.y - 0.027 - ground * 0.6, 0.005),
-        ground - p.y,
-        0.006,
+        clip(outline, p.y - SOLE - 0.6 * lift, 0.010),
+        lift - p.y,
+        0.012,
     );
-    let toe_cap =
-        0.0025 * smooth_step(0.118, 0.126, along) * (1.0 - smooth_step(0.05, 0.06, p.y - 0.02));
-    let laces = 0.0022
-        * (along / 0.0065).sin().max(0.0)
-        * smooth_step(0.045, 0.055, along)
-        * (1.0 - smooth_step(0.100, 0.108, along))
-        * (1.0 - smooth_step(0.014, 0.020, across.abs()));
-    let leather = clip(upper - toe_cap - laces, 0.010 - p.y, 0.006);
-    blend(leather, sole, 0.003)
+    let leather = clip(upper - laces(along, across), 0.010 - p.y, 0.006);
+    blend(leather, sole, 0.010)
+}
+
+/// How far the laces stand out: four bars over the tongue.
+fn laces(along: f64, across: f64) -> f64 {
+    let row = ((along - 0.0515) * std::f64::consts::TAU / 0.021).cos();
+    let field = smooth_step(0.040, 0.046, along) * (1.0 - smooth_step(0.120, 0.126, along));
+    0.0045 * smooth_step(-0.4, 0.6, row) * field * (1.0 - smooth_step(0.020, 0.028, across.abs()))
 }

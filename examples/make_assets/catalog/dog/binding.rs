@@ -102,14 +102,14 @@ pub fn owner(p: DVec3) -> usize {
 }
 
 fn on_head(p: DVec3) -> Option<usize> {
-    let ear = (p - head::EAR).dot(DVec3::new(0.25, 0.96, 0.0)) > 0.012 && p.z < 0.50;
-    if ear && p.y > 0.81 {
+    let ear = (p - head::EAR).dot(DVec3::new(0.25, 0.96, 0.0)) > 0.012 && p.z < 0.488;
+    if ear && p.y > 0.78 {
         return Some(7);
     }
-    if p.z > 0.49 && p.y < 0.7045 - 0.02 * (p.z - 0.49) {
+    if p.z > 0.478 && p.y < 0.6745 - 0.02 * (p.z - 0.478) {
         return Some(5);
     }
-    let head = (p - HEAD).dot(DVec3::new(0.0, 0.5, 0.87)) > 0.0 && p.y > 0.62;
+    let head = (p - HEAD).dot(DVec3::new(0.0, 0.5, 0.87)) > 0.0 && p.y > 0.59;
     head.then_some(4)
 }
 
@@ -119,8 +119,8 @@ pub fn reach(p: DVec3) -> f64 {
     if near.y < 0.24 {
         return 0.012;
     }
-    if near.y > 0.66 && near.z > 0.44 {
-        return if near.y > 0.80 { 0.014 } else { 0.010 };
+    if near.y > 0.63 && near.z > 0.43 {
+        return if near.y > 0.77 { 0.014 } else { 0.010 };
     }
     if near.z < -0.36 {
         return 0.024;

@@ -1,7 +1,5 @@
 //! Trunk, neck, tail and legs, and the whole animal's surface.
-use super::super::field::{
-    Loft, blend, carve, chain, clip, ellipsoid, round_cone, smooth_step, sphere,
-};
+use super::super::field::{Loft, blend, chain, clip, ellipsoid, round_cone, sphere};
 use super::head;
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
@@ -17,7 +15,7 @@ pub const HOCK: DVec3 = DVec3::new(0.098, 0.165, -0.305);
 pub const HIND_TOES: DVec3 = DVec3::new(0.100, 0.050, -0.280);
 pub const HIND_PAW: DVec3 = DVec3::new(0.102, 0.022, -0.245);
 pub const NECK: DVec3 = DVec3::new(0.0, 0.540, 0.235);
-pub const HEAD: DVec3 = DVec3::new(0.0, 0.715, 0.405);
+pub const HEAD: DVec3 = DVec3::new(0.0, 0.688, 0.393);
 pub const TAIL: [DVec3; 5] = [
     DVec3::new(0.0, 0.535, -0.345),
     DVec3::new(0.0, 0.500, -0.435),
@@ -30,14 +28,14 @@ pub const TAIL: [DVec3; 5] = [
 static TRUNK: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
-            [-0.340, 0.0, 0.500, 0.066, 0.052, 0.070],
-            [-0.280, 0.0, 0.495, 0.098, 0.080, 0.095],
-            [-0.180, 0.0, 0.490, 0.104, 0.090, 0.090],
-            [-0.070, 0.0, 0.485, 0.098, 0.090, 0.092],
-            [0.050, 0.0, 0.475, 0.108, 0.098, 0.130],
-            [0.150, 0.0, 0.470, 0.112, 0.115, 0.152],
-            [0.230, 0.0, 0.475, 0.102, 0.112, 0.140],
-            [0.290, 0.0, 0.490, 0.074, 0.084, 0.100],
+            [-0.340, 0.0, 0.500, 0.066, 0.066, 0.070],
+            [-0.280, 0.0, 0.495, 0.098, 0.094, 0.095],
+            [-0.180, 0.0, 0.490, 0.104, 0.104, 0.090],
+            [-0.070, 0.0, 0.485, 0.104, 0.106, 0.100],
+            [0.050, 0.0, 0.475, 0.116, 0.112, 0.135],
+            [0.150, 0.0, 0.470, 0.120, 0.126, 0.158],
+            [0.230, 0.0, 0.475, 0.102, 0.126, 0.140],
+            [0.290, 0.0, 0.490, 0.074, 0.098, 0.100],
         ],
         2.15,
         (0.030, 0.035),
@@ -62,20 +60,20 @@ fn neck(p: DVec3) -> f64 {
         p,
         &[
             (NECK + DVec3::new(0.0, -0.035, -0.01), 0.105),
-            (DVec3::new(0.0, 0.620, 0.335), 0.086),
-            (HEAD + DVec3::new(0.0, 0.0, 0.01), 0.066),
+            (DVec3::new(0.0, 0.612, 0.322), 0.096),
+            (HEAD + DVec3::new(0.0, 0.0, 0.005), 0.076),
         ],
     );
     let ruff = chain(
         p,
         &[
-            (DVec3::new(0.0, 0.560, 0.345), 0.066),
-            (DVec3::new(0.0, 0.470, 0.285), 0.070),
+            (DVec3::new(0.0, 0.565, 0.345), 0.072),
+            (DVec3::new(0.0, 0.465, 0.285), 0.080),
         ],
     );
     let cheek = ellipsoid(
         p,
-        DVec3::new(0.045, 0.690, 0.420),
+        DVec3::new(0.045, 0.662, 0.408),
         DVec3::new(0.034, 0.050, 0.040),
     );
     blend(blend(d, ruff, 0.05), cheek, 0.04)
@@ -83,13 +81,12 @@ fn neck(p: DVec3) -> f64 {
 
 /// A bushy tail that hangs and lifts at its end.
 fn tail(p: DVec3) -> f64 {
-    let radii = [0.034, 0.036, 0.044, 0.040, 0.014];
+    let radii = [0.034, 0.040, 0.050, 0.044, 0.012];
     let spheres: Vec<(DVec3, f64)> = TAIL.into_iter().zip(radii).collect();
-    let d = spheres
+    spheres
         .windows(2)
         .map(|s| round_cone(p, s[0], s[1]))
-        .fold(f64::INFINITY, |all, one| blend(all.min(1e3), one, 0.03));
-    d.max(sphere(p, TAIL[2], 0.4))
+        .fold(f64::INFINITY, |all, one| blend(all.min(1e3), one, 0.03))
 }
 
 fn fore_leg(p: DVec3) -> f64 {
@@ -109,29 +106,36 @@ fn fore_leg(p: DVec3) -> f64 {
 }
 
 fn hind_leg(p: DVec3) -> f64 {
-    let thigh = chain(
-        p,
-        &[
-            (HIP, 0.096),
-            (
-                HIP.lerp(KNEE, 0.55) + DVec3::new(0.006, -0.01, -0.02),
-                0.080,
-            ),
-            (KNEE, 0.054),
-        ],
-    );
-    let stifle = sphere(p, KNEE + DVec3::new(0.0, 0.012, 0.004), 0.050);
+    // A broad, flat thigh from the croup to the knee.
+    let flat = |v: DVec3| DVec3::new(v.x / 0.66, v.y, v.z);
+    let thigh = [
+        (flat(HIP + DVec3::new(-0.004, 0.0, 0.0)), 0.100),
+        (
+            flat(HIP.lerp(KNEE, 0.5) + DVec3::new(0.004, -0.012, -0.026)),
+            0.088,
+        ),
+        (flat(KNEE + DVec3::new(-0.016, 0.010, -0.014)), 0.050),
+    ];
+    let thigh = 0.8 * chain(flat(p), &thigh);
+    let stifle = sphere(p, KNEE + DVec3::new(-0.012, 0.006, -0.006), 0.037);
+    let middle = KNEE.lerp(HOCK, 0.45) + DVec3::new(0.0, 0.006, 0.0);
     let gaskin = chain(
         p,
         &[
-            (KNEE, 0.054),
-            (KNEE.lerp(HOCK, 0.5) + DVec3::new(0.0, 0.010, 0.0), 0.042),
-            (HOCK, 0.0265),
+            (KNEE + DVec3::new(-0.008, 0.0, -0.006), 0.040),
+            (middle, 0.036),
+            (HOCK, 0.0255),
         ],
     );
-    let heel = sphere(p, HOCK + DVec3::new(0.0, 0.010, -0.014), 0.021);
-    let cannon = round_cone(p, (HOCK, 0.0275), (HIND_TOES, 0.0255));
-    let mut d = blend(blend(thigh, stifle, 0.03), gaskin, 0.03);
+    let heel = sphere(p, HOCK + DVec3::new(0.0, 0.010, -0.014), 0.020);
+    let cannon = round_cone(p, (HOCK, 0.0270), (HIND_TOES, 0.0250));
+    let flank = round_cone(
+        p,
+        (DVec3::new(0.070, 0.440, -0.135), 0.052),
+        (KNEE + DVec3::new(-0.010, 0.012, -0.006), 0.034),
+    );
+    let thigh = blend(thigh, flank, 0.05);
+    let mut d = blend(blend(thigh, stifle, 0.04), gaskin, 0.05);
     d = blend(blend(d, heel, 0.014), cannon, 0.012);
     blend(d, paw(p, HIND_PAW), 0.014)
 }
@@ -161,7 +165,5 @@ fn paw(p: DVec3, at: DVec3) -> f64 {
         );
         d = blend(d, toe, 0.005);
     }
-    let claws = carve(f64::INFINITY.min(1.0), sphere(q, DVec3::ZERO, 0.01), 0.01);
-    let _ = (claws, smooth_step(0.0, 1.0, 0.5));
     clip(d, -(q.y + 0.020), 0.006)
 }

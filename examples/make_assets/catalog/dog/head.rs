@@ -1,23 +1,23 @@
 //! The dog's head: skull, muzzle, jaw, eyes, nose and ears.
-use super::super::field::{Loft, blend, carve, clip, ellipsoid, round_cone, smooth_step, sphere};
+use super::super::field::{Loft, blend, carve, chain, clip, ellipsoid, round_cone, sphere};
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 
-pub const EYE: DVec3 = DVec3::new(0.0385, 0.7700, 0.5150);
-pub const NOSE: DVec3 = DVec3::new(0.0, 0.7290, 0.6720);
-pub const JAW: DVec3 = DVec3::new(0.0, 0.700, 0.470);
-pub const EAR: DVec3 = DVec3::new(0.050, 0.805, 0.435);
-const EAR_TIP: DVec3 = DVec3::new(0.080, 0.915, 0.440);
+pub const EYE: DVec3 = DVec3::new(0.0378, 0.7440, 0.4895);
+pub const NOSE: DVec3 = DVec3::new(0.0, 0.7115, 0.6080);
+pub const JAW: DVec3 = DVec3::new(0.0, 0.6680, 0.4580);
+pub const EAR: DVec3 = DVec3::new(0.050, 0.7750, 0.4200);
+const EAR_TIP: DVec3 = DVec3::new(0.083, 0.8880, 0.4240);
 
 /// Along the muzzle: place, 0, height of the middle, half width, up, down.
 static MUZZLE: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
-            [0.480, 0.0, 0.735, 0.062, 0.050, 0.040],
-            [0.530, 0.0, 0.732, 0.046, 0.032, 0.036],
-            [0.580, 0.0, 0.728, 0.036, 0.024, 0.030],
-            [0.630, 0.0, 0.724, 0.032, 0.021, 0.026],
-            [0.660, 0.0, 0.722, 0.025, 0.017, 0.020],
+            [0.4480, 0.0, 0.7050, 0.066, 0.050, 0.045],
+            [0.4930, 0.0, 0.7020, 0.051, 0.040, 0.040],
+            [0.5330, 0.0, 0.6990, 0.042, 0.031, 0.034],
+            [0.5780, 0.0, 0.6960, 0.038, 0.027, 0.028],
+            [0.6060, 0.0, 0.6950, 0.031, 0.022, 0.022],
         ],
         2.3,
         (0.03, 0.014),
@@ -26,88 +26,102 @@ static MUZZLE: LazyLock<Loft> = LazyLock::new(|| {
 
 /// The left half of the head.
 pub fn surface(p: DVec3) -> f64 {
-    let rough = sphere(p, DVec3::new(0.0, 0.775, 0.53), 0.20);
+    let rough = sphere(p, DVec3::new(0.0, 0.7450, 0.4980), 0.20);
     if rough > 0.08 {
         return rough;
     }
     let mut d = ellipsoid(
         p,
-        DVec3::new(0.0, 0.757, 0.450),
-        DVec3::new(0.073, 0.066, 0.080),
+        DVec3::new(0.0, 0.7270, 0.4360),
+        DVec3::new(0.075, 0.068, 0.080),
     );
-    d = blend(d, MUZZLE.distance(p.z, DVec2::new(p.x, p.y)), 0.028);
+    d = blend(d, MUZZLE.distance(p.z, DVec2::new(p.x, p.y)), 0.030);
     let cheek = ellipsoid(
         p,
-        DVec3::new(0.046, 0.730, 0.470),
-        DVec3::new(0.030, 0.036, 0.045),
+        DVec3::new(0.050, 0.6920, 0.4400),
+        DVec3::new(0.034, 0.042, 0.052),
     );
     d = blend(d, cheek, 0.03);
-    d = blend(d, jaw(p), 0.006);
-    d = blend(d, ear(p), 0.016);
+    d = blend(d, jaw(p), 0.005);
+    d = blend(d, ear(p), 0.020);
     d = eye(p, d);
     nose(p, d)
 }
 
 /// The lower jaw, parted from the lips by a groove.
 fn jaw(p: DVec3) -> f64 {
-    round_cone(
-        p,
-        (DVec3::new(0.0, 0.702, 0.490), 0.034),
-        (DVec3::new(0.0, 0.695, 0.628), 0.0185),
-    )
+    let flat = |v: DVec3| DVec3::new(v.x / 1.25, v.y, v.z);
+    let (back, tip) = (
+        DVec3::new(0.0, 0.6730, 0.4680),
+        DVec3::new(0.0, 0.6670, 0.5730),
+    );
+    round_cone(flat(p), (back, 0.034), (tip, 0.0200))
 }
 
 fn eye(p: DVec3, d: f64) -> f64 {
+    let look = DVec3::new(0.55, 0.16, 0.82).normalize_or_zero();
     let brow = ellipsoid(
         p,
-        EYE + DVec3::new(-0.004, 0.013, -0.004),
-        DVec3::new(0.020, 0.010, 0.018),
+        EYE + DVec3::new(-0.005, 0.017, -0.008),
+        DVec3::new(0.019, 0.008, 0.016),
     );
     let d = blend(d, brow, 0.014);
-    let look = DVec3::new(0.62, 0.22, 0.76).normalize_or_zero();
-    let socket = sphere(p, EYE + look * 0.013, 0.0125);
-    let d = carve(d, socket, 0.008);
-    let ball = sphere(p, EYE, 0.0125);
-    let pupil = sphere(p, EYE + look * 0.0150, 0.0045);
-    blend(d, carve(ball, pupil, 0.002), 0.0015)
+    // Lids round an almond opening that slants down to the nose.
+    let lid = sphere(p, EYE, 0.0165);
+    let from = p - EYE;
+    let across = DVec3::new(0.82, 0.10, -0.55).normalize_or_zero();
+    let (s, h) = (from.dot(across), from.y - 0.12 * from.dot(across));
+    let arc = 1.0 - (s / 0.0150).powi(2);
+    let open = clip(
+        clip(h - 0.0062 * arc, -h - 0.0062 * arc, 0.001),
+        0.004 - from.dot(look),
+        0.001,
+    );
+    let d = carve(blend(d, lid, 0.008), open, 0.0014);
+    let iris = sphere(p, EYE + look * 0.0157, 0.0052);
+    blend(d, carve(sphere(p, EYE, 0.0140), iris, 0.001), 0.0008)
 }
 
 fn nose(p: DVec3, d: f64) -> f64 {
-    let leather = ellipsoid(p, NOSE, DVec3::new(0.0205, 0.0150, 0.0150));
+    let leather = ellipsoid(p, NOSE, DVec3::new(0.0175, 0.0120, 0.0115));
     let d = blend(d, leather, 0.004);
     let nostril = ellipsoid(
         p,
-        NOSE + DVec3::new(0.0105, -0.001, 0.0125),
-        DVec3::new(0.0050, 0.0040, 0.0060),
+        NOSE + DVec3::new(0.0088, -0.001, 0.0090),
+        DVec3::new(0.0042, 0.0036, 0.0055),
     );
     let split = ellipsoid(
         p,
-        NOSE + DVec3::new(0.0, -0.014, 0.012),
-        DVec3::new(0.0016, 0.0130, 0.0060),
+        NOSE + DVec3::new(0.0, -0.018, 0.007),
+        DVec3::new(0.0020, 0.0120, 0.0070),
     );
     carve(carve(d, nostril, 0.003), split, 0.003)
 }
 
 /// A pointed ear, hollow in front.
 fn ear(p: DVec3) -> f64 {
-    let axis = EAR_TIP - EAR;
-    let t = ((p - EAR).dot(axis) / axis.length_squared()).clamp(-0.2, 1.0);
-    let up = axis.normalize_or_zero();
-    let out = DVec3::new(0.80, 0.0, 0.35);
+    let up = (EAR_TIP - EAR).normalize_or_zero();
+    let out = DVec3::new(0.85, 0.0, -0.10);
     let side = (out - up * out.dot(up)).normalize_or_zero();
     let front = side.cross(up);
-    let q = p - EAR;
-    let q = DVec3::new(q.dot(side), q.dot(up), q.dot(front));
-    let width = 0.040 * (1.0 - t.max(0.0).powf(1.6)) + 0.004;
-    let depth = 0.020 * (1.0 - 0.75 * t.max(0.0)) + 0.002;
-    let along = (q.y - axis.length() * t).abs();
-    let k = DVec2::new(q.x / width, q.z / depth).length();
-    let shell = ((k - 1.0) * depth).max(-depth) + along;
-    let hollow = ellipsoid(
+    let from = p - EAR;
+    let q = DVec3::new(from.dot(side), from.dot(up), from.dot(front));
+    // A flat leaf from the wide base to the tip, hollowed in front.
+    let length = EAR.distance(EAR_TIP);
+    let press = |v: DVec3| DVec3::new(v.x, v.y, v.z / 0.55);
+    let leaf = chain(
+        press(q),
+        &[
+            (DVec3::new(0.0, -0.010, 0.0), 0.038),
+            (DVec3::new(-0.001, 0.35 * length, 0.0), 0.035),
+            (DVec3::new(0.002, 0.72 * length, 0.0), 0.0235),
+            (DVec3::new(0.004, length, 0.0), 0.0105),
+        ],
+    ) * 0.6;
+    let hollow = round_cone(
         q,
-        DVec3::new(0.0, 0.050, depth * 0.75 + 0.004),
-        DVec3::new(0.022, 0.050, 0.016),
+        (DVec3::new(0.0, 0.014, 0.027), 0.025),
+        (DVec3::new(0.001, 0.70 * length, 0.0175), 0.0145),
     );
-    let open = carve(shell, hollow, 0.006);
-    clip(open, -q.y - 0.02 * smooth_step(0.0, 1.0, 0.5), 0.01)
+    carve(leaf, hollow, 0.008)
 }

@@ -45,10 +45,10 @@ fn size(p: DVec3) -> f64 {
         fine + 0.16 * (p.distance(center) - radius).max(0.0)
     };
     let mut size: f64 = 0.020;
-    size = size.min(near(DVec3::new(0.0, 0.74, 0.55), 0.13, 0.0105));
-    size = size.min(near(head::EYE, 0.016, 0.0040));
-    size = size.min(near(head::NOSE, 0.025, 0.0058));
-    size = size.min(near(DVec3::new(0.065, 0.87, 0.44), 0.05, 0.0085));
+    size = size.min(near(DVec3::new(0.0, 0.715, 0.535), 0.13, 0.0100));
+    size = size.min(near(head::EYE, 0.018, 0.0030));
+    size = size.min(near(head::NOSE, 0.025, 0.0050));
+    size = size.min(near(DVec3::new(0.070, 0.850, 0.425), 0.05, 0.0068));
     for paw in [body::FRONT_PAW, body::HIND_PAW] {
         size = size.min(near(paw, 0.05, 0.0078));
     }
