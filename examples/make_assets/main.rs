@@ -12,7 +12,7 @@ fn main() -> std::io::Result<()> {
         .nth(1)
         .map_or_else(default, PathBuf::from);
     for file in catalog::files() {
-        let path = folder.join(&file.path);
+        let path = folder.join(file.path);
         if let Some(parent) = path.parent() {
             std::fs::create_dir_all(parent)?;
         }

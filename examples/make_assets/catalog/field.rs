@@ -43,12 +43,6 @@ pub fn chain(p: DVec3, spheres: &[(DVec3, f64)]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Distance to a box with rounded edges; `half` includes the rounding.
-pub fn round_box(p: DVec3, center: DVec3, half: DVec3, rounding: f64) -> f64 {
-    let q = (p - center).abs() - (half - DVec3::splat(rounding));
-    q.max(DVec3::ZERO).length() + q.max_element().min(0.0) - rounding
-}
-
 /// Union of two bodies whose seam is filled over a width of about `k`.
 pub fn blend(a: f64, b: f64, k: f64) -> f64 {
     let h = (k - (a - b).abs()).max(0.0) / k;
@@ -183,7 +177,6 @@ impl Loft {
         if k1 < 1e-6 {
             return -section.side.min(depth);
         }
-        // Steps between the frames lean the surface: a slope would make the distance too long.
         n.length().max(1e-9) * (k0 - 1.0) / k1
     }
 }

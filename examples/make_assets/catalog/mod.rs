@@ -17,41 +17,60 @@ use rig::Character;
 
 /// A file: its path below `assets/` and its text.
 pub struct File {
-    pub path: String,
+    pub path: &'static str,
     pub text: String,
 }
 
+/// The paths of all files, in the order in which they are made.
+pub const PATHS: [&str; 20] = [
+    "characters/adult.skel",
+    "characters/adult.attach",
+    "characters/adult.obj",
+    "characters/robot.skel",
+    "characters/robot.attach",
+    "characters/robot.obj",
+    "characters/dog.skel",
+    "characters/dog.attach",
+    "characters/dog.obj",
+    "shapes/gear.obj",
+    "shapes/gem.obj",
+    "shapes/plant.obj",
+    "shapes/plant.mtl",
+    "poses/adult-walk.json",
+    "poses/adult-wave.json",
+    "poses/adult-sit.json",
+    "poses/robot-greet.json",
+    "poses/robot-march.json",
+    "poses/dog-trot.json",
+    "poses/dog-sit.json",
+];
+
 /// All files, made anew.
 pub fn files() -> Vec<File> {
-    let mut files = Vec::new();
-    files.extend(character("adult", &adult::character()));
-    files.extend(character("robot", &robot::character()));
-    files.extend(character("dog", &dog::character()));
-    let mut shape = |name: &str, text: String| {
-        files.push(File {
-            path: format!("shapes/{name}"),
-            text,
-        });
-    };
-    shape("gear.obj", shapes::gear());
-    shape("gem.obj", shapes::gem());
-    shape("plant.obj", shapes::plant());
-    shape("plant.mtl", shapes::plant_materials());
-    files.extend(poses::texts().map(|(name, text)| File {
-        path: format!("poses/{name}.json"),
-        text,
-    }));
-    files
+    // The two grown bodies take nearly all the time: side by side, where there are two cores.
+    let (adult, dog) = std::thread::scope(|scope| {
+        let dog = scope.spawn(dog::character);
+        (adult::character(), dog.join())
+    });
+    let mut texts = character(&adult).to_vec();
+    texts.extend(character(&robot::character()));
+    texts.extend(dog.iter().flat_map(character));
+    texts.extend([
+        shapes::gear(),
+        shapes::gem(),
+        shapes::plant(),
+        shapes::plant_materials(),
+    ]);
+    texts.extend(poses::texts());
+    let named = PATHS.into_iter().zip(texts);
+    named.map(|(path, text)| File { path, text }).collect()
 }
 
-fn character(name: &str, character: &Character) -> [File; 3] {
-    let file = |ending: &str, text: String| File {
-        path: format!("characters/{name}.{ending}"),
-        text,
-    };
+/// Skeleton, attachments and mesh.
+fn character(character: &Character) -> [String; 3] {
     [
-        file("skel", text::skeleton(&character.joints)),
-        file("attach", text::attachments(character)),
-        file("obj", text::mesh(&character.mesh)),
+        text::skeleton(&character.joints),
+        text::attachments(character),
+        text::mesh(&character.mesh),
     ]
 }

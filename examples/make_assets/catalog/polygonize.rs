@@ -28,7 +28,9 @@ struct March<'a> {
     grid: &'a Grid,
     field: &'a dyn Fn(DVec3) -> f64,
     mesh: Mesh,
-    values: HashMap<IVec3, f64>,
+    /// At the grid's points, not a number where not asked for yet.
+    values: Vec<f64>,
+    points: IVec3,
     cuts: HashMap<(IVec3, IVec3), u32>,
 }
 
@@ -36,12 +38,14 @@ struct March<'a> {
 pub fn polygonize(field: &dyn Fn(DVec3) -> f64, grid: &Grid) -> Mesh {
     let cells = ((grid.high - grid.low) / grid.step).ceil().as_ivec3();
     let blocks = (cells + IVec3::splat(BLOCK - 1)) / BLOCK;
+    let points = blocks * BLOCK + IVec3::ONE;
     let radius = grid.step * f64::from(BLOCK) * 0.5 * 3f64.sqrt();
     let mut march = March {
         grid,
         field,
         mesh: Mesh::default(),
-        values: HashMap::new(),
+        values: vec![f64::NAN; (points.x * points.y * points.z) as usize],
+        points,
         cuts: HashMap::new(),
     };
     for bz in 0..blocks.z {
@@ -65,12 +69,11 @@ impl March<'_> {
     }
 
     fn value(&mut self, at: IVec3) -> f64 {
-        if let Some(&value) = self.values.get(&at) {
-            return value;
+        let index = ((at.z * self.points.y + at.y) * self.points.x + at.x) as usize;
+        if self.values[index].is_nan() {
+            self.values[index] = (self.field)(self.position(at));
         }
-        let value = (self.field)(self.position(at));
-        self.values.insert(at, value);
-        value
+        self.values[index]
     }
 
     fn block(&mut self, first: IVec3) {

@@ -4,14 +4,13 @@ use std::fmt::Write;
 /// A pose: joints by name with their Euler angles in degrees (Rx · Ry · Rz, about the axes of the
 /// world at rest), and how far the root moves.
 struct Pose {
-    name: &'static str,
     root: [f64; 3],
     joints: &'static [(&'static str, [f64; 3])],
 }
 
-/// Name and text of every pose.
-pub fn texts() -> impl Iterator<Item = (&'static str, String)> {
-    POSES.iter().map(|pose| (pose.name, text(pose)))
+/// The text of every pose, in the order in which the catalog lists them.
+pub fn texts() -> impl Iterator<Item = String> {
+    POSES.iter().map(text)
 }
 
 fn text(pose: &Pose) -> String {
@@ -29,8 +28,8 @@ fn text(pose: &Pose) -> String {
 }
 
 const POSES: &[Pose] = &[
+    // adult-walk
     Pose {
-        name: "adult-walk",
         root: [0.0, -0.028, 0.0],
         joints: &[
             ("Root", [3.0, 4.0, 0.0]),
@@ -48,8 +47,8 @@ const POSES: &[Pose] = &[
             ("Right elbow", [-27.1, 23.0, 5.6]),
         ],
     },
+    // adult-wave
     Pose {
-        name: "adult-wave",
         root: [0.0, 0.0, 0.0],
         joints: &[
             ("Waist", [0.0, -6.0, -2.0]),
@@ -64,8 +63,8 @@ const POSES: &[Pose] = &[
             ("Right leg", [2.0, -4.0, -2.0]),
         ],
     },
+    // adult-sit
     Pose {
-        name: "adult-sit",
         root: [0.0, -0.40, 0.0],
         joints: &[
             ("Root", [6.0, 0.0, 0.0]),
@@ -83,8 +82,8 @@ const POSES: &[Pose] = &[
             ("Right elbow", [-41.1, 31.5, 12.1]),
         ],
     },
+    // robot-greet
     Pose {
-        name: "robot-greet",
         root: [0.0, 0.0, 0.0],
         joints: &[
             ("Torso", [0.0, -8.0, 0.0]),
@@ -99,8 +98,8 @@ const POSES: &[Pose] = &[
             ("Left elbow", [-28.0, 0.0, 0.0]),
         ],
     },
+    // robot-march
     Pose {
-        name: "robot-march",
         root: [0.0, -0.012, 0.0],
         joints: &[
             ("Torso", [4.0, 6.0, 0.0]),
@@ -117,8 +116,8 @@ const POSES: &[Pose] = &[
             ("Right elbow", [-55.0, 0.0, 0.0]),
         ],
     },
+    // dog-trot
     Pose {
-        name: "dog-trot",
         root: [0.0, -0.008, 0.0],
         joints: &[
             ("Neck", [6.0, 0.0, 0.0]),
@@ -144,8 +143,8 @@ const POSES: &[Pose] = &[
             ("Left hind paw", [-14.0, 0.0, 0.0]),
         ],
     },
+    // dog-sit
     Pose {
-        name: "dog-sit",
         root: [0.0, -0.10, 0.0],
         joints: &[
             ("Root", [-36.0, 0.0, 0.0]),

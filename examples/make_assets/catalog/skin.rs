@@ -7,7 +7,7 @@ use glam::DVec3;
 
 /// Weights smaller than this are spread over the others.
 const SMALLEST: f64 = 0.012;
-const SWEEPS: usize = 160;
+const SWEEPS: usize = 120;
 
 /// Weights of every vertex for every joint but the root.
 ///
@@ -21,14 +21,17 @@ pub fn weights(
 ) -> Vec<Vec<f64>> {
     let flow = Flow::new(body, reach);
     let count = joints.len() - 1;
-    let mut columns: Vec<Vec<f64>> = Vec::new();
     let owners: Vec<usize> = body.mesh.positions.iter().map(|&p| owner(p)).collect();
-    for joint in 1..joints.len() {
-        let start: Vec<f64> = owners
-            .iter()
-            .map(|&o| if o == joint { 1.0 } else { 0.0 })
-            .collect();
-        columns.push(flow.spread(&start));
+    let mut columns: Vec<Vec<f64>> = Vec::new();
+    for (joint, Joint { twin, .. }) in joints.iter().enumerate().skip(1) {
+        let column = match columns.get(twin.wrapping_sub(1)) {
+            Some(reflected) => body.twin.iter().map(|&v| reflected[v as usize]).collect(),
+            None => {
+                let mine = |&o: &usize| if o == joint { 1.0 } else { 0.0 };
+                flow.spread(&owners.iter().map(mine).collect::<Vec<f64>>())
+            }
+        };
+        columns.push(column);
     }
     let mut rows = Vec::new();
     for (v, &twin) in body.twin.iter().enumerate() {

@@ -31,6 +31,9 @@ static TORSO: LazyLock<Loft> = LazyLock::new(|| {
 
 /// The jacket's surface at a place of the left half, given also the place mirrored.
 pub fn surface(p: DVec3, mirrored: DVec3) -> f64 {
+    if p.y < 0.76 {
+        return HEM - 0.1 - p.y;
+    }
     let mut d = TORSO.distance(p.y, DVec2::new(p.x, p.z));
     let chest = ellipsoid(
         p,

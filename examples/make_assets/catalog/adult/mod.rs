@@ -31,7 +31,7 @@ pub fn character() -> Character {
     let target = Target {
         field: &field,
         size: &size,
-        rounds: 14,
+        rounds: 10,
     };
     let mut body = mirror(&remesh(&rough, &target));
     let joints = binding::joints();

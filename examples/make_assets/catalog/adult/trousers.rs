@@ -44,6 +44,9 @@ static LEG: LazyLock<Loft> = LazyLock::new(|| {
 
 /// The trousers' surface at a place of the left half, given also the place mirrored.
 pub fn surface(p: DVec3, mirrored: DVec3) -> f64 {
+    if p.y > 1.1 {
+        return p.y - 1.02;
+    }
     let legs = blend(leg(p), leg(mirrored), 0.02);
     let mut pelvis = PELVIS.distance(p.y, DVec2::new(p.x, p.z));
     let seat = ellipsoid(

@@ -90,6 +90,9 @@ fn tail(p: DVec3) -> f64 {
 }
 
 fn fore_leg(p: DVec3) -> f64 {
+    if p.z < -0.06 {
+        return 0.04 - p.z;
+    }
     let blade = round_cone(
         p,
         (SHOULDER + DVec3::new(-0.012, 0.050, -0.045), 0.060),
@@ -106,6 +109,9 @@ fn fore_leg(p: DVec3) -> f64 {
 }
 
 fn hind_leg(p: DVec3) -> f64 {
+    if p.z > 0.08 {
+        return p.z + 0.03;
+    }
     // A broad, flat thigh from the croup to the knee.
     let flat = |v: DVec3| DVec3::new(v.x / 0.66, v.y, v.z);
     let thigh = [

@@ -24,7 +24,7 @@ pub fn character() -> Character {
     let target = Target {
         field: &body::surface,
         size: &size,
-        rounds: 12,
+        rounds: 13,
     };
     let mut body = mirror(&remesh(&rough, &target));
     let joints = binding::joints();
