@@ -147,7 +147,7 @@ fn no_triangle_has_zero_area() {
 fn there_are_as_many_vertices_as_the_models_ask_for() {
     let count = |name| character(name).body.positions.len();
     assert!((8_000..=14_000).contains(&count("adult")));
-    assert!((1_500..=9_000).contains(&count("robot")));
+    assert!((1_500..=5_000).contains(&count("robot")));
     assert!((5_000..=14_000).contains(&count("dog")));
 }
 
@@ -320,10 +320,8 @@ fn lifting_a_leg_leaves_the_other_alone() {
     let c = character("adult");
     let posed = c.posed(c.joint("Left leg"), DVec3::X, -60.0);
     for (before, after) in c.body.positions.iter().zip(&posed) {
-        assert!(
-            before.x > -0.02 || before.distance(*after) < 0.02,
-            "{before}"
-        );
+        let other = before.x < -0.02 && before.y < -0.25;
+        assert!(!other || before.distance(*after) < 1e-9, "{before}");
     }
 }
 

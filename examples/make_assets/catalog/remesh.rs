@@ -196,7 +196,7 @@ impl Remesher<'_> {
         let (a_seam, b_seam) = (self.on_seam(a), self.on_seam(b));
         let sides = self.sides(a, b);
         let on_opening = sides.len() == 1;
-        if (a_seam && !b_seam) || (a_seam && b_seam && !on_opening) {
+        if a_seam && !(b_seam && on_opening) {
             return false;
         }
         let (near_a, near_b) = (self.neighbors(a), self.neighbors(b));
@@ -217,7 +217,7 @@ impl Remesher<'_> {
         };
         let size = (self.target.size)(to);
         let far = |&n: &u32| n != a && n != b && self.at(n).distance(to) > 1.4 * size;
-        if near_a.iter().chain(&near_b).any(|n| far(n)) {
+        if near_a.iter().chain(&near_b).any(far) {
             return false;
         }
         if !self.stays_upright(a, b, to, &sides) || !self.stays_upright(b, a, to, &sides) {

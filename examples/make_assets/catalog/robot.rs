@@ -92,7 +92,7 @@ fn joints() -> Vec<Joint> {
 }
 
 fn trunk(robot: &mut Assembly) {
-    let hips = shaped(rounded_box(DVec3::new(0.150, 0.062, 0.098), 0.03, 2), |p| {
+    let hips = shaped(rounded_box(DVec3::new(0.150, 0.062, 0.098), 0.03, 1), |p| {
         let narrow = 1.0 + 2.4 * p.y;
         DVec3::new(p.x * narrow, p.y, p.z * narrow)
     });
@@ -116,9 +116,9 @@ fn trunk(robot: &mut Assembly) {
         (0.090, 0.045),
         (0.0, 0.06),
     ];
-    robot.add("Torso", moved(turned(&ribs, 20), DVec3::Y * 0.045));
+    robot.add("Torso", moved(turned(&ribs, 16), DVec3::Y * 0.045));
     let chest = shaped(
-        rounded_box(DVec3::new(0.195, 0.165, 0.125), 0.055, 3),
+        rounded_box(DVec3::new(0.195, 0.165, 0.125), 0.055, 2),
         |p| {
             // Broad shoulders, a narrower waist, and a breast that bows forward.
             let wide = 1.0 + 1.05 * p.y;
@@ -127,7 +127,7 @@ fn trunk(robot: &mut Assembly) {
     );
     robot.add("Torso", moved(chest, DVec3::new(0.0, 0.245, 0.0)));
     let plate = shaped(
-        rounded_box(DVec3::new(0.128, 0.085, 0.018), 0.012, 2),
+        rounded_box(DVec3::new(0.128, 0.085, 0.018), 0.012, 1),
         |p| {
             DVec3::new(
                 p.x * (1.0 + 1.2 * p.y),
@@ -151,7 +151,7 @@ fn trunk(robot: &mut Assembly) {
     robot.add(
         "Torso",
         aimed(
-            turned(&lamp, 20),
+            turned(&lamp, 16),
             DVec3::new(0.0, -0.1, 1.0),
             DVec3::new(0.0, 0.285, 0.160),
         ),
@@ -161,7 +161,7 @@ fn trunk(robot: &mut Assembly) {
         robot.add("Torso", moved(vent, DVec3::new(0.062 * x, 0.165, 0.110)));
     }
     let pack = shaped(
-        rounded_box(DVec3::new(0.125, 0.120, 0.050), 0.025, 2),
+        rounded_box(DVec3::new(0.125, 0.120, 0.050), 0.025, 1),
         |p| DVec3::new(p.x * (1.0 + 0.8 * p.y), p.y, p.z),
     );
     robot.add("Torso", moved(pack, DVec3::new(0.0, 0.255, -0.140)));
@@ -175,7 +175,7 @@ fn trunk(robot: &mut Assembly) {
                 (0.022, 0.118),
                 (0.0, 0.125),
             ],
-            16,
+            12,
         );
         robot.add(
             "Torso",
@@ -197,10 +197,10 @@ fn head(robot: &mut Assembly) {
         (0.046, 0.06),
         (0.0, 0.06),
     ];
-    robot.add("Neck", moved(turned(&bellows, 18), NECK + DVec3::Y * 0.01));
+    robot.add("Neck", moved(turned(&bellows, 14), NECK + DVec3::Y * 0.01));
     let center = DVec3::new(0.0, 0.605, 0.010);
     let skull = shaped(
-        rounded_box(DVec3::new(0.142, 0.122, 0.125), 0.065, 4),
+        rounded_box(DVec3::new(0.142, 0.122, 0.125), 0.065, 2),
         |p| DVec3::new(p.x * (1.0 + 0.35 * p.y), p.y, p.z * (1.0 + 0.25 * p.y)),
     );
     robot.add("Head", moved(skull, center));
@@ -224,7 +224,7 @@ fn head(robot: &mut Assembly) {
         robot.add(
             "Head",
             aimed(
-                turned(&lens, 18),
+                turned(&lens, 14),
                 DVec3::new(0.14 * side, 0.0, 1.0),
                 center + DVec3::new(0.054 * side, 0.024, 0.147),
             ),
@@ -241,23 +241,23 @@ fn head(robot: &mut Assembly) {
         robot.add(
             "Head",
             aimed(
-                turned(&ear, 18),
+                turned(&ear, 14),
                 DVec3::X * side,
                 center + DVec3::new(0.142 * side, 0.010, 0.0),
             ),
         );
     }
-    for i in -2..=2 {
-        let slot = rounded_box(DVec3::new(0.006, 0.016, 0.010), 0.004, 1);
+    for i in -1..=1 {
+        let slot = rounded_box(DVec3::new(0.008, 0.016, 0.010), 0.004, 1);
         robot.add(
             "Head",
             moved(
                 slot,
-                center + DVec3::new(0.018 * f64::from(i), -0.062, 0.112),
+                center + DVec3::new(0.026 * f64::from(i), -0.062, 0.112),
             ),
         );
     }
-    let crest = rounded_box(DVec3::new(0.022, 0.016, 0.085), 0.012, 2);
+    let crest = rounded_box(DVec3::new(0.022, 0.016, 0.085), 0.012, 1);
     robot.add(
         "Head",
         moved(crest, center + DVec3::new(0.0, 0.120, -0.005)),
@@ -272,8 +272,8 @@ fn head(robot: &mut Assembly) {
         (0.005, 0.105),
         (0.0, 0.11),
     ];
-    robot.add("Antenna", moved(turned(&rod, 12), foot));
-    robot.add("Antenna", moved(ball(0.023, 14), foot + DVec3::Y * 0.122));
+    robot.add("Antenna", moved(turned(&rod, 10), foot));
+    robot.add("Antenna", moved(ball(0.023, 12), foot + DVec3::Y * 0.122));
 }
 
 /// A limb: a turned sleeve along the line between two joints; `profile` is (radius, share of the
@@ -286,7 +286,7 @@ fn limb(from: DVec3, to: DVec3, profile: &[(f64, f64)], sides: u32) -> Mesh {
 
 fn arm(robot: &mut Assembly) {
     let outward = DVec3::new(0.9, 0.42, 0.0);
-    robot.add_both("shoulder", moved(ball(0.064, 18), SHOULDER));
+    robot.add_both("shoulder", moved(ball(0.064, 14), SHOULDER));
     let pad = [
         (0.0, 0.094),
         (0.036, 0.090),
@@ -298,7 +298,7 @@ fn arm(robot: &mut Assembly) {
         (0.0, 0.02),
     ];
     let pad: Vec<(f64, f64)> = pad.iter().rev().copied().collect();
-    robot.add_both("shoulder", aimed(turned(&pad, 20), outward, SHOULDER));
+    robot.add_both("shoulder", aimed(turned(&pad, 16), outward, SHOULDER));
     let upper = [
         (0.0, 0.16),
         (0.038, 0.16),
@@ -308,12 +308,12 @@ fn arm(robot: &mut Assembly) {
         (0.036, 0.86),
         (0.0, 0.86),
     ];
-    robot.add_both("shoulder", limb(SHOULDER, ELBOW, &upper, 16));
+    robot.add_both("shoulder", limb(SHOULDER, ELBOW, &upper, 12));
     let hinge = (ELBOW - SHOULDER)
         .cross(WRIST - ELBOW)
         .normalize_or(DVec3::Z);
-    robot.add_both("elbow", aimed(drum(0.050, 0.046, 0.012, 18), hinge, ELBOW));
-    robot.add_both("elbow", aimed(drum(0.026, 0.053, 0.006, 12), hinge, ELBOW));
+    robot.add_both("elbow", aimed(drum(0.050, 0.046, 0.012, 14), hinge, ELBOW));
+    robot.add_both("elbow", aimed(drum(0.026, 0.053, 0.006, 10), hinge, ELBOW));
     let fore = [
         (0.0, 0.16),
         (0.034, 0.16),
@@ -325,7 +325,7 @@ fn arm(robot: &mut Assembly) {
         (0.036, 0.86),
         (0.0, 0.86),
     ];
-    robot.add_both("elbow", limb(ELBOW, WRIST, &fore, 18));
+    robot.add_both("elbow", limb(ELBOW, WRIST, &fore, 14));
 }
 
 fn along_forearm() -> DVec3 {
@@ -340,8 +340,8 @@ fn jaws() -> [DVec3; 2] {
 
 fn gripper(robot: &mut Assembly) {
     let along = along_forearm();
-    robot.add_both("wrist", aimed(drum(0.040, 0.020, 0.008, 16), along, WRIST));
-    let palm = rounded_box(DVec3::new(0.034, 0.024, 0.052), 0.012, 2);
+    robot.add_both("wrist", aimed(drum(0.040, 0.020, 0.008, 12), along, WRIST));
+    let palm = rounded_box(DVec3::new(0.034, 0.024, 0.052), 0.012, 1);
     robot.add_both("wrist", aimed(palm, along, WRIST + along * 0.034));
     let across = (DVec3::Z - along * along.z).normalize_or(DVec3::Z);
     let third = along.cross(across);
@@ -349,43 +349,28 @@ fn gripper(robot: &mut Assembly) {
         (1.0, "upper jaw", jaws()[0]),
         (-1.0, "lower jaw", jaws()[1]),
     ] {
-        robot.add_both(name, aimed(drum(0.018, 0.030, 0.005, 14), third, hinge));
+        robot.add_both(name, aimed(drum(0.018, 0.030, 0.005, 12), third, hinge));
         // A jaw bows outward and comes back to meet the other at its tip.
-        let claw = shaped(
-            rounded_box(DVec3::new(0.020, 0.052, 0.011), 0.007, 2),
-            |p| {
-                let t = (p.y + 0.052) / 0.104;
-                let (thin, bow) = (1.0 - 0.45 * t, 0.085 * t * (0.62 - t));
-                let inward = bow * side + p.z * thin;
-                hinge + third * p.x * thin + along * (t * 0.104) + across * inward
-            },
-        );
-        robot.add_both(
-            name,
-            if signed_volume(&claw) < 0.0 {
-                turned_inside_out(claw)
-            } else {
-                claw
-            },
-        );
+        let profile = [
+            (0.0, 0.0),
+            (0.018, 0.002),
+            (0.021, 0.022),
+            (0.019, 0.050),
+            (0.015, 0.078),
+            (0.010, 0.102),
+            (0.0, 0.108),
+        ];
+        let claw = shaped(turned(&profile, 8), |p| {
+            let t = p.y / 0.108;
+            let bow = 0.110 * t * (0.72 - t);
+            hinge + third * p.x + along * p.y + across * (side * bow + p.z * 0.62)
+        });
+        robot.add_both(name, claw);
     }
 }
 
-fn signed_volume(mesh: &Mesh) -> f64 {
-    let six = |&t: &[u32; 3]| {
-        let [a, b, c] = mesh.corners(t);
-        a.dot(b.cross(c))
-    };
-    mesh.triangles.iter().map(six).sum::<f64>() / 6.0
-}
-
-fn turned_inside_out(mut mesh: Mesh) -> Mesh {
-    mesh.triangles.iter_mut().for_each(|t| t.swap(1, 2));
-    mesh
-}
-
 fn leg(robot: &mut Assembly) {
-    robot.add_both("leg", moved(ball(0.060, 16), HIP));
+    robot.add_both("leg", moved(ball(0.060, 12), HIP));
     let thigh = [
         (0.0, 0.10),
         (0.056, 0.10),
@@ -396,11 +381,11 @@ fn leg(robot: &mut Assembly) {
         (0.046, 0.90),
         (0.0, 0.90),
     ];
-    robot.add_both("leg", limb(HIP, KNEE, &thigh, 18));
-    robot.add_both("knee", aimed(drum(0.058, 0.056, 0.014, 18), DVec3::X, KNEE));
-    robot.add_both("knee", aimed(drum(0.030, 0.064, 0.006, 12), DVec3::X, KNEE));
+    robot.add_both("leg", limb(HIP, KNEE, &thigh, 14));
+    robot.add_both("knee", aimed(drum(0.058, 0.056, 0.014, 14), DVec3::X, KNEE));
+    robot.add_both("knee", aimed(drum(0.030, 0.064, 0.006, 10), DVec3::X, KNEE));
     let cap = shaped(
-        rounded_box(DVec3::new(0.040, 0.050, 0.020), 0.014, 2),
+        rounded_box(DVec3::new(0.040, 0.050, 0.020), 0.014, 1),
         |p| {
             DVec3::new(
                 p.x * (1.0 - 3.0 * p.y.min(0.0).abs()),
@@ -421,10 +406,10 @@ fn leg(robot: &mut Assembly) {
         (0.044, 0.92),
         (0.0, 0.92),
     ];
-    robot.add_both("knee", limb(KNEE, ANKLE, &shin, 18));
-    robot.add_both("foot", moved(ball(0.044, 14), ANKLE));
+    robot.add_both("knee", limb(KNEE, ANKLE, &shin, 14));
+    robot.add_both("foot", moved(ball(0.044, 12), ANKLE));
     let foot = shaped(
-        rounded_box(DVec3::new(0.075, 0.042, 0.135), 0.028, 3),
+        rounded_box(DVec3::new(0.075, 0.042, 0.135), 0.028, 2),
         |p| {
             // Flat soles, the back higher than the toes.
             let front = (p.z + 0.135) / 0.27;
@@ -437,6 +422,6 @@ fn leg(robot: &mut Assembly) {
         },
     );
     robot.add_both("foot", moved(foot, ANKLE + DVec3::new(0.0, -0.058, 0.045)));
-    let toe = rounded_box(DVec3::new(0.066, 0.020, 0.030), 0.014, 2);
+    let toe = rounded_box(DVec3::new(0.066, 0.020, 0.030), 0.014, 1);
     robot.add_both("foot", moved(toe, ANKLE + DVec3::new(0.0, -0.062, 0.172)));
 }

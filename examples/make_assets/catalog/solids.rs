@@ -37,20 +37,15 @@ pub fn turned(profile: &[(f64, f64)], sides: u32) -> Mesh {
 /// A cylinder about Y whose rims are beveled.
 pub fn drum(radius: f64, half_height: f64, bevel: f64, sides: u32) -> Mesh {
     let (h, r, b) = (half_height, radius, bevel);
-    let half = b * 0.3;
-    turned(
-        &[
-            (0.0, -h),
-            (r - b, -h),
-            (r - half, -h + half),
-            (r, -h + b),
-            (r, h - b),
-            (r - half, h - half),
-            (r - b, h),
-            (0.0, h),
-        ],
-        sides,
-    )
+    let profile = [
+        (0.0, -h),
+        (r - b, -h),
+        (r, -h + b),
+        (r, h - b),
+        (r - b, h),
+        (0.0, h),
+    ];
+    turned(&profile, sides)
 }
 
 /// A ball with its poles on Y.

@@ -18,10 +18,10 @@ pub fn surface(p: DVec3) -> f64 {
     let mut d = blend(
         jacket::surface(near, far),
         trousers::surface(near, far),
-        0.005,
+        0.012,
     );
     d = blend(d, neck_and_head(near), 0.005);
-    blend(d, shoe::surface(near), 0.010)
+    blend(d, shoe::surface(near), 0.014)
 }
 
 /// Neck, collar, head and hair.

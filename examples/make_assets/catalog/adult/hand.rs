@@ -27,6 +27,11 @@ pub fn center() -> DVec3 {
     WRIST + frame()[0] * 0.095
 }
 
+/// About where the fingers end.
+pub fn tips() -> DVec3 {
+    WRIST + frame()[0] * 0.160 - frame()[1] * 0.03
+}
+
 /// The surface of the left hand with the wrist in the sleeve.
 pub fn surface(p: DVec3) -> f64 {
     let rough = (p - center()).length() - 0.125;

@@ -13,8 +13,8 @@ pub const RIB: f64 = 1.012;
 static TORSO: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
-            [HEM, 0.0, 0.0, 0.162, 0.106, 0.110],
-            [1.005, 0.0, 0.0, 0.160, 0.108, 0.106],
+            [HEM, 0.0, 0.0, 0.163, 0.108, 0.112],
+            [1.005, 0.0, 0.0, 0.159, 0.107, 0.105],
             [1.050, 0.0, 0.0, 0.161, 0.114, 0.104],
             [1.120, 0.0, 0.0, 0.158, 0.114, 0.100],
             [1.200, 0.0, 0.0, 0.164, 0.121, 0.112],
@@ -61,8 +61,11 @@ pub fn surface(p: DVec3, mirrored: DVec3) -> f64 {
 /// How far the cloth of the trunk stands out: the fall over the rib, zip and pockets.
 fn details(p: DVec3) -> f64 {
     let fall =
-        0.013 * smooth_step(RIB - 0.007, RIB + 0.006, p.y) * (1.0 - smooth_step(1.025, 1.13, p.y));
-    let groove = (p.x - 0.003).max(p.y - 1.50).max(-p.z);
+        0.013 * smooth_step(RIB - 0.011, RIB + 0.009, p.y) * (1.0 - smooth_step(1.025, 1.13, p.y));
+    let groove = (p.x - 0.003)
+        .max(p.y - 1.50)
+        .max(RIB + 0.014 - p.y)
+        .max(-p.z);
     let zip = -0.0035 * (1.0 - smooth_step(0.0, 0.006, groove));
     // A slanted pocket with a welt.
     let (from, to) = (DVec2::new(0.118, 1.055), DVec2::new(0.086, 1.150));

@@ -52,19 +52,20 @@ fn size(p: DVec3) -> f64 {
         fine + 0.16 * (p.distance(center) - radius).max(0.0)
     };
     let band = |at: f64, fine: f64| fine + 0.2 * ((p.y - at).abs() - 0.008).max(0.0);
-    let mut size: f64 = 0.0206;
+    let mut size: f64 = 0.0212;
     size = size.min(near(DVec3::new(0.0, 1.68, 0.0), 0.11, 0.0105));
     size = size.min(near(DVec3::new(0.0, 1.77, 0.02), 0.07, 0.0078));
     size = size.min(near(DVec3::new(0.020, 1.645, 0.10), 0.040, 0.0060));
     size = size.min(near(face::EYE, 0.018, 0.0028));
     size = size.min(near(DVec3::new(0.008, 1.615, 0.11), 0.022, 0.0040));
     size = size.min(near(DVec3::new(0.08, 1.675, -0.005), 0.025, 0.0050));
-    size = size.min(near(hand::center(), 0.09, 0.0071));
+    size = size.min(near(hand::center(), 0.09, 0.0072));
+    size = size.min(near(hand::tips(), 0.035, 0.0052));
     size = size.min(near(DVec3::new(0.145, 0.05, 0.065), 0.13, 0.0098));
     size = size.min(near(body::ELBOW, 0.05, 0.0125));
     if p.x < 0.3 {
         size = size
-            .min(band(jacket::HEM, 0.011))
+            .min(band(jacket::HEM, 0.0095))
             .min(band(jacket::RIB, 0.010));
         size = size.min(band(trousers::TURN_UP, 0.0105));
         size = size.min(near(DVec3::new(0.0, 1.52, -0.01), 0.07, 0.0074));

@@ -8,8 +8,8 @@ use std::sync::LazyLock;
 static UPPER: LazyLock<Loft> = LazyLock::new(|| {
     Loft::new(
         &[
-            [-0.072, 0.0, 0.0, 0.028, 0.076, 0.05],
-            [-0.045, 0.0, 0.0, 0.038, 0.108, 0.05],
+            [-0.070, 0.0, 0.0, 0.035, 0.076, 0.05],
+            [-0.045, 0.0, 0.0, 0.039, 0.108, 0.05],
             [0.000, 0.0, 0.0, 0.041, 0.118, 0.05],
             [0.040, 0.002, 0.0, 0.042, 0.110, 0.05],
             [0.080, 0.003, 0.0, 0.046, 0.092, 0.05],
@@ -18,7 +18,7 @@ static UPPER: LazyLock<Loft> = LazyLock::new(|| {
             [0.188, -0.004, 0.0, 0.042, 0.060, 0.05],
         ],
         2.5,
-        (0.012, 0.026),
+        (0.016, 0.028),
     )
 });
 /// How thick the sole is.
@@ -38,14 +38,14 @@ pub fn surface(p: DVec3) -> f64 {
     let upper = UPPER.distance(along, DVec2::new(across, p.y));
     // The sole stands out all round and rolls up under the toe.
     let lift = 0.012 * smooth_step(0.13, 0.215, along).powi(2);
-    let outline = UPPER.distance(along, DVec2::new(across, 0.012)) - 0.0100;
+    let outline = UPPER.distance(along, DVec2::new(across, 0.012)) - 0.0085;
     let sole = clip(
         clip(outline, p.y - SOLE - 0.6 * lift, 0.010),
         lift - p.y,
         0.012,
     );
     let leather = clip(upper - laces(along, across), 0.010 - p.y, 0.006);
-    blend(leather, sole, 0.010)
+    blend(leather, sole, 0.017)
 }
 
 /// How far the laces stand out: four bars over the tongue.

@@ -1,10 +1,10 @@
 //! The dog's head: skull, muzzle, jaw, eyes, nose and ears.
-use super::super::field::{Loft, blend, carve, chain, clip, ellipsoid, round_cone, sphere};
+use super::super::field::{Loft, blend, carve, clip, ellipsoid, round_cone, sphere};
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 
 pub const EYE: DVec3 = DVec3::new(0.0378, 0.7440, 0.4895);
-pub const NOSE: DVec3 = DVec3::new(0.0, 0.7115, 0.6080);
+pub const NOSE: DVec3 = DVec3::new(0.0, 0.7110, 0.6165);
 pub const JAW: DVec3 = DVec3::new(0.0, 0.6680, 0.4580);
 pub const EAR: DVec3 = DVec3::new(0.050, 0.7750, 0.4200);
 const EAR_TIP: DVec3 = DVec3::new(0.083, 0.8880, 0.4240);
@@ -17,10 +17,25 @@ static MUZZLE: LazyLock<Loft> = LazyLock::new(|| {
             [0.4930, 0.0, 0.7020, 0.051, 0.040, 0.040],
             [0.5330, 0.0, 0.6990, 0.042, 0.031, 0.034],
             [0.5780, 0.0, 0.6960, 0.038, 0.027, 0.028],
-            [0.6060, 0.0, 0.6950, 0.031, 0.022, 0.022],
+            [0.6060, 0.0, 0.6940, 0.0270, 0.0185, 0.0210],
         ],
         2.3,
         (0.03, 0.014),
+    )
+});
+
+/// Up the ear: place, 0, 0, half width, front, back.
+static LEAF: LazyLock<Loft> = LazyLock::new(|| {
+    Loft::new(
+        &[
+            [-0.020, 0.0, 0.0, 0.033, 0.019, 0.019],
+            [0.020, 0.0, 0.0, 0.037, 0.019, 0.018],
+            [0.055, 0.0, 0.0, 0.031, 0.016, 0.014],
+            [0.085, 0.0, 0.0, 0.020, 0.012, 0.010],
+            [0.106, 0.0, 0.0, 0.010, 0.008, 0.007],
+        ],
+        2.0,
+        (0.02, 0.012),
     )
 });
 
@@ -83,19 +98,14 @@ fn eye(p: DVec3, d: f64) -> f64 {
 }
 
 fn nose(p: DVec3, d: f64) -> f64 {
-    let leather = ellipsoid(p, NOSE, DVec3::new(0.0175, 0.0120, 0.0115));
+    let leather = ellipsoid(p, NOSE, DVec3::new(0.0165, 0.0120, 0.0105));
     let d = blend(d, leather, 0.004);
     let nostril = ellipsoid(
         p,
-        NOSE + DVec3::new(0.0088, -0.001, 0.0090),
-        DVec3::new(0.0042, 0.0036, 0.0055),
+        NOSE + DVec3::new(0.0085, -0.001, 0.0090),
+        DVec3::new(0.0050, 0.0042, 0.0055),
     );
-    let split = ellipsoid(
-        p,
-        NOSE + DVec3::new(0.0, -0.018, 0.007),
-        DVec3::new(0.0020, 0.0120, 0.0070),
-    );
-    carve(carve(d, nostril, 0.003), split, 0.003)
+    carve(d, nostril, 0.003)
 }
 
 /// A pointed ear, hollow in front.
@@ -106,22 +116,11 @@ fn ear(p: DVec3) -> f64 {
     let front = side.cross(up);
     let from = p - EAR;
     let q = DVec3::new(from.dot(side), from.dot(up), from.dot(front));
-    // A flat leaf from the wide base to the tip, hollowed in front.
-    let length = EAR.distance(EAR_TIP);
-    let press = |v: DVec3| DVec3::new(v.x, v.y, v.z / 0.55);
-    let leaf = chain(
-        press(q),
-        &[
-            (DVec3::new(0.0, -0.010, 0.0), 0.038),
-            (DVec3::new(-0.001, 0.35 * length, 0.0), 0.035),
-            (DVec3::new(0.002, 0.72 * length, 0.0), 0.0235),
-            (DVec3::new(0.004, length, 0.0), 0.0105),
-        ],
-    ) * 0.6;
-    let hollow = round_cone(
+    let leaf = LEAF.distance(q.y, DVec2::new(q.x, q.z));
+    let hollow = ellipsoid(
         q,
-        (DVec3::new(0.0, 0.014, 0.027), 0.025),
-        (DVec3::new(0.001, 0.70 * length, 0.0175), 0.0145),
+        DVec3::new(0.0, 0.046, 0.021),
+        DVec3::new(0.023, 0.052, 0.015),
     );
     carve(leaf, hollow, 0.008)
 }
