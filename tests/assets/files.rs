@@ -24,7 +24,7 @@ fn every_file_is_what_the_generator_makes() {
 fn the_folders_hold_nothing_that_the_generator_does_not_make() {
     let made: BTreeSet<&str> = catalog::PATHS.iter().copied().collect();
     let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
-    for folder in ["characters", "shapes", "poses"] {
+    for folder in ["characters", "shapes", "poses", "curves"] {
         for entry in std::fs::read_dir(assets.join(folder))
             .into_iter()
             .flatten()

@@ -2,6 +2,7 @@
 #[path = "../../examples/make_assets/catalog/mod.rs"]
 mod catalog;
 mod characters;
+mod curves;
 mod files;
 mod shapes;
 mod surface;

@@ -1,5 +1,6 @@
 //! Everything that lies in `assets/`, as texts by path.
 mod adult;
+mod curves;
 mod dog;
 mod field;
 mod mesh;
@@ -22,7 +23,7 @@ pub struct File {
 }
 
 /// The paths of all files, in the order in which they are made.
-pub const PATHS: [&str; 20] = [
+pub const PATHS: [&str; 26] = [
     "characters/adult.skel",
     "characters/adult.attach",
     "characters/adult.obj",
@@ -43,6 +44,12 @@ pub const PATHS: [&str; 20] = [
     "poses/robot-march.json",
     "poses/dog-trot.json",
     "poses/dog-sit.json",
+    "curves/vase.swp",
+    "curves/goblet.swp",
+    "curves/pawn.swp",
+    "curves/knot.swp",
+    "curves/seam.swp",
+    "curves/spring.swp",
 ];
 
 /// All files, made anew.
@@ -62,6 +69,8 @@ pub fn files() -> Vec<File> {
         shapes::plant_materials(),
     ]);
     texts.extend(poses::texts());
+    texts.extend([curves::vase(), curves::goblet(), curves::pawn()]);
+    texts.extend([curves::knot(), curves::seam(), curves::spring()]);
     let named = PATHS.into_iter().zip(texts);
     named.map(|(path, text)| File { path, text }).collect()
 }
