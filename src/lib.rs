@@ -7,6 +7,8 @@
 #![warn(missing_docs)]
 
 pub mod character;
+pub mod cli;
+pub mod disk;
 pub mod editor;
 pub mod geometry;
 #[allow(unsafe_code, reason = "the one place that calls OpenGL")]

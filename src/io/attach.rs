@@ -129,7 +129,7 @@ impl Oddities {
             self.negative.at(line);
         }
         let sum: f32 = row.iter().map(|influence| influence.weight).sum();
-        if !((sum - 1.0).abs() <= SUM_TOLERANCE) {
+        if sum.is_nan() || (sum - 1.0).abs() > SUM_TOLERANCE {
             self.wrong_sum.at(line);
         }
     }

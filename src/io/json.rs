@@ -3,7 +3,7 @@
 use super::{Diagnostic, scanner};
 use glam::Vec3;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer};
+use serde::de::{DeserializeOwned, Deserializer, Error as _};
 use std::path::Path;
 
 /// Reads `bytes` as one value.
@@ -43,7 +43,8 @@ fn start_of_token(line: &[u8], end: usize) -> usize {
             .unwrap_or(end)
     } else {
         let in_word = |byte: &&u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
-        end - before.iter().rev().take_while(in_word).count()
+        let length = line[..=end.min(line.len().saturating_sub(1))].iter().rev();
+        end - length.take_while(in_word).count().saturating_sub(1)
     }
 }
 
@@ -62,11 +63,27 @@ pub(super) fn position_of_key(text: &str, after: &str, key: &str) -> Option<supe
 }
 
 /// A number that an `f32` holds: JSON has larger ones.
+#[derive(Clone, Copy)]
+struct Finite(f32);
+
+impl<'de> Deserialize<'de> for Finite {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let number = f32::deserialize(deserializer)?;
+        if number.is_finite() {
+            Ok(Self(number))
+        } else {
+            let message = "expected a number below 3.4e38, found a larger one";
+            Err(D::Error::custom(message))
+        }
+    }
+}
+
+/// A number that an `f32` holds.
 ///
 /// # Errors
 /// If it does not.
 pub(super) fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
-    checked(f32::deserialize(deserializer)?)
+    Finite::deserialize(deserializer).map(|number| number.0)
 }
 
 /// Three numbers that an `f32` holds.
@@ -74,16 +91,6 @@ pub(super) fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, 
 /// # Errors
 /// If one does not.
 pub(super) fn finite3<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    let [x, y, z] = <[f32; 3]>::deserialize(deserializer)?;
-    Ok(Vec3::new(checked(x)?, checked(y)?, checked(z)?))
-}
-
-fn checked<E: serde::de::Error>(number: f32) -> Result<f32, E> {
-    if number.is_finite() {
-        Ok(number)
-    } else {
-        Err(E::custom(
-            "expected a number below 3.4e38, found a larger one",
-        ))
-    }
+    let numbers = <[Finite; 3]>::deserialize(deserializer)?;
+    Ok(numbers.map(|number| number.0).into())
 }

@@ -2,7 +2,10 @@
 //! dialog or a window.
 
 mod attach;
+pub mod builtin;
 mod diagnostic;
+mod export;
+mod file_importer;
 mod files;
 pub mod image;
 mod import_character;
@@ -13,13 +16,18 @@ mod number;
 mod obj;
 mod pose_file;
 mod scanner;
+mod scene_data;
+mod scene_file;
 mod skel;
 
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
+pub use export::export_obj;
+pub use file_importer::{IMPORTABLE, Loaded, NewShape, import_any, import_character, import_shape};
 pub use files::Files;
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_file::{Entries, PoseData, PoseFile};
+pub use scene_file::{SceneFile, SceneShape, read_scene};
 pub use skel::read_skel;

@@ -87,6 +87,15 @@ impl PoseFile {
         Ok(())
     }
 
+    /// The pose for `skeleton`, which must have all its joints.
+    ///
+    /// # Errors
+    /// If it lacks one; the message lists names like it.
+    pub fn pose_of(&self, skeleton: &SkeletalModel) -> Result<Pose, Diagnostic> {
+        self.check(&[skeleton])?;
+        Ok(self.data.pose_of(skeleton).unwrap_or_default())
+    }
+
     fn check(&self, skeletons: &[&SkeletalModel]) -> Result<(), Diagnostic> {
         self.data
             .check(skeletons)
@@ -99,7 +108,7 @@ impl PoseFile {
 
 impl PoseData {
     /// This pose for `skeleton`, by the joints that it has; `None` if it has none of them.
-    pub fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
+    pub(super) fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
         let mut pose = Pose::new();
         let mut any = false;
         for (key, degrees) in &self.joints.0 {
@@ -317,7 +326,7 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0]}}",
-                "p.json:1:25: invalid length 2, expected an array of length 3",
+                "p.json:1:26: invalid length 2, expected an array of length 3",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, \"é\"]}}",
@@ -325,7 +334,7 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, 1e300]}}",
-                "p.json:1:28: expected a number below 3.4e38, found a larger one",
+                "p.json:1:33: expected a number below 3.4e38, found a larger one",
             ),
             (
                 "{\"joints\": {\"0\": [1, 0, 0],\n \"0\": [0, 0, 0]}}",

@@ -99,6 +99,7 @@ pub struct CharacterShape {
 
 /// How a character is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct CharacterDisplay {
     /// Skeleton, mesh or both.
     pub mode: ModelDisplay,

@@ -1,0 +1,212 @@
+//! `editor check`: what is in a file, and what is wrong with it.
+
+use super::{CliError, files, print};
+use crate::character::Influence;
+use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin};
+use crate::scene::{EvaluatedShape, Evaluator, Shape, ShapeKind};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Say what is in each FILE and what is odd about it.
+///
+/// Mistakes are told as path:line:column with what was expected and what was found.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it), shapes (.obj), poses
+    /// (.json), or builtin:NAME
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// What `--json` prints.
+#[derive(Debug, Serialize)]
+struct Report {
+    files: Vec<FileReport>,
+}
+
+#[derive(Debug, Serialize)]
+struct FileReport {
+    path: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<String>,
+    shapes: Vec<ShapeReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    posed_joints: Option<usize>,
+    warnings: Vec<String>,
+}
+
+/// What is in a shape; bounds are in the world.
+#[derive(Debug, Serialize)]
+struct ShapeReport {
+    name: String,
+    kind: &'static str,
+    vertices: usize,
+    triangles: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skeleton: Option<SkeletonReport>,
+    materials: Vec<String>,
+    bounds: Option<[[f32; 3]; 2]>,
+}
+
+#[derive(Debug, Serialize)]
+struct SkeletonReport {
+    joints: usize,
+    roots: usize,
+    most_influences: usize,
+    weight_sums: Option<[f32; 2]>,
+}
+
+/// Carries the command out.
+///
+/// # Errors
+/// If a file is wrong; the others are checked all the same.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    let files = files();
+    let mut report = Report { files: Vec::new() };
+    let mut failed = false;
+    for path in &args.files {
+        let (of_file, error) = match check(&files, path) {
+            Ok(of_file) => (of_file, None),
+            Err(error) => (FileReport::new(path), Some(error)),
+        };
+        if let Some(error) = &error {
+            eprintln!("error: {error}");
+            failed = true;
+        }
+        report.files.push(FileReport {
+            error: error.map(|error| error.to_string()),
+            ..of_file
+        });
+    }
+    let text = if args.json {
+        let json = serde_json::to_string_pretty(&report);
+        json.map_err(|error| CliError::Other(error.to_string()))? + "\n"
+    } else {
+        let sound = report.files.iter().filter(|file| file.error.is_none());
+        sound.map(in_words).collect::<Vec<_>>().join("\n")
+    };
+    print(&text)?;
+    if failed { Err(CliError::Told) } else { Ok(()) }
+}
+
+impl FileReport {
+    fn new(path: &Path) -> Self {
+        Self {
+            path: path.display().to_string(),
+            error: None,
+            shapes: Vec::new(),
+            posed_joints: None,
+            warnings: Vec::new(),
+        }
+    }
+}
+
+fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
+    let file = builtin::resolve(path)?;
+    if file
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("json"))
+    {
+        let pose = PoseFile::read(&file, &files.read(&file)?)?;
+        let data = pose.data();
+        let entries = data.joints.0.iter().chain(&data.roots.0);
+        let joints: BTreeSet<&str> = entries.map(|(joint, _)| joint.as_str()).collect();
+        return Ok(FileReport {
+            posed_joints: Some(joints.len()),
+            ..FileReport::new(path)
+        });
+    }
+    let mut loaded = Loaded::default();
+    loaded.add(files, path)?;
+    let evaluated = Evaluator::new().evaluate(&loaded.scene);
+    let shapes = loaded.scene.shapes().iter().zip(&evaluated.shapes);
+    Ok(FileReport {
+        shapes: shapes
+            .map(|(shape, evaluated)| look_at(shape, evaluated))
+            .collect(),
+        warnings: loaded.warnings.iter().map(ToString::to_string).collect(),
+        ..FileReport::new(path)
+    })
+}
+
+fn look_at(shape: &Shape, evaluated: &EvaluatedShape) -> ShapeReport {
+    let mesh = &evaluated.geometry.mesh;
+    let bounds = evaluated.world_bounds();
+    let mut materials: Vec<String> = Vec::new();
+    for group in &mesh.groups {
+        if !materials.contains(&group.material.name) {
+            materials.push(group.material.name.clone());
+        }
+    }
+    ShapeReport {
+        name: shape.name.clone(),
+        kind: shape.kind.label(),
+        vertices: mesh.positions.len(),
+        triangles: mesh.triangles.len(),
+        skeleton: skeleton(&shape.kind),
+        materials,
+        bounds: (!bounds.is_empty()).then(|| [bounds.min.to_array(), bounds.max.to_array()]),
+    }
+}
+
+fn skeleton(kind: &ShapeKind) -> Option<SkeletonReport> {
+    let ShapeKind::Character(shape) = kind else {
+        return None;
+    };
+    let character = &shape.character;
+    let attachments = character.attachments();
+    let weighed = attachments.vertices().filter(|run| !run.is_empty());
+    let sums = weighed.map(|run: &[Influence]| run.iter().map(|i| f64::from(i.weight)).sum());
+    let range = sums.fold(None, |range: Option<[f32; 2]>, sum: f64| {
+        let sum = sum as f32;
+        Some(range.map_or([sum; 2], |[low, high]| [low.min(sum), high.max(sum)]))
+    });
+    Some(SkeletonReport {
+        joints: character.skeleton().joints().len(),
+        roots: character.skeleton().roots().len(),
+        most_influences: attachments.most_influences(),
+        weight_sums: range,
+    })
+}
+
+fn in_words(file: &FileReport) -> String {
+    let mut out = format!("{}\n", file.path);
+    // Writing to a string cannot fail.
+    let mut line = |name: &str, value: String| {
+        let _ = writeln!(out, "  {name:<16} {value}");
+    };
+    if let Some(joints) = file.posed_joints {
+        line("pose", format!("of {joints} joints"));
+    }
+    for shape in &file.shapes {
+        line(&shape.kind.to_lowercase(), shape.name.clone());
+        line("  vertices", shape.vertices.to_string());
+        line("  triangles", shape.triangles.to_string());
+        if let Some(skeleton) = &shape.skeleton {
+            let roots = if skeleton.roots == 1 { "root" } else { "roots" };
+            let joints = format!("{} ({} {roots})", skeleton.joints, skeleton.roots);
+            line("  joints", joints);
+            let most = skeleton.most_influences;
+            line("  influences", format!("at most {most} a vertex"));
+            if let Some([low, high]) = skeleton.weight_sums {
+                line("  weight sums", format!("{low:.4} to {high:.4}"));
+            }
+        }
+        if !shape.materials.is_empty() {
+            line("  materials", shape.materials.join(", "));
+        }
+        if let Some([min, max]) = shape.bounds {
+            let corner = |[x, y, z]: [f32; 3]| format!("({x:.4}, {y:.4}, {z:.4})");
+            line("  bounds", format!("{} to {}", corner(min), corner(max)));
+        }
+    }
+    for warning in &file.warnings {
+        line("warning", warning.clone());
+    }
+    out
+}

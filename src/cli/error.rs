@@ -1,0 +1,38 @@
+use crate::io::Diagnostic;
+use std::process::ExitCode;
+
+/// Why a command did not do what it was asked.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CliError {
+    /// An input is wrong or an output cannot be written.
+    #[error("{0}")]
+    Failed(#[from] Diagnostic),
+    /// As before, without a file to name.
+    #[error("{0}")]
+    Other(String),
+    /// The command was used wrongly.
+    #[error("{0}")]
+    Usage(String),
+    /// The command failed and has said why.
+    #[error("")]
+    Told,
+}
+
+impl CliError {
+    /// Says on standard error what is wrong.
+    pub fn tell(&self) {
+        match self {
+            Self::Told => {}
+            Self::Usage(message) => eprintln!("error: {message}\n\nFor more, try --help."),
+            Self::Failed(_) | Self::Other(_) => eprintln!("error: {self}"),
+        }
+    }
+
+    /// What the program ends with.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Failed(_) | Self::Other(_) | Self::Told => 1,
+            Self::Usage(_) => 2,
+        })
+    }
+}

@@ -1,0 +1,106 @@
+use super::read::in_words;
+use crate::io::Diagnostic;
+use std::io::{self, ErrorKind, Write};
+use std::path::Path;
+
+/// Writes `bytes` to `path` so that there is at any time either what was there before or all that
+/// is new: into a temporary file beside it, which then takes its name. A link stays a link, and a
+/// file that was there keeps its permissions.
+///
+/// # Errors
+/// If the folder does not exist or must not be written, the disk is full, or `path` is a folder.
+/// Then nothing is left behind.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    // The file behind a link, so that the link is not replaced; a new file stays as named.
+    let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if target.is_dir() {
+        return Err(Diagnostic::new(
+            path,
+            "expected a file to write, found a folder",
+        ));
+    }
+    if !folder.is_dir() {
+        let message = format!("there is no folder {}", folder.display());
+        return Err(Diagnostic::new(path, message));
+    }
+    write_beside(&target, folder, bytes).map_err(|error| {
+        let message = match error.kind() {
+            ErrorKind::PermissionDenied => {
+                format!("there is no permission to write in {}", folder.display())
+            }
+            _ => in_words(&error),
+        };
+        Diagnostic::new(path, message)
+    })
+}
+
+fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".editor-").suffix(".part");
+    // A temporary file is for its owner alone unless told otherwise; the process's mask applies.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    if let Ok(before) = std::fs::metadata(target) {
+        file.as_file().set_permissions(before.permissions())?;
+    }
+    file.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn entries(folder: &Path) -> usize {
+        fs::read_dir(folder).unwrap().count()
+    }
+
+    #[test]
+    fn a_file_is_written_and_replaced_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        write_whole(&path, b"one").unwrap();
+        write_whole(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(entries(folder.path()), 1);
+    }
+
+    #[test]
+    fn a_failed_write_leaves_nothing_behind_and_says_why() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("none").join("a.obj");
+        let error = write_whole(&missing, b"one").unwrap_err();
+        assert!(error.message.starts_with("there is no folder "), "{error}");
+        let error = write_whole(folder.path(), b"one").unwrap_err();
+        assert_eq!(error.message, "expected a file to write, found a folder");
+        assert_eq!(entries(folder.path()), 0);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn others_may_read_a_new_file_and_an_old_one_keeps_its_permissions_and_its_link() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (path, link) = (folder.path().join("a"), folder.path().join("b"));
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        write_whole(&path, b"one").unwrap();
+        let plain = folder.path().join("plain");
+        fs::write(&plain, "").unwrap();
+        assert_eq!(mode(&path), mode(&plain));
+
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink(&path, &link).unwrap();
+        write_whole(&link, b"two").unwrap();
+        assert_eq!(mode(&path), 0o640);
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+    }
+}

@@ -1,0 +1,113 @@
+//! Files inside the program, addressed as `builtin:NAME`.
+
+use super::{Diagnostic, Files, files};
+use std::path::{Path, PathBuf};
+
+/// What the path of a built-in file starts with.
+pub const PREFIX: &str = "builtin:";
+
+/// What a built-in file holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BuiltinKind {
+    /// A mesh with skeleton and weights.
+    Character,
+    /// A mesh.
+    Shape,
+    /// Shapes with a view.
+    Scene,
+    /// Angles for joints.
+    Pose,
+}
+
+/// Something that `builtin:NAME` stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Builtin {
+    /// Its name after `builtin:`.
+    pub name: &'static str,
+    /// What it is.
+    pub kind: BuiltinKind,
+}
+
+macro_rules! assets {
+    ($($path:literal),* $(,)?) => {
+        &[$(($path, include_bytes!(concat!("../../assets/", $path)))),*]
+    };
+}
+
+/// Path below `assets/`, and content.
+static ASSETS: &[(&str, &[u8])] = assets!["scenes/showcase.scene"];
+
+/// Everything that has a name of its own, in the order of the kinds and then of the names.
+pub fn catalogue() -> Vec<Builtin> {
+    [
+        ("characters/", ".obj", BuiltinKind::Character),
+        ("shapes/", ".obj", BuiltinKind::Shape),
+        ("scenes/", ".scene", BuiltinKind::Scene),
+        ("poses/", ".json", BuiltinKind::Pose),
+    ]
+    .into_iter()
+    .flat_map(|(folder, extension, kind)| {
+        ASSETS.iter().filter_map(move |(path, _)| {
+            let name = path.strip_prefix(folder)?.strip_suffix(extension)?;
+            Some(Builtin { name, kind })
+        })
+    })
+    .collect()
+}
+
+/// The file that `path` stands for. `builtin:adult` is `builtin:characters/adult.obj`, and
+/// `builtin:poses/adult-walk` has its extension added; what is complete, and every path on disk,
+/// stays as it is.
+///
+/// # Errors
+/// If `path` starts with `builtin:` and there is no such thing; the message lists all.
+pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
+    let Some(name) = builtin_name(path) else {
+        return Ok(path.to_owned());
+    };
+    let primary = |asset: &Path| ["obj", "scene", "json"].contains(&&*files::extension(asset));
+    let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
+    paths()
+        .find(|asset| *asset == Path::new(name))
+        .or_else(|| paths().find(|a| primary(a) && a.with_extension("") == Path::new(name)))
+        .or_else(|| paths().find(|a| primary(a) && a.file_stem() == Some(name.as_ref())))
+        .map(|asset| PathBuf::from(format!("{PREFIX}{}", asset.display())))
+        .ok_or_else(|| {
+            let known = catalogue();
+            let known: Vec<&str> = known.iter().map(|builtin| builtin.name).collect();
+            let known = known.join(", ");
+            Diagnostic::new(path, format!("expected one of {known} after {PREFIX}"))
+        })
+}
+
+fn builtin_name(path: &Path) -> Option<&str> {
+    path.to_str()?.strip_prefix(PREFIX)
+}
+
+/// Answers for paths that start with `builtin:` from inside the program, and hands all others on.
+#[derive(Clone, Copy, Debug)]
+pub struct WithBuiltin<F>(
+    /// Where the others go.
+    pub F,
+);
+
+impl<F: Files> Files for WithBuiltin<F> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        let resolved = resolve(path)?;
+        match builtin_name(&resolved) {
+            None => self.0.read(path),
+            Some(name) => ASSETS
+                .iter()
+                .find(|(asset, _)| *asset == name)
+                .map(|(_, bytes)| bytes.to_vec())
+                .ok_or_else(|| Diagnostic::new(path, "there is no such built-in file")),
+        }
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        match builtin_name(path) {
+            None => self.0.exists(path),
+            Some(_) => resolve(path).is_ok(),
+        }
+    }
+}

@@ -1,0 +1,89 @@
+use crate::scene::{Evaluated, EvaluatedShape, Scene};
+use glam::Mat4;
+use std::fmt::Write;
+
+/// The current geometry of a scene in the world, as an `.obj` file: an `o` for each shape, its
+/// vertices in the order of their file and under its pose, its triangles. Numbers have as many
+/// digits as it takes to read the same ones back.
+///
+/// `evaluated` must be what follows from `scene`.
+pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
+    let mut out = String::new();
+    let mut first_vertex = 1;
+    for shape in &evaluated.shapes {
+        let name = scene.shape(shape.id).map_or("Shape", |shape| &shape.name);
+        // A line ends where the name does, whatever is in it.
+        let name = name.replace(char::is_control, " ");
+        out.push_str(&format!("o {name}\n"));
+        first_vertex += write_mesh(&mut out, shape, first_vertex);
+    }
+    out
+}
+
+/// Writes one shape, and returns how many vertices it has.
+fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> usize {
+    let geometry = &shape.geometry;
+    let positions = geometry.positions();
+    // Writing to a string cannot fail.
+    for &position in positions {
+        let world = if shape.world_from_model == Mat4::IDENTITY {
+            position
+        } else {
+            shape.world_from_model.transform_point3(position)
+        };
+        let _ = writeln!(out, "v {} {} {}", world.x, world.y, world.z);
+    }
+    // A mirrored shape would be inside out if its triangles kept their order.
+    let mirrored = shape.world_from_model.determinant() < 0.0;
+    for &[a, b, c] in &geometry.mesh.triangles {
+        let [a, b, c] = if mirrored { [a, c, b] } else { [a, b, c] };
+        let [a, b, c] = [a, b, c].map(|index| first_vertex + index as usize);
+        let _ = writeln!(out, "f {a} {b} {c}");
+    }
+    positions.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::read_character_obj;
+    use crate::scene::{Evaluator, ShapeKind};
+    use glam::Vec3;
+    use std::path::Path;
+
+    #[test]
+    fn what_is_written_is_read_back_in_the_world_and_the_right_side_out() {
+        let mut scene = Scene::new();
+        scene.add("A\ncube".into(), ShapeKind::Cube, None);
+        let moved = scene.add("Sphere".into(), ShapeKind::Sphere, None);
+        let transform = &mut scene.shape_mut(moved).unwrap().placement.transform;
+        transform.position = Vec3::new(0.1, 1.0 / 3.0, 1e-7);
+        transform.scale = Vec3::new(-1.0, 2.0, 1.0);
+        let evaluated = Evaluator::new().evaluate(&scene);
+
+        let text = export_obj(&scene, &evaluated);
+        assert!(text.starts_with("o A cube\nv "));
+        let mesh = read_character_obj(Path::new("a"), text.as_bytes())
+            .unwrap()
+            .value;
+
+        let [cube, sphere] = [&evaluated.shapes[0], &evaluated.shapes[1]];
+        let (cube_positions, sphere_positions) =
+            mesh.positions.split_at(cube.geometry.positions().len());
+        assert_eq!(cube_positions, cube.geometry.positions());
+        for (&read, &model) in sphere_positions.iter().zip(sphere.geometry.positions()) {
+            assert_eq!(read, sphere.world_from_model.transform_point3(model));
+        }
+        let center = transform_center(&evaluated);
+        for triangle in &mesh.triangles[cube.geometry.mesh.triangles.len()..] {
+            let [a, b, c] = triangle.map(|i| mesh.positions[i as usize]);
+            assert!((b - a).cross(c - a).dot(a - center) >= -1e-6);
+        }
+    }
+
+    fn transform_center(evaluated: &Evaluated) -> Vec3 {
+        evaluated.shapes[1]
+            .world_from_model
+            .transform_point3(Vec3::ZERO)
+    }
+}

@@ -1,0 +1,188 @@
+use super::{
+    Diagnostic, Files, Imported, builtin, files, is_character, read_character, read_shape_obj,
+    scene_file,
+};
+use crate::geometry::SharedMesh;
+use crate::scene::{CharacterShape, Scene, ShapeKind, Source, ViewSettings, name_of_import};
+use std::path::Path;
+use std::sync::Arc;
+
+/// The extensions of files that can be imported into a scene, in lower case.
+pub const IMPORTABLE: &[&str] = &["obj"];
+
+/// Something imported, ready to be put into a scene.
+#[derive(Clone, Debug)]
+pub struct NewShape {
+    /// What the list will call it.
+    pub name: String,
+    /// What it is.
+    pub kind: ShapeKind,
+    /// Where it came from.
+    pub source: Source,
+}
+
+/// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
+/// weights beside it is a character, others are shapes. `builtin:NAME` stands for a file too.
+///
+/// # Errors
+/// If it cannot be read, is not well formed, or is of a kind that cannot be imported.
+#[doc(alias = "FileImporter")]
+pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let file = to_open(path)?;
+    match files::extension(&file).as_str() {
+        "obj" if is_character(files, &file) => import_character(files, path),
+        "obj" => import_shape(files, path),
+        extension => Err(cannot_open(
+            files,
+            path,
+            extension,
+            "a file that can be imported",
+            IMPORTABLE,
+        )),
+    }
+}
+
+/// Import Character: the `.obj` file at `path` with the `.skel` and `.attach` files beside it.
+///
+/// # Errors
+/// If one of them is missing, or cannot be read, or is not well formed, or does not fit.
+pub fn import_character(
+    files: &dyn Files,
+    path: &Path,
+) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let file = to_open(path)?;
+    match files::extension(&file).as_str() {
+        "obj" => {
+            exists(files, &file)?;
+            let character = read_character(files, &file)?;
+            let kind = |c| ShapeKind::Character(CharacterShape::new(Arc::new(c)));
+            Ok(character.map(|character| vec![new_shape(path, kind(character))]))
+        }
+        extension => Err(cannot_open(files, path, extension, "a character", &["obj"])),
+    }
+}
+
+/// Import Shape: the mesh of the `.obj` file at `path`, whatever lies beside it.
+///
+/// # Errors
+/// If it cannot be read or is not well formed.
+pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let file = to_open(path)?;
+    match files::extension(&file).as_str() {
+        "obj" => {
+            let mesh = read_shape_obj(files, &file, &files.read(&file)?)?;
+            let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
+            Ok(mesh.map(|mesh| vec![new_shape(path, kind(mesh))]))
+        }
+        extension => Err(cannot_open(files, path, extension, "a shape", &["obj"])),
+    }
+}
+
+/// What the program starts with: the scenes and shapes of one or more files in one scene.
+#[derive(Clone, Debug, Default)]
+pub struct Loaded {
+    /// All their shapes, in the order of the files.
+    pub scene: Scene,
+    /// The view of the last scene file; none if there is none.
+    pub view: Option<ViewSettings>,
+    /// What was odd about them.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl Loaded {
+    /// Adds what the file at `path` holds: the shapes of a scene with its view, or an import.
+    ///
+    /// # Errors
+    /// If it cannot be read or is not well formed; then nothing is added.
+    pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
+        let file = to_open(path)?;
+        match files::extension(&file).as_str() {
+            "scene" => {
+                let read = scene_file::read_scene(files, &file)?;
+                self.warnings.extend(read.warnings);
+                self.view = Some(read.value.view);
+                for shape in read.value.shapes {
+                    shape.add_to(&mut self.scene);
+                }
+            }
+            extension if !IMPORTABLE.contains(&extension) => {
+                let openable = [&["scene"], IMPORTABLE].concat();
+                return Err(cannot_open(
+                    files,
+                    path,
+                    extension,
+                    "a file that can be opened",
+                    &openable,
+                ));
+            }
+            _ => {
+                let imported = import_any(files, path)?;
+                self.warnings.extend(imported.warnings);
+                for NewShape { name, kind, source } in imported.value {
+                    self.scene.add(name, kind, Some(source));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The file that `path` stands for: the one in the program for `builtin:NAME`.
+///
+/// # Errors
+/// For a built-in name that does not exist, and for the companions that macOS writes.
+fn to_open(path: &Path) -> Result<std::path::PathBuf, Diagnostic> {
+    let name = path.file_name().map(|name| name.to_string_lossy());
+    if name.is_some_and(|name| name.starts_with("._")) {
+        let message = "expected a file with content, found notes of macOS about the file of \
+                       the same name without “._”";
+        return Err(Diagnostic::new(path, message));
+    }
+    builtin::resolve(path)
+}
+
+fn exists(files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
+    if files.exists(path) {
+        Ok(())
+    } else {
+        // Reading knows best what is wrong.
+        files.read(path).map(|_| ())
+    }
+}
+
+fn new_shape(path: &Path, kind: ShapeKind) -> NewShape {
+    let path_text = path.to_string_lossy();
+    let stem = match path_text.strip_prefix(builtin::PREFIX) {
+        Some(name) => Path::new(name).file_stem(),
+        None => path.file_stem(),
+    };
+    NewShape {
+        name: name_of_import(&stem.unwrap_or_default().to_string_lossy()),
+        kind,
+        source: Source(path_text.into_owned()),
+    }
+}
+
+/// What to say about a file of the wrong kind; that there is none comes first.
+fn cannot_open(
+    files: &dyn Files,
+    path: &Path,
+    extension: &str,
+    what: &str,
+    openable: &[&str],
+) -> Diagnostic {
+    if let Err(error) = exists(files, path) {
+        return error;
+    }
+    let openable: Vec<String> = openable.iter().map(|e| format!(".{e}")).collect();
+    let message = format!(
+        "expected {what} ({}), found {}",
+        openable.join(", "),
+        match extension {
+            "" => "no extension".to_owned(),
+            "skel" | "attach" => format!(".{extension}: open the character's .obj file instead"),
+            other => format!(".{other}"),
+        }
+    );
+    Diagnostic::new(path, message)
+}

@@ -1,0 +1,171 @@
+use super::file_importer::{NewShape, import_any};
+use super::scene_data::{Head, PoseReference, SceneData, ShapeData};
+use super::{Diagnostic, Files, Imported, PoseFile, builtin, json};
+use crate::character::{Pose, SkeletalModel};
+use crate::scene::{Placement, Scene, ShapeId, ShapeKind, Source, ViewSettings};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+/// A scene read from its file.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    /// How it is looked at.
+    pub view: ViewSettings,
+    /// Its shapes, in the order of the file.
+    pub shapes: Vec<SceneShape>,
+}
+
+/// A shape of a scene file.
+#[derive(Clone, Debug)]
+pub struct SceneShape {
+    name: String,
+    kind: ShapeKind,
+    source: Option<Source>,
+    placement: Placement,
+}
+
+impl SceneShape {
+    /// Puts the shape into `scene`.
+    pub fn add_to(self, scene: &mut Scene) -> ShapeId {
+        let id = scene.add(self.name, self.kind, self.source);
+        if let Some(shape) = scene.shape_mut(id) {
+            shape.placement = self.placement;
+        }
+        id
+    }
+}
+
+/// Reads a `.scene` file, JSON of the form
+/// `{"format": "editor-scene", "version": 1, "view": {…}, "shapes": [{…}, …]}`.
+///
+/// A shape has a `kind` (`cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`) or a
+/// `source`: a file, relative to the scene's folder, or `builtin:NAME`. All else may be left out:
+/// `name`, `position`, `rotation` in degrees, `scale`, `uniform_scaling`, `color` (a name of the
+/// panel's list, or `[r, g, b]` in 0..1), and for characters `pose` (as in pose files, or the
+/// name of one) and `display`.
+///
+/// # Errors
+/// At the first thing that is not so, in this file or in one that it names.
+#[doc(alias = "FileManager")]
+pub fn read_scene(files: &dyn Files, path: &Path) -> Result<Imported<SceneFile>, Diagnostic> {
+    let bytes = files.read(path)?;
+    json::read::<Head>(path, &bytes)?;
+    let data: SceneData = json::read(path, &bytes)?;
+    let mut reader = SceneReader {
+        files,
+        path,
+        imported: HashMap::new(),
+        warnings: Vec::new(),
+    };
+    let mut shapes = Vec::new();
+    for (index, shape) in data.shapes.iter().enumerate() {
+        shapes.extend(reader.shape(index, shape)?);
+    }
+    Ok(Imported {
+        value: SceneFile {
+            view: data.view.settings(),
+            shapes,
+        },
+        warnings: reader.warnings,
+    })
+}
+
+struct SceneReader<'a> {
+    files: &'a dyn Files,
+    path: &'a Path,
+    /// A file that several shapes name is read once, and its mesh shared.
+    imported: HashMap<PathBuf, Vec<NewShape>>,
+    warnings: Vec<Diagnostic>,
+}
+
+impl SceneReader<'_> {
+    fn shape(&mut self, index: usize, data: &ShapeData) -> Result<Vec<SceneShape>, Diagnostic> {
+        let new = match (&data.kind, &data.source) {
+            (Some(kind), None) => vec![(kind.kind(), kind.kind().label().to_owned(), None)],
+            (None, Some(source)) => self
+                .import(source)?
+                .into_iter()
+                .map(|new| (new.kind, new.name, Some(new.source)))
+                .collect(),
+            (Some(_), Some(_)) => {
+                return Err(self.wrong(index, "expected a kind or a source, found both"));
+            }
+            (None, None) => {
+                return Err(self.wrong(index, "expected a kind or a source, found neither"));
+            }
+        };
+        let mut shapes = Vec::new();
+        let mut has_character = false;
+        for (mut kind, name, source) in new {
+            let placement = data.placement(&kind);
+            if let ShapeKind::Character(character) = &mut kind {
+                has_character = true;
+                if let Some(display) = data.display {
+                    character.display = display;
+                    // Beyond this no driver draws, and no one wants it.
+                    character.display.point_size = display.point_size.clamp(1.0, 64.0);
+                    character.display.line_width = display.line_width.clamp(1.0, 64.0);
+                }
+                if let Some(pose) = &data.pose {
+                    let skeleton = character.character.skeleton();
+                    let pose = self.pose(index, pose, skeleton)?;
+                    character.set_pose(pose);
+                }
+            }
+            shapes.push(SceneShape {
+                name: data.name.clone().unwrap_or(name),
+                kind,
+                source,
+                placement,
+            });
+        }
+        if !has_character && (data.pose.is_some() || data.display.is_some()) {
+            let message = "expected a character, for it has a pose or display, found a shape";
+            return Err(self.wrong(index, message));
+        }
+        Ok(shapes)
+    }
+
+    fn import(&mut self, source: &str) -> Result<Vec<NewShape>, Diagnostic> {
+        let path = self.beside(source);
+        if let Some(known) = self.imported.get(&path) {
+            return Ok(known.clone());
+        }
+        let read = import_any(self.files, &path)?;
+        self.warnings.extend(read.warnings);
+        self.imported.insert(path, read.value.clone());
+        Ok(read.value)
+    }
+
+    fn pose(
+        &self,
+        index: usize,
+        pose: &PoseReference,
+        skeleton: &SkeletalModel,
+    ) -> Result<Pose, Diagnostic> {
+        match pose {
+            PoseReference::Inline(data) => {
+                data.check(&[skeleton])
+                    .map_err(|(_, _, message)| self.wrong(index, &message))?;
+                Ok(data.pose_of(skeleton).unwrap_or_default())
+            }
+            PoseReference::File(name) => {
+                let path = builtin::resolve(&self.beside(name))?;
+                PoseFile::read(&path, &self.files.read(&path)?)?.pose_of(skeleton)
+            }
+        }
+    }
+
+    /// The file that this scene calls `name`.
+    fn beside(&self, name: &str) -> PathBuf {
+        if name.starts_with(builtin::PREFIX) {
+            PathBuf::from(name)
+        } else {
+            self.path.parent().unwrap_or(Path::new("")).join(name)
+        }
+    }
+
+    fn wrong(&self, index: usize, message: &str) -> Diagnostic {
+        Diagnostic::new(self.path, format!("shape {}: {message}", index + 1))
+    }
+}
