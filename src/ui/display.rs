@@ -5,7 +5,6 @@ use crate::editor::{Action, Edit};
 use crate::scene::{BoneStyle, CharacterDisplay, JointStyle, ModelDisplay, ShapeId};
 use egui::{Button, Ui, vec2};
 
-const NO_SKELETON: &str = "The mesh alone is shown. Choose Skeletal Model or Both to see this.";
 /// What a point's diameter and a line's width may be, in pixels.
 const POINT_SIZES: std::ops::RangeInclusive<f64> = 1.0..=64.0;
 const LINE_WIDTHS: std::ops::RangeInclusive<f64> = 1.0..=32.0;
@@ -31,51 +30,51 @@ pub(super) fn show(ui: &mut Ui, id: ShapeId, display: CharacterDisplay, actions:
             ),
         ],
     );
-    let default = CharacterDisplay::default();
-    let skeleton = display.mode != ModelDisplay::Mesh;
-    ui.add_enabled_ui(skeleton, |ui| {
-        let hint = labelled(ui, "Joints", |ui, size| {
-            let joints = [
-                (JointStyle::Points, "Points", "Draw joints as round points"),
-                (JointStyle::Spheres, "Spheres", "Draw joints as spheres"),
-            ];
-            choice(ui, &mut changed.joints, &joints);
-            if display.joints == JointStyle::Points {
-                let field = NumberField::new("Point size", display.point_size, 0.5)
-                    .rest(default.point_size)
-                    .range(POINT_SIZES)
-                    .unit(" px");
-                let width = ui.available_width();
-                changed.point_size = field
-                    .show(ui, vec2(width, size.y))
-                    .unwrap_or(changed.point_size);
-            }
-            ui.response()
-        });
-        hint.on_disabled_hover_text(NO_SKELETON);
-        let hint = labelled(ui, "Bones", |ui, size| {
-            let bones = [
-                (BoneStyle::Lines, "Lines", "Draw bones as lines"),
-                (BoneStyle::Boxes, "Boxes", "Draw bones as boxes"),
-            ];
-            choice(ui, &mut changed.bones, &bones);
-            if display.bones == BoneStyle::Lines {
-                let field = NumberField::new("Line width", display.line_width, 0.5)
-                    .rest(default.line_width)
-                    .range(LINE_WIDTHS)
-                    .unit(" px");
-                let width = ui.available_width();
-                changed.line_width = field
-                    .show(ui, vec2(width, size.y))
-                    .unwrap_or(changed.line_width);
-            }
-            ui.response()
-        });
-        hint.on_disabled_hover_text(NO_SKELETON);
-    });
+    if display.mode != ModelDisplay::Mesh {
+        skeleton(ui, display, &mut changed);
+    }
     if changed != display {
         actions.push(Action::Edit(Edit::SetDisplay(id, changed)));
     }
+}
+
+/// How joints and bones are drawn, where any are.
+fn skeleton(ui: &mut Ui, display: CharacterDisplay, changed: &mut CharacterDisplay) {
+    let default = CharacterDisplay::default();
+    labelled(ui, "Joints", |ui, _| {
+        let joints = [
+            (JointStyle::Points, "Points", "Draw joints as round points"),
+            (JointStyle::Spheres, "Spheres", "Draw joints as spheres"),
+        ];
+        choice(ui, &mut changed.joints, &joints);
+        if display.joints == JointStyle::Points {
+            let field = NumberField::new("Point size", display.point_size, 0.5)
+                .rest(default.point_size)
+                .range(POINT_SIZES)
+                .unit(" px");
+            changed.point_size = beside(ui, field).unwrap_or(changed.point_size);
+        }
+    });
+    labelled(ui, "Bones", |ui, _| {
+        let bones = [
+            (BoneStyle::Lines, "Lines", "Draw bones as lines"),
+            (BoneStyle::Boxes, "Boxes", "Draw bones as boxes"),
+        ];
+        choice(ui, &mut changed.bones, &bones);
+        if display.bones == BoneStyle::Lines {
+            let field = NumberField::new("Line width", display.line_width, 0.5)
+                .rest(default.line_width)
+                .range(LINE_WIDTHS)
+                .unit(" px");
+            changed.line_width = beside(ui, field).unwrap_or(changed.line_width);
+        }
+    });
+}
+
+/// A field in what is left of the row.
+fn beside(ui: &mut Ui, field: NumberField) -> Option<f32> {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    field.show(ui, size)
 }
 
 /// Buttons side by side, of which one is on.

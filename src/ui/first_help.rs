@@ -1,17 +1,17 @@
 use super::theme::Palette;
 use super::widgets::named;
-use egui::{Align, Button, Frame, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2};
+use egui::{Align, Button, Frame, Grid, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 /// What a newcomer needs to know.
 const LINES: [(&str, &str); 3] = [
     (
         "Look around",
-        "right drag turns, left drag moves, wheel zooms",
+        "right drag turns · left drag moves · wheel zooms",
     ),
     ("Pose", "drag or type the numbers of a joint at the right"),
     ("More", "Insert adds shapes · ? shows every key"),
 ];
-const SIZE: egui::Vec2 = vec2(368.0, 88.0);
+const SIZE: egui::Vec2 = vec2(380.0, 88.0);
 
 /// Three lines for newcomers in the view's upper left corner; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
@@ -28,13 +28,12 @@ pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
         .inner_margin(Margin::symmetric(12, 8))
         .show(&mut inner, |ui| {
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
-                ui.vertical(|ui| {
+                Grid::new("first help").num_columns(2).show(ui, |ui| {
                     for (what, how) in LINES {
-                        ui.horizontal(|ui| {
-                            let strong = Palette::of(ui.visuals()).strong;
-                            ui.label(RichText::new(what).color(strong));
-                            ui.label(RichText::new(how).small());
-                        });
+                        let strong = Palette::of(ui.visuals()).strong;
+                        ui.label(RichText::new(what).color(strong));
+                        ui.label(RichText::new(how).small());
+                        ui.end_row();
                     }
                 });
                 let close = ui.add(Button::new("×").frame_when_inactive(false));

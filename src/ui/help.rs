@@ -6,7 +6,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 pub(super) fn show(ui: &mut Ui) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         heading(ui, "Mouse");
-        Grid::new("gestures").num_columns(2).show(ui, |ui| {
+        table("gestures").show(ui, |ui| {
             for gesture in GESTURES {
                 ui.label(key(ui, gesture.gesture));
                 ui.label(gesture.does);
@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui) {
                 continue;
             }
             heading(ui, title(menu));
-            Grid::new(title(menu)).num_columns(2).show(ui, |ui| {
+            table(title(menu)).show(ui, |ui| {
                 for entry in entries {
                     ui.label(key(ui, &entry.keys(ui.ctx())));
                     ui.label(entry.label).on_hover_text(entry.tooltip);
@@ -32,17 +32,24 @@ pub(super) fn show(ui: &mut Ui) {
     });
 }
 
+fn table(id: &str) -> Grid {
+    Grid::new(id)
+        .num_columns(2)
+        .min_col_width(176.0)
+        .spacing([8.0, 4.0])
+}
+
 fn title(menu: Menu) -> &'static str {
     match menu {
         Menu::File => "File",
         Menu::Insert => "Insert",
-        Menu::Import => "Insert ▸ Import",
+        Menu::Import => "Insert ⏵ Import",
         Menu::Shape => "Selected shape",
         Menu::View => "View",
-        Menu::Look => "View ▸ Look",
-        Menu::Shading => "View ▸ Shading",
-        Menu::Ground => "View ▸ Ground",
-        Menu::Theme => "View ▸ Theme",
+        Menu::Look => "View ⏵ Look",
+        Menu::Shading => "View ⏵ Shading",
+        Menu::Ground => "View ⏵ Ground",
+        Menu::Theme => "View ⏵ Theme",
         Menu::Help => "Help",
     }
 }

@@ -2,12 +2,12 @@ use super::joint_row::{self, Columns, RowEvent};
 use super::joint_tree::{self, Row};
 use super::state::JointListState;
 use super::theme::Palette;
-use super::widgets::{ListMove, moved, named, section};
+use super::widgets::{ListMove, moved, named};
 use crate::character::{Pose, SkeletalModel};
 use crate::editor::{Action, Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
-use egui::{Align, Button, Layout, RichText, TextEdit, Ui, vec2};
+use egui::{Align, Button, Label, Layout, RichText, TextEdit, Ui, vec2};
 
 /// The angles of all joints, as a tree that folds and can be searched.
 pub(super) fn show(
@@ -20,8 +20,10 @@ pub(super) fn show(
     let Some(character) = session.scene().character(id) else {
         return;
     };
-    section(ui, "Joint Rotations (x, y, z)");
-    search_and_reset(ui, id, character, &mut state.search, actions);
+    title(ui, id, character, state, actions);
+    if state.searching {
+        search(ui, state);
+    }
 
     let skeleton = character.character.skeleton();
     let selected = session.selected_joint().map(|joint| (id, joint));
@@ -31,8 +33,9 @@ pub(super) fn show(
     }
     state.selected = selected;
 
+    let searched = if state.searching { &state.search } else { "" };
     let folded = state.folded.entry(id).or_default();
-    let rows = joint_tree::rows(skeleton, folded, &state.search);
+    let rows = joint_tree::rows(skeleton, folded, searched);
     if rows.is_empty() {
         ui.label(RichText::new("No joint has this in its name.").weak());
     }
@@ -118,11 +121,12 @@ fn goal(
     }
 }
 
-fn search_and_reset(
+/// The list's title with the buttons that search it and reset it.
+fn title(
     ui: &mut Ui,
     id: ShapeId,
     character: &CharacterShape,
-    search: &mut String,
+    state: &mut JointListState,
     actions: &mut Vec<Action>,
 ) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
@@ -135,17 +139,32 @@ fn search_and_reset(
         if reset.clicked() {
             actions.push(Action::Edit(Edit::SetPose(id, Pose::new())));
         }
-        if !search.is_empty() {
-            let clear = named(ui.button("×"), "Clear search");
-            if clear.on_hover_text("Show all joints").clicked() {
-                search.clear();
-            }
+        let find = Button::selectable(state.searching, "🔍").frame_when_inactive(true);
+        let find = named(ui.add(find), "Find joints");
+        if find
+            .on_hover_text("Show only joints with a word in their name")
+            .clicked()
+        {
+            state.searching = !state.searching;
+            state.search.clear();
+            state.search_opened = state.searching;
         }
-        let color = Palette::of(ui.visuals()).weak;
-        let edit = TextEdit::singleline(search)
-            .hint_text(RichText::new("🔍 Search joints").color(color))
-            .margin(vec2(6.0, 2.0))
-            .desired_width(f32::INFINITY);
-        named(ui.add(edit), "Search joints");
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let color = Palette::of(ui.visuals()).strong;
+            let text = RichText::new("Joint Rotations (x, y, z)").color(color);
+            ui.add(Label::new(text).truncate());
+        });
     });
+}
+
+fn search(ui: &mut Ui, state: &mut JointListState) {
+    let color = Palette::of(ui.visuals()).weak;
+    let edit = TextEdit::singleline(&mut state.search)
+        .hint_text(RichText::new("Part of a name").color(color))
+        .margin(vec2(6.0, 2.0))
+        .desired_width(f32::INFINITY);
+    let edit = named(ui.add(edit), "Search joints");
+    if std::mem::take(&mut state.search_opened) {
+        edit.request_focus();
+    }
 }

@@ -1,6 +1,6 @@
 use super::joint_tree::Row;
 use super::number_field::NumberField;
-use super::theme::{Palette, number_style};
+use super::theme::{Palette, number_font};
 use super::widgets::{ListMove, list_move, named};
 use crate::character::{Pose, SkeletalModel};
 use egui::{
@@ -9,15 +9,15 @@ use egui::{
 };
 use glam::Vec3;
 
-const HEIGHT: f32 = 22.0;
-const INDENT: f32 = 8.0;
+const HEIGHT: f32 = 20.0;
+const INDENT: f32 = 6.0;
 /// Deeper joints are indented no further: their names need the room.
 const DEEPEST: usize = 8;
-const ARROW: f32 = 14.0;
-const RESET: f32 = 18.0;
+const ARROW: f32 = 12.0;
+const RESET: f32 = 16.0;
 const GAP: f32 = 2.0;
-/// A field's width: at least that of `329.5°`, and no more than is comfortable.
-const FIELD: std::ops::RangeInclusive<f32> = 38.0..=64.0;
+/// A field's width: at least that of `329.5`, and no more than is comfortable.
+const FIELD: std::ops::RangeInclusive<f32> = 36.0..=64.0;
 
 /// Where things stand in all rows of the list.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +64,7 @@ impl Columns {
             .iter()
             .map(|row| name_left(row) + text_width(ui, &skeleton.joints()[row.joint].name, &font))
             .fold(0.0, f32::max);
-        let field = ((width - longest - RESET - 3.0 * GAP - 4.0) / 3.0).floor();
+        let field = ((width - longest - RESET - 3.0 * GAP - 2.0) / 3.0).floor();
         let stacked = field < *FIELD.start();
         let room = if stacked {
             width - RESET - 3.0 * GAP - 20.0
@@ -278,7 +278,7 @@ fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
         rect.center(),
         Align2::CENTER_CENTER,
         "↺",
-        number_style().resolve(ui.style()),
+        number_font(),
         Palette::of(ui.visuals()).accent,
     );
     focus_ring(ui, &button);

@@ -214,16 +214,16 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Left drag in the view", "Move the scene with the pointer"),
     gesture("Right drag in the view", "Turn the camera about its target"),
     gesture("Wheel in the view", "Move the camera closer or away"),
-    gesture("Click an end of the axis ball", "Look from that side"),
+    gesture("Click the axis ball", "Look from the side that was clicked"),
     gesture(
         "Drag a number",
         "Change it; Shift is finer, Ctrl is coarser",
     ),
     gesture("Click a number", "Type a value or a sum such as 45/2"),
     gesture("Right click a number", "Put it back to where it started"),
-    gesture("↑ ↓ in a list", "Choose the row above or below"),
-    gesture("← → in the joint list", "Fold or unfold a joint"),
-    gesture("Ctrl +, Ctrl −, Ctrl 0", "Larger, smaller, normal text"),
+    gesture("Up, Down in a list", "Choose the row above or below"),
+    gesture("Left, Right in the joint list", "Fold or unfold a joint"),
+    gesture("Ctrl and +, −, 0", "Larger, smaller, normal text"),
 ];
 
 /// The table's entries for one menu, in order.
@@ -350,5 +350,32 @@ mod tests {
             assert!(Menu::ALL.contains(&entry.menu), "{}", entry.label);
             assert!(!entry.tooltip.is_empty(), "{}", entry.label);
         }
+    }
+
+    #[test]
+    fn the_fonts_have_every_sign_that_the_panels_show() {
+        let ctx = Context::default();
+        let _ = ctx.run_ui(egui::RawInput::default(), |ui| {
+            let mut shown = "⊗⚠ℹ×🔍↺⏵⏷✔·°…⏵".to_owned();
+            for gesture in GESTURES {
+                shown += gesture.gesture;
+                shown += gesture.does;
+            }
+            for entry in COMMANDS {
+                shown += entry.label;
+                shown += entry.tooltip;
+                shown += &entry.keys(ui.ctx());
+            }
+            let drawn = |sign: char| {
+                let font = egui::FontId::proportional(14.0);
+                let painter = ui.painter();
+                let galley = painter.layout_no_wrap(sign.into(), font, egui::Color32::WHITE);
+                galley.rows[0].glyphs[0].uv_rect
+            };
+            let unknown = drawn('\u{10fffe}');
+            for sign in shown.chars().filter(|sign| !sign.is_whitespace()) {
+                assert_ne!(drawn(sign), unknown, "no glyph for {sign}");
+            }
+        });
     }
 }

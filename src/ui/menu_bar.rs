@@ -60,7 +60,7 @@ impl Items<'_> {
         ui.separator();
         let names = self.input.builtin_characters;
         if !names.is_empty() {
-            ui.menu_button("Built-in Character", |ui| {
+            submenu(ui, "Built-in Character", |ui| {
                 for &name in names {
                     let item = ui
                         .button(name)
@@ -71,17 +71,17 @@ impl Items<'_> {
                 }
             });
         }
-        ui.menu_button("Import", |ui| self.all(ui, Menu::Import));
+        submenu(ui, "Import", |ui| self.all(ui, Menu::Import));
     }
 
     fn view(&mut self, ui: &mut Ui) {
         self.all(ui, Menu::View);
         ui.separator();
-        ui.menu_button("Look", |ui| self.all(ui, Menu::Look));
-        ui.menu_button("Shading", |ui| self.all(ui, Menu::Shading));
+        submenu(ui, "Look", |ui| self.all(ui, Menu::Look));
+        submenu(ui, "Shading", |ui| self.all(ui, Menu::Shading));
         self.all(ui, Menu::Ground);
         ui.separator();
-        ui.menu_button("Theme", |ui| self.all(ui, Menu::Theme));
+        submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
     }
 
     /// The table's commands of one menu.
@@ -120,4 +120,10 @@ impl Items<'_> {
         let action = run(command, self.session, self.state, self.aspect);
         self.actions.extend(action);
     }
+}
+
+/// A menu in a menu, whose name for assistive technology is without the arrow.
+fn submenu(ui: &mut Ui, label: &str, contents: impl FnOnce(&mut Ui)) {
+    let button = ui.menu_button(label, contents).response;
+    named(button, label);
 }

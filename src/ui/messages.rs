@@ -30,6 +30,7 @@ pub(super) fn show(ui: &mut Ui, messages: &Messages) {
         .auto_shrink(false)
         .stick_to_bottom(true)
         .show(ui, |ui| {
+            ui.spacing_mut().item_spacing = egui::vec2(8.0, 8.0);
             for message in history {
                 line(ui, message);
             }

@@ -93,6 +93,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if ctx.options(|options| options.theme_preference) != state.theme {
         ctx.set_theme(state.theme);
     }
+    // The root was made before, with the style of then.
+    root.set_style(ctx.global_style());
     let mut actions = Vec::new();
     let keys_taken = input.keys_are_taken || state.keys_were_taken || takes_keys(&ctx);
 

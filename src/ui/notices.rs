@@ -2,7 +2,10 @@ use super::state::NoticeState;
 use super::theme::Palette;
 use super::widgets::named;
 use crate::editor::{Action, Message, Session, Severity, View};
-use egui::{Align, Color32, Frame, Layout, Margin, Rect, RichText, Ui, UiBuilder, Visuals, vec2};
+use egui::{
+    Align, Button, Color32, Frame, Label, Pos2, Rect, RichText, TextStyle, Ui, UiBuilder, Vec2,
+    Visuals, vec2,
+};
 use std::time::Duration;
 
 /// How many fresh messages are shown at once; the history has them all.
@@ -55,22 +58,16 @@ pub(super) fn show(
         actions.push(Action::View(View::DismissMessages));
         return;
     }
-    let width = (view.width() - 24.0).clamp(80.0, 560.0);
-    let area = Rect::from_min_max(
-        egui::pos2(view.left() + 12.0, view.top()),
-        egui::pos2(view.left() + 12.0 + width, view.bottom() - 12.0),
-    );
-    let builder = UiBuilder::new()
-        .id_salt("notices")
-        .max_rect(area)
-        .layout(Layout::bottom_up(Align::LEFT));
-    let mut inner = ui.new_child(builder);
+    let widest = (view.width() - 24.0).clamp(80.0, 560.0);
     let first = fresh.len().saturating_sub(SHOWN);
+    let mut foot = view.left_bottom() + vec2(12.0, -12.0);
     for (index, message) in fresh.iter().enumerate().skip(first).rev() {
         let newest = index + 1 == fresh.len();
-        if notice(&mut inner, message, newest) {
+        let (rect, dismissed) = notice(ui, message, newest, foot, widest);
+        if dismissed {
             actions.push(Action::View(View::DismissMessages));
         }
+        foot.y = rect.top() - 4.0;
     }
 }
 
@@ -95,30 +92,43 @@ fn is_over(ui: &Ui, session: &Session, state: &mut NoticeState) -> bool {
     left <= 0.0
 }
 
-/// One message; whether its × was clicked.
-fn notice(ui: &mut Ui, message: &Message, newest: bool) -> bool {
-    let frame = Frame::popup(ui.style()).inner_margin(Margin::symmetric(8, 4));
-    let mut dismissed = false;
-    frame.show(ui, |ui| {
-        ui.set_max_width(ui.available_width());
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let color = color(ui.visuals(), message.severity);
-            let sign = ui.label(RichText::new(icon(message.severity)).color(color));
-            named(sign, word(message.severity));
-            let button = ui.spacing().interact_size.y;
-            let room = ui.available_width() - if newest { button + 8.0 } else { 0.0 };
-            ui.scope(|ui| {
-                ui.set_max_width(room);
-                ui.add(egui::Label::new(&message.text).wrap());
-            });
-            if newest {
-                let close = egui::Button::new("×").frame_when_inactive(false);
-                let close = ui.add_sized(vec2(button, button), close);
-                dismissed = named(close, "Dismiss messages")
-                    .on_hover_text("Hide this; Help ▸ Messages keeps it")
-                    .clicked();
-            }
-        });
-    });
-    dismissed
+/// One message with its lower left corner at `foot`; where it is and whether its × was clicked.
+fn notice(ui: &mut Ui, message: &Message, newest: bool, foot: Pos2, widest: f32) -> (Rect, bool) {
+    const PADDING: Vec2 = vec2(8.0, 6.0);
+    const SIGN: f32 = 22.0;
+    const CLOSE: f32 = 20.0;
+    let close = if newest { CLOSE + 4.0 } else { 0.0 };
+    let text = ui.painter().layout(
+        message.text.clone(),
+        TextStyle::Body.resolve(ui.style()),
+        ui.visuals().text_color(),
+        widest - 2.0 * PADDING.x - SIGN - close,
+    );
+    let inner = vec2(SIGN + text.size().x + close, text.size().y.max(CLOSE));
+    let size = inner + 2.0 * PADDING;
+    let rect = Rect::from_min_size(foot - vec2(0.0, size.y), size);
+    let frame = Frame::popup(ui.style()).inner_margin(0);
+    ui.painter().add(frame.paint(rect));
+
+    let inside = rect.shrink2(PADDING);
+    let mut contents = ui.new_child(
+        UiBuilder::new()
+            .id_salt(("notice", foot.y as i32))
+            .max_rect(rect),
+    );
+    let (left, rest) = inside.split_left_right_at_x(inside.left() + SIGN);
+    let color = color(ui.visuals(), message.severity);
+    let sign = RichText::new(icon(message.severity)).color(color);
+    let sign = contents.put(left, Label::new(sign).halign(Align::Min));
+    named(sign, word(message.severity));
+    let (middle, right) = rest.split_left_right_at_x(rest.right() - close);
+    contents.put(middle, Label::new(text).halign(Align::Min));
+    let dismissed = newest && {
+        let button = Rect::from_min_size(right.right_top() - vec2(CLOSE, 0.0), Vec2::splat(CLOSE));
+        let cross = Button::new("×").frame_when_inactive(false);
+        named(contents.put(button, cross), "Dismiss messages")
+            .on_hover_text("Hide this; Help ⏵ Messages keeps it")
+            .clicked()
+    };
+    (rect, dismissed)
 }

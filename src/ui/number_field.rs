@@ -1,6 +1,6 @@
 use super::expression::evaluate;
 use super::number_text::{fitted, precise};
-use super::theme::{Palette, number_style};
+use super::theme::{Palette, number_font};
 use super::widgets::named;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
@@ -14,6 +14,8 @@ const FINER: f64 = 0.1;
 const COARSER: f64 = 10.0;
 /// Fields narrower than this show their axis as a line below rather than as a letter.
 const ROOM_FOR_LETTER: f32 = 44.0;
+/// Fields narrower than this grow while they are typed into.
+const ROOM_TO_TYPE: f32 = 76.0;
 
 /// A number that can be dragged, typed as arithmetic, stepped with ↑ and ↓, and put back to
 /// where it started by a right click.
@@ -154,12 +156,13 @@ impl<'a> NumberField<'a> {
         if begins {
             select_all(ui, id, &typed.text);
         }
+        let rect = roomy(rect);
         let wrong = evaluate(&typed.text).is_none();
         let palette = Palette::of(ui.visuals());
         let color = if wrong { palette.error } else { palette.strong };
         let edit = TextEdit::singleline(&mut typed.text)
             .id(id)
-            .font(number_style())
+            .font(number_font())
             .text_color(color)
             .margin(vec2(4.0, 2.0))
             .min_size(rect.size())
@@ -254,8 +257,8 @@ impl<'a> NumberField<'a> {
             visuals.bg_stroke,
             StrokeKind::Inside,
         );
-        let font = number_style().resolve(ui.style());
-        let mut room = rect.width() - 8.0;
+        let font = number_font();
+        let mut room = rect.width() - 6.0;
         if let Some(axis) = self.axis {
             let color = palette.axes[axis.min(2)];
             if rect.width() >= ROOM_FOR_LETTER {
@@ -265,20 +268,21 @@ impl<'a> NumberField<'a> {
                 room -= 11.0;
             } else {
                 let line = Rect::from_min_max(
-                    pos2(rect.left() + 2.0, rect.bottom() - 3.0),
+                    pos2(rect.left() + 2.0, rect.bottom() - 2.0),
                     pos2(rect.right() - 2.0, rect.bottom() - 1.0),
                 );
-                painter.rect_filled(line, 1.0, color);
+                painter.rect_filled(line, 0.0, color.gamma_multiply(0.7));
             }
         }
-        let text = fitted(self.value, self.unit, self.decimals.clone(), |text| {
+        let decimals = self.decimals.clone();
+        let text = fitted(self.value, self.unit, decimals, self.wrap, |text| {
             painter
                 .layout_no_wrap(text.to_owned(), font.clone(), visuals.text_color())
                 .size()
                 .x
                 <= room
         });
-        let at = rect.right_center() - vec2(4.0, 0.0);
+        let at = rect.right_center() - vec2(3.0, 0.0);
         painter.text(at, Align2::RIGHT_CENTER, text, font, visuals.text_color());
     }
 
@@ -343,6 +347,12 @@ impl Typed {
     fn value(&self) -> Option<f64> {
         (self.text != self.began_with).then(|| evaluate(&self.text))?
     }
+}
+
+/// Room to type a sum in: a narrow field grows over what is at its left.
+fn roomy(rect: Rect) -> Rect {
+    let left = rect.left().min(rect.right() - ROOM_TO_TYPE);
+    Rect::from_min_max(pos2(left, rect.top()), rect.max)
 }
 
 /// Takes away what adding tenths in binary leaves behind.

@@ -7,23 +7,33 @@ pub(super) fn precise(value: f64) -> String {
     rounded(value, 0, 4)
 }
 
-/// `value` with `unit` and as many of the decimals as `fits` lets through; the fewest, where
-/// nothing fits.
+/// `value` with as many of the decimals as `fits` lets through, and with `unit` if that costs
+/// none of them; the fewest, where nothing fits. What would round up to a whole `turn` is 0.
 pub(super) fn fitted(
     value: f64,
     unit: &str,
     decimals: RangeInclusive<usize>,
+    turn: Option<f64>,
     fits: impl Fn(&str) -> bool,
 ) -> String {
     let (least, most) = (*decimals.start(), *decimals.end());
-    let mut text = String::new();
+    let mut number = String::new();
     for places in (0..=most).rev() {
-        text = rounded(value, least.min(places), places) + unit;
-        if fits(&text) {
-            break;
+        let half = 0.5 / 10_f64.powi(places as i32);
+        let value = match turn {
+            Some(turn) if value + half >= turn => 0.0,
+            _ => value,
+        };
+        number = rounded(value, least.min(places), places);
+        let with_unit = format!("{number}{unit}");
+        if fits(&with_unit) {
+            return with_unit;
+        }
+        if fits(&number) {
+            return number;
         }
     }
-    text
+    number
 }
 
 /// `value` rounded to `most` decimals, of which at least `least` are written.
@@ -58,10 +68,19 @@ mod tests {
     #[test]
     fn decimals_give_way_where_room_is_short_and_stay_where_they_are_wanted() {
         let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
-        assert_eq!(fitted(329.567, "°", 0..=3, up_to(8)), "329.567°");
-        assert_eq!(fitted(329.567, "°", 0..=3, up_to(6)), "329.6°");
-        assert_eq!(fitted(329.567, "°", 0..=3, up_to(1)), "330°");
-        assert_eq!(fitted(1.0, "", 2..=3, up_to(8)), "1.00");
-        assert_eq!(fitted(1.0, "", 2..=3, up_to(3)), "1.0");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(8)), "329.567°");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(7)), "329.567");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(5)), "329.6");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(4)), "330°");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(1)), "330");
+        assert_eq!(fitted(1.0, "", 2..=3, None, up_to(8)), "1.00");
+        assert_eq!(fitted(1.0, "", 2..=3, None, up_to(3)), "1.0");
+    }
+
+    #[test]
+    fn an_angle_that_rounds_up_to_360_is_shown_as_0() {
+        let short = |text: &str| text.chars().count() <= 4;
+        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), short), "0°");
+        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), |_| true), "359.97°");
     }
 }

@@ -9,7 +9,7 @@ use egui::{Align, Button, Layout, RichText, Ui, Vec2, vec2};
 use glam::Vec3;
 
 /// Width of the column of labels, in points.
-const LABELS: f32 = 92.0;
+const LABELS: f32 = 88.0;
 const SCALES: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
 /// Position, scale, rotation and color of the selected shape, with Delete and Reset.

@@ -63,7 +63,7 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
 pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
     match command {
         Command::ToggleGrid if session.view().look != Look::Studio => {
-            Some("Only the Studio look has a ground (View ▸ Look ▸ Studio)")
+            Some("Only the Studio look has a ground (View ⏵ Look ⏵ Studio)")
         }
         Command::Delete | Command::Reset if session.selected().is_none() => {
             Some("No shape is selected")

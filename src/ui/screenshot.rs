@@ -1,7 +1,7 @@
 use super::number_field::NumberField;
 use super::properties::labelled;
 use crate::editor::{Action, Ask, Screenshot};
-use egui::{Button, Id, Key, Modal, Modifiers, RichText, Ui, vec2};
+use egui::{Button, Frame, Id, Key, Modal, Modifiers, RichText, Ui, vec2};
 
 /// The smallest and largest side of a picture, in pixels.
 const SIDES: std::ops::RangeInclusive<f64> = 16.0..=8192.0;
@@ -38,8 +38,10 @@ impl ScreenshotForm {
 
 /// The dialog; whether it is to be closed.
 pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>) -> bool {
-    let modal = Modal::new(Id::new("screenshot")).show(ui.ctx(), |ui| {
-        ui.set_width(320.0);
+    let frame = Frame::popup(ui.style()).inner_margin(16);
+    let modal = Modal::new(Id::new("screenshot")).frame(frame);
+    let modal = modal.show(ui.ctx(), |ui| {
+        ui.set_width(344.0);
         ui.heading("Screenshot");
         ui.label(RichText::new("Saves a picture as PNG, JPEG or GIF.").weak());
         ui.add_space(8.0);
@@ -52,15 +54,17 @@ pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>
 
 fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
     labelled(ui, "Show", |ui, _| {
+        ui.spacing_mut().item_spacing.x = 16.0;
         ui.radio_value(&mut form.with_panels, false, "The view alone");
         ui.radio_value(&mut form.with_panels, true, "With panels");
     });
     ui.add_enabled_ui(!form.with_panels, |ui| {
         const WHY: &str = "Panels are drawn for the window, so the picture has its size";
         labelled(ui, "Size", |ui, _| {
+            ui.spacing_mut().item_spacing.x = 16.0;
             ui.radio_value(&mut form.own_size, false, "As in the window")
                 .on_disabled_hover_text(WHY);
-            ui.radio_value(&mut form.own_size, true, "Own")
+            ui.radio_value(&mut form.own_size, true, "Custom")
                 .on_disabled_hover_text(WHY);
         });
         ui.add_enabled_ui(form.own_size, |ui| {

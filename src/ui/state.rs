@@ -36,6 +36,9 @@ pub(super) enum Dialog {
 /// What the joint list remembers.
 #[derive(Clone, Debug, Default)]
 pub(super) struct JointListState {
+    pub searching: bool,
+    /// Whether the search has just begun, so that its field gets the keyboard.
+    pub search_opened: bool,
     pub search: String,
     pub folded: HashMap<ShapeId, BTreeSet<usize>>,
     /// The joint that the pointer was over in the list; one hovered in the view is not the

@@ -37,7 +37,7 @@ fn window(
     let screen = root.ctx().content_rect();
     let size = match dialog {
         Dialog::About => vec2(360.0, 140.0),
-        _ => vec2(440.0, 420.0),
+        _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
     let mut open = true;
