@@ -1,5 +1,13 @@
 //! The program `editor`: see `editor --help`.
 
+use editor_core::{app, cli};
+
 fn main() -> std::process::ExitCode {
-    editor_core::cli::run()
+    cli::run(|window| {
+        let options = app::Options {
+            files: window.files,
+            title: window.title,
+        };
+        app::run(options).map_err(|error| error.to_string())
+    })
 }

@@ -1,4 +1,6 @@
+use crate::gpu::GpuError;
 use crate::io::Diagnostic;
+use crate::render::{InterfaceError, OffscreenError};
 use std::process::ExitCode;
 
 /// Why a command did not do what it was asked.
@@ -16,6 +18,24 @@ pub enum CliError {
     /// The command failed and has said why.
     #[error("")]
     Told,
+}
+
+impl From<OffscreenError> for CliError {
+    fn from(error: OffscreenError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<GpuError> for CliError {
+    fn from(error: GpuError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<InterfaceError> for CliError {
+    fn from(error: InterfaceError) -> Self {
+        Self::Other(error.to_string())
+    }
 }
 
 impl CliError {

@@ -2,36 +2,60 @@
 //! standard error; the exit code is 0 when all is done, 1 when an input or a comparison failed,
 //! 2 when the command was used wrongly.
 
+mod arguments;
 pub mod check;
 mod error;
 pub mod export;
 mod load;
 mod output;
+pub mod render;
 
 pub use error::CliError;
 pub use load::{files, load};
 pub use output::print;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{Parser, Subcommand};
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Pose and skin characters, beside the course's editor: hierarchical modeling, skeletal subspace
 /// deformation, shapes.
 #[derive(Debug, Parser)]
-#[command(name = "editor", version, about)]
+#[command(
+    name = "editor",
+    version,
+    about,
+    args_conflicts_with_subcommands = true,
+    override_usage = "editor [FILE]... [--title TEXT]\n       editor COMMAND ..."
+)]
 struct Cli {
     #[command(subcommand)]
     command: Option<Command>,
+    #[command(flatten)]
+    window: WindowArgs,
+}
+
+/// What the window starts with.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct WindowArgs {
+    /// Scenes to open (.scene), and characters and shapes (.obj) to import, or builtin:NAME
+    #[arg(value_name = "FILE")]
+    pub files: Vec<PathBuf>,
+    /// Title of the window, for instance your name
+    #[arg(long, value_name = "TEXT")]
+    pub title: Option<String>,
 }
 
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Args),
     Export(export::Args),
+    Render(render::Args),
 }
 
-/// Runs the program with the arguments that it was started with.
-pub fn run() -> ExitCode {
+/// Runs the program with the arguments that it was started with; `open_window` is called where
+/// they name no command, and says what went wrong.
+pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
@@ -44,7 +68,8 @@ pub fn run() -> ExitCode {
     let done = match cli.command {
         Some(Command::Check(args)) => check::run(&args),
         Some(Command::Export(args)) => export::run(&args),
-        None => print(&Cli::command().render_help().to_string()),
+        Some(Command::Render(args)) => render::run(&args),
+        None => open_window(cli.window).map_err(CliError::Other),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -35,7 +35,29 @@ macro_rules! assets {
 }
 
 /// Path below `assets/`, and content.
-static ASSETS: &[(&str, &[u8])] = assets!["scenes/showcase.scene"];
+static ASSETS: &[(&str, &[u8])] = assets![
+    "characters/adult.attach",
+    "characters/adult.obj",
+    "characters/adult.skel",
+    "characters/dog.attach",
+    "characters/dog.obj",
+    "characters/dog.skel",
+    "characters/robot.attach",
+    "characters/robot.obj",
+    "characters/robot.skel",
+    "shapes/gear.obj",
+    "shapes/gem.obj",
+    "shapes/plant.mtl",
+    "shapes/plant.obj",
+    "scenes/showcase.scene",
+    "poses/adult-sit.json",
+    "poses/adult-walk.json",
+    "poses/adult-wave.json",
+    "poses/dog-sit.json",
+    "poses/dog-trot.json",
+    "poses/robot-greet.json",
+    "poses/robot-march.json",
+];
 
 /// Everything that has a name of its own, in the order of the kinds and then of the names.
 pub fn catalogue() -> Vec<Builtin> {

@@ -21,9 +21,9 @@ pub fn compose(
         width: place.width,
         height: place.height,
     };
-    scene.blit_into(target, whole, place)?;
+    let placed = scene.blit_into(target, whole, place);
     painter.paint(context, output, target);
-    Ok(())
+    placed
 }
 
 /// Where in a picture the view lies, in whole pixels, from its place in the interface: `min` and

@@ -58,13 +58,13 @@ impl InterfacePainter {
     }
 
     /// Takes in the textures of an output that is not painted.
-    pub fn skip(&mut self, output: egui::FullOutput) {
-        for (id, deltas) in &output.textures_delta.set {
+    pub fn skip(&mut self, mut output: egui::FullOutput) {
+        for (id, deltas) in output.textures_delta.set.drain() {
             for delta in deltas {
-                self.painter.set_texture(*id, delta);
+                self.painter.set_texture(id, &delta);
             }
         }
-        for &id in &output.textures_delta.free {
+        for id in output.textures_delta.free.drain() {
             self.painter.free_texture(id);
         }
     }

@@ -27,6 +27,7 @@ mod shape_panel;
 mod state;
 mod status_line;
 mod theme;
+mod view_gestures;
 mod view_overlay;
 mod widgets;
 mod windows;
@@ -35,6 +36,7 @@ pub use expression::evaluate;
 pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette};
+pub use view_gestures::view_gestures;
 
 use crate::editor::{Action, Session};
 use crate::scene::ShapeId;

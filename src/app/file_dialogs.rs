@@ -1,0 +1,98 @@
+use crate::editor::Screenshot;
+use egui_file_dialog::{DialogState, FileDialog, Filter};
+use std::path::{Path, PathBuf};
+
+/// What a chosen file is for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Purpose {
+    ImportShape,
+    ImportCharacter,
+    SaveScreenshot(Screenshot),
+}
+
+impl Purpose {
+    fn title(self) -> &'static str {
+        match self {
+            Self::ImportShape => "Import Shape",
+            Self::ImportCharacter => "Import Character (.obj with .skel and .attach beside it)",
+            Self::SaveScreenshot(_) => "Save Screenshot",
+        }
+    }
+
+    fn filter(self) -> &'static str {
+        match self {
+            Self::ImportShape => "Shapes (.obj)",
+            Self::ImportCharacter => "Characters (.obj)",
+            Self::SaveScreenshot(_) => "Pictures (.png, .jpg, .gif)",
+        }
+    }
+
+    /// Whether `path` is listed. AppleDouble files, which archives from some systems carry
+    /// beside the real ones, never are.
+    fn lists(self, path: &Path) -> bool {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("._") {
+            return false;
+        }
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .to_lowercase();
+        let has = |other: &str| path.with_extension(other).is_file();
+        match self {
+            Self::ImportShape => extension == "obj",
+            Self::ImportCharacter => extension == "obj" && (has("skel") || has("attach")),
+            Self::SaveScreenshot(_) => ["png", "jpg", "jpeg", "gif"].contains(&&*extension),
+        }
+    }
+}
+
+/// The one file dialog of the program, inside its window.
+pub(super) struct FileDialogs {
+    open: Option<(Purpose, FileDialog)>,
+}
+
+impl FileDialogs {
+    pub fn new() -> Self {
+        Self { open: None }
+    }
+
+    pub fn is_open(&self) -> bool {
+        self.open.is_some()
+    }
+
+    /// Opens it in `folder`, in place of one that is open already.
+    pub fn open(&mut self, purpose: Purpose, folder: Option<&Path>) {
+        let filter = Filter::new(move |path: &Path| purpose.lists(path));
+        let mut dialog = FileDialog::new()
+            .title(purpose.title())
+            .id("file dialog")
+            .add_file_filter(purpose.filter(), filter)
+            .default_file_filter(purpose.filter())
+            .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
+            .default_size([640.0, 440.0]);
+        if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
+            dialog = dialog.initial_directory(folder.to_owned());
+        }
+        match purpose {
+            Purpose::SaveScreenshot(_) => {
+                dialog = dialog.default_file_name("screenshot.png");
+                dialog.save_file();
+            }
+            _ => dialog.pick_file(),
+        }
+        self.open = Some((purpose, dialog));
+    }
+
+    /// Shows the dialog if it is open; returns the file once one is chosen.
+    pub fn show(&mut self, context: &egui::Context) -> Option<(Purpose, PathBuf)> {
+        let (purpose, dialog) = self.open.as_mut()?;
+        dialog.update(context);
+        let chosen = dialog.take_picked().map(|path| (*purpose, path));
+        if chosen.is_some() || !matches!(dialog.state(), DialogState::Open) {
+            self.open = None;
+        }
+        chosen
+    }
+}

@@ -1,0 +1,163 @@
+use super::application::AppError;
+use super::globals;
+use super::workspace::Workspace;
+use crate::geometry::Revision;
+use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
+use crate::render::{Frame, Marks, compose, read_picture, view_place};
+use crate::ui;
+use std::time::Duration;
+use winit::dpi::PhysicalSize;
+
+/// The pictures that a frame goes through, kept for as long as their sizes fit.
+#[derive(Debug, Default)]
+pub(super) struct FramePictures {
+    scene: Option<Framebuffer>,
+    window: Option<Framebuffer>,
+    /// What the scene's picture shows: drawn again only when this changes.
+    shown: Option<(Revision, Marks)>,
+}
+
+impl FramePictures {
+    /// Size of the view in pixels, once it was drawn.
+    pub fn view_size(&self) -> Option<(u32, u32)> {
+        self.scene
+            .as_ref()
+            .map(|scene| (scene.width(), scene.height()))
+    }
+}
+
+impl Workspace {
+    /// Runs the panels, does what they ask, draws the scene if it changed, and shows it all.
+    pub(super) fn draw_frame(&mut self, size: PhysicalSize<u32>) -> Result<Duration, AppError> {
+        let window = self.window.window();
+        let input = self.egui.take_egui_input(window);
+        let context = self.egui.egui_ctx().clone();
+        let (session, state, dialogs) = (&self.session, &mut self.ui, &mut self.dialogs);
+        let view_input = ui::ViewInput {
+            title: &self.title,
+            builtin_characters: &self.builtin_characters,
+            hovered_shape: self.hovered_shape,
+            frames_per_second: None,
+            backend: &self.backend,
+            gesture_under_way: false,
+            keys_are_taken: dialogs.is_open(),
+        };
+        let mut shown = None;
+        let mut chosen = None;
+        let mut output = context.run_ui(input, |ui| {
+            // egui may run a frame twice to find its sizes; only the last run counts.
+            shown = Some(ui::show(ui, session, state, &view_input));
+            chosen = dialogs.show(ui.ctx()).or_else(|| chosen.take());
+        });
+        let platform = std::mem::take(&mut output.platform_output);
+        self.egui.handle_platform_output(window, platform);
+        let Some(mut shown) = shown else {
+            return Ok(Duration::MAX);
+        };
+        self.hovered_shape = ui::view_gestures(&shown.view, session, &mut shown.actions);
+        let changed = !shown.actions.is_empty() || chosen.is_some();
+        self.carry_out(std::mem::take(&mut shown.actions));
+        if let Some((purpose, path)) = chosen {
+            self.use_chosen(purpose, path);
+        }
+
+        let delay = output
+            .viewport_output
+            .get(&egui::ViewportId::ROOT)
+            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        if let Err(error) = self.draw_scene(&shown, output.pixels_per_point, size) {
+            self.painter.skip(output);
+            return Err(error.into());
+        }
+        self.show_frame(&shown, output, size)?;
+        // The panels were laid out before what they asked for was done.
+        Ok(if changed { Duration::ZERO } else { delay })
+    }
+
+    fn place(shown: &ui::UiOutput, pixels_per_point: f32, size: PhysicalSize<u32>) -> Rect {
+        let (min, max) = (shown.view_rect.min, shown.view_rect.max);
+        let size = (size.width, size.height);
+        view_place((min.x, min.y), (max.x, max.y), pixels_per_point, size)
+    }
+
+    fn draw_scene(
+        &mut self,
+        shown: &ui::UiOutput,
+        pixels_per_point: f32,
+        size: PhysicalSize<u32>,
+    ) -> Result<(), GpuError> {
+        let place = Self::place(shown, pixels_per_point, size);
+        let gl = self.window.gl();
+        let samples = globals::SAMPLES.min(gl.info().max_samples);
+        let (width, height) = (place.width.unsigned_abs(), place.height.unsigned_abs());
+        let fresh = fit(gl, &mut self.pictures.scene, (width, height), samples)?;
+        let marks = Marks {
+            selected: self.session.selected(),
+            hovered: self.hovered_shape,
+            selected_joint: self.session.selected_joint(),
+            hovered_joint: self.session.hovered_joint(),
+        };
+        let now = Some((self.session.revision(), marks));
+        if !fresh && self.pictures.shown == now {
+            return Ok(());
+        }
+        let Some(target) = &self.pictures.scene else {
+            return Ok(());
+        };
+        let frame = Frame {
+            scene: self.session.scene(),
+            evaluated: self.session.evaluated(),
+            view: self.session.view(),
+            marks,
+        };
+        self.renderer.draw(&frame, target)?;
+        self.pictures.shown = now;
+        Ok(())
+    }
+
+    fn show_frame(
+        &mut self,
+        shown: &ui::UiOutput,
+        output: egui::FullOutput,
+        size: PhysicalSize<u32>,
+    ) -> Result<(), AppError> {
+        let place = Self::place(shown, output.pixels_per_point, size);
+        let gl = self.window.gl();
+        fit(gl, &mut self.pictures.window, (size.width, size.height), 0)?;
+        let pictures = &self.pictures;
+        let (Some(scene), Some(target)) = (&pictures.scene, &pictures.window) else {
+            return Ok(());
+        };
+        let context = self.egui.egui_ctx();
+        compose(scene, place, &mut self.painter, context, output, target)?;
+        let whole = Rect {
+            x: 0,
+            y: 0,
+            width: size.width as i32,
+            height: size.height as i32,
+        };
+        target.blit_to_window(whole);
+        self.window.window().pre_present_notify();
+        self.window.swap_buffers()?;
+        if let Some(path) = self.pending_screenshot.take_if(|_| !self.dialogs.is_open()) {
+            let picture = read_picture(target)?;
+            self.save_picture(&path, &picture);
+        }
+        Ok(())
+    }
+}
+
+/// Makes `picture` anew if it has another size; whether it did.
+fn fit(
+    gl: &Gl,
+    picture: &mut Option<Framebuffer>,
+    (width, height): (u32, u32),
+    samples: u32,
+) -> Result<bool, GpuError> {
+    let fits = |p: &Framebuffer| (p.width(), p.height(), p.samples()) == (width, height, samples);
+    if picture.as_ref().is_some_and(fits) {
+        return Ok(false);
+    }
+    *picture = Some(Framebuffer::new(gl, width, height, samples)?);
+    Ok(true)
+}

@@ -1,0 +1,18 @@
+//! What is the same everywhere in the program. A student puts their name here.
+
+/// The program's name.
+pub const PROGRAM: &str = "Editor";
+
+/// Your name: it stands in the title of the window. `--title` replaces the whole title.
+pub const STUDENT_NAME: &str = "Your Name";
+
+/// Size of the window at first start, in logical pixels; the course's is 800×600.
+pub const WINDOW_SIZE: (f64, f64) = (1280.0, 800.0);
+
+/// Samples a pixel in the window, where the driver has as many.
+pub const SAMPLES: u32 = 4;
+
+/// The title of the window.
+pub fn title() -> String {
+    format!("{PROGRAM} — {STUDENT_NAME}")
+}

@@ -1,0 +1,67 @@
+use super::workspace::Workspace;
+use crate::disk::Disk;
+use crate::editor::{Edit, Session, Severity, apply_edit};
+use crate::io::builtin::WithBuiltin;
+use crate::io::{self, Diagnostic, Imported, Loaded, NewShape};
+use std::path::{Path, PathBuf};
+
+impl Workspace {
+    /// Starts with `paths` in one scene. What cannot be opened is told; the others are there.
+    pub(super) fn open_at_start(&mut self, paths: &[PathBuf]) {
+        let mut loaded = Loaded::default();
+        let mut failed = Vec::new();
+        for path in paths {
+            if let Err(error) = loaded.add(&files(), path) {
+                failed.push(error);
+            }
+        }
+        self.session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
+        self.tell(Severity::Warning, loaded.warnings);
+        self.tell(Severity::Error, failed);
+    }
+
+    /// Adds what the file at `path` holds, whatever it is.
+    pub(super) fn import_any(&mut self, path: &Path) {
+        self.insert(io::import_any(&files(), path));
+    }
+
+    /// Import ▸ Import Shape.
+    pub(super) fn import_shape(&mut self, path: &Path) {
+        self.insert(io::import_shape(&files(), path));
+    }
+
+    /// Import ▸ Import Character.
+    pub(super) fn import_character(&mut self, path: &Path) {
+        self.insert(io::import_character(&files(), path));
+    }
+
+    fn insert(&mut self, imported: Result<Imported<Vec<NewShape>>, Diagnostic>) {
+        match imported {
+            Ok(imported) => {
+                for NewShape { name, kind, source } in imported.value {
+                    apply_edit(
+                        &mut self.session,
+                        Edit::Insert {
+                            name,
+                            kind,
+                            source: Some(source),
+                        },
+                    );
+                }
+                self.tell(Severity::Warning, imported.warnings);
+            }
+            Err(error) => self.tell(Severity::Error, vec![error]),
+        }
+        self.request_redraw();
+    }
+
+    fn tell(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
+        for diagnostic in diagnostics {
+            self.session.messages.tell(severity, diagnostic.to_string());
+        }
+    }
+}
+
+fn files() -> WithBuiltin<Disk> {
+    WithBuiltin(Disk)
+}

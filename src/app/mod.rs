@@ -1,0 +1,13 @@
+//! The program with its window: winit brings events, egui the panels, [`crate::render`] the
+//! picture, and nothing is drawn while nothing changes.
+
+mod application;
+mod file_dialogs;
+mod frame;
+pub mod globals;
+mod imports;
+mod preferences;
+mod screenshots;
+mod workspace;
+
+pub use application::{AppError, Options, run};

@@ -1,0 +1,257 @@
+//! `editor render`: a picture without a window.
+
+use super::{CliError, arguments, load};
+use crate::disk;
+use crate::editor::Session;
+use crate::geometry::Picture;
+use crate::gpu::{Backend, Framebuffer, Gl};
+use crate::io;
+use crate::math::Aabb;
+use crate::render::{Frame, InterfacePainter, Marks, Offscreen, compose, read_picture, view_place};
+use crate::scene::{
+    BoneStyle, Camera, JointStyle, Look, ModelDisplay, Scene, ShapeKind, ViewDirection,
+    ViewSettings,
+};
+use crate::ui;
+use std::path::PathBuf;
+
+/// Draws scenes, characters and shapes into a picture, without a window or a display.
+///
+/// The same input gives the same picture, byte for byte, on every run.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  \
+    editor render builtin:showcase --samples 4 -o showcase.png\n  \
+    editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png")]
+pub struct Args {
+    /// Scenes, characters (.obj with .skel and .attach beside it), shapes, or builtin:NAME.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// The picture to write; its extension is .png, .jpg or .gif.
+    #[arg(short, long, value_name = "PICTURE")]
+    output: PathBuf,
+    /// Width and height in pixels.
+    #[arg(long, default_value = "800x600", value_parser = arguments::size)]
+    size: (u32, u32),
+    /// Where the camera stands: angles in degrees, distance, and what it looks at.
+    #[arg(
+        long,
+        value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
+        allow_hyphen_values = true,
+        value_parser = arguments::camera
+    )]
+    camera: Option<Camera>,
+    /// One of the six views: +x, -x, +y, -y, +z or -z.
+    #[arg(long, allow_hyphen_values = true, value_parser = arguments::view, conflicts_with = "camera")]
+    view: Option<ViewDirection>,
+    /// Move the camera so that everything is in the picture, keeping its direction.
+    #[arg(long)]
+    fit: bool,
+    /// Pose every character by this POSE.json.
+    #[arg(long, value_name = "POSE.json")]
+    pose: Option<PathBuf>,
+    /// What is drawn of characters [default: mesh, or as the scene has it].
+    #[arg(long)]
+    display: Option<Display>,
+    /// How joints are drawn [default: spheres, or as the scene has it].
+    #[arg(long)]
+    joints: Option<Joints>,
+    /// How bones are drawn [default: boxes, or as the scene has it].
+    #[arg(long)]
+    bones: Option<Bones>,
+    /// Light and background [default: course, or as the scene has it].
+    #[arg(long)]
+    look: Option<LookName>,
+    /// Draw the axes.
+    #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch)]
+    axis: bool,
+    /// Samples a pixel, for smooth edges; 0 for none.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    samples: u32,
+    /// What to draw with.
+    #[arg(long, default_value = "auto")]
+    gl: GlName,
+    /// Draw the window's panels too; the size is the window's.
+    #[arg(long)]
+    ui: bool,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Display {
+    Mesh,
+    Skeleton,
+    Both,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Joints {
+    Points,
+    Spheres,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Bones {
+    Lines,
+    Boxes,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum LookName {
+    Course,
+    Studio,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum GlName {
+    /// EGL, and OSMesa where there is none.
+    Auto,
+    Egl,
+    Osmesa,
+}
+
+/// Draws the picture and writes it.
+///
+/// # Errors
+/// When a file cannot be read or written, a joint of the pose is missing, there is no OpenGL, or
+/// the picture is too large for it.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    // A name that cannot be written is told before any work is done.
+    let format = io::image::PictureFormat::of(&args.output)?;
+    let session = session(args)?;
+    let backend = match args.gl {
+        GlName::Auto => Backend::Auto,
+        GlName::Egl => Backend::Egl,
+        GlName::Osmesa => Backend::Osmesa,
+    };
+    let mut offscreen = Offscreen::new(backend)?;
+    let picture = if args.ui {
+        with_panels(args, &session, &mut offscreen)?
+    } else {
+        let frame = frame(&session, Marks::default());
+        offscreen.picture(&frame, args.size, args.samples)?
+    };
+    let bytes = io::image::encode(&picture, format)
+        .map_err(|message| io::Diagnostic::new(&args.output, message))?;
+    disk::write_whole(&args.output, &bytes)?;
+    Ok(())
+}
+
+fn session(args: &Args) -> Result<Session, CliError> {
+    let mut loaded = load(&args.files, args.pose.as_deref())?;
+    set_display(args, &mut loaded.scene);
+
+    let mut view = loaded.view.unwrap_or_default();
+    view.axis = args.axis;
+    if let Some(look) = args.look {
+        view.look = match look {
+            LookName::Course => Look::Course,
+            LookName::Studio => Look::Studio,
+        };
+    }
+    if let Some(camera) = args.camera.or(args.view.map(Camera::preset)) {
+        view.camera = camera;
+    }
+    let session = Session::with_scene(loaded.scene, view);
+    if !args.fit {
+        return Ok(session);
+    }
+    let bounds = session.evaluated().world_bounds();
+    Ok(Session::with_scene(
+        session.scene().clone(),
+        fitted(view, &bounds, args.size),
+    ))
+}
+
+fn fitted(mut view: ViewSettings, bounds: &Aabb, (width, height): (u32, u32)) -> ViewSettings {
+    view.camera.fit(bounds, width as f32 / height as f32);
+    view
+}
+
+fn set_display(args: &Args, scene: &mut Scene) {
+    let characters: Vec<_> = scene
+        .shapes()
+        .iter()
+        .filter(|shape| matches!(shape.kind, ShapeKind::Character(_)))
+        .map(|shape| shape.id)
+        .collect();
+    for id in characters {
+        let Some(character) = scene.character_mut(id) else {
+            continue;
+        };
+        let display = &mut character.display;
+        if let Some(mode) = args.display {
+            display.mode = match mode {
+                Display::Mesh => ModelDisplay::Mesh,
+                Display::Skeleton => ModelDisplay::Skeleton,
+                Display::Both => ModelDisplay::Both,
+            };
+        }
+        if let Some(joints) = args.joints {
+            display.joints = match joints {
+                Joints::Points => JointStyle::Points,
+                Joints::Spheres => JointStyle::Spheres,
+            };
+        }
+        if let Some(bones) = args.bones {
+            display.bones = match bones {
+                Bones::Lines => BoneStyle::Lines,
+                Bones::Boxes => BoneStyle::Boxes,
+            };
+        }
+    }
+}
+
+fn frame(session: &Session, marks: Marks) -> Frame<'_> {
+    Frame {
+        scene: session.scene(),
+        evaluated: session.evaluated(),
+        view: session.view(),
+        marks,
+    }
+}
+
+/// The window as it would look, drawn through the same panels.
+fn with_panels(
+    args: &Args,
+    session: &Session,
+    offscreen: &mut Offscreen,
+) -> Result<Picture, CliError> {
+    let (width, height) = args.size;
+    let gl: Gl = offscreen.gl().clone();
+    let mut painter = InterfacePainter::new(&gl)?;
+    let context = egui::Context::default();
+    let mut state = ui::UiState::new();
+    state.theme = egui::ThemePreference::Dark;
+    let view_input = ui::ViewInput::default();
+    let mut view_rect = egui::Rect::NOTHING;
+    let texture_side = painter.max_texture_side();
+    let mut lay_out = || {
+        let size = egui::vec2(width as f32, height as f32);
+        let input = egui::RawInput {
+            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
+            max_texture_side: Some(texture_side),
+            time: Some(0.0),
+            ..Default::default()
+        };
+        let output = context.run_ui(input, |ui| {
+            view_rect = ui::show(ui, session, &mut state, &view_input).view_rect;
+        });
+        (output, view_rect)
+    };
+    // Panels take a few frames to find their sizes.
+    for _ in 0..3 {
+        let (output, _) = lay_out();
+        painter.skip(output);
+    }
+    let (output, rect) = lay_out();
+    let (min, max) = (rect.min, rect.max);
+    let place = view_place((min.x, min.y), (max.x, max.y), 1.0, args.size);
+    let marks = Marks {
+        selected: session.selected(),
+        ..Marks::default()
+    };
+    let size = (place.width.unsigned_abs(), place.height.unsigned_abs());
+    let scene = offscreen.render(&frame(session, marks), size, args.samples)?;
+    let target = Framebuffer::new(&gl, width, height, 0)?;
+    compose(&scene, place, &mut painter, &context, output, &target)?;
+    Ok(read_picture(&target)?)
+}

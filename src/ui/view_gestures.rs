@@ -1,0 +1,64 @@
+use crate::editor::{Action, Session, View};
+use crate::scene::{ShapeId, pick_shape};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response};
+use glam::Vec2;
+
+/// Points of a touchpad's scrolling that count as one notch of a wheel.
+const POINTS_PER_NOTCH: f32 = 50.0;
+
+/// What the pointer does to the scene, as in the course's editor: a left drag pans, a right drag
+/// turns, the wheel zooms, a click selects the shape under the pointer.
+///
+/// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
+/// to themselves. Returns the shape that the pointer is over.
+pub fn view_gestures(
+    view: &Response,
+    session: &Session,
+    actions: &mut Vec<Action>,
+) -> Option<ShapeId> {
+    let mut camera = session.view().camera;
+    let delta = Vec2::new(view.drag_delta().x, view.drag_delta().y);
+    if view.dragged_by(PointerButton::Primary) {
+        camera.pan(delta);
+    }
+    if view.dragged_by(PointerButton::Secondary) {
+        camera.turn(delta);
+    }
+    if view.hovered() {
+        camera.zoom(notches(&view.ctx));
+    }
+    if camera != session.view().camera {
+        actions.push(Action::View(View::SetCamera(camera)));
+    }
+    if view.clicked() {
+        let clicked = view.interact_pointer_pos();
+        let shape = clicked.and_then(|position| shape_at(session, view.rect, position));
+        actions.push(Action::View(View::Select(shape)));
+    }
+    let position = view.hover_pos().filter(|_| !view.dragged())?;
+    shape_at(session, view.rect, position)
+}
+
+fn shape_at(session: &Session, rect: Rect, position: Pos2) -> Option<ShapeId> {
+    let pixel = position - rect.min;
+    let size = Vec2::new(rect.width(), rect.height());
+    let ray = session.view().camera.ray(Vec2::new(pixel.x, pixel.y), size);
+    pick_shape(session.evaluated(), &ray).map(|(id, _)| id)
+}
+
+/// How far the wheel went since the last frame. egui's own smoothing would spread a notch over
+/// frames, and the course's step is a whole one.
+fn notches(context: &egui::Context) -> f32 {
+    context.input(|input| {
+        let wheel = input.events.iter().map(|event| match event {
+            Event::MouseWheel {
+                unit: MouseWheelUnit::Point,
+                delta,
+                ..
+            } => delta.y / POINTS_PER_NOTCH,
+            Event::MouseWheel { delta, .. } => delta.y,
+            _ => 0.0,
+        });
+        wheel.sum()
+    })
+}
