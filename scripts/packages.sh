@@ -8,7 +8,7 @@ offscreen="libegl1 libgl1-mesa-dri"
 window="libgl1 libxcursor1 libxi6 libxrandr2 libxkbcommon-x11-0"
 case "${1:-}" in
 run) wanted="$offscreen $window" ;;
-test) wanted="$offscreen $window libosmesa6 xvfb xdotool" ;;
+test) wanted="$offscreen $window libosmesa6 xvfb xdotool x11-apps" ;;
 *)
     echo "usage: $0 run|test" >&2
     exit 2

@@ -1,0 +1,250 @@
+//! A screen without a monitor, the program in it, and hands: Xvfb and xdotool.
+
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// One desktop at a time: servers that start together may take each other's display number, and
+/// programs that draw in software together are slow.
+static TURN: Mutex<()> = Mutex::new(());
+
+/// A running Xvfb.
+pub struct Desktop {
+    _turn: MutexGuard<'static, ()>,
+    server: Child,
+    pub display: String,
+}
+
+impl Desktop {
+    /// Starts one on a display number of its own choosing.
+    pub fn start() -> Self {
+        let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut server = Command::new("Xvfb")
+            .args([
+                "-displayfd",
+                "1",
+                "-screen",
+                "0",
+                "1400x900x24",
+                "-nolisten",
+                "tcp",
+            ])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("Xvfb starts (package xvfb)");
+        let stdout = server.stdout.take().expect("its standard output");
+        let mut number = String::new();
+        BufReader::new(stdout)
+            .read_line(&mut number)
+            .expect("the display's number");
+        Self {
+            _turn: turn,
+            server,
+            display: format!(":{}", number.trim()),
+        }
+    }
+
+    /// Runs xdotool and returns what it prints.
+    pub fn xdotool(&self, arguments: &[&str]) -> String {
+        let output = Command::new("xdotool")
+            .args(arguments)
+            .env("DISPLAY", &self.display)
+            .output()
+            .expect("xdotool runs (package xdotool)");
+        String::from_utf8_lossy(&output.stdout).trim().to_owned()
+    }
+}
+
+impl Drop for Desktop {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+/// The program, running in a desktop.
+pub struct Program<'a> {
+    desktop: &'a Desktop,
+    child: Child,
+    window: String,
+}
+
+impl<'a> Program<'a> {
+    /// Starts it with `home` as the user's folder and waits for its window.
+    pub fn start(desktop: &'a Desktop, home: &Path, arguments: &[&str]) -> Self {
+        let child = command(home)
+            .args(arguments)
+            .env("DISPLAY", &desktop.display)
+            .spawn()
+            .expect("the program starts");
+        let mut program = Self {
+            desktop,
+            child,
+            window: String::new(),
+        };
+        program.window = program.wait_for("its window", |program| {
+            let pid = program.child.id().to_string();
+            let found = desktop.xdotool(&["search", "--onlyvisible", "--pid", &pid]);
+            found.lines().next().map(str::to_owned)
+        });
+        // Without a window manager nothing gives a window the keyboard.
+        desktop.xdotool(&["windowmove", &program.window, "0", "0"]);
+        desktop.xdotool(&["windowfocus", &program.window]);
+        program.wait_for("its first picture", |program| {
+            let dump = program.grab();
+            let pixels = dump
+                .len()
+                .checked_sub(100_000)
+                .map(|start| &dump[start..])?;
+            let first = pixels.get(..4)?;
+            pixels
+                .chunks_exact(4)
+                .any(|pixel| pixel != first)
+                .then_some(())
+        });
+        program
+    }
+
+    pub fn title(&self) -> String {
+        self.desktop.xdotool(&["getwindowname", &self.window])
+    }
+
+    /// Presses and releases keys, named as X names them.
+    pub fn keys(&self, keys: &[&str]) {
+        for key in keys {
+            self.desktop.xdotool(&["key", key]);
+            pause();
+        }
+    }
+
+    /// Drags with button `button` in steps, as a hand does.
+    pub fn drag(&self, button: &str, from: (f32, f32), to: (f32, f32)) {
+        const STEPS: i32 = 10;
+        self.point(from);
+        self.desktop.xdotool(&["mousedown", button]);
+        pause();
+        for step in 1..=STEPS {
+            let along = step as f32 / STEPS as f32;
+            self.point((
+                from.0 + (to.0 - from.0) * along,
+                from.1 + (to.1 - from.1) * along,
+            ));
+        }
+        self.desktop.xdotool(&["mouseup", button]);
+        pause();
+    }
+
+    fn point(&self, (x, y): (f32, f32)) {
+        let (x, y) = (x.round().to_string(), y.round().to_string());
+        self.desktop.xdotool(&["mousemove", &x, &y]);
+        std::thread::sleep(Duration::from_millis(30));
+    }
+
+    /// What is on the screen now, once it stands still.
+    pub fn picture(&self) -> Vec<u8> {
+        let mut last = self.grab();
+        let since = Instant::now();
+        loop {
+            std::thread::sleep(Duration::from_millis(200));
+            let now = self.grab();
+            if now == last || since.elapsed() > PATIENCE {
+                return now;
+            }
+            last = now;
+        }
+    }
+
+    /// The window's pixels, by way of a dump of the screen.
+    fn grab(&self) -> Vec<u8> {
+        let output = Command::new("xwd")
+            .args(["-silent", "-id", &self.window])
+            .env("DISPLAY", &self.desktop.display)
+            .output()
+            .expect("xwd runs (package x11-apps)");
+        output.stdout
+    }
+
+    /// Waits until `look` sees something.
+    pub fn wait_for<T>(&mut self, what: &str, look: impl Fn(&Self) -> Option<T>) -> T {
+        let since = Instant::now();
+        loop {
+            if let Some(seen) = look(self) {
+                return seen;
+            }
+            if let Some(status) = self.child.try_wait().expect("the program's state") {
+                panic!(
+                    "the program ended ({status}) before {what} was seen: {}",
+                    self.stderr()
+                );
+            }
+            assert!(since.elapsed() < PATIENCE, "{what} was not seen");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    /// Waits for the program's end.
+    pub fn end(mut self) -> (ExitStatus, String) {
+        let since = Instant::now();
+        loop {
+            if let Some(status) = self.child.try_wait().expect("the program's state") {
+                let told = self.stderr();
+                return (status, told);
+            }
+            assert!(since.elapsed() < PATIENCE, "the program does not end");
+            std::thread::sleep(Duration::from_millis(50));
+        }
+    }
+
+    fn stderr(&mut self) -> String {
+        let mut told = String::new();
+        if let Some(mut stderr) = self.child.stderr.take() {
+            let _ = stderr.read_to_string(&mut told);
+        }
+        told
+    }
+
+    /// What the program has used of the processor so far, in hundredths of a second.
+    pub fn processor_time(&self) -> u64 {
+        let stat = std::fs::read_to_string(format!("/proc/{}/stat", self.child.id()))
+            .expect("the program's state");
+        // The name, in parentheses, may hold blanks; user and system time are fields 14 and 15.
+        let after_name = stat.rsplit(')').next().expect("fields after the name");
+        let fields: Vec<&str> = after_name.split_whitespace().collect();
+        let field = |number: usize| {
+            fields[number - 3]
+                .parse::<u64>()
+                .expect("a number of ticks")
+        };
+        field(14) + field(15)
+    }
+}
+
+impl Drop for Program<'_> {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// The program with nothing of this machine's user in its surroundings.
+pub fn command(home: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_editor"));
+    command
+        .env("HOME", home)
+        .env_remove("XDG_CONFIG_HOME")
+        .env_remove("WAYLAND_DISPLAY")
+        .env_remove("DISPLAY")
+        .env("LIBGL_ALWAYS_SOFTWARE", "1")
+        .stdin(Stdio::null())
+        .stderr(Stdio::piped());
+    command
+}
+
+fn pause() {
+    std::thread::sleep(Duration::from_millis(120));
+}

@@ -1,0 +1,136 @@
+//! The real window under Xvfb, used as a person uses it.
+
+mod desktop;
+mod places;
+
+use desktop::{Desktop, Program, command};
+use std::path::{Path, PathBuf};
+
+/// The middle of the view, in a window of 1280×800 with panels at its right.
+const IN_VIEW: (f32, f32) = (400.0, 300.0);
+
+/// A user's folder with a character in it, where the file dialog starts.
+fn home_with_character(folder: &Path) -> PathBuf {
+    let models = folder.join("models");
+    let config = folder.join(".config/skeleton-editor");
+    std::fs::create_dir_all(&models).expect("a folder for models");
+    std::fs::create_dir_all(&config).expect("a folder for preferences");
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/characters");
+    for extension in ["obj", "skel", "attach"] {
+        let name = format!("robot.{extension}");
+        std::fs::copy(assets.join(&name), models.join(&name)).expect("a copied character");
+    }
+    // What some systems leave beside the real file; the dialog must not offer it.
+    std::fs::write(models.join("._robot.obj"), b"Mac OS X").expect("a companion file");
+    let preferences = serde_json::json!({ "last_folder": models, "started_before": true });
+    std::fs::write(config.join("preferences.json"), preferences.to_string())
+        .expect("written preferences");
+    models
+}
+
+#[test]
+fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_quits() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &["--title", "My homework"]);
+    assert_eq!(program.title(), "My homework");
+    let empty = program.picture();
+
+    program.keys(&["ctrl+shift+i"]);
+    let dialog = program.picture();
+    assert!(dialog != empty, "the dialog does not show");
+    program.keys(&["Down", "Return"]);
+    let imported = program.picture();
+    assert!(
+        imported != empty && imported != dialog,
+        "no character was imported"
+    );
+
+    let field = places::middle_of("builtin:robot", "Torso Y");
+    program.drag("1", field, (field.0 + 60.0, field.1));
+    let posed = program.picture();
+    assert!(posed != imported, "the slider does nothing");
+
+    program.keys(&["Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+    let kept = home.path().join(".config/skeleton-editor/preferences.json");
+    let kept = std::fs::read_to_string(kept).expect("kept preferences");
+    assert!(
+        kept.contains("models"),
+        "the last folder is forgotten: {kept}"
+    );
+}
+
+#[test]
+fn the_mouse_moves_the_camera_and_the_window_stays_still_when_left_alone() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let mut last = program.picture();
+    let (x, y) = IN_VIEW;
+    for (what, button) in [("pan", "1"), ("turn", "3")] {
+        program.drag(button, (x, y), (x + 80.0, y + 30.0));
+        let now = program.picture();
+        assert!(now != last, "the {what} does nothing");
+        last = now;
+    }
+    let before = program.processor_time();
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    let spent = program.processor_time() - before;
+    // In hundredths of a second: drawing all the time would take two hundred.
+    assert!(
+        spent < 20,
+        "an idle window spent {spent} hundredths of a second"
+    );
+
+    program.keys(&["Home", "F12"]);
+    assert!(
+        program.picture() != last,
+        "the screenshot's dialog does not show"
+    );
+    program.keys(&["Escape", "Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+}
+
+#[test]
+fn the_first_start_opens_the_showcase_and_later_ones_do_not() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let first = Program::start(&desktop, home.path(), &[]);
+    let showcase = first.picture();
+    first.keys(&["Escape"]);
+    assert!(first.end().0.success());
+    let second = Program::start(&desktop, home.path(), &[]);
+    assert!(second.picture() != showcase, "the showcase comes back");
+    second.keys(&["Escape"]);
+    assert!(second.end().0.success());
+}
+
+#[test]
+fn a_file_that_cannot_be_opened_is_told_in_the_window_which_stays() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    home_with_character(home.path());
+    let good = Program::start(&desktop, home.path(), &[]);
+    let plain = good.picture();
+    good.keys(&["Escape"]);
+    assert!(good.end().0.success());
+    let program = Program::start(&desktop, home.path(), &["no/such/file.obj"]);
+    assert!(program.picture() != plain, "no message shows");
+    program.keys(&["Escape"]);
+    assert!(program.end().0.success());
+}
+
+#[test]
+fn without_a_display_the_program_says_what_to_do_and_exits_with_1() {
+    let home = tempfile::tempdir().expect("a folder");
+    let output = command(home.path()).output().expect("the program runs");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.contains("editor render"), "{told}");
+    assert!(!told.contains("panicked"), "{told}");
+}
