@@ -5,7 +5,9 @@ use std::path::Path;
 
 #[test]
 fn every_file_is_what_the_generator_makes() {
-    for file in catalog::files() {
+    let files = catalog::files();
+    assert_eq!(files.len(), catalog::PATHS.len());
+    for file in files {
         let stored = asset(file.path);
         let differs = stored
             .lines()

@@ -30,7 +30,7 @@ fn text(pose: &Pose) -> String {
 const POSES: &[Pose] = &[
     // adult-walk
     Pose {
-        root: [0.0, -0.028, 0.0],
+        root: [0.0, -0.053, 0.0],
         joints: &[
             ("Root", [3.0, 4.0, 0.0]),
             ("Waist", [-2.0, -9.0, 0.0]),
@@ -49,7 +49,7 @@ const POSES: &[Pose] = &[
     },
     // adult-wave
     Pose {
-        root: [0.0, 0.0, 0.0],
+        root: [0.0, 0.007, 0.0],
         joints: &[
             ("Waist", [0.0, -6.0, -2.0]),
             ("Neck", [-4.0, -10.0, 6.0]),
@@ -65,7 +65,7 @@ const POSES: &[Pose] = &[
     },
     // adult-sit
     Pose {
-        root: [0.0, -0.40, 0.0],
+        root: [0.0, -0.402, 0.0],
         joints: &[
             ("Root", [6.0, 0.0, 0.0]),
             ("Waist", [-8.0, 0.0, 0.0]),
@@ -100,7 +100,7 @@ const POSES: &[Pose] = &[
     },
     // robot-march
     Pose {
-        root: [0.0, -0.012, 0.0],
+        root: [0.0, -0.026, 0.0],
         joints: &[
             ("Torso", [4.0, 6.0, 0.0]),
             ("Head", [0.0, -6.0, 0.0]),
@@ -145,27 +145,28 @@ const POSES: &[Pose] = &[
     },
     // dog-sit
     Pose {
-        root: [0.0, -0.10, 0.0],
+        root: [0.0, -0.118, 0.0],
         joints: &[
-            ("Root", [-36.0, 0.0, 0.0]),
-            ("Hips", [-10.0, 0.0, 0.0]),
+            ("Root", [-30.0, 0.0, 0.0]),
+            ("Hips", [-14.0, 0.0, 0.0]),
             ("Neck", [14.0, 0.0, 0.0]),
             ("Head", [20.0, 12.0, 8.0]),
-            ("Tail", [22.0, 0.0, 0.0]),
-            ("Left shoulder", [30.0, 0.0, 0.0]),
+            ("Tail", [52.0, 0.0, 0.0]),
+            ("Tail middle", [22.0, 10.0, 0.0]),
+            ("Left shoulder", [26.0, 0.0, 0.0]),
             ("Left elbow", [4.0, 0.0, 0.0]),
             ("Left front paw", [2.0, 0.0, 0.0]),
-            ("Right shoulder", [30.0, 0.0, 0.0]),
+            ("Right shoulder", [26.0, 0.0, 0.0]),
             ("Right elbow", [4.0, 0.0, 0.0]),
             ("Right front paw", [2.0, 0.0, 0.0]),
             ("Left thigh", [-12.0, 0.0, 4.0]),
             ("Left knee", [48.0, 0.0, 0.0]),
             ("Left hock", [-58.0, 0.0, 0.0]),
-            ("Left hind paw", [68.0, 0.0, 0.0]),
+            ("Left hind paw", [66.0, 0.0, 0.0]),
             ("Right thigh", [-12.0, 0.0, -4.0]),
             ("Right knee", [48.0, 0.0, 0.0]),
             ("Right hock", [-58.0, 0.0, 0.0]),
-            ("Right hind paw", [68.0, 0.0, 0.0]),
+            ("Right hind paw", [66.0, 0.0, 0.0]),
         ],
     },
 ];
