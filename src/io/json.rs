@@ -13,23 +13,31 @@ use std::path::Path;
 pub(super) fn read<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Diagnostic> {
     let text = scanner::utf8(path, bytes)?;
     serde_json::from_str(text).map_err(|error| {
-        // The library counts columns in bytes, and puts the place into the message as well.
-        let (line, column) = (error.line(), error.column());
-        let message = error.to_string();
-        let place = format!(" at line {line} column {column}");
-        let message = message.strip_suffix(&place).unwrap_or(&message);
-        let bytes = text
-            .lines()
-            .nth(line.saturating_sub(1))
-            .unwrap_or("")
-            .as_bytes();
-        let mut before = column.saturating_sub(1).min(bytes.len());
+        let line = text.lines().nth(error.line().saturating_sub(1));
+        let line = line.unwrap_or("").as_bytes();
+        // The library counts columns in bytes.
+        let mut before = error.column().saturating_sub(1).min(line.len());
         if error.is_data() {
-            before = start_of_token(bytes, before);
+            before = start_of_token(line, before);
         }
-        let column = String::from_utf8_lossy(&bytes[..before]).chars().count() + 1;
-        Diagnostic::at(path, line.max(1), column, message)
+        let found = String::from_utf8_lossy(&line[before..]).chars().next();
+        let column = String::from_utf8_lossy(&line[..before]).chars().count() + 1;
+        Diagnostic::at(path, error.line().max(1), column, in_words(&error, found))
     })
+}
+
+/// The library's message without the place, which it repeats, and with what was `found` where it
+/// keeps that to itself.
+fn in_words(error: &serde_json::Error, found: Option<char>) -> String {
+    let message = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    let message = message.strip_suffix(&place).unwrap_or(&message);
+    match found {
+        Some(found) if error.is_syntax() && message.starts_with("expected ") => {
+            format!("{message}, found {}", scanner::quoted(&found.to_string()))
+        }
+        _ => message.to_owned(),
+    }
 }
 
 /// Where the string, number or word starts whose last byte is `end` of `line`.
@@ -43,8 +51,8 @@ fn start_of_token(line: &[u8], end: usize) -> usize {
             .unwrap_or(end)
     } else {
         let in_word = |byte: &&u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
-        let length = line[..=end.min(line.len().saturating_sub(1))].iter().rev();
-        end - length.take_while(in_word).count().saturating_sub(1)
+        let up_to_end = line.get(..=end).unwrap_or(line).iter().rev();
+        end - up_to_end.take_while(in_word).count().saturating_sub(1)
     }
 }
 

@@ -1,0 +1,91 @@
+//! `editor check`.
+
+use crate::reference::course;
+use crate::{editor_in, folder};
+use serde_json::{Value, json};
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+#[test]
+fn check_says_what_is_in_a_character_and_what_is_odd() {
+    let ran = editor_in(folder().path(), &["check", "man.obj"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    // The vertex with a quarter of a weight shrinks towards the origin, as the formula has it.
+    let expected = "\
+man.obj
+  character        Man
+    vertices       3
+    triangles      1
+    joints         2 (1 root)
+    influences     at most 1 a vertex
+    weight sums    0.2500 to 1.0000
+    bounds         (0.0000, 0.0000, 0.0000) to (0.2500, 3.0000, 0.0000)
+  warning          man.attach:2:1: 1 vertex with weights that do not sum up to 1
+";
+    assert_eq!(ran.out, expected);
+}
+
+#[test]
+fn check_prints_one_json_object_for_any_number_of_files() {
+    let ran = editor_in(
+        folder().path(),
+        &["check", "--json", "a.scene", "bad.obj", "bend.json"],
+    );
+    assert_eq!(ran.code, Some(1));
+    assert_eq!(
+        ran.err,
+        "error: bad.obj:2:7: expected a vertex from 1 to 1, found 2\n"
+    );
+    let report = json(&ran.out);
+    let files = report["files"].as_array().unwrap();
+    assert_eq!(files.len(), 3);
+    assert_eq!(files[0]["shapes"][0]["skeleton"]["joints"], 2);
+    assert_eq!(files[0]["shapes"][1]["triangles"], 2);
+    assert_eq!(
+        files[0]["shapes"][1]["bounds"],
+        json!([[0.0, 0.0, 2.0], [1.0, 1.0, 2.0]])
+    );
+    assert_eq!(
+        files[1]["error"],
+        "bad.obj:2:7: expected a vertex from 1 to 1, found 2"
+    );
+    assert_eq!(files[2]["posed_joints"], 1);
+}
+
+#[test]
+fn check_tells_every_broken_file_and_still_reports_the_others() {
+    let ran = editor_in(
+        folder().path(),
+        &["check", "bad.obj", "box.obj", "none.obj", "."],
+    );
+    assert_eq!(ran.code, Some(1));
+    let told = "\
+error: bad.obj:2:7: expected a vertex from 1 to 1, found 2
+error: none.obj: there is no such file
+error: .: expected a file, found a folder
+";
+    assert_eq!(ran.err, told);
+    assert!(ran.out.starts_with("box.obj\n"), "{}", ran.out);
+}
+
+#[test]
+fn check_knows_the_course_characters() {
+    for name in ["characters/Model1.obj", "characters/Model2.obj"] {
+        let Some(path) = course(name) else { return };
+        let ran = editor_in(
+            folder().path(),
+            &["check", "--json", path.to_str().unwrap()],
+        );
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+        let report = json(&ran.out);
+        let shape = &report["files"][0]["shapes"][0];
+        assert_eq!(shape["vertices"], 13_336);
+        assert_eq!(shape["triangles"], 26_668);
+        assert_eq!(shape["skeleton"]["joints"], 18);
+        assert_eq!(shape["skeleton"]["roots"], 1);
+        assert_eq!(shape["skeleton"]["most_influences"], 13);
+        assert_eq!(report["files"][0]["warnings"], json!([]));
+    }
+}

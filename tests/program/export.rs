@@ -1,0 +1,131 @@
+//! `editor export`.
+
+use crate::reference::{course, course_pose, posed};
+use crate::{editor_in, files_in, folder};
+use std::fs;
+use std::path::Path;
+
+fn vertices(obj: &Path) -> Vec<[f32; 3]> {
+    let text = fs::read_to_string(obj).unwrap();
+    let lines = text.lines().filter_map(|line| line.strip_prefix("v "));
+    lines
+        .map(|line| {
+            let numbers: Vec<f32> = line.split(' ').map(|n| n.parse().unwrap()).collect();
+            numbers.try_into().unwrap()
+        })
+        .collect()
+}
+
+#[test]
+fn a_posed_character_is_written_in_the_order_of_its_file() {
+    let folder = folder();
+    let arguments = ["export", "man.obj", "--pose", "bend.json", "-o", "out.obj"];
+    let ran = editor_in(folder.path(), &arguments);
+    assert_eq!((ran.code, &*ran.out), (Some(0), ""));
+    assert_eq!(
+        ran.err,
+        "warning: man.attach:2:1: 1 vertex with weights that do not sum up to 1\n"
+    );
+    let written = vertices(&folder.path().join("out.obj"));
+    // The elbow at (0, 1, 0) turns by a quarter: (x, y) goes to (1 - y, 1 + x).
+    let expected = [[1.0, 1.0, 0.0], [0.25, 0.5, 0.0], [-2.0, 1.0, 0.0]];
+    for (written, expected) in written.iter().zip(expected) {
+        let apart = (0..3).map(|axis| (written[axis] - expected[axis]).abs());
+        assert!(apart.fold(0.0, f32::max) < 1e-6, "{written:?} {expected:?}");
+    }
+}
+
+#[test]
+fn a_scene_is_written_in_the_world_and_can_be_read_again() {
+    let folder = folder();
+    let ran = editor_in(folder.path(), &["export", "a.scene", "-o", "out.obj"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let text = fs::read_to_string(folder.path().join("out.obj")).unwrap();
+    assert!(
+        text.contains("o Man\n") && text.contains("o Box\nv 0 0 2\n"),
+        "{text}"
+    );
+    assert!(text.ends_with("f 4 5 6\nf 4 6 7\n"), "{text}");
+    let ran = editor_in(folder.path(), &["check", "out.obj"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+}
+
+#[test]
+fn a_failed_export_leaves_no_file() {
+    let folder = folder();
+    fs::write(
+        folder.path().join("off.json"),
+        "{\"joints\":\n{\"Tap\": [0, 0, 1]}}",
+    )
+    .unwrap();
+    fs::create_dir(folder.path().join("dir.obj")).unwrap();
+    let before = files_in(folder.path());
+    for (arguments, error) in [
+        (&["bad.obj", "-o", "out.obj"][..], "error: bad.obj:2:7: "),
+        (
+            &["man.obj", "-o", "none/out.obj"],
+            "error: none/out.obj: there is no folder none\n",
+        ),
+        (
+            &["man.obj", "-o", "dir.obj"],
+            "error: dir.obj: expected a file to write, found a folder\n",
+        ),
+        (
+            &["man.obj", "--pose", "off.json", "-o", "out.obj"],
+            "error: off.json:2:2: expected the name or index of a joint, such as “Tip”, “Root”, found “Tap”\n",
+        ),
+        (
+            &["box.obj", "--pose", "bend.json", "-o", "out.obj"],
+            "error: bend.json: expected a character to pose",
+        ),
+        (
+            &["builtin:none", "-o", "out.obj"],
+            "error: builtin:none: expected one of ",
+        ),
+    ] {
+        let ran = editor_in(folder.path(), &[&["export"], arguments].concat());
+        assert_eq!((ran.code, &*ran.out), (Some(1), ""), "{arguments:?}");
+        assert!(
+            ran.err
+                .lines()
+                .any(|line| error.starts_with(line) || line.starts_with(error)),
+            "{}",
+            ran.err
+        );
+    }
+    assert_eq!(files_in(folder.path()), before);
+}
+
+#[test]
+fn exported_vertices_agree_with_the_course_editor() {
+    let folder = folder();
+    for name in ["walk", "twist"] {
+        let (Some(character), Some(pose), Some(golden)) = (
+            course("characters/Model1.obj"),
+            course_pose(name),
+            posed(&format!("model1_{name}"), "v "),
+        ) else {
+            return;
+        };
+        let joints: serde_json::Map<_, _> = pose
+            .into_iter()
+            .map(|(joint, degrees)| (joint, serde_json::json!(degrees)))
+            .collect();
+        let pose = serde_json::json!({ "joints": joints }).to_string();
+        fs::write(folder.path().join("pose.json"), pose).unwrap();
+        let character = character.to_str().unwrap();
+        let arguments = ["export", character, "--pose", "pose.json", "-o", "out.obj"];
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+        let written = vertices(&folder.path().join("out.obj"));
+        assert_eq!(written.len(), golden.len());
+        for (vertex, (written, golden)) in written.iter().zip(&golden).enumerate() {
+            for axis in 0..3 {
+                assert!(
+                    (written[axis] - golden[axis]).abs() < 2e-5,
+                    "{name} vertex {vertex}"
+                );
+            }
+        }
+    }
+}

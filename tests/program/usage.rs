@@ -1,0 +1,52 @@
+//! Help, and wrong usage.
+
+use crate::{editor_in, folder};
+
+#[test]
+fn help_and_version_are_results() {
+    let folder = folder();
+    for arguments in [
+        &["--help"][..],
+        &["check", "--help"],
+        &["export", "--help"],
+        &["--version"],
+    ] {
+        let ran = editor_in(folder.path(), arguments);
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{arguments:?}");
+        assert!(!ran.out.is_empty());
+    }
+    let help = editor_in(folder.path(), &["--help"]).out;
+    assert!(help.contains("check") && help.contains("export"), "{help}");
+}
+
+#[test]
+fn wrong_usage_ends_with_2_and_prints_no_result() {
+    let folder = folder();
+    for arguments in [
+        &["frobnicate"][..],
+        &["check"],
+        &["check", "--frobnicate", "man.obj"],
+        &["export", "man.obj"],
+        &["export", "-o", "out.obj"],
+        &["export", "man.obj", "-o", "out.stl"],
+    ] {
+        let ran = editor_in(folder.path(), arguments);
+        assert_eq!((ran.code, &*ran.out), (Some(2), ""), "{arguments:?}");
+        assert!(ran.err.starts_with("error: "), "{}", ran.err);
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_reader_that_goes_away_is_no_failure() {
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(env!("CARGO_BIN_EXE_editor"))
+        .args(["check", "builtin:showcase"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
