@@ -170,7 +170,8 @@ pub(super) fn show(
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let called = format!("{name} {letter}");
         let field = NumberField::degrees(&called, degrees[axis]).axis(axis);
-        if let Some(value) = field.show_at(ui, id.with(axis), columns.field(rect, axis)) {
+        if let Some(value) = field.show_at(ui, id.with(("angle", axis)), columns.field(rect, axis))
+        {
             let mut turned = degrees;
             turned[axis] = value;
             event = Some(RowEvent::Turn(turned));

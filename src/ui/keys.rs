@@ -355,7 +355,7 @@ mod tests {
     #[test]
     fn the_fonts_have_every_sign_that_the_panels_show() {
         let ctx = Context::default();
-        let _ = ctx.run_ui(egui::RawInput::default(), |ui| {
+        let output = ctx.run_ui(egui::RawInput::default(), |ui| {
             let mut shown = "⊗⚠ℹ×🔍↺⏵⏷✔·°…⏵".to_owned();
             for gesture in GESTURES {
                 shown += gesture.gesture;
@@ -377,5 +377,6 @@ mod tests {
                 assert_ne!(drawn(sign), unknown, "no glyph for {sign}");
             }
         });
+        output.drop_without_applying_deltas();
     }
 }

@@ -1,5 +1,5 @@
 use super::notices::{color, icon, word};
-use super::widgets::named;
+use super::widgets::spoken;
 use crate::editor::{Message, Messages};
 use egui::{Align, Label, Layout, RichText, ScrollArea, Ui};
 
@@ -43,7 +43,7 @@ fn line(ui: &mut Ui, message: &Message) {
         |ui| {
             let color = color(ui.visuals(), message.severity);
             let sign = ui.label(RichText::new(icon(message.severity)).color(color));
-            named(sign, word(message.severity)).on_hover_text(word(message.severity));
+            spoken(sign, word(message.severity)).on_hover_text(word(message.severity));
             ui.add(Label::new(&message.text).wrap().selectable(true));
         },
     );

@@ -1,6 +1,6 @@
 use super::state::NoticeState;
 use super::theme::Palette;
-use super::widgets::named;
+use super::widgets::{named, spoken};
 use crate::editor::{Action, Message, Session, Severity, View};
 use egui::{
     Align, Button, Color32, Frame, Label, Pos2, Rect, RichText, TextStyle, Ui, UiBuilder, Vec2,
@@ -120,7 +120,7 @@ fn notice(ui: &mut Ui, message: &Message, newest: bool, foot: Pos2, widest: f32)
     let color = color(ui.visuals(), message.severity);
     let sign = RichText::new(icon(message.severity)).color(color);
     let sign = contents.put(left, Label::new(sign).halign(Align::Min));
-    named(sign, word(message.severity));
+    spoken(sign, word(message.severity));
     let (middle, right) = rest.split_left_right_at_x(rest.right() - close);
     contents.put(middle, Label::new(text).halign(Align::Min));
     let dismissed = newest && {

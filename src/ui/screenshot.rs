@@ -45,9 +45,11 @@ pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>
         ui.heading("Screenshot");
         ui.label(RichText::new("Saves a picture as PNG, JPEG or GIF.").weak());
         ui.add_space(8.0);
+        // Before a field gives the keyboard away because of the same Enter.
+        let typing = ui.ctx().text_edit_focused();
         contents(ui, form);
         ui.add_space(12.0);
-        buttons(ui, form, actions)
+        buttons(ui, form, !typing, actions)
     });
     modal.inner || modal.should_close()
 }
@@ -89,10 +91,16 @@ fn side(ui: &mut Ui, name: &str, value: &mut u32, rest: f32, size: egui::Vec2) {
     }
 }
 
-/// Whether one of the two was used. Enter saves, as long as no number is being typed.
-fn buttons(ui: &mut Ui, form: &ScreenshotForm, actions: &mut Vec<Action>) -> bool {
-    let no_focus = ui.memory(|memory| memory.focused().is_none());
-    let enter = no_focus && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
+/// Whether one of the two was used.
+fn buttons(
+    ui: &mut Ui,
+    form: &ScreenshotForm,
+    enter_saves: bool,
+    actions: &mut Vec<Action>,
+) -> bool {
+    let elsewhere = ui.memory(|memory| memory.focused().is_some());
+    let enter_saves = enter_saves && !elsewhere;
+    let enter = enter_saves && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
     ui.horizontal(|ui| {
         let save = ui
             .add(Button::new("Save…"))

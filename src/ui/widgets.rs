@@ -10,6 +10,13 @@ pub(super) fn named(response: Response, name: &str) -> Response {
     response
 }
 
+/// Gives a sign the word that screen readers say for it.
+pub(super) fn spoken(sign: Response, word: &str) -> Response {
+    let ctx = sign.ctx.clone();
+    ctx.accesskit_node_builder(sign.id, |node| node.set_value(word));
+    sign
+}
+
 /// A title above a group of widgets.
 pub(super) fn section(ui: &mut Ui, title: &str) {
     ui.add_space(4.0);

@@ -1,0 +1,63 @@
+//! A small character with the course's eighteen joints, made in code.
+
+use editor_core::character::{
+    Attachments, COURSE_JOINT_NAMES, Character, Influence, Joint, SkeletalModel,
+};
+use editor_core::geometry::{Mesh, sphere};
+use glam::Vec3;
+use std::sync::Arc;
+
+/// Parent and offset of every joint, in the course's order.
+const JOINTS: [(Option<usize>, [f32; 3]); 18] = [
+    (None, [0.0, 0.1, 0.0]),
+    (Some(0), [0.0, 0.0, 0.0]),
+    (Some(1), [0.0, -0.25, 0.0]),
+    (Some(0), [0.0, 0.3, 0.0]),
+    (Some(2), [-0.12, -0.05, 0.0]),
+    (Some(4), [0.0, -0.05, 0.0]),
+    (Some(5), [0.0, -0.35, 0.0]),
+    (Some(6), [0.0, -0.35, 0.05]),
+    (Some(2), [0.12, -0.05, 0.0]),
+    (Some(8), [0.0, -0.05, 0.0]),
+    (Some(9), [0.0, -0.35, 0.0]),
+    (Some(10), [0.0, -0.35, 0.05]),
+    (Some(0), [0.0, 0.0, 0.0]),
+    (Some(12), [-0.2, 0.2, 0.0]),
+    (Some(13), [-0.3, 0.0, 0.0]),
+    (Some(0), [0.0, 0.0, 0.0]),
+    (Some(15), [0.2, 0.2, 0.0]),
+    (Some(16), [0.3, 0.0, 0.0]),
+];
+
+/// A character of one ball a joint, whose joints are called `names`.
+pub fn figure_called(names: &[&str; 18]) -> Arc<Character> {
+    let joints = JOINTS.iter().zip(names);
+    let joints = joints.map(|(&(parent, offset), &name)| Joint {
+        name: name.to_owned(),
+        parent,
+        offset: Vec3::from(offset),
+    });
+    let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
+    let ball = sphere(0.1, 12, 8);
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    let mut attachments = Attachments::new();
+    for (joint, at) in skeleton.bind_positions().into_iter().enumerate() {
+        let first = positions.len() as u32;
+        for &position in ball.positions.iter() {
+            positions.push(at + position);
+            attachments.push_vertex([Influence {
+                joint: joint as u32,
+                weight: 1.0,
+            }]);
+        }
+        let moved = |corner: &[u32; 3]| corner.map(|index| index + first);
+        triangles.extend(ball.triangles.iter().map(moved));
+    }
+    let mesh = Mesh::new(positions, triangles);
+    Arc::new(Character::new(skeleton, attachments, mesh).expect("counts that agree"))
+}
+
+/// [`figure_called`] with the course's names.
+pub fn figure() -> Arc<Character> {
+    figure_called(&COURSE_JOINT_NAMES)
+}

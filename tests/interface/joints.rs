@@ -1,0 +1,142 @@
+//! The joint list.
+
+use crate::Editor;
+use editor_core::editor::View;
+use egui::{Key, Modifiers};
+use glam::Vec3;
+
+const ROOT: usize = 0;
+const CHEST: usize = 1;
+const WAIST: usize = 2;
+const NECK: usize = 3;
+const LEFT_ELBOW: usize = 17;
+
+#[test]
+fn dragging_a_joints_number_turns_the_joint_and_the_mesh_follows() {
+    let mut editor = Editor::with_figure();
+    let before = editor.session().evaluated().shapes[0].geometry.clone();
+    editor.drag("Chest X", 25.0);
+    assert!(
+        editor
+            .joint(CHEST)
+            .abs_diff_eq(Vec3::new(25.0, 0.0, 0.0), 1e-3)
+    );
+    let after = &editor.session().evaluated().shapes[0].geometry;
+    assert_ne!(before.positions(), after.positions());
+}
+
+#[test]
+fn minus_30_shows_330() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Neck Y", "-30");
+    assert_eq!(editor.value("Neck Y"), "330°");
+    assert!((editor.joint(NECK).y - 330.0).abs() < 1e-3);
+}
+
+#[test]
+fn a_drag_past_360_starts_again_at_0() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Neck Y", "350");
+    editor.drag("Neck Y", 25.0);
+    assert_eq!(editor.value("Neck Y"), "15°");
+    editor.drag("Neck Y", -20.0);
+    assert_eq!(editor.value("Neck Y"), "355°");
+}
+
+#[test]
+fn a_turned_joint_offers_its_own_reset() {
+    let mut editor = Editor::with_figure();
+    assert!(!editor.has("Reset Neck"));
+    editor.type_into("Neck Y", "45/2");
+    editor.type_into("Chest X", "10");
+    editor.click("Reset Neck");
+    assert_eq!(editor.joint(NECK), Vec3::ZERO);
+    assert!((editor.joint(CHEST).x - 10.0).abs() < 1e-3, "others stay");
+    assert!(!editor.has("Reset Neck"));
+    editor.click("Reset all");
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn a_right_click_resets_one_angle() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Neck X", "10");
+    editor.type_into("Neck Y", "20");
+    editor.right_click("Neck X");
+    assert!(
+        editor
+            .joint(NECK)
+            .abs_diff_eq(Vec3::new(0.0, 20.0, 0.0), 1e-3)
+    );
+}
+
+#[test]
+fn a_search_shows_only_joints_of_that_name() {
+    let mut editor = Editor::with_figure();
+    editor.click("Find joints");
+    editor.harness.event(egui::Event::Text("ELBOW".into()));
+    editor.settle();
+    assert!(editor.has("Left elbow") && editor.has("Right elbow"));
+    assert!(!editor.has("Root"));
+    editor.type_into("Left elbow Z", "50");
+    assert!((editor.joint(LEFT_ELBOW).z - 50.0).abs() < 1e-3);
+    editor.click("Find joints");
+    assert!(editor.has("Root"), "closing the search shows all again");
+}
+
+#[test]
+fn a_joint_is_selected_by_click_and_the_keyboard_goes_on_from_there() {
+    let mut editor = Editor::with_figure();
+    editor.click("Chest");
+    assert_eq!(editor.session().selected_joint(), Some(CHEST));
+    editor.key(Key::ArrowDown);
+    assert_eq!(editor.session().selected_joint(), Some(WAIST));
+    editor.key(Key::ArrowLeft);
+    assert!(!editor.has("Right hip"), "← folds");
+    editor.key(Key::ArrowLeft);
+    assert_eq!(editor.session().selected_joint(), Some(CHEST), "← goes up");
+    editor.key(Key::ArrowUp);
+    assert_eq!(editor.session().selected_joint(), Some(ROOT));
+}
+
+#[test]
+fn the_arrow_before_a_joint_folds_it() {
+    let mut editor = Editor::with_figure();
+    editor.click("Fold Chest");
+    assert!(!editor.has("Waist"));
+    editor.click("Unfold Chest");
+    assert!(editor.has("Waist"));
+}
+
+#[test]
+fn a_joint_selected_in_the_view_is_unfolded_in_the_list() {
+    let mut editor = Editor::with_figure();
+    editor.click("Fold Root");
+    assert!(!editor.has("Left elbow"));
+    editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
+    assert!(editor.has("Left elbow"));
+}
+
+#[test]
+fn the_row_under_the_pointer_marks_its_joint_and_the_view_may_mark_others() {
+    let mut editor = Editor::with_figure();
+    editor.reveal("Neck");
+    editor.widget("Neck").hover();
+    editor.settle();
+    assert_eq!(editor.session().hovered_joint(), Some(NECK));
+    let away = editor.harness.state().view.center();
+    editor.harness.hover_at(away);
+    editor.settle();
+    assert_eq!(editor.session().hovered_joint(), None);
+    editor.view(View::HoverJoint(Some(CHEST)));
+    editor.settle();
+    assert_eq!(editor.session().hovered_joint(), Some(CHEST));
+}
+
+#[test]
+fn the_question_mark_can_be_typed_into_the_search() {
+    let mut editor = Editor::with_figure();
+    editor.click("Find joints");
+    editor.key_with(Modifiers::SHIFT, Key::Questionmark);
+    assert!(!editor.has("Keys and Mouse"));
+}

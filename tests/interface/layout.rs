@@ -1,0 +1,143 @@
+//! Nothing clipped, nothing on top of anything else, nothing without a name.
+
+use crate::{Editor, figure};
+use egui::accesskit::Role;
+use egui::{Key, Rect, vec2};
+use egui_kittest::kittest::NodeT;
+
+const INTERACTIVE: &[Role] = &[
+    Role::Button,
+    Role::CheckBox,
+    Role::ColorWell,
+    Role::ComboBox,
+    Role::RadioButton,
+    Role::SpinButton,
+    Role::TextInput,
+];
+
+/// Name and place of every widget that can be used.
+fn interactive(editor: &Editor) -> Vec<(String, Rect)> {
+    editor
+        .widgets()
+        .iter()
+        .filter(|node| INTERACTIVE.contains(&node.accesskit_node().role()))
+        .map(|node| {
+            let name = node.accesskit_node().label().unwrap_or_default();
+            (name, node.rect())
+        })
+        .collect()
+}
+
+fn assert_all_named(editor: &Editor, when: &str) {
+    let widgets = interactive(editor);
+    assert!(widgets.len() > 4, "{when}: only {} widgets", widgets.len());
+    for (name, rect) in widgets {
+        assert!(!name.trim().is_empty(), "{when}: no name at {rect}");
+    }
+}
+
+/// A figure with everything in its panel shown.
+fn full() -> Editor {
+    let mut editor = Editor::with_figure();
+    editor.click("Uniform Scaling");
+    editor.click("Skeletal Model");
+    editor.click("Points");
+    editor.click("Lines");
+    editor.type_into("Neck X", "329.57");
+    editor
+}
+
+#[test]
+fn every_widget_has_a_name() {
+    let mut editor = full();
+    assert_all_named(&editor, "panel");
+    editor.click("Color");
+    assert_all_named(&editor, "list of colors");
+    editor.key(Key::Escape);
+    for menu in ["File", "Insert", "View", "Help"] {
+        editor.click(menu);
+        assert_all_named(&editor, menu);
+        editor.key(Key::Escape);
+    }
+    for (key, dialog) in [
+        (Key::F1, "keys"),
+        (Key::F9, "messages"),
+        (Key::F12, "screenshot"),
+    ] {
+        editor.key(key);
+        assert_all_named(&editor, dialog);
+        editor.key(Key::Escape);
+    }
+}
+
+#[test]
+fn in_the_courses_window_no_widget_leaves_the_panel_or_covers_another() {
+    let mut editor = full();
+    editor.reveal("Delete");
+    let panel = Rect::from_min_max(egui::pos2(520.0, 0.0), egui::pos2(800.0, 600.0));
+    let in_panel: Vec<_> = interactive(&editor)
+        .into_iter()
+        .filter(|(_, rect)| rect.center().x > panel.left() && rect.bottom() < panel.bottom())
+        .collect();
+    assert!(in_panel.len() > 20, "only {}", in_panel.len());
+    for (i, (name, rect)) in in_panel.iter().enumerate() {
+        assert!(panel.contains_rect(*rect), "{name} at {rect}");
+        for (other, place) in &in_panel[i + 1..] {
+            let both = rect.shrink(0.5).intersect(place.shrink(0.5));
+            assert!(!both.is_positive(), "{name} and {other} at {rect}, {place}");
+        }
+    }
+}
+
+/// Asserts that the row of each joint called `names` is as wide as its text.
+fn assert_names_whole(editor: &Editor, names: &[&str]) {
+    let font = egui::FontId::proportional(13.0);
+    for name in names {
+        let galley = editor.harness.ctx.fonts_mut(|fonts| {
+            fonts.layout_no_wrap((*name).to_owned(), font.clone(), egui::Color32::WHITE)
+        });
+        let room = editor.widget(name).rect().width();
+        assert!(
+            galley.size().x <= room,
+            "{name}: {} in {room}",
+            galley.size().x
+        );
+    }
+}
+
+#[test]
+fn no_name_of_a_joint_is_cut_at_the_courses_width() {
+    assert_names_whole(&full(), &editor_core::character::COURSE_JOINT_NAMES);
+}
+
+#[test]
+fn long_names_get_a_line_of_their_own() {
+    let mut names = editor_core::character::COURSE_JOINT_NAMES;
+    names[1] = "mixamorig:Spine.001_twist";
+    names[7] = "mixamorig:RightToeBase_End";
+    let mut editor = Editor::new();
+    editor.add_character(figure::figure_called(&names));
+    assert_names_whole(&editor, &names);
+    let (name, field) = (editor.widget(names[1]), editor.widget("Waist X"));
+    assert!(name.rect().right() > field.rect().left());
+}
+
+#[test]
+fn in_a_large_window_the_numbers_stay_beside_their_names() {
+    let mut editor = Editor::sized(vec2(1920.0, 1080.0));
+    editor.add_character(figure::figure());
+    let name = editor.widget("Left elbow").rect();
+    let field = editor.widget("Left elbow X").rect();
+    assert!((name.center().y - field.center().y).abs() < 1.0);
+    assert!(field.left() >= name.right());
+}
+
+#[test]
+fn a_tiny_window_is_no_reason_to_panic() {
+    for size in [vec2(1.0, 1.0), vec2(60.0, 40.0), vec2(300.0, 80.0)] {
+        let mut editor = Editor::sized(size);
+        editor.add_character(figure::figure());
+        editor.key(Key::F1);
+        editor.key(Key::F12);
+    }
+}

@@ -1,0 +1,235 @@
+//! Drives the panels by the names of their widgets, as a person and a screen reader find them,
+//! and looks at what became of the scene. No pixels, no window.
+
+mod figure;
+mod joints;
+mod layout;
+mod menus;
+mod messages;
+mod shapes;
+mod view;
+
+use editor_core::character::Character;
+use editor_core::editor::{Action, Ask, Edit, Session, View, apply_edit, apply_view};
+use editor_core::scene::{CharacterShape, Shape, ShapeKind};
+use editor_core::ui::{self, UiState, ViewInput};
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, Rect, UiBuilder, Vec2, vec2};
+use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, Node};
+use std::sync::Arc;
+
+/// What stands in for the program: carries out edits and views, and notes what is asked of it.
+struct Program {
+    session: Session,
+    state: UiState,
+    asked: Vec<Ask>,
+    keys_are_taken: bool,
+    view: Rect,
+}
+
+/// The panels in a window of their own, with the program behind them.
+struct Editor {
+    harness: Harness<'static, Program>,
+}
+
+const BUILT_IN: &[&str] = &["Adult", "Robot"];
+
+impl Editor {
+    /// An empty scene in the course's window.
+    fn new() -> Self {
+        Self::sized(vec2(800.0, 600.0))
+    }
+
+    fn sized(size: Vec2) -> Self {
+        let program = Program {
+            session: Session::new(),
+            state: UiState::new(),
+            asked: Vec::new(),
+            keys_are_taken: false,
+            view: Rect::NOTHING,
+        };
+        let frame = |root: &mut egui::Ui, program: &mut Program| {
+            // The harness leaves a margin that a window has not.
+            let whole = root.ctx().content_rect();
+            let mut root = root.new_child(UiBuilder::new().max_rect(whole));
+            root.set_clip_rect(whole);
+            program.frame(&mut root);
+        };
+        let builder = Harness::builder().with_size(size).with_max_steps(20);
+        let mut editor = Self {
+            harness: builder.build_ui_state(frame, program),
+        };
+        editor.settle();
+        editor
+    }
+
+    /// A scene with one character of the course's eighteen joints.
+    fn with_figure() -> Self {
+        let mut editor = Self::new();
+        editor.add_character(figure::figure());
+        editor
+    }
+
+    fn add_character(&mut self, character: Arc<Character>) {
+        let kind = ShapeKind::Character(CharacterShape::new(character));
+        self.edit(Edit::Insert {
+            name: "Model1".into(),
+            kind,
+            source: None,
+        });
+    }
+
+    fn edit(&mut self, edit: Edit) {
+        apply_edit(&mut self.harness.state_mut().session, edit);
+        self.settle();
+    }
+
+    fn view(&mut self, view: View) {
+        apply_view(&mut self.harness.state_mut().session, view);
+        self.settle();
+    }
+
+    /// Lets everything that was started finish.
+    fn settle(&mut self) {
+        self.harness.run_steps(4);
+    }
+
+    fn session(&self) -> &Session {
+        &self.harness.state().session
+    }
+
+    /// The selected shape.
+    fn shape(&self) -> &Shape {
+        let session = self.session();
+        let id = session.selected().expect("a shape is selected");
+        session.scene().shape(id).expect("it exists")
+    }
+
+    /// The selected character.
+    fn character(&self) -> &CharacterShape {
+        let shape = self.shape();
+        let scene = self.session().scene();
+        scene.character(shape.id).expect("it is a character")
+    }
+
+    /// The angles of a joint of the selected character, in degrees.
+    fn joint(&self, joint: usize) -> glam::Vec3 {
+        self.character().pose().rotation(joint).wrapped_degrees()
+    }
+
+    fn asked(&self) -> &[Ask] {
+        &self.harness.state().asked
+    }
+
+    /// Every widget, in the order of the screen.
+    fn widgets(&self) -> Vec<Node<'_>> {
+        self.harness.root().children_recursive().collect()
+    }
+
+    fn has(&self, label: &str) -> bool {
+        self.harness.query_all_by_label(label).next().is_some()
+    }
+
+    /// The widget of that name that is no mere text.
+    fn widget(&self, label: &str) -> Node<'_> {
+        let all = self.widgets();
+        let found = all.into_iter().find(|node| {
+            let node = node.accesskit_node();
+            node.role() != Role::Label && node.label().as_deref() == Some(label)
+        });
+        found.unwrap_or_else(|| panic!("there is no widget “{label}”"))
+    }
+
+    /// Scrolls a widget into sight.
+    fn reveal(&mut self, label: &str) {
+        self.widget(label).scroll_to_me();
+        self.settle();
+    }
+
+    fn click(&mut self, label: &str) {
+        self.reveal(label);
+        self.widget(label).click();
+        self.settle();
+    }
+
+    /// Opens menus one after the other and clicks the last.
+    fn choose(&mut self, path: &[&str]) {
+        for label in path {
+            self.click(label);
+        }
+    }
+
+    fn right_click(&mut self, label: &str) {
+        self.reveal(label);
+        self.widget(label).click_secondary();
+        self.settle();
+    }
+
+    /// Clicks a field, types over what is in it, and presses Enter.
+    fn type_into(&mut self, label: &str, text: &str) {
+        self.begin_typing(label, text);
+        self.key(Key::Enter);
+    }
+
+    fn begin_typing(&mut self, label: &str, text: &str) {
+        self.click(label);
+        self.harness.event(Event::Text(text.to_owned()));
+        self.settle();
+    }
+
+    /// Drags a widget to the right by so many points.
+    fn drag(&mut self, label: &str, by: f32) {
+        self.drag_with(label, by, Modifiers::NONE);
+    }
+
+    fn drag_with(&mut self, label: &str, by: f32, modifiers: Modifiers) {
+        self.reveal(label);
+        let from = self.widget(label).rect().center();
+        self.harness.event(Event::ModifiersChanged(modifiers));
+        self.harness.hover_at(from);
+        self.harness.drag_at(from);
+        for part in [0.25, 0.5, 1.0] {
+            self.harness.hover_at(from + vec2(by * part, 0.0));
+        }
+        self.harness.drop_at(from + vec2(by, 0.0));
+        self.harness.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.settle();
+    }
+
+    fn key(&mut self, key: Key) {
+        self.harness.key_press(key);
+        self.settle();
+    }
+
+    fn key_with(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.settle();
+    }
+
+    /// What a field shows, or all of it where it shows less.
+    fn value(&self, label: &str) -> String {
+        self.widget(label).value().unwrap_or_default()
+    }
+}
+
+impl Program {
+    fn frame(&mut self, root: &mut egui::Ui) {
+        let input = ViewInput {
+            title: "Editor",
+            builtin_characters: BUILT_IN,
+            backend: "OpenGL 3.3",
+            keys_are_taken: self.keys_are_taken,
+            ..ViewInput::default()
+        };
+        let output = ui::show(root, &self.session, &mut self.state, &input);
+        self.view = output.view_rect;
+        for action in output.actions {
+            match action {
+                Action::Edit(edit) => apply_edit(&mut self.session, edit),
+                Action::View(view) => apply_view(&mut self.session, view),
+                Action::Ask(ask) => self.asked.push(ask),
+            }
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Menus, keys and dialogs.
+
+use crate::Editor;
+use editor_core::editor::{Ask, Screenshot};
+use editor_core::scene::{Look, Shading};
+use egui::{Key, Modifiers};
+
+#[test]
+fn every_shape_of_the_insert_menu_is_added_and_selected() {
+    let mut editor = Editor::new();
+    let names = [
+        "Cube",
+        "Sphere",
+        "Pyramid",
+        "Teapot",
+        "Icosahedron",
+        "Custom Shape",
+    ];
+    for (index, name) in names.into_iter().enumerate() {
+        editor.choose(&["Insert", name]);
+        assert_eq!(editor.session().scene().shapes().len(), index + 1);
+        assert_eq!(editor.shape().name, name);
+        assert!(editor.has(&format!("[{0}] {name} (ID: {0})", index + 1)));
+    }
+}
+
+#[test]
+fn imports_and_built_in_characters_are_asked_of_the_program() {
+    let mut editor = Editor::new();
+    editor.choose(&["Insert", "Import", "Import Shape"]);
+    editor.choose(&["Insert", "Import", "Import Character"]);
+    editor.choose(&["Insert", "Built-in Character", "Robot"]);
+    editor.key_with(Modifiers::COMMAND, Key::I);
+    assert_eq!(
+        editor.asked(),
+        [
+            Ask::ImportShape,
+            Ask::ImportCharacter,
+            Ask::InsertBuiltin("Robot"),
+            Ask::ImportShape,
+        ]
+    );
+}
+
+#[test]
+fn look_shading_and_axis_follow_their_menu_items() {
+    let mut editor = Editor::new();
+    editor.choose(&["View", "Look", "Studio"]);
+    editor.choose(&["View", "Shading", "Smooth"]);
+    editor.choose(&["View", "Ground Grid"]);
+    editor.choose(&["View", "Toggle Axis"]);
+    let view = editor.session().view();
+    assert_eq!(view.look, Look::Studio);
+    assert_eq!(view.shading, Shading::Smooth);
+    assert!(!view.grid);
+    assert!(!view.axis);
+}
+
+#[test]
+fn the_ground_grid_cannot_be_chosen_without_a_ground() {
+    let mut editor = Editor::new();
+    editor.choose(&["View", "Ground Grid"]);
+    assert!(editor.session().view().grid, "the Course look has none");
+}
+
+#[test]
+fn the_theme_is_chosen_in_the_menu() {
+    let mut editor = Editor::new();
+    editor.choose(&["View", "Theme", "Light"]);
+    assert!(!editor.harness.ctx.global_style().visuals.dark_mode);
+    editor.choose(&["View", "Theme", "Dark"]);
+    assert!(editor.harness.ctx.global_style().visuals.dark_mode);
+}
+
+#[test]
+fn t_toggles_the_axis_but_not_while_a_number_is_typed() {
+    let mut editor = Editor::with_figure();
+    editor.key(Key::T);
+    assert!(!editor.session().view().axis);
+    editor.click("Position X");
+    editor.key(Key::T);
+    assert!(!editor.session().view().axis);
+}
+
+#[test]
+fn f_fits_the_selected_shape_into_the_view() {
+    let mut editor = Editor::with_figure();
+    let before = editor.session().view().camera.radius;
+    editor.key(Key::F);
+    let camera = editor.session().view().camera;
+    assert!(camera.radius < before);
+    let center = editor.session().evaluated().world_bounds().center();
+    assert!(camera.target.abs_diff_eq(center, 1e-5));
+}
+
+#[test]
+fn esc_leaves_a_field_first_then_closes_windows_from_the_newest_then_quits() {
+    let mut editor = Editor::with_figure();
+    editor.key(Key::Questionmark);
+    editor.key(Key::F9);
+    editor.begin_typing("Position X", "7");
+    editor.key(Key::Escape);
+    assert_eq!(editor.shape().placement.transform.position.x, 0.0);
+    let open = |editor: &Editor| (editor.has("Click the axis ball"), editor.has("Copy all"));
+    assert_eq!(open(&editor), (true, true));
+    editor.key(Key::Escape);
+    assert_eq!(open(&editor), (true, false));
+    editor.key(Key::Escape);
+    assert_eq!(open(&editor), (false, false));
+    assert!(editor.asked().is_empty());
+    editor.key(Key::Escape);
+    assert_eq!(editor.asked(), [Ask::Quit]);
+}
+
+#[test]
+fn esc_closes_an_open_menu_before_it_quits() {
+    let mut editor = Editor::new();
+    editor.click("Insert");
+    editor.key(Key::Escape);
+    assert!(!editor.has("Cube"));
+    assert!(editor.asked().is_empty());
+}
+
+#[test]
+fn keys_that_belong_to_the_program_are_left_alone() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().keys_are_taken = true;
+    editor.key(Key::Escape);
+    editor.key(Key::T);
+    assert!(editor.asked().is_empty());
+    assert!(editor.session().view().axis);
+}
+
+#[test]
+fn the_window_about_the_keys_lists_every_command_that_has_one() {
+    let mut editor = Editor::sized(egui::vec2(900.0, 1400.0));
+    editor.key(Key::F1);
+    let commands = editor_core::ui::COMMANDS.iter();
+    for entry in commands.filter(|entry| !entry.shortcuts.is_empty()) {
+        assert!(editor.has(entry.label), "{}", entry.label);
+    }
+    for gesture in editor_core::ui::GESTURES {
+        assert!(editor.has(gesture.gesture), "{}", gesture.gesture);
+    }
+}
+
+#[test]
+fn a_screenshot_is_asked_for_at_the_size_and_with_the_parts_that_were_chosen() {
+    let mut editor = Editor::new();
+    editor.key(Key::F12);
+    editor.click("Save…");
+    assert!(!editor.has("Save…"), "the dialog is closed");
+
+    editor.choose(&["File", "Screenshot…", "Custom"]);
+    editor.type_into("Picture width", "640*2");
+    editor.type_into("Picture height", "720");
+    editor.click("Save…");
+
+    editor.choose(&["File", "Screenshot…", "With panels", "Save…"]);
+    let asked: Vec<_> = [(false, None), (false, Some((1280, 720))), (true, None)]
+        .into_iter()
+        .map(|(with_panels, size)| Ask::Screenshot(Screenshot { with_panels, size }))
+        .collect();
+    assert_eq!(editor.asked(), asked);
+}
+
+#[test]
+fn esc_closes_the_screenshot_dialog_and_no_other_key_works_below_it() {
+    let mut editor = Editor::new();
+    editor.key(Key::F12);
+    editor.key(Key::T);
+    assert!(editor.session().view().axis);
+    editor.key(Key::Escape);
+    assert!(!editor.has("Save…"));
+    assert!(editor.asked().is_empty());
+}

@@ -1,0 +1,52 @@
+//! What the program tells, over the view and in the history.
+
+use crate::Editor;
+use editor_core::editor::Severity;
+use egui::Key;
+
+fn tell(editor: &mut Editor, severity: Severity, text: &str) {
+    let messages = &mut editor.harness.state_mut().session.messages;
+    messages.tell(severity, text);
+    editor.settle();
+}
+
+#[test]
+fn an_error_stays_in_sight_until_it_is_dismissed_and_in_the_history_after() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Error, "a.skel:3:1: no such parent");
+    editor.harness.run_steps(100);
+    assert!(editor.has("a.skel:3:1: no such parent"));
+    assert!(editor.has("Error"), "the sign has a name");
+    editor.click("Dismiss messages");
+    assert!(!editor.has("a.skel:3:1: no such parent"));
+    editor.choose(&["Help", "Messages"]);
+    assert!(editor.has("a.skel:3:1: no such parent"));
+}
+
+#[test]
+fn a_note_goes_away_by_itself() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Info, "Saved a.png");
+    assert!(editor.has("Saved a.png"));
+    // A step of the harness is a quarter of a second.
+    editor.harness.run_steps(40);
+    assert!(!editor.has("Saved a.png"));
+    editor.key(Key::F9);
+    assert!(editor.has("Saved a.png"));
+}
+
+#[test]
+fn the_history_is_copied_with_words_for_the_signs() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Warning, "odd weights");
+    tell(&mut editor, Severity::Error, "no file");
+    editor.key(Key::F9);
+    editor.widget("Copy all").click();
+    editor.harness.step();
+    let commands = &editor.harness.output().platform_output.commands;
+    let copied = commands.iter().find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.as_str()),
+        _ => None,
+    });
+    assert_eq!(copied, Some("Warning: odd weights\nError: no file\n"));
+}

@@ -1,0 +1,154 @@
+//! The shape panel: list, properties, color, display.
+
+use crate::Editor;
+use editor_core::scene::{BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, ShapeColor, ShapeId};
+use egui::{Key, Modifiers};
+use glam::Vec3;
+
+fn with_cube() -> Editor {
+    let mut editor = Editor::new();
+    editor.choose(&["Insert", "Cube"]);
+    editor
+}
+
+#[test]
+fn a_shape_is_selected_in_the_list_by_click_and_by_keyboard() {
+    let mut editor = with_cube();
+    editor.choose(&["Insert", "Sphere"]);
+    editor.choose(&["Insert", "Teapot"]);
+    editor.click("[1] Cube (ID: 1)");
+    assert_eq!(editor.session().selected(), Some(ShapeId(1)));
+    editor.key(Key::ArrowDown);
+    assert_eq!(editor.session().selected(), Some(ShapeId(2)));
+    editor.key(Key::ArrowDown);
+    editor.key(Key::ArrowDown);
+    assert_eq!(editor.session().selected(), Some(ShapeId(3)), "the last");
+    editor.key(Key::Home);
+    assert_eq!(editor.session().selected(), Some(ShapeId(1)));
+}
+
+#[test]
+fn delete_takes_the_selected_shape_away_by_button_and_by_key() {
+    let mut editor = with_cube();
+    editor.choose(&["Insert", "Sphere"]);
+    editor.click("Delete");
+    assert!(!editor.has("[2] Sphere (ID: 2)"));
+    editor.key(Key::Delete);
+    assert!(editor.session().scene().shapes().is_empty());
+}
+
+#[test]
+fn reset_brings_back_placement_color_and_joint_angles() {
+    let mut editor = Editor::with_figure();
+    let start = editor.shape().placement;
+    editor.type_into("Position Y", "1.5");
+    editor.type_into("Rotation Z", "90");
+    editor.type_into("Neck X", "20");
+    assert_ne!(editor.shape().placement, start);
+    editor.click("Reset");
+    assert_eq!(editor.shape().placement, start);
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn typed_numbers_may_be_sums_and_nonsense_changes_nothing() {
+    let mut editor = with_cube();
+    editor.type_into("Position X", "45/2");
+    editor.type_into("Position Y", "-(1+2)*0,5");
+    editor.type_into("Position Z", "five");
+    let position = editor.shape().placement.transform.position;
+    assert_eq!(position, Vec3::new(22.5, -1.5, 0.0));
+}
+
+#[test]
+fn what_was_typed_counts_when_the_keyboard_goes_elsewhere() {
+    let mut editor = with_cube();
+    editor.begin_typing("Position X", "3");
+    editor.key(Key::Tab);
+    assert_eq!(editor.shape().placement.transform.position.x, 3.0);
+    editor.begin_typing("Position Y", "4");
+    editor.click("Position Z");
+    assert_eq!(editor.shape().placement.transform.position.y, 4.0);
+}
+
+#[test]
+fn dragging_changes_by_a_step_a_pixel_finer_with_shift_and_coarser_with_ctrl() {
+    let mut editor = with_cube();
+    editor.drag("Position X", 30.0);
+    let x = |editor: &Editor| editor.shape().placement.transform.position.x;
+    assert!((x(&editor) - 3.0).abs() < 1e-5, "{}", x(&editor));
+    editor.drag_with("Position X", 30.0, Modifiers::SHIFT);
+    assert!((x(&editor) - 3.3).abs() < 1e-5, "{}", x(&editor));
+    editor.right_click("Position X");
+    assert_eq!(x(&editor), 0.0, "right click resets");
+    editor.drag_with("Position X", 30.0, Modifiers::COMMAND | Modifiers::CTRL);
+    assert!((x(&editor) - 30.0).abs() < 1e-4, "{}", x(&editor));
+}
+
+#[test]
+fn up_and_down_step_a_number_while_it_is_typed() {
+    let mut editor = with_cube();
+    editor.click("Position X");
+    editor.key(Key::ArrowUp);
+    editor.key(Key::ArrowUp);
+    editor.key(Key::ArrowDown);
+    editor.key(Key::Enter);
+    let x = editor.shape().placement.transform.position.x;
+    assert!((x - 0.1).abs() < 1e-6, "{x}");
+}
+
+#[test]
+fn scaling_goes_from_uniform_to_each_axis_and_back() {
+    let mut editor = with_cube();
+    let scale = |editor: &Editor| editor.shape().placement.transform.scale;
+    editor.type_into("Uniform Scale", "2");
+    assert_eq!(scale(&editor), Vec3::splat(2.0));
+    editor.click("Uniform Scaling");
+    editor.type_into("Scale Y", "3");
+    assert_eq!(scale(&editor), Vec3::new(2.0, 3.0, 2.0));
+    editor.click("Uniform Scaling");
+    assert_eq!(scale(&editor), Vec3::splat(2.0));
+    editor.type_into("Uniform Scale", "99");
+    assert_eq!(scale(&editor), Vec3::splat(10.0), "10 at most");
+}
+
+#[test]
+fn the_list_of_colors_has_all_presets_and_chooses_one() {
+    let mut editor = with_cube();
+    editor.click("Color");
+    for preset in COLOR_PRESETS {
+        assert!(editor.has(preset.name), "{}", preset.name);
+    }
+    editor.click("Teal");
+    assert_eq!(editor.shape().placement.color, ShapeColor::Preset(14));
+}
+
+#[test]
+fn custom_starts_from_the_color_there_was_and_opens_a_picker() {
+    let mut editor = with_cube();
+    assert!(!editor.has("Custom color"));
+    editor.click("Color");
+    editor.click("Custom");
+    let red = Vec3::new(1.0, 0.0, 0.0);
+    assert_eq!(editor.shape().placement.color, ShapeColor::Custom(red));
+    editor.click("Custom color");
+    assert!(editor.has("Custom color"));
+}
+
+#[test]
+fn the_display_mode_and_the_style_of_joints_and_bones_are_chosen_by_button() {
+    let mut editor = Editor::with_figure();
+    assert_eq!(editor.character().display.mode, ModelDisplay::Mesh);
+    assert!(!editor.has("Points"), "a mesh alone has no joints to style");
+    editor.click("Skeletal Model");
+    editor.click("Points");
+    editor.type_into("Point size", "12");
+    editor.click("Lines");
+    editor.type_into("Line width", "3");
+    editor.click("Both");
+    let display = editor.character().display;
+    assert_eq!(display.mode, ModelDisplay::Both);
+    assert_eq!(display.joints, JointStyle::Points);
+    assert_eq!(display.bones, BoneStyle::Lines);
+    assert_eq!((display.point_size, display.line_width), (12.0, 3.0));
+}

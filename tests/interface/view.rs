@@ -1,0 +1,76 @@
+//! What lies over the view, and the view itself.
+
+use crate::Editor;
+use editor_core::editor::View;
+use editor_core::scene::{Camera, ViewDirection};
+use egui::Key;
+use glam::{Vec3, vec2};
+
+#[test]
+fn the_view_is_what_the_panels_leave_free() {
+    let editor = Editor::new();
+    let view = editor.harness.state().view;
+    assert_eq!(view.left(), 0.0);
+    assert!((view.right() - 520.0).abs() <= 1.0, "{view}");
+    assert!(view.top() > 16.0 && view.top() < 40.0, "{view}");
+    assert!(view.bottom() > 560.0 && view.bottom() < 600.0, "{view}");
+}
+
+#[test]
+fn an_end_of_the_axis_ball_turns_the_camera_and_keeps_target_and_distance() {
+    let mut editor = Editor::new();
+    let mut camera = Camera::default();
+    camera.target = Vec3::new(1.0, 2.0, 3.0);
+    camera.radius = 9.0;
+    camera.turn(vec2(70.0, -50.0));
+    editor.view(View::SetCamera(camera));
+    editor.click("Look from +X");
+    let now = editor.session().view().camera;
+    assert_eq!(now, camera.looking_from(ViewDirection::PlusX));
+    editor.click("Look from +X");
+    let now = editor.session().view().camera;
+    assert_eq!(
+        now,
+        camera.looking_from(ViewDirection::MinusX),
+        "again: from behind"
+    );
+}
+
+#[test]
+fn the_views_of_the_menu_are_the_courses() {
+    let mut editor = Editor::new();
+    for direction in ViewDirection::ALL {
+        let label = format!("View from {}", direction.label());
+        editor.choose(&["View", &label]);
+        let camera = editor.session().view().camera;
+        assert_eq!(camera, Camera::preset(direction), "{label}");
+    }
+    editor.choose(&["View", "Reset to Default Camera View"]);
+    assert_eq!(editor.session().view().camera, Camera::default());
+    editor.key(Key::Num7);
+    let camera = editor.session().view().camera;
+    assert_eq!(camera, Camera::preset(ViewDirection::PlusY));
+}
+
+#[test]
+fn the_help_for_newcomers_goes_with_its_cross_or_the_first_gesture() {
+    let mut editor = Editor::new();
+    assert!(!editor.has("Close help"));
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    editor.click("Close help");
+    assert!(!editor.has("Close help"));
+
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    editor.drag("View of the scene", 40.0);
+    assert!(!editor.has("Close help"));
+}
+
+#[test]
+fn a_drag_in_the_view_is_the_programs_and_changes_nothing_here() {
+    let mut editor = Editor::with_figure();
+    let camera = editor.session().view().camera;
+    editor.drag("View of the scene", 40.0);
+    assert_eq!(editor.session().view().camera, camera);
+}
