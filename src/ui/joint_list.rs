@@ -7,7 +7,8 @@ use crate::character::{Pose, SkeletalModel};
 use crate::editor::{Action, Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
-use egui::{Align, Button, Label, Layout, RichText, TextEdit, Ui, vec2};
+use egui::{Align, Button, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
+use std::collections::HashMap;
 
 /// The angles of all joints, as a tree that folds and can be searched.
 pub(super) fn show(
@@ -42,33 +43,19 @@ pub(super) fn show(
     let columns = Columns::new(ui, skeleton, &rows);
     joint_row::header(ui, &columns);
 
-    let mut hovered = None;
-    let mut events = Vec::new();
-    let mut names = Vec::with_capacity(rows.len());
-    for row in &rows {
-        let is_selected = session.selected_joint() == Some(row.joint);
-        let look = joint_row::Look {
-            selected: is_selected,
-            hovered: session.hovered_joint() == Some(row.joint),
-        };
-        let shown = joint_row::show(ui, skeleton, character.pose(), row, look, &columns);
-        if is_selected && newly_selected {
-            shown.name.scroll_to_me(None);
-        }
-        if shown.hovered {
-            hovered = Some(row.joint);
-        }
-        events.extend(shown.event.map(|event| (*row, event)));
-        names.push(shown.name);
+    let shown = show_rows(ui, session, character, &rows, &columns, newly_selected);
+    if let Some(name) = state.focus.and_then(|joint| shown.names.get(&joint)) {
+        name.request_focus();
+        state.focus = None;
     }
-    if hovered != state.hovered {
-        state.hovered = hovered;
-        actions.push(Action::View(View::HoverJoint(hovered)));
+    if shown.hovered != state.hovered {
+        state.hovered = shown.hovered;
+        actions.push(Action::View(View::HoverJoint(shown.hovered)));
     }
-    for (row, event) in events {
+    for (row, event) in shown.events {
         match event {
             RowEvent::Fold => toggle(state, id, row.joint),
-            RowEvent::Select => select(Some(row.joint), actions),
+            RowEvent::Select => select(row.joint, actions),
             RowEvent::Turn(degrees) => actions.push(Action::Edit(Edit::SetJointTransform {
                 shape: id,
                 joint: row.joint,
@@ -76,20 +63,64 @@ pub(super) fn show(
             })),
             RowEvent::Reset => actions.push(Action::Edit(Edit::ResetJoint(id, row.joint))),
             RowEvent::Move(movement) => {
-                if let Some(to) = goal(skeleton, &rows, row, movement, state, id) {
-                    if let Some(name) = names.get(to) {
-                        name.request_focus();
-                        name.scroll_to_me(None);
-                    }
-                    select(rows.get(to).map(|row| row.joint), actions);
+                let to = goal(skeleton, &rows, row, movement, state, id);
+                if let Some((to, row)) = to.and_then(|to| Some((to, rows.get(to)?))) {
+                    ui.scroll_to_rect(shown.places[to], None);
+                    state.focus = Some(row.joint);
+                    select(row.joint, actions);
                 }
             }
         }
     }
 }
 
-fn select(joint: Option<usize>, actions: &mut Vec<Action>) {
-    actions.push(Action::View(View::SelectJoint(joint)));
+/// What came of showing all rows.
+#[derive(Default)]
+struct Rows {
+    hovered: Option<usize>,
+    events: Vec<(Row, RowEvent)>,
+    /// Where each row is, as many as there are rows.
+    places: Vec<Rect>,
+    /// The names shown to egui, by joint: only those may be given the keyboard.
+    names: HashMap<usize, Response>,
+}
+
+fn show_rows(
+    ui: &mut Ui,
+    session: &Session,
+    character: &CharacterShape,
+    rows: &[Row],
+    columns: &Columns,
+    scroll_to_selected: bool,
+) -> Rows {
+    let skeleton = character.character.skeleton();
+    let mut all = Rows::default();
+    for row in rows {
+        let place = joint_row::place(ui, columns);
+        all.places.push(place);
+        let selected = session.selected_joint() == Some(row.joint);
+        if selected && scroll_to_selected {
+            ui.scroll_to_rect(place, None);
+        }
+        if rows.len() > joint_row::MANY && !ui.is_rect_visible(place) {
+            continue;
+        }
+        let look = joint_row::Look {
+            selected,
+            hovered: session.hovered_joint() == Some(row.joint),
+        };
+        let shown = joint_row::show(ui, skeleton, character.pose(), row, place, look, columns);
+        if shown.hovered {
+            all.hovered = Some(row.joint);
+        }
+        all.names.insert(row.joint, shown.name);
+        all.events.extend(shown.event.map(|event| (*row, event)));
+    }
+    all
+}
+
+fn select(joint: usize, actions: &mut Vec<Action>) {
+    actions.push(Action::View(View::SelectJoint(Some(joint))));
 }
 
 fn toggle(state: &mut JointListState, id: ShapeId, joint: usize) {

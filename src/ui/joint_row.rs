@@ -19,6 +19,10 @@ const GAP: f32 = 2.0;
 /// A field's width: at least that of `329.5`, and no more than is comfortable.
 const FIELD: std::ops::RangeInclusive<f32> = 36.0..=64.0;
 
+/// Of lists with more rows than this only the rows in sight are shown to egui, and names are
+/// not measured: the panel must stay quick whatever a file holds.
+pub(super) const MANY: usize = 512;
+
 /// Where things stand in all rows of the list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Columns {
@@ -62,10 +66,11 @@ impl Columns {
         let font = font(ui);
         let longest = rows
             .iter()
+            .take(MANY)
             .map(|row| name_left(row) + text_width(ui, &skeleton.joints()[row.joint].name, &font))
             .fold(0.0, f32::max);
         let field = ((width - longest - RESET - 3.0 * GAP - 2.0) / 3.0).floor();
-        let stacked = field < *FIELD.start();
+        let stacked = rows.len() > MANY || field < *FIELD.start();
         let room = if stacked {
             width - RESET - 3.0 * GAP - 20.0
         } else {
@@ -134,18 +139,24 @@ pub(super) fn header(ui: &mut Ui, columns: &Columns) {
     }
 }
 
-/// Shows the row of one joint.
+/// Makes room for the next row.
+pub(super) fn place(ui: &mut Ui, columns: &Columns) -> Rect {
+    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.y, 0.0);
+    let (_, rect) = ui.allocate_space(vec2(columns.width, columns.height()));
+    ui.spacing_mut().item_spacing.y = spacing;
+    rect
+}
+
+/// Shows the row of one joint in `rect`.
 pub(super) fn show(
     ui: &mut Ui,
     skeleton: &SkeletalModel,
     pose: &Pose,
     row: &Row,
+    rect: Rect,
     look: Look,
     columns: &Columns,
 ) -> Shown {
-    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.y, 0.0);
-    let (_, rect) = ui.allocate_space(vec2(columns.width, columns.height()));
-    ui.spacing_mut().item_spacing.y = spacing;
     let id = ui.id().with(("joint", row.joint));
     let name = &skeleton.joints()[row.joint].name;
     let changed = pose.is_changed(row.joint);
@@ -161,7 +172,7 @@ pub(super) fn show(
     if let Some(movement) = list_move(ui, &label) {
         event = Some(RowEvent::Move(movement));
     }
-    let label = paint_name(ui, label, name, changed, look);
+    paint_name(ui, &label, name, changed, look);
     if row.folded.is_some() && fold_arrow(ui, id, rect, left, row, name) {
         event = Some(RowEvent::Fold);
     }
@@ -220,7 +231,7 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
     }
 }
 
-fn paint_name(ui: &Ui, label: Response, name: &str, changed: bool, look: Look) -> Response {
+fn paint_name(ui: &Ui, label: &Response, name: &str, changed: bool, look: Look) {
     let palette = Palette::of(ui.visuals());
     let color = match (look.selected, changed) {
         (true, _) => palette.on_selection,
@@ -241,7 +252,7 @@ fn paint_name(ui: &Ui, label: Response, name: &str, changed: bool, look: Look) -
         )
     });
     let state = if changed { "turned" } else { "at rest" };
-    label.on_hover_text(format!("{name}, {state}"))
+    label.clone().on_hover_text(format!("{name}, {state}"));
 }
 
 fn fold_arrow(ui: &Ui, id: Id, row: Rect, left: f32, at: &Row, name: &str) -> bool {

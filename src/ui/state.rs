@@ -44,6 +44,8 @@ pub(super) struct JointListState {
     /// The joint that the pointer was over in the list; one hovered in the view is not the
     /// list's to clear.
     pub hovered: Option<usize>,
+    /// The joint whose row gets the keyboard once it has been scrolled into sight.
+    pub focus: Option<usize>,
     /// The joint that was selected in the last frame, to notice one selected in the view.
     pub selected: Option<(ShapeId, usize)>,
 }

@@ -3,7 +3,7 @@
 use editor_core::character::{
     Attachments, COURSE_JOINT_NAMES, Character, Influence, Joint, SkeletalModel,
 };
-use editor_core::geometry::{Mesh, sphere};
+use editor_core::geometry::{Mesh, Poles, sphere};
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -38,7 +38,7 @@ pub fn figure_called(names: &[&str; 18]) -> Arc<Character> {
         offset: Vec3::from(offset),
     });
     let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
-    let ball = sphere(0.1, 12, 8);
+    let ball = sphere(0.1, 12, 8, Poles::Y);
     let (mut positions, mut triangles) = (Vec::new(), Vec::new());
     let mut attachments = Attachments::new();
     for (joint, at) in skeleton.bind_positions().into_iter().enumerate() {
@@ -60,4 +60,16 @@ pub fn figure_called(names: &[&str; 18]) -> Arc<Character> {
 /// [`figure_called`] with the course's names.
 pub fn figure() -> Arc<Character> {
     figure_called(&COURSE_JOINT_NAMES)
+}
+
+/// A character that is one chain of `count` joints without a mesh.
+pub fn chain(count: usize) -> Arc<Character> {
+    let joints = (0..count).map(|joint| Joint {
+        name: format!("Joint {joint}"),
+        parent: joint.checked_sub(1),
+        offset: Vec3::Y * 0.01,
+    });
+    let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
+    let mesh = Mesh::new(Vec::new(), Vec::new());
+    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
 }

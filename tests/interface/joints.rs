@@ -1,6 +1,6 @@
 //! The joint list.
 
-use crate::Editor;
+use crate::{Editor, figure};
 use editor_core::editor::View;
 use egui::{Key, Modifiers};
 use glam::Vec3;
@@ -139,4 +139,20 @@ fn the_question_mark_can_be_typed_into_the_search() {
     editor.click("Find joints");
     editor.key_with(Modifiers::SHIFT, Key::Questionmark);
     assert!(!editor.has("Keys and Mouse"));
+}
+
+#[test]
+fn of_a_very_long_list_only_what_is_in_sight_is_shown_and_keys_still_reach_all_of_it() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::chain(5000));
+    assert!(editor.widgets().len() < 500, "{}", editor.widgets().len());
+    editor.click("Joint 0");
+    editor.key(Key::End);
+    assert_eq!(editor.session().selected_joint(), Some(4999));
+    editor.type_into("Joint 4999 X", "5");
+    assert!((editor.joint(4999).x - 5.0).abs() < 1e-3);
+    editor.click("Joint 4999");
+    editor.view(View::SelectJoint(Some(2500)));
+    assert!(editor.has("Joint 2500"));
+    editor.key(Key::ArrowUp);
 }

@@ -19,9 +19,11 @@ fn the_view_is_what_the_panels_leave_free() {
 #[test]
 fn an_end_of_the_axis_ball_turns_the_camera_and_keeps_target_and_distance() {
     let mut editor = Editor::new();
-    let mut camera = Camera::default();
-    camera.target = Vec3::new(1.0, 2.0, 3.0);
-    camera.radius = 9.0;
+    let mut camera = Camera {
+        target: Vec3::new(1.0, 2.0, 3.0),
+        radius: 9.0,
+        ..Camera::default()
+    };
     camera.turn(vec2(70.0, -50.0));
     editor.view(View::SetCamera(camera));
     editor.click("Look from +X");
