@@ -1,0 +1,221 @@
+use super::{Area, CompareError};
+use crate::geometry::Picture;
+use std::borrow::Cow;
+use std::collections::HashMap;
+
+/// A pixel counts as drawn where a channel is farther than this from the background.
+pub const DRAWN_THRESHOLD: u8 = 8;
+
+/// One pixel, its colors multiplied by its opacity: the picture as seen over black.
+pub(super) type Pixel = [u8; 4];
+
+/// Two pictures of one size, ready to be measured.
+///
+/// Colors are compared as seen over black, so that what is invisible in both does not count;
+/// opacity itself is compared as a fourth channel. Inside of ignored areas B is taken to be
+/// equal to A, and the pixels are not counted.
+#[derive(Clone, Debug)]
+pub struct Pair<'a> {
+    width: u32,
+    height: u32,
+    a: Cow<'a, [Pixel]>,
+    b: Cow<'a, [Pixel]>,
+    /// Whether each pixel counts.
+    kept: Vec<bool>,
+    /// Background of A and of B, red, green, blue.
+    backgrounds: [Option<[u8; 3]>; 2],
+}
+
+impl<'a> Pair<'a> {
+    /// Puts the reference `a` and `b` together, leaving out the areas in `ignore`.
+    ///
+    /// # Errors
+    /// If the sizes differ, a picture is malformed, or no pixel is left to compare.
+    pub fn new(a: &'a Picture, b: &'a Picture, ignore: &[Area]) -> Result<Self, CompareError> {
+        let size = [a.width, a.height];
+        let pixels_of_a = pixels('A', a)?;
+        let mut pixels_of_b = pixels('B', b)?;
+        if size != [b.width, b.height] {
+            return Err(CompareError::Size {
+                a: size,
+                b: [b.width, b.height],
+            });
+        }
+        let mut kept = vec![true; pixels_of_a.len()];
+        for &area in ignore {
+            let inside = area
+                .clipped(a.width, a.height)
+                .ok_or(CompareError::AreaOutside { area, size })?;
+            for row in inside.y..inside.y + inside.height {
+                let start = row as usize * a.width as usize + inside.x as usize;
+                let range = start..start + inside.width as usize;
+                kept[range.clone()].fill(false);
+                pixels_of_b.to_mut()[range.clone()].copy_from_slice(&pixels_of_a[range]);
+            }
+        }
+        if !kept.contains(&true) {
+            return Err(CompareError::NothingToCompare);
+        }
+        let mut pair = Self {
+            width: a.width,
+            height: a.height,
+            a: pixels_of_a,
+            b: pixels_of_b,
+            kept,
+            backgrounds: [None; 2],
+        };
+        pair.backgrounds = [pair.background_of(&pair.a), pair.background_of(&pair.b)];
+        Ok(pair)
+    }
+
+    /// Says which background to measure from instead of the ones found along the border.
+    pub fn with_background(self, color: [u8; 3]) -> Self {
+        Self {
+            backgrounds: [Some(color); 2],
+            ..self
+        }
+    }
+
+    /// Pixels a row.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub fn height(&self) -> u32 {
+        self.height
+    }
+
+    /// The background of A and of B (red, green, blue): the color that most of the border has;
+    /// `None` where the border has no such color.
+    pub fn backgrounds(&self) -> [Option<[u8; 3]>; 2] {
+        self.backgrounds
+    }
+
+    /// A, top row first.
+    pub(super) fn a(&self) -> &[Pixel] {
+        &self.a
+    }
+
+    /// B, top row first.
+    pub(super) fn b(&self) -> &[Pixel] {
+        &self.b
+    }
+
+    /// Whether each pixel counts, top row first.
+    pub(super) fn kept(&self) -> &[bool] {
+        &self.kept
+    }
+
+    /// The color that more than half of the kept pixels along the border have.
+    fn background_of(&self, pixels: &[Pixel]) -> Option<[u8; 3]> {
+        let (width, height) = (self.width as usize, self.height as usize);
+        let rows = [0, height - 1].into_iter();
+        let columns = [0, width - 1].into_iter();
+        let border = rows
+            .flat_map(|y| (0..width).map(move |x| y * width + x))
+            .chain(columns.flat_map(|x| (0..height).map(move |y| y * width + x)));
+        let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
+        let mut total = 0;
+        for index in border.filter(|&index| self.kept[index]) {
+            let [r, g, b, _] = pixels[index];
+            *counts.entry([r, g, b]).or_default() += 1;
+            total += 1;
+        }
+        counts
+            .into_iter()
+            .find(|&(_, count)| 2 * count > total)
+            .map(|(color, _)| color)
+    }
+}
+
+/// Whether a pixel shows something else than `background`; everything does if there is none.
+pub(super) fn is_drawn(pixel: Pixel, background: Option<[u8; 3]>) -> bool {
+    background.is_none_or(|color| {
+        (0..3).any(|channel| pixel[channel].abs_diff(color[channel]) > DRAWN_THRESHOLD)
+    })
+}
+
+/// The pixels of a picture with colors multiplied by opacity, borrowed if it is opaque.
+fn pixels(which: char, picture: &Picture) -> Result<Cow<'_, [Pixel]>, CompareError> {
+    let expected = 4 * u64::from(picture.width) * u64::from(picture.height);
+    let found = picture.rgba.len() as u64;
+    if expected != found {
+        return Err(CompareError::Bytes {
+            which,
+            expected,
+            found,
+        });
+    }
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    Ok(if pixels.iter().all(|pixel| pixel[3] == 255) {
+        Cow::Borrowed(pixels)
+    } else {
+        Cow::Owned(pixels.iter().map(|&pixel| seen_over_black(pixel)).collect())
+    })
+}
+
+fn seen_over_black([r, g, b, alpha]: Pixel) -> Pixel {
+    let seen = |channel: u8| ((u16::from(channel) * u16::from(alpha) + 127) / 255) as u8;
+    [seen(r), seen(g), seen(b), alpha]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::test_pictures::{filled, from_gray};
+
+    #[test]
+    fn pictures_of_different_sizes_are_not_compared() {
+        let (a, b) = (filled(4, 3, [0; 4]), filled(3, 4, [0; 4]));
+        assert_eq!(
+            Pair::new(&a, &b, &[]).unwrap_err(),
+            CompareError::Size {
+                a: [4, 3],
+                b: [3, 4]
+            }
+        );
+    }
+
+    #[test]
+    fn malformed_or_fully_ignored_pictures_are_errors() {
+        let good = filled(4, 3, [0; 4]);
+        let mut short = good.clone();
+        short.rgba.pop();
+        assert!(matches!(
+            Pair::new(&good, &short, &[]),
+            Err(CompareError::Bytes { which: 'B', .. })
+        ));
+        let empty = filled(0, 0, [0; 4]);
+        let nothing = Some(CompareError::NothingToCompare);
+        assert_eq!(Pair::new(&empty, &empty, &[]).err(), nothing);
+        let all = "0,0,9,9".parse().unwrap();
+        assert_eq!(Pair::new(&good, &good, &[all]).err(), nothing);
+        let outside = "4,0,1,1".parse().unwrap();
+        assert!(matches!(
+            Pair::new(&good, &good, &[outside]),
+            Err(CompareError::AreaOutside { .. })
+        ));
+    }
+
+    #[test]
+    fn the_background_is_what_most_of_the_border_shows() {
+        let framed = from_gray(4, &[5, 5, 5, 5, 5, 90, 90, 5, 5, 5, 7, 5]);
+        let half = from_gray(2, &[1, 1, 2, 2]);
+        let pair = Pair::new(&framed, &framed, &[]).unwrap();
+        assert_eq!(pair.backgrounds()[0], Some([5; 3]));
+        assert_eq!(
+            Pair::new(&half, &half, &[]).unwrap().backgrounds(),
+            [None; 2]
+        );
+        let ignoring = Pair::new(&half, &half, &["0,1,2,1".parse().unwrap()]).unwrap();
+        assert_eq!(ignoring.backgrounds()[0], Some([1; 3]));
+    }
+
+    #[test]
+    fn a_picture_is_seen_over_black() {
+        assert_eq!(seen_over_black([200, 100, 51, 128]), [100, 50, 26, 128]);
+        assert_eq!(seen_over_black([200, 100, 51, 0]), [0; 4]);
+        assert_eq!(seen_over_black([200, 100, 51, 255]), [200, 100, 51, 255]);
+    }
+}
