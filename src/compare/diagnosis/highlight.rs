@@ -1,0 +1,97 @@
+use super::evidence::{FEWEST_PIXELS, OTHER_COLOR};
+use super::{Finding, Which};
+use crate::compare::Pair;
+use crate::compare::differences::difference;
+use crate::compare::pair::Pixel;
+use crate::compare::ssim::luma;
+
+/// A highlight covers no more than one in so many drawn pixels.
+const ONE_IN: usize = 3;
+/// Its pixels are among the so many times brightest.
+const BRIGHTEST_TIMES: usize = 3;
+/// White light adds as much to each channel, but for rounding (of 255).
+const NEUTRAL: u8 = 4;
+/// Channels that reach this may have been cut off, and say nothing about the color of the light.
+const SATURATED: u8 = 250;
+/// Share of the pixels that must bear each sign of a highlight.
+const NEARLY_ALL: f64 = 0.95;
+
+impl Pair<'_> {
+    /// Whether one picture lacks a highlight of white light that the other has.
+    pub(super) fn highlight(&self) -> Option<Finding> {
+        self.highlight_only_in(self.a(), self.b(), Which::B)
+            .or_else(|| self.highlight_only_in(self.b(), self.a(), Which::A))
+    }
+
+    fn highlight_only_in(
+        &self,
+        lit: &[Pixel],
+        unlit: &[Pixel],
+        missing_in: Which,
+    ) -> Option<Finding> {
+        let [drawn_a, drawn_b] = self.drawn_masks()?;
+        if drawn_a != drawn_b {
+            return None;
+        }
+        let differs: Vec<bool> = lit
+            .iter()
+            .zip(unlit)
+            .map(|(&lit, &unlit)| difference(lit, unlit) > OTHER_COLOR)
+            .collect();
+        let differing: Vec<(Pixel, Pixel)> = pixels_in(lit, unlit, &differs).collect();
+        let mut lumas: Vec<f32> = pixels_in(lit, unlit, &drawn_a)
+            .map(|(lit, _)| luma(lit))
+            .collect();
+        let count = differing.len();
+        if (count as u64) < FEWEST_PIXELS || count * ONE_IN > lumas.len() {
+            return None;
+        }
+        let place = lumas.len() - (count * BRIGHTEST_TIMES).min(lumas.len());
+        let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
+        let signs = differing.iter().filter(|(lit, unlit)| {
+            luma(*lit) >= least_bright && added_light(*lit, *unlit).is_some()
+        });
+        let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
+        (enough && fades(&differing))
+            .then(|| self.area_of(&differs))?
+            .map(|area| Finding::Highlight { missing_in, area })
+    }
+}
+
+fn pixels_in<'a>(
+    lit: &'a [Pixel],
+    unlit: &'a [Pixel],
+    mask: &'a [bool],
+) -> impl Iterator<Item = (Pixel, Pixel)> + 'a {
+    let pixels = lit.iter().zip(unlit).zip(mask);
+    pixels
+        .filter(|(_, inside)| **inside)
+        .map(|((&lit, &unlit), _)| (lit, unlit))
+}
+
+/// The light that was added, if it is white and none was taken away.
+fn added_light(lit: Pixel, unlit: Pixel) -> Option<u8> {
+    let mut least = u8::MAX;
+    let mut most = 0;
+    for channel in 0..3 {
+        let added = lit[channel].checked_sub(unlit[channel])?;
+        most = most.max(added);
+        if lit[channel] < SATURATED {
+            least = least.min(added);
+        }
+    }
+    // A cut-off channel may have got more than it shows, never less.
+    (least == u8::MAX || most <= least.saturating_add(NEUTRAL)).then_some(most)
+}
+
+/// Whether the light fades toward the rim instead of filling the area evenly, as an object in
+/// front would.
+fn fades(differing: &[(Pixel, Pixel)]) -> bool {
+    let mut added: Vec<u8> = differing
+        .iter()
+        .filter_map(|&(lit, unlit)| added_light(lit, unlit))
+        .collect();
+    added.sort_unstable();
+    let at = |percent: usize| added.get(added.len() * percent / 100).copied().unwrap_or(0);
+    2 * u16::from(at(10)) <= u16::from(at(90))
+}

@@ -1,0 +1,260 @@
+//! What is wrong with a picture, in words. A finding is reported only where the pictures bear it
+//! out pixel by pixel; where nothing explains the difference, nothing is said.
+
+mod color;
+mod evidence;
+mod highlight;
+mod motion;
+mod outline;
+
+use super::{Area, Pair};
+use serde::Serialize;
+use std::fmt;
+
+/// One thing that the comparison found. B is held against the reference A.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Finding {
+    /// Every pixel of one picture (or of each) has one color: nothing was drawn.
+    Blank {
+        /// Which.
+        picture: Which,
+    },
+    /// B is A moved by whole pixels.
+    Shifted {
+        /// To the right.
+        dx: i32,
+        /// Downward.
+        dy: i32,
+    },
+    /// B is A with the sides exchanged.
+    Mirrored {
+        /// Left and right are exchanged.
+        left_right: bool,
+        /// Top and bottom are exchanged.
+        top_bottom: bool,
+    },
+    /// What is drawn in B has A's outline in another size.
+    Scaled {
+        /// Size in B by size in A.
+        factor: f64,
+    },
+    /// B has red and blue exchanged.
+    RedBlueExchanged,
+    /// The backgrounds differ.
+    Background {
+        /// Red, green, blue in A.
+        a: [u8; 3],
+        /// Red, green, blue in B.
+        b: [u8; 3],
+        /// Whether nothing else differs by more than 8 of 255.
+        alone: bool,
+    },
+    /// Pixels differ in opacity.
+    Opacity {
+        /// How many.
+        pixels: u64,
+    },
+    /// What is drawn in B has the colors of A times these factors.
+    Brightness {
+        /// For red, green and blue.
+        factors: [f64; 3],
+    },
+    /// One picture is encoded as sRGB once more often than the other.
+    Gamma {
+        /// The one that was encoded more often, and is lighter.
+        lighter: Which,
+    },
+    /// A highlight is missing: the difference is white light on the brightest parts.
+    Highlight {
+        /// The picture without it.
+        missing_in: Which,
+        /// Where it is in the other.
+        area: Area,
+    },
+    /// Differences only where a color lies between its neighbors in the other picture.
+    Edges,
+    /// Things are drawn in one picture where the other shows the background.
+    Outline {
+        /// Pixels drawn only in A.
+        only_a: u64,
+        /// Where these are.
+        area_a: Option<Area>,
+        /// Pixels drawn only in B.
+        only_b: u64,
+        /// Where these are.
+        area_b: Option<Area>,
+    },
+    /// The outlines agree, but what is inside is shaded otherwise.
+    Shading {
+        /// Pixels inside that differ by more than 8 of 255, by all drawn pixels.
+        share: f64,
+    },
+}
+
+/// One of the two pictures, or both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Which {
+    /// The reference.
+    A,
+    /// The one held against it.
+    B,
+    /// Each of them.
+    Both,
+}
+
+impl Pair<'_> {
+    /// What the differences come from, as far as the pictures prove it. Empty if nothing does,
+    /// or if they are equal.
+    pub fn findings(&self) -> Vec<Finding> {
+        let blank = self.blank();
+        if self.a() == self.b() || blank.is_some() {
+            return blank.into_iter().chain(self.background()).collect();
+        }
+        let mut findings: Vec<Finding> = self.motion().into_iter().collect();
+        findings.extend(self.opacity());
+        if findings.is_empty() {
+            findings.extend(self.red_blue_exchanged());
+        }
+        findings.extend(self.background());
+        let explained =
+            |finding: &Finding| !matches!(finding, Finding::Background { alone: false, .. });
+        if findings.iter().any(explained) {
+            return findings;
+        }
+        let surface = self
+            .gamma()
+            .or_else(|| self.brightness())
+            .or_else(|| self.highlight())
+            .or_else(|| self.edges())
+            .or_else(|| self.scaled())
+            .or_else(|| self.outline())
+            .or_else(|| self.shading());
+        findings.extend(surface);
+        findings
+    }
+
+    fn blank(&self) -> Option<Finding> {
+        let blank_a = self.is_even(self.a());
+        let blank_b = self.is_even(self.b());
+        let picture = match (blank_a, blank_b) {
+            (true, true) => Which::Both,
+            (true, false) => Which::A,
+            (false, true) => Which::B,
+            (false, false) => return None,
+        };
+        Some(Finding::Blank { picture })
+    }
+
+    fn opacity(&self) -> Option<Finding> {
+        let pixels = self.a().iter().zip(self.b());
+        let pixels = pixels.filter(|(a, b)| a[3] != b[3]).count() as u64;
+        (pixels > 0).then_some(Finding::Opacity { pixels })
+    }
+}
+
+impl fmt::Display for Which {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::A => "A",
+            Self::B => "B",
+            Self::Both => "both",
+        })
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Blank {
+                picture: Which::Both,
+            } => write!(f, "both pictures are blank: every pixel has one color"),
+            Self::Blank { picture } => write!(
+                f,
+                "{picture} is blank: every pixel has one color, so nothing was drawn in view"
+            ),
+            Self::Shifted { dx, dy } => {
+                write!(f, "B is A moved by {}", moved(*dx, *dy))
+            }
+            Self::Mirrored {
+                left_right,
+                top_bottom,
+            } => f.write_str(match (left_right, top_bottom) {
+                (true, true) => "B is A turned by 180 degrees",
+                (true, false) => "B is A mirrored: left and right are exchanged",
+                _ => "B is A upside down: top and bottom are exchanged (rows in the other order?)",
+            }),
+            Self::Scaled { factor } => write!(
+                f,
+                "what is drawn in B has A's outline, {factor:.3} times as large: distance, field of view or scale"
+            ),
+            Self::RedBlueExchanged => f.write_str("B has red and blue exchanged (BGR for RGB?)"),
+            Self::Background { a, b, alone } => {
+                let [a, b] = [a, b].map(|[r, g, b]| format!("({r}, {g}, {b})"));
+                let rest = if *alone { "; nothing else does by more than 8" } else { "" };
+                write!(f, "the background differs: {a} in A, {b} in B{rest}")
+            }
+            Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
+            Self::Brightness { factors } => fmt_brightness(f, *factors),
+            Self::Gamma { lighter } => write!(
+                f,
+                "{lighter} is encoded as sRGB once more often than the other picture: lighter, with washed-out shadows"
+            ),
+            Self::Highlight { missing_in, area } => write!(
+                f,
+                "a highlight is missing in {missing_in}, around {area}: the specular term of the light"
+            ),
+            Self::Edges => f.write_str(
+                "the pictures differ only along edges: antialiasing, or a movement of less than about a pixel",
+            ),
+            Self::Outline {
+                only_a,
+                area_a,
+                only_b,
+                area_b,
+            } => fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)]),
+            Self::Shading { share } => write!(
+                f,
+                "the outlines agree, but {:.1} % of what is drawn is shaded otherwise: normals, light or material",
+                100.0 * share
+            ),
+        }
+    }
+}
+
+fn moved(dx: i32, dy: i32) -> String {
+    let part = |by: i32, forward: &str, backward: &str| {
+        let direction = if by > 0 { forward } else { backward };
+        (by != 0).then(|| {
+            let unit = if by.abs() == 1 { "pixel" } else { "pixels" };
+            format!("{} {unit} {direction}", by.abs())
+        })
+    };
+    let parts = [part(dx, "right", "left"), part(dy, "down", "up")];
+    parts
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join(" and ")
+}
+
+fn fmt_brightness(f: &mut fmt::Formatter<'_>, factors: [f64; 3]) -> fmt::Result {
+    let [r, g, b] = factors;
+    let even = factors.iter().all(|factor| (factor - g).abs() < 0.02 * g);
+    if even {
+        write!(f, "what is drawn in B is {g:.3} times as bright as in A")
+    } else {
+        write!(
+            f,
+            "what is drawn in B has {r:.3}, {g:.3} and {b:.3} times the red, green and blue of A: another color of light or material"
+        )
+    }
+}
+
+fn fmt_outline(f: &mut fmt::Formatter<'_>, parts: [(u64, Option<Area>); 2]) -> fmt::Result {
+    let parts = parts.iter().zip([Which::A, Which::B]);
+    let parts = parts.filter_map(|((pixels, area), which)| {
+        area.map(|area| format!("{pixels} pixels are drawn only in {which}, within {area}"))
+    });
+    f.write_str(&parts.collect::<Vec<_>>().join("; "))
+}

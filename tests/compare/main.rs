@@ -1,0 +1,5 @@
+//! Comparing pictures: what is said to be wrong, provoked one by one, and not said of anything
+//! else.
+
+mod painter;
+mod pictures;

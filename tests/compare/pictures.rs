@@ -1,0 +1,410 @@
+use crate::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
+use editor_core::compare::{Finding, Pair, PictureOptions, Which, compare_pictures};
+use editor_core::geometry::Picture;
+use glam::Vec3;
+
+fn findings(a: &Picture, b: &Picture) -> Vec<Finding> {
+    Pair::new(a, b, &[]).unwrap().findings()
+}
+
+/// What is found in the picture of another scene than [`SCENE`].
+fn findings_for(b: Scene) -> Vec<Finding> {
+    findings(&SCENE.paint(), &b.paint())
+}
+
+fn blank(gray: u8) -> Picture {
+    recolored(&SCENE.paint(), |_| [gray, gray, gray, 255])
+}
+
+#[test]
+fn nothing_is_wrong_with_equal_pictures() {
+    let a = SCENE.paint();
+    let comparison = compare_pictures(&a, &a, &PictureOptions::default()).unwrap();
+    assert!(comparison.passed);
+    assert_eq!((comparison.ssim, comparison.flip), (Some(1.0), 0.0));
+    assert_eq!(comparison.findings, []);
+    assert!(comparison.to_string().contains("infinite"));
+}
+
+#[test]
+fn a_blank_picture_is_named() {
+    let a = SCENE.paint();
+    let found = |picture| Finding::Blank { picture };
+    assert_eq!(findings(&a, &blank(26)), [found(Which::B)]);
+    assert_eq!(findings(&blank(26), &a), [found(Which::A)]);
+    assert_eq!(findings(&blank(26), &blank(26)), [found(Which::Both)]);
+    let other = findings(&blank(26), &blank(90));
+    assert_eq!(other[0], found(Which::Both));
+    assert!(matches!(other[1], Finding::Background { alone: true, .. }));
+}
+
+#[test]
+fn a_picture_moved_by_whole_pixels_is_named_with_the_movement() {
+    for (dx, dy) in [(1, 0), (0, -1), (-3, 5), (8, 8), (31, -17)] {
+        let [x, y] = SCENE.center;
+        let moved = Scene {
+            slab: false,
+            center: [x + dx as f32, y + dy as f32],
+            ..SCENE
+        };
+        let still = Scene {
+            slab: false,
+            ..SCENE
+        };
+        assert_eq!(
+            findings(&still.paint(), &moved.paint()),
+            [Finding::Shifted { dx, dy }]
+        );
+    }
+    assert_eq!(
+        Finding::Shifted { dx: -3, dy: 1 }.to_string(),
+        "B is A moved by 3 pixels left and 1 pixel down"
+    );
+}
+
+#[test]
+fn a_picture_cut_off_at_the_border_is_still_found_to_be_moved() {
+    let up = |y: f32| Scene {
+        center: [70.0, y],
+        slab: false,
+        ..SCENE
+    };
+    assert_eq!(
+        findings(&up(30.0).paint(), &up(25.0).paint()),
+        [Finding::Shifted { dx: 0, dy: -5 }]
+    );
+}
+
+#[test]
+fn one_of_two_things_moved_is_not_a_moved_picture() {
+    let moved = Scene {
+        center: [75.0, 55.0],
+        ..SCENE
+    };
+    let found = findings_for(moved);
+    assert!(
+        !found.iter().any(|f| matches!(f, Finding::Shifted { .. })),
+        "{found:?}"
+    );
+    assert!(matches!(found[..], [Finding::Outline { .. }]), "{found:?}");
+}
+
+#[test]
+fn a_mirrored_picture_is_named_with_the_sides() {
+    let a = SCENE.paint();
+    for (left_right, top_bottom) in [(true, false), (false, true), (true, true)] {
+        let b = rearranged(&a, |x, y| {
+            (
+                if left_right { WIDTH - 1 - x } else { x },
+                if top_bottom { HEIGHT - 1 - y } else { y },
+            )
+        });
+        assert_eq!(
+            findings(&a, &b),
+            [Finding::Mirrored {
+                left_right,
+                top_bottom
+            }]
+        );
+    }
+}
+
+#[test]
+fn another_background_is_named_and_whether_it_is_all() {
+    let background = [90, 120, 140];
+    let named = |alone| Finding::Background {
+        a: [26; 3],
+        b: background,
+        alone,
+    };
+    assert_eq!(
+        findings_for(Scene {
+            background,
+            ..SCENE
+        }),
+        [named(true)]
+    );
+    let found = findings_for(Scene {
+        background,
+        slab: false,
+        ..SCENE
+    });
+    assert_eq!(found[0], named(false));
+    assert!(
+        matches!(found[1], Finding::Outline { only_b: 0, .. }),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn exchanged_channels_are_named() {
+    let a = SCENE.paint();
+    let b = recolored(&a, |[r, g, b, alpha]| [b, g, r, alpha]);
+    assert_eq!(findings(&a, &b), [Finding::RedBlueExchanged]);
+    let c = recolored(&a, |[r, g, b, alpha]| [g, r, b, alpha]);
+    assert!(!findings(&a, &c).contains(&Finding::RedBlueExchanged));
+}
+
+#[test]
+fn other_opacity_is_named() {
+    let a = SCENE.paint();
+    let b = recolored(&a, |[r, g, b, _]| [r, g, b, if r == 26 { 0 } else { 255 }]);
+    let found = findings(&a, &b);
+    assert!(
+        matches!(found[0], Finding::Opacity { pixels } if pixels > 10_000),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn a_factor_in_brightness_is_measured() {
+    let a = SCENE.paint();
+    let darker = recolored(&a, |[r, g, b, alpha]| {
+        let [r, g, b] = [r, g, b].map(|c| {
+            if (r, g, b) == (26, 26, 26) {
+                c
+            } else {
+                (f32::from(c) * 0.7).round() as u8
+            }
+        });
+        [r, g, b, alpha]
+    });
+    let found = findings(&a, &darker);
+    let [Finding::Brightness { factors }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!(
+        factors.iter().all(|factor| (factor - 0.7).abs() < 0.01),
+        "{factors:?}"
+    );
+    assert!(found[0].to_string().contains("0.70"));
+}
+
+#[test]
+fn another_color_of_light_is_measured_by_channel() {
+    let a = SCENE.paint();
+    let tinted = recolored(&a, |[r, g, b, alpha]| match [r, g, b] {
+        [26, 26, 26] => [r, g, b, alpha],
+        _ => [r, g / 2, b, alpha],
+    });
+    let found = findings(&a, &tinted);
+    let [Finding::Brightness { factors }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!(
+        (factors[0] - 1.0).abs() < 1e-3 && (factors[1] - 0.5).abs() < 0.02,
+        "{factors:?}"
+    );
+    assert!(found[0].to_string().contains("another color"));
+}
+
+#[test]
+fn one_encoding_too_many_is_named() {
+    let a = SCENE.paint();
+    let encode = |c: u8| {
+        let linear = f32::from(c) / 255.0;
+        (255.0 * (1.055 * linear.powf(1.0 / 2.4) - 0.055))
+            .round()
+            .max(0.0) as u8
+    };
+    let lighter = recolored(&a, |[r, g, b, alpha]| {
+        [encode(r), encode(g), encode(b), alpha]
+    });
+    let gamma = |lighter| Finding::Gamma { lighter };
+    assert!(findings(&a, &lighter).contains(&gamma(Which::B)));
+    assert!(findings(&lighter, &a).contains(&gamma(Which::A)));
+}
+
+#[test]
+fn a_missing_highlight_is_named_with_its_place() {
+    for facets in [0, 24] {
+        let lit = Scene { facets, ..SCENE };
+        let dull = Scene {
+            specular: 0.0,
+            ..lit
+        };
+        for (a, b, missing) in [(lit, dull, Which::B), (dull, lit, Which::A)] {
+            let found = findings(&a.paint(), &b.paint());
+            let [Finding::Highlight { missing_in, area }] = found[..] else {
+                panic!("{facets} facets: {found:?}");
+            };
+            assert_eq!(missing_in, missing);
+            let inside = |start: u32, length: u32, at: u32| (start..start + length).contains(&at);
+            // Halfway between the eye and the light the ball reflects the light to the eye.
+            assert!(
+                inside(area.x, area.width, 79) && inside(area.y, area.height, 42),
+                "{area}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_missing_thing_is_not_a_missing_highlight_even_if_it_is_bright() {
+    let a = Scene {
+        color: Vec3::splat(0.5),
+        specular: 0.0,
+        ..SCENE
+    }
+    .paint();
+    let mut b = a.clone();
+    for y in 45..55 {
+        for x in 70..85 {
+            let start = (4 * (y * WIDTH + x)) as usize;
+            b.rgba[start..start + 4].copy_from_slice(&[250, 250, 250, 255]);
+        }
+    }
+    for found in [findings(&a, &b), findings(&b, &a)] {
+        assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+    }
+}
+
+#[test]
+fn antialiasing_and_half_a_pixel_are_differences_along_edges() {
+    let smooth = Scene {
+        samples: 4,
+        ..SCENE
+    };
+    assert_eq!(findings_for(smooth), [Finding::Edges]);
+    let half = Scene {
+        center: [70.5, 55.0],
+        ..SCENE
+    };
+    assert_eq!(findings_for(half), [Finding::Edges]);
+}
+
+#[test]
+fn a_missing_thin_line_is_not_a_difference_along_edges() {
+    let a = SCENE.paint();
+    let mut b = a.clone();
+    for x in 20..140 {
+        let start = (4 * (110 * WIDTH + x)) as usize;
+        b.rgba[start..start + 4].copy_from_slice(&[255, 0, 0, 255]);
+    }
+    let found = findings(&a, &b);
+    let [
+        Finding::Outline {
+            only_a: 0,
+            only_b: 120,
+            area_b,
+            ..
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert_eq!(area_b, "20,110,120,1".parse().ok());
+}
+
+#[test]
+fn an_outline_of_another_size_is_measured() {
+    let alone = Scene {
+        slab: false,
+        ..SCENE
+    };
+    let larger = Scene {
+        radius: 34.0 * 1.25,
+        ..alone
+    };
+    let found = findings(&alone.paint(), &larger.paint());
+    let [Finding::Scaled { factor }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!((factor - 1.25).abs() < 0.01, "{factor}");
+    let only_the_ball = findings_for(Scene {
+        radius: 34.0 * 1.1,
+        ..SCENE
+    });
+    assert!(
+        matches!(only_the_ball[..], [Finding::Outline { .. }]),
+        "{only_the_ball:?}"
+    );
+}
+
+#[test]
+fn other_normals_and_another_light_are_differences_in_shading() {
+    let flat = Scene { facets: 9, ..SCENE };
+    let other_light = Scene {
+        toward_light: Vec3::new(-0.48, 0.64, 0.6),
+        ..SCENE
+    };
+    for scene in [flat, other_light] {
+        let found = findings_for(scene);
+        let [Finding::Shading { share }] = found[..] else {
+            panic!("{found:?}");
+        };
+        assert!(share > 0.05, "{share}");
+    }
+}
+
+#[test]
+fn what_is_ignored_is_not_found_to_be_wrong() {
+    let a = SCENE.paint();
+    let b = Scene {
+        slab: false,
+        ..SCENE
+    }
+    .paint();
+    let slab = "20,92,30,12".parse().unwrap();
+    let options = PictureOptions {
+        ignore: vec![slab],
+        ..PictureOptions::default()
+    };
+    let comparison = compare_pictures(&a, &b, &options).unwrap();
+    assert!(comparison.passed);
+    assert_eq!(comparison.ignored_pixels, 360);
+    assert_eq!(comparison.findings, []);
+    assert!(
+        !compare_pictures(&a, &b, &PictureOptions::default())
+            .unwrap()
+            .passed
+    );
+}
+
+#[test]
+fn noise_is_given_no_cause() {
+    let noise = |seed: u32| {
+        let mut state = seed;
+        recolored(&SCENE.paint(), |_| [0, 0, 0, 255])
+            .rgba
+            .chunks(4)
+            .flat_map(|_| {
+                let mut next = || {
+                    state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                    (state >> 24) as u8
+                };
+                [next(), next(), next(), 255]
+            })
+            .collect::<Vec<u8>>()
+    };
+    let picture = |seed| Picture {
+        width: WIDTH,
+        height: HEIGHT,
+        rgba: noise(seed),
+    };
+    assert_eq!(findings(&picture(1), &picture(2)), []);
+}
+
+#[test]
+fn as_many_pixels_may_differ_as_are_allowed() {
+    let a = SCENE.paint();
+    let b = Scene {
+        slab: false,
+        ..SCENE
+    }
+    .paint();
+    let passes = |allowed: &str, threshold| {
+        let options = PictureOptions {
+            allowed: allowed.parse().unwrap(),
+            threshold,
+            ignore: Vec::new(),
+        };
+        compare_pictures(&a, &b, &options).unwrap().passed
+    };
+    assert!(passes("360", 0) && !passes("359", 0));
+    assert!(passes("0", 153) && !passes("0", 152));
+    let drawn = Pair::new(&a, &b, &[]).unwrap().differences(0).drawn_pixels as f64;
+    let percent = 100.0 * 360.0 / drawn;
+    assert!(passes(&format!("{}%", percent + 0.01), 0));
+    assert!(!passes(&format!("{}%", percent - 0.01), 0));
+}
