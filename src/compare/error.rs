@@ -32,6 +32,28 @@ pub enum CompareError {
     /// Empty pictures, or areas to ignore that cover everything.
     #[error("no pixel is left to compare")]
     NothingToCompare,
+    /// Meshes of different numbers of vertices.
+    #[error("the meshes differ in size: A has {a} vertices, B has {b}{}", places_hint(*.same_places))]
+    Vertices {
+        /// Vertices of A.
+        a: u64,
+        /// Vertices of B.
+        b: u64,
+        /// Whether the vertices of each lie where some of the other do.
+        same_places: bool,
+    },
+    /// Meshes without vertices.
+    #[error("the meshes have no vertices")]
+    NoVertices,
+}
+
+/// What a difference in the number of vertices comes from; empty if unknown.
+fn places_hint(same_places: bool) -> &'static str {
+    if same_places {
+        " (at the same places: vertices were merged, or repeated for each face)"
+    } else {
+        ""
+    }
 }
 
 /// What a difference in size most likely comes from; empty if unknown.

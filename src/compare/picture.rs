@@ -1,3 +1,4 @@
+use super::told::with_messages;
 use super::{Area, CompareError, Differences, Finding, Pair};
 use crate::geometry::Picture;
 use serde::Serialize;
@@ -47,6 +48,7 @@ pub struct PictureComparison {
     /// Mean perceived difference, 0 if equal, at most 1.
     pub flip: f64,
     /// What is wrong.
+    #[serde(serialize_with = "with_messages")]
     pub findings: Vec<Finding>,
 }
 

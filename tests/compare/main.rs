@@ -1,5 +1,6 @@
 //! Comparing pictures: what is said to be wrong, provoked one by one, and not said of anything
 //! else.
 
+mod meshes;
 mod painter;
 mod pictures;

@@ -1,0 +1,114 @@
+use crate::compare::Which;
+use glam::DVec3;
+use serde::Serialize;
+use std::fmt;
+
+/// One thing that is wrong with a mesh. B is held against the reference A.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum MeshFinding {
+    /// Vertices whose coordinates are not numbers or infinite.
+    NotFinite {
+        /// The mesh that has them.
+        mesh: Which,
+        /// How many.
+        vertices: u64,
+    },
+    /// B is A moved.
+    Offset {
+        /// From A to B, in model space.
+        by: [f64; 3],
+    },
+    /// B is A in another size.
+    Scaled {
+        /// Size of B by size of A.
+        factor: f64,
+        /// The movement after scaling about the origin; zero if there is none.
+        offset: [f64; 3],
+    },
+    /// B is A with its axes exchanged or turned round.
+    Axes {
+        /// Which axis of A each of B's is, such as `x`, `-z`, `y`.
+        from_a: [&'static str; 3],
+        /// Whether that mirrors the mesh.
+        mirrored: bool,
+    },
+    /// B has A's vertices in another order.
+    Permuted {
+        /// How many are in another place of the order.
+        vertices: u64,
+    },
+    /// Triangles wind the other way round.
+    Winding {
+        /// How many.
+        reversed: u64,
+        /// Of how many in B.
+        of: u64,
+    },
+    /// Triangles that only one mesh has.
+    Triangles {
+        /// How many are only in A.
+        only_a: u64,
+        /// How many are only in B.
+        only_b: u64,
+    },
+    /// The triangles are the same in another order, which does not count as a difference.
+    TriangleOrder,
+}
+
+/// Vertices that are not finite.
+pub(super) fn not_finite(a: &[DVec3], b: &[DVec3]) -> Vec<MeshFinding> {
+    [(Which::A, a), (Which::B, b)]
+        .into_iter()
+        .filter_map(|(mesh, points)| {
+            let vertices = points.iter().filter(|point| !point.is_finite()).count() as u64;
+            (vertices > 0).then_some(MeshFinding::NotFinite { mesh, vertices })
+        })
+        .collect()
+}
+
+impl fmt::Display for MeshFinding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
+        match self {
+            Self::NotFinite { mesh, vertices } => {
+                write!(f, "{vertices} vertices of {mesh} are not finite numbers")
+            }
+            Self::Offset { by } => write!(f, "B is A moved by {}", vector(*by)),
+            Self::Scaled { factor, offset } => {
+                write!(f, "B is A {factor:.6} times as large")?;
+                if *offset == [0.0; 3] {
+                    Ok(())
+                } else {
+                    write!(f, ", then moved by {}", vector(*offset))
+                }
+            }
+            Self::Axes { from_a, mirrored } => {
+                let [x, y, z] = from_a;
+                let how = if *mirrored { "mirrored" } else { "turned" };
+                write!(
+                    f,
+                    "B's x, y, z are {x}, {y}, {z} of A: {how}, or another axis points up"
+                )
+            }
+            Self::Permuted { vertices } => write!(
+                f,
+                "B has the vertices of A in another order: {vertices} are in another place"
+            ),
+            Self::Winding { reversed, of } if reversed == of => write!(
+                f,
+                "all triangles of B wind the other way: its normals point to the other side"
+            ),
+            Self::Winding { reversed, of } => {
+                write!(
+                    f,
+                    "{reversed} of the {of} triangles of B wind the other way"
+                )
+            }
+            Self::Triangles { only_a, only_b } => {
+                write!(f, "{only_a} triangles are only in A, {only_b} only in B")
+            }
+            Self::TriangleOrder => f.write_str("the triangles are the same in another order"),
+        }
+    }
+}

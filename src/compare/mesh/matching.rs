@@ -1,0 +1,189 @@
+use super::MeshFinding;
+use glam::{DVec3, I64Vec3};
+use std::collections::HashMap;
+
+/// Which vertex of A each vertex of B is.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Matching {
+    /// The one with the same index, as far as can be told.
+    InOrder,
+    /// Another.
+    Permuted {
+        /// For each vertex of B its index in A.
+        from_a: Vec<u32>,
+        /// For each vertex of A the first that lies in the same place: which of those a face
+        /// uses cannot be told apart.
+        places: Vec<u32>,
+    },
+}
+
+impl Matching {
+    /// Finds for each of `b` one of `a` of its own within `tolerance`. Unless all have one, and
+    /// some another than their own, the order is what it is.
+    pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Self {
+        let mut grid = Grid::new(a, tolerance);
+        let first = |(own, &point)| grid.nearest(point).map_or(own, |index| index as u32);
+        let places = (0..).zip(a).map(first).collect();
+        // Those that are where they belong keep their vertex, so that twins are not mixed up.
+        let mut found: Vec<Option<u32>> = (0..b.len())
+            .map(|index| {
+                let own = a[index].distance(b[index]) <= tolerance;
+                own.then(|| grid.take(index))?
+            })
+            .collect();
+        for (found, &point) in found.iter_mut().zip(b) {
+            if found.is_none() {
+                *found = grid.nearest(point).and_then(|index| grid.take(index));
+            }
+        }
+        let found: Option<Vec<u32>> = found.into_iter().collect();
+        match found {
+            Some(from_a) if moved(&from_a) > 0 => Self::Permuted { from_a, places },
+            _ => Self::InOrder,
+        }
+    }
+
+    /// What stands for the vertex with this index in A when faces are compared.
+    pub(super) fn place_of_a(&self, index: u32) -> u32 {
+        match self {
+            Self::InOrder => index,
+            Self::Permuted { places, .. } => places[index as usize],
+        }
+    }
+
+    /// The same for the vertex with this index in B.
+    pub(super) fn place_of_b(&self, index: u32) -> u32 {
+        match self {
+            Self::InOrder => index,
+            Self::Permuted { from_a, .. } => self.place_of_a(from_a[index as usize]),
+        }
+    }
+
+    pub(super) fn finding(&self) -> Option<MeshFinding> {
+        match self {
+            Self::InOrder => None,
+            Self::Permuted { from_a, .. } => Some(MeshFinding::Permuted {
+                vertices: moved(from_a),
+            }),
+        }
+    }
+}
+
+fn moved(from_a: &[u32]) -> u64 {
+    let order = from_a.iter().zip(0..);
+    order.filter(|&(&index, own)| index != own).count() as u64
+}
+
+/// Whether every place of each mesh is one of the other, however often.
+pub(super) fn same_places(a: &[DVec3], b: &[DVec3], tolerance: f64) -> bool {
+    let holds =
+        |grid: &Grid, points: &[DVec3]| points.iter().all(|&point| grid.nearest(point).is_some());
+    holds(&Grid::new(a, tolerance), b) && holds(&Grid::new(b, tolerance), a)
+}
+
+/// Points by the cell they lie in. Cells are as wide as twice the tolerance, so that what is
+/// within the tolerance of a point lies in one of eight cells.
+struct Grid<'a> {
+    points: &'a [DVec3],
+    tolerance: f64,
+    cells: HashMap<I64Vec3, Vec<u32>>,
+}
+
+impl<'a> Grid<'a> {
+    fn new(points: &'a [DVec3], tolerance: f64) -> Self {
+        let mut cells: HashMap<I64Vec3, Vec<u32>> = HashMap::new();
+        for (index, &point) in (0..).zip(points) {
+            cells.entry(cell(point, tolerance)).or_default().push(index);
+        }
+        Self {
+            points,
+            tolerance,
+            cells,
+        }
+    }
+
+    /// The nearest point within the tolerance that was not taken; the first of equals.
+    fn nearest(&self, point: DVec3) -> Option<usize> {
+        let low = cell(point - self.tolerance, self.tolerance);
+        let high = cell(point + self.tolerance, self.tolerance);
+        let mut best: Option<(f64, u32)> = None;
+        for x in low.x..=high.x {
+            for y in low.y..=high.y {
+                for z in low.z..=high.z {
+                    for &index in self.cells.get(&I64Vec3::new(x, y, z)).into_iter().flatten() {
+                        let distance = point.distance(self.points[index as usize]);
+                        let nearer = best.is_none_or(|best| (distance, index) < best);
+                        if distance <= self.tolerance && nearer {
+                            best = Some((distance, index));
+                        }
+                    }
+                }
+            }
+        }
+        best.map(|(_, index)| index as usize)
+    }
+
+    /// Takes the point with this index out; returns it if it was still there.
+    fn take(&mut self, index: usize) -> Option<u32> {
+        let members = self
+            .cells
+            .get_mut(&cell(self.points[index], self.tolerance))?;
+        let place = members
+            .iter()
+            .position(|&member| member as usize == index)?;
+        Some(members.swap_remove(place))
+    }
+}
+
+fn cell(point: DVec3, tolerance: f64) -> I64Vec3 {
+    // Without a tolerance points are their own cells, as far as they are told apart.
+    let width = if tolerance > 0.0 {
+        2.0 * tolerance
+    } else {
+        1.0
+    };
+    (point / width).floor().as_i64vec3()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twins_keep_their_own_place() {
+        let a = [DVec3::ZERO, DVec3::ZERO, DVec3::X, DVec3::Y];
+        let b = [DVec3::ZERO, DVec3::ZERO, DVec3::Y, DVec3::X];
+        assert_eq!(
+            Matching::find(&a, &b, 1e-6),
+            Matching::Permuted {
+                from_a: vec![0, 1, 3, 2],
+                places: vec![0, 0, 2, 3],
+            }
+        );
+    }
+
+    #[test]
+    fn a_vertex_without_counterpart_leaves_the_order_unknown() {
+        let a = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let b = [DVec3::X, DVec3::ZERO, DVec3::Y * 2.0];
+        assert_eq!(Matching::find(&a, &b, 1e-6), Matching::InOrder);
+        let twice = [DVec3::X, DVec3::X, DVec3::Y];
+        assert_eq!(Matching::find(&a, &twice, 1e-6), Matching::InOrder);
+    }
+
+    #[test]
+    fn points_on_both_sides_of_a_cell_wall_meet() {
+        let a = [DVec3::splat(2e-3 - 1e-5)];
+        let b = [DVec3::splat(2e-3 + 1e-5)];
+        assert!(same_places(&a, &b, 1e-3));
+        assert!(!same_places(&a, &b, 3e-5));
+    }
+
+    #[test]
+    fn points_that_are_no_numbers_have_no_place() {
+        let nan = [DVec3::NAN, DVec3::X];
+        assert_eq!(Matching::find(&nan, &nan, 1e-6), Matching::InOrder);
+        assert!(!same_places(&nan, &nan, 1e-6));
+        assert!(!same_places(&[DVec3::INFINITY], &[DVec3::ZERO], 0.0));
+    }
+}

@@ -1,0 +1,217 @@
+//! Comparing meshes, vertex by vertex in the order of their files.
+
+mod finding;
+mod matching;
+mod placement;
+mod triangles;
+
+pub use finding::MeshFinding;
+
+use super::told::with_messages;
+use super::{Allowance, CompareError};
+use crate::geometry::Mesh;
+use crate::math::Aabb;
+use glam::DVec3;
+use matching::Matching;
+use serde::Serialize;
+use std::fmt;
+
+/// Vertices differ if they are farther apart than this share of the reference's size, unless
+/// told otherwise.
+pub const MESH_TOLERANCE: f64 = 1e-5;
+/// How many of the worst vertices are listed.
+const LISTED: usize = 10;
+
+/// How to compare meshes, and what still passes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MeshOptions {
+    /// Vertices differ if they are farther apart than this, in model space; [`MESH_TOLERANCE`] of
+    /// the size if not given.
+    pub tolerance: Option<f64>,
+    /// How many vertices may differ.
+    pub allowed: Allowance,
+}
+
+/// What there is to say about two meshes. Lengths are in their model space; distances that are
+/// not finite are JSON null.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MeshComparison {
+    /// Whether no more vertices differ than are allowed, and the triangles are the same.
+    pub passed: bool,
+    /// Vertices of each mesh.
+    pub vertices: u64,
+    /// Triangles of A.
+    pub triangles: u64,
+    /// Above which distance vertices differ.
+    pub tolerance: f64,
+    /// How many vertices may differ.
+    pub allowed_vertices: u64,
+    /// Vertices farther apart than the tolerance.
+    pub differing_vertices: u64,
+    /// Size of A: the diagonal of the box around it, but for vertices that are not finite.
+    pub size: f64,
+    /// Largest distance of two vertices.
+    pub max: f64,
+    /// The same by the size of A.
+    pub max_by_size: f64,
+    /// Mean distance.
+    pub mean: f64,
+    /// Root of the mean squared distance.
+    pub rms: f64,
+    /// The vertices farthest apart, at most ten, those that do not differ left out.
+    pub worst: Vec<WorstVertex>,
+    /// Whether both have the same triangles, wound alike, in whatever order.
+    pub same_triangles: bool,
+    /// What is wrong.
+    #[serde(serialize_with = "with_messages")]
+    pub findings: Vec<MeshFinding>,
+}
+
+/// A vertex that differs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct WorstVertex {
+    /// Its index, from 0.
+    pub index: u64,
+    /// How far apart.
+    pub distance: f64,
+    /// Where it is in A.
+    pub a: [f32; 3],
+    /// Where it is in B.
+    pub b: [f32; 3],
+}
+
+/// Measures `b` against the reference `a`, and says what is wrong with it.
+///
+/// # Errors
+/// If the numbers of vertices differ, or there are none.
+pub fn compare_meshes(
+    a: &Mesh,
+    b: &Mesh,
+    options: &MeshOptions,
+) -> Result<MeshComparison, CompareError> {
+    let finite = a.positions.iter().copied().filter(|p| p.is_finite());
+    let size = Aabb::from_points(finite).size().as_dvec3().length();
+    // Room for rounding even where the tolerance leaves none: for naming a cause.
+    let rounding = (MESH_TOLERANCE * size).max(options.tolerance.unwrap_or(0.0));
+    let [points_a, points_b] =
+        [a, b].map(|mesh| -> Vec<DVec3> { mesh.positions.iter().map(|p| p.as_dvec3()).collect() });
+    let count = points_a.len();
+    if count != points_b.len() {
+        return Err(CompareError::Vertices {
+            a: count as u64,
+            b: points_b.len() as u64,
+            same_places: matching::same_places(&points_a, &points_b, rounding),
+        });
+    }
+    if count == 0 {
+        return Err(CompareError::NoVertices);
+    }
+    let tolerance = options.tolerance.unwrap_or(MESH_TOLERANCE * size);
+    let distances = distances(&points_a, &points_b);
+    let differing = distances.iter().filter(|d| **d > tolerance).count() as u64;
+    let allowed_vertices = options.allowed.of(count as u64);
+    let matching = if differing > 0 {
+        Matching::find(&points_a, &points_b, rounding)
+    } else {
+        Matching::InOrder
+    };
+    let triangles = triangles::compare(&a.triangles, &b.triangles, &matching);
+    let mut findings = finding::not_finite(&points_a, &points_b);
+    if differing > 0 {
+        findings.extend(placement::find(&points_a, &points_b, rounding));
+        findings.extend(matching.finding());
+    }
+    findings.extend(triangles.findings());
+    let max = distances.iter().copied().fold(0.0, f64::max);
+    Ok(MeshComparison {
+        passed: differing <= allowed_vertices && triangles.are_same(),
+        vertices: count as u64,
+        triangles: a.triangles.len() as u64,
+        tolerance,
+        allowed_vertices,
+        differing_vertices: differing,
+        size,
+        max,
+        max_by_size: if max > 0.0 { max / size } else { 0.0 },
+        mean: distances.iter().sum::<f64>() / count as f64,
+        rms: (distances.iter().map(|d| d * d).sum::<f64>() / count as f64).sqrt(),
+        worst: worst(a, b, &distances, tolerance),
+        same_triangles: triangles.are_same(),
+        findings,
+    })
+}
+
+/// Distance of each vertex of `a` from that of `b`; infinite where either is not finite.
+fn distances(a: &[DVec3], b: &[DVec3]) -> Vec<f64> {
+    let finite = |distance: f64| {
+        if distance.is_finite() {
+            distance
+        } else {
+            f64::INFINITY
+        }
+    };
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| finite(a.distance(*b)))
+        .collect()
+}
+
+fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVertex> {
+    let mut order: Vec<usize> = (0..distances.len())
+        .filter(|&index| distances[index] > tolerance)
+        .collect();
+    order.sort_by(|&i, &j| distances[j].total_cmp(&distances[i]));
+    let listed = order.into_iter().take(LISTED);
+    listed
+        .map(|index| WorstVertex {
+            index: index as u64,
+            distance: distances[index],
+            a: a.positions[index].to_array(),
+            b: b.positions[index].to_array(),
+        })
+        .collect()
+}
+
+impl fmt::Display for MeshComparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "differing vertices  {} of {} by more than {:.6e}",
+            self.differing_vertices, self.vertices, self.tolerance
+        )?;
+        writeln!(f, "largest distance    {:.6e}", self.max)?;
+        writeln!(
+            f,
+            "  by size           {:.6e} of {:.6}",
+            self.max_by_size, self.size
+        )?;
+        writeln!(f, "mean distance       {:.6e}", self.mean)?;
+        writeln!(f, "RMS distance        {:.6e}", self.rms)?;
+        let triangles = if self.same_triangles {
+            "the same"
+        } else {
+            "differ"
+        };
+        writeln!(
+            f,
+            "triangles           {triangles} ({} in A)",
+            self.triangles
+        )?;
+        for vertex in &self.worst {
+            let place = |[x, y, z]: [f32; 3]| format!("({x}, {y}, {z})");
+            writeln!(
+                f,
+                "  vertex {}: {:.6e} apart, {} in A, {} in B",
+                vertex.index,
+                vertex.distance,
+                place(vertex.a),
+                place(vertex.b)
+            )?;
+        }
+        for finding in &self.findings {
+            writeln!(f, "found: {finding}")?;
+        }
+        let verdict = if self.passed { "passed" } else { "failed" };
+        write!(f, "{verdict}: at most {} may differ", self.allowed_vertices)
+    }
+}

@@ -1,0 +1,273 @@
+use editor_core::compare::{
+    CompareError, MeshComparison, MeshFinding, MeshOptions, Which, compare_meshes,
+};
+use editor_core::geometry::{Mesh, icosahedron, teapot};
+use glam::Vec3;
+
+/// A mesh without symmetry.
+fn reference() -> Mesh {
+    let mut mesh = teapot();
+    for position in &mut mesh.positions {
+        *position = *position * Vec3::new(1.0, 1.3, 0.8) + Vec3::new(0.4, 0.1, -0.2);
+    }
+    mesh
+}
+
+fn compare(a: &Mesh, b: &Mesh) -> MeshComparison {
+    compare_meshes(a, b, &MeshOptions::default()).unwrap()
+}
+
+/// What is found in the reference after `change`.
+fn findings(change: impl Fn(Vec3) -> Vec3) -> Vec<MeshFinding> {
+    let a = reference();
+    let mut b = a.clone();
+    for position in &mut b.positions {
+        *position = change(*position);
+    }
+    let comparison = compare(&a, &b);
+    assert!(!comparison.passed);
+    comparison.findings
+}
+
+#[test]
+fn equal_meshes_pass_and_nothing_is_wrong_with_them() {
+    let comparison = compare(&reference(), &reference());
+    assert!(comparison.passed && comparison.same_triangles);
+    assert_eq!(
+        (comparison.max, comparison.mean, comparison.rms),
+        (0.0, 0.0, 0.0)
+    );
+    assert_eq!(comparison.findings, []);
+    assert_eq!(comparison.worst, []);
+}
+
+#[test]
+fn distances_agree_with_a_small_case_by_hand() {
+    let corners = [Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 4.0, Vec3::X];
+    let a = Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 3, 2]]);
+    let mut b = a.clone();
+    b.positions[1] += Vec3::new(0.0, 3.0, 4.0);
+    b.positions[2].z -= 1.0;
+    let comparison = compare(&a, &b);
+    assert_eq!(comparison.size, 5.0);
+    assert_eq!(comparison.tolerance, 5e-5);
+    assert_eq!(comparison.differing_vertices, 2);
+    assert_eq!((comparison.max, comparison.max_by_size), (5.0, 1.0));
+    assert_eq!(comparison.mean, 6.0 / 4.0);
+    assert_eq!(comparison.rms, (26.0_f64 / 4.0).sqrt());
+    let worst: Vec<(u64, f64)> = comparison
+        .worst
+        .iter()
+        .map(|w| (w.index, w.distance))
+        .collect();
+    assert_eq!(worst, [(1, 5.0), (2, 1.0)]);
+    assert_eq!(comparison.worst[0].b, [3.0, 3.0, 4.0]);
+    assert_eq!(comparison.findings, []);
+}
+
+#[test]
+fn tolerance_and_allowance_decide() {
+    let a = reference();
+    let mut b = a.clone();
+    b.positions[7].y += 0.5;
+    b.positions[9].y += 0.125;
+    let passes = |tolerance, allowed: &str| {
+        let options = MeshOptions {
+            tolerance,
+            allowed: allowed.parse().unwrap(),
+        };
+        compare_meshes(&a, &b, &options).unwrap().passed
+    };
+    assert!(!passes(None, "1") && passes(None, "2"));
+    assert!(passes(Some(0.51), "0") && !passes(Some(0.49), "0") && passes(Some(0.49), "1"));
+    assert!(!passes(None, "0%") && passes(None, "50%"));
+}
+
+#[test]
+fn other_numbers_of_vertices_are_an_error_that_knows_merged_ones() {
+    let a = icosahedron();
+    let each_corner: Vec<Vec3> = a
+        .triangles
+        .iter()
+        .flatten()
+        .map(|&i| a.positions[i as usize])
+        .collect();
+    let triangles = (0..each_corner.len() as u32)
+        .step_by(3)
+        .map(|i| [i, i + 1, i + 2]);
+    let apart = Mesh::new(each_corner, triangles.collect());
+    let size = |same_places| CompareError::Vertices {
+        a: a.positions.len() as u64,
+        b: apart.positions.len() as u64,
+        same_places,
+    };
+    let error = |b: &Mesh| compare_meshes(&a, b, &MeshOptions::default()).unwrap_err();
+    assert_eq!(error(&apart), size(true));
+    assert!(error(&apart).to_string().contains("merged"));
+    let mut other = apart.clone();
+    other.positions[3] *= 1.5;
+    assert_eq!(error(&other), size(false));
+    let nothing = Mesh::new(Vec::new(), Vec::new());
+    assert_eq!(
+        compare_meshes(&nothing, &nothing, &MeshOptions::default()),
+        Err(CompareError::NoVertices)
+    );
+}
+
+#[test]
+fn a_movement_is_measured() {
+    let found = findings(|p| p + Vec3::new(0.0, -2.0, 0.25));
+    let [MeshFinding::Offset { by: [x, y, z] }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!(x.abs() < 1e-6 && (y + 2.0).abs() < 1e-6 && (z - 0.25).abs() < 1e-6);
+}
+
+#[test]
+fn a_scale_is_measured_about_the_origin_or_elsewhere() {
+    let found = findings(|p| p * 0.01);
+    let [MeshFinding::Scaled { factor, offset }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!((factor - 0.01).abs() < 1e-7);
+    assert_eq!(offset, [0.0; 3]);
+    let found = findings(|p| (p - Vec3::X) * 2.0 + Vec3::X);
+    let [
+        MeshFinding::Scaled {
+            factor,
+            offset: [x, y, z],
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert!((factor - 2.0).abs() < 1e-6);
+    assert!((x + 1.0).abs() < 1e-5 && y.abs() < 1e-5 && z.abs() < 1e-5);
+}
+
+#[test]
+fn other_axes_are_named_one_by_one() {
+    let axes = |from_a, mirrored| [MeshFinding::Axes { from_a, mirrored }];
+    assert_eq!(
+        findings(|p| Vec3::new(p.x, -p.z, p.y)),
+        axes(["x", "-z", "y"], false)
+    );
+    assert_eq!(
+        findings(|p| Vec3::new(p.x, p.z, p.y)),
+        axes(["x", "z", "y"], true)
+    );
+    assert_eq!(
+        findings(|p| Vec3::new(-p.x, p.y, p.z)),
+        axes(["-x", "y", "z"], true)
+    );
+    assert_eq!(
+        findings(|p| Vec3::new(p.y, p.z, p.x)),
+        axes(["y", "z", "x"], false)
+    );
+    assert_eq!(
+        findings(|p| Vec3::new(-p.x, p.y, -p.z)),
+        axes(["-x", "y", "-z"], false)
+    );
+}
+
+#[test]
+fn what_is_neither_moved_nor_scaled_nor_turned_by_a_quarter_has_no_such_cause() {
+    assert_eq!(findings(|p| p * Vec3::new(1.0, 1.1, 1.0)), []);
+    assert_eq!(findings(|p| p + Vec3::X * p.y * 0.01), []);
+    assert_eq!(findings(|p| glam::Quat::from_rotation_y(0.3) * p), []);
+    let almost = findings(|p| if p.y > 0.5 { p + Vec3::Y } else { p });
+    assert_eq!(almost, []);
+}
+
+#[test]
+fn vertices_in_another_order_are_told_from_other_vertices() {
+    let a = reference();
+    let last = a.positions.len() as u32 - 1;
+    let turned_round = |mesh: &Mesh| {
+        let positions = mesh.positions.iter().rev().copied().collect();
+        let triangles = mesh.triangles.iter().map(|t| t.map(|i| last - i)).collect();
+        Mesh::new(positions, triangles)
+    };
+    let comparison = compare(&a, &turned_round(&a));
+    assert!(!comparison.passed && comparison.same_triangles);
+    assert!(
+        matches!(comparison.findings[..], [MeshFinding::Permuted { vertices }] if vertices > 100),
+        "{:?}",
+        comparison.findings
+    );
+    let mut b = turned_round(&a);
+    b.positions[3] += Vec3::ONE;
+    let found = compare(&a, &b).findings;
+    assert!(
+        !found
+            .iter()
+            .any(|f| matches!(f, MeshFinding::Permuted { .. })),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn winding_is_compared_whichever_corner_comes_first() {
+    let a = reference();
+    let count = a.triangles.len() as u64;
+    let with = |change: &dyn Fn(usize, [u32; 3]) -> [u32; 3]| {
+        let triangles = a.triangles.iter().enumerate().map(|(i, &t)| change(i, t));
+        compare(&a, &Mesh::new(a.positions.clone(), triangles.collect()))
+    };
+    let rolled = with(&|_, [i, j, k]| [j, k, i]);
+    assert!(rolled.passed && rolled.findings.is_empty());
+    let all = with(&|_, [i, j, k]| [i, k, j]);
+    assert!(!all.passed);
+    let winding = |reversed| MeshFinding::Winding {
+        reversed,
+        of: count,
+    };
+    assert_eq!(all.findings, [winding(count)]);
+    assert!(all.findings[0].to_string().starts_with("all triangles"));
+    let two = with(&|index, [i, j, k]| if index < 2 { [k, j, i] } else { [i, j, k] });
+    assert_eq!(two.findings, [winding(2)]);
+}
+
+#[test]
+fn other_triangles_are_counted_and_another_order_passes() {
+    let a = reference();
+    let with = |triangles| compare(&a, &Mesh::new(a.positions.clone(), triangles));
+    let fewer = with(a.triangles[3..].to_vec());
+    assert!(!fewer.passed);
+    assert_eq!(
+        fewer.findings,
+        [MeshFinding::Triangles {
+            only_a: 3,
+            only_b: 0
+        }]
+    );
+    let other_order = with(a.triangles.iter().rev().copied().collect());
+    assert!(other_order.passed);
+    assert_eq!(other_order.findings, [MeshFinding::TriangleOrder]);
+}
+
+#[test]
+fn coordinates_that_are_no_numbers_differ_and_are_counted() {
+    let a = reference();
+    let mut b = a.clone();
+    b.positions[5].x = f32::NAN;
+    b.positions[6].y = f32::INFINITY;
+    let comparison = compare(&a, &b);
+    assert_eq!(comparison.differing_vertices, 2);
+    assert_eq!(comparison.max, f64::INFINITY);
+    let not_finite = MeshFinding::NotFinite {
+        mesh: Which::B,
+        vertices: 2,
+    };
+    assert_eq!(comparison.findings, [not_finite]);
+    let other_way = compare(&b, &a);
+    assert!(!other_way.passed && other_way.size.is_finite());
+    assert_eq!(other_way.differing_vertices, 2);
+    let json = serde_json::to_value(&comparison).unwrap();
+    assert!(json["max"].is_null());
+    assert_eq!(json["findings"][0]["kind"], "not_finite");
+    assert_eq!(
+        json["findings"][0]["message"],
+        "2 vertices of B are not finite numbers"
+    );
+}
