@@ -9,8 +9,8 @@
 pub mod app;
 pub mod character;
 pub mod cli;
-pub mod disk;
 pub mod compare;
+pub mod disk;
 pub mod editor;
 pub mod geometry;
 #[allow(unsafe_code, reason = "the one place that calls OpenGL")]

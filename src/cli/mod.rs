@@ -4,6 +4,7 @@
 
 mod arguments;
 pub mod check;
+pub mod compare;
 mod error;
 pub mod export;
 mod load;
@@ -49,6 +50,7 @@ pub struct WindowArgs {
 #[derive(Debug, Subcommand)]
 enum Command {
     Check(check::Args),
+    Compare(compare::Args),
     Export(export::Args),
     Render(render::Args),
 }
@@ -67,6 +69,7 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
     };
     let done = match cli.command {
         Some(Command::Check(args)) => check::run(&args),
+        Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Export(args)) => export::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         None => open_window(cli.window).map_err(CliError::Other),

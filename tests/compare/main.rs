@@ -4,3 +4,4 @@
 mod meshes;
 mod painter;
 mod pictures;
+mod program;

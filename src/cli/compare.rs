@@ -1,0 +1,199 @@
+//! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
+
+use super::{CliError, files, print};
+use crate::compare::{
+    Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
+};
+use crate::disk;
+use crate::io::image::{self, PictureFormat};
+use crate::io::{Diagnostic, Files, builtin, read_character_obj};
+use serde::Serialize;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+
+/// Compare B with the reference A: two pictures, or two .obj files vertex by vertex.
+///
+/// Prints the differences and what they come from, as far as it can be told. Ends with 0 if no
+/// more than the allowed differ, and with 1 otherwise.
+#[derive(Debug, clap::Args)]
+pub struct Args {
+    /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj)
+    #[arg(value_name = "A")]
+    a: PathBuf,
+    /// What is compared with it
+    #[arg(value_name = "B")]
+    b: PathBuf,
+    /// Up to where it is no difference: for pictures a step of a channel, 0 to 255 [0]; for
+    /// meshes a distance [0.00001 of the size of A]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    threshold: Option<f64>,
+    /// How many pixels or vertices may differ; with a % a share of the drawn pixels (those that
+    /// are not background) or of the vertices
+    #[arg(
+        long,
+        value_name = "P",
+        default_value = "0",
+        allow_hyphen_values = true
+    )]
+    max_pixels: Allowance,
+    /// Leave out this area of the pictures, in pixels from the upper left; may be repeated
+    #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
+    ignore: Vec<Area>,
+    /// Write a picture with A, B and their differences side by side, lighter where they are
+    /// larger (.png, .jpg, .gif)
+    #[arg(short, long, value_name = "DIFF.png")]
+    output: Option<PathBuf>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Report<'a, C> {
+    a: String,
+    b: String,
+    #[serde(flatten)]
+    comparison: &'a C,
+}
+
+/// What `--json` prints if there is nothing to measure.
+#[derive(Serialize)]
+struct Failure {
+    passed: bool,
+    error: String,
+}
+
+/// Carries the command out.
+///
+/// # Errors
+/// If a file is wrong, the two cannot be compared, more differ than are allowed, or the output
+/// cannot be written.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    let done = match [&args.a, &args.b].map(|path| is_mesh(path)) {
+        [true, true] => meshes(args),
+        [false, false] => pictures(args),
+        [mesh, _] => {
+            let (mesh, other) = if mesh {
+                (&args.a, &args.b)
+            } else {
+                (&args.b, &args.a)
+            };
+            Err(CliError::Usage(format!(
+                "expected two pictures or two meshes, found the mesh {} and {}",
+                mesh.display(),
+                other.display()
+            )))
+        }
+    };
+    if let (true, Err(error @ (CliError::Failed(_) | CliError::Other(_)))) = (args.json, &done) {
+        let failure = Failure {
+            passed: false,
+            error: error.to_string(),
+        };
+        print_json(args, &failure)?;
+    }
+    done
+}
+
+fn is_mesh(path: &Path) -> bool {
+    // A name that is none is told when the file is read.
+    let path = builtin::resolve(path).unwrap_or_else(|_| path.to_owned());
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+}
+
+fn pictures(args: &Args) -> Result<(), CliError> {
+    let options = PictureOptions {
+        threshold: picture_threshold(args.threshold)?,
+        allowed: args.max_pixels,
+        ignore: args.ignore.clone(),
+    };
+    let output = match &args.output {
+        Some(path) => Some((path, PictureFormat::of(path).map_err(usage)?)),
+        None => None,
+    };
+    let files = files();
+    let read = |path: &Path| image::decode(path, &files.read(path)?);
+    let (a, b) = (read(&args.a)?, read(&args.b)?);
+    let pair = Pair::new(&a, &b, &options.ignore).map_err(cannot_compare)?;
+    let comparison = pair.compare(&options);
+    if let Some((path, format)) = output {
+        let picture = side_by_side(&[&a, &b, &pair.heat_map()]);
+        let bytes =
+            image::encode(&picture, format).map_err(|error| Diagnostic::new(path, error))?;
+        disk::write_whole(path, &bytes)?;
+    }
+    tell(args, &comparison, comparison.passed)
+}
+
+fn picture_threshold(threshold: Option<f64>) -> Result<u8, CliError> {
+    let threshold = threshold.unwrap_or(0.0);
+    if (0.0..=255.0).contains(&threshold) && threshold.fract() == 0.0 {
+        Ok(threshold as u8)
+    } else {
+        Err(CliError::Usage(format!(
+            "expected a whole number from 0 to 255 for --threshold of pictures, found {threshold}"
+        )))
+    }
+}
+
+fn meshes(args: &Args) -> Result<(), CliError> {
+    let only_for_pictures = [
+        ("--ignore", !args.ignore.is_empty()),
+        ("--output", args.output.is_some()),
+    ];
+    if let Some((option, _)) = only_for_pictures.iter().find(|(_, given)| *given) {
+        return Err(CliError::Usage(format!(
+            "{option} is for pictures, found two meshes"
+        )));
+    }
+    if let Some(threshold) = args.threshold.filter(|t| !t.is_finite() || *t < 0.0) {
+        return Err(CliError::Usage(format!(
+            "expected a distance of at least 0 for --threshold of meshes, found {threshold}"
+        )));
+    }
+    let files = files();
+    let read = |path: &Path| -> Result<_, CliError> {
+        let imported = read_character_obj(path, &files.read(path)?)?;
+        for warning in &imported.warnings {
+            eprintln!("warning: {warning}");
+        }
+        Ok(imported.value)
+    };
+    let (a, b) = (read(&args.a)?, read(&args.b)?);
+    let options = MeshOptions {
+        tolerance: args.threshold,
+        allowed: args.max_pixels,
+    };
+    let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
+    tell(args, &comparison, comparison.passed)
+}
+
+/// Prints the result; a comparison that did not pass is an error that has been told.
+fn tell<C: Serialize + Display>(args: &Args, comparison: &C, passed: bool) -> Result<(), CliError> {
+    if args.json {
+        print_json(args, comparison)?;
+    } else {
+        print(&format!("{comparison}\n"))?;
+    }
+    if passed { Ok(()) } else { Err(CliError::Told) }
+}
+
+fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError> {
+    let report = Report {
+        a: args.a.display().to_string(),
+        b: args.b.display().to_string(),
+        comparison,
+    };
+    let json = serde_json::to_string_pretty(&report);
+    print(&(json.map_err(|error| CliError::Other(error.to_string()))? + "\n"))
+}
+
+fn usage(error: impl Display) -> CliError {
+    CliError::Usage(error.to_string())
+}
+
+fn cannot_compare(error: impl Display) -> CliError {
+    CliError::Other(error.to_string())
+}

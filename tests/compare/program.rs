@@ -1,0 +1,192 @@
+//! `editor compare` as it is called.
+
+use crate::painter::{HEIGHT, SCENE, Scene, WIDTH};
+use editor_core::geometry::Picture;
+use editor_core::io::image::{PictureFormat, decode, encode};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+
+/// Exit code, standard output, standard error.
+fn compare(folder: &TempDir, arguments: &[&str]) -> (i32, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_editor"))
+        .arg("compare")
+        .args(arguments)
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (
+        output.status.code().unwrap(),
+        text(output.stdout),
+        text(output.stderr),
+    )
+}
+
+fn save(folder: &TempDir, name: &str, picture: &Picture) {
+    let bytes = encode(picture, PictureFormat::of(Path::new(name)).unwrap()).unwrap();
+    fs::write(folder.path().join(name), bytes).unwrap();
+}
+
+/// A folder with the pictures `a.png` and `b.png`, in which a slab of 360 pixels is missing.
+fn pictures() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    save(&folder, "a.png", &SCENE.paint());
+    let b = Scene {
+        slab: false,
+        ..SCENE
+    };
+    save(&folder, "b.png", &b.paint());
+    folder
+}
+
+/// A folder with the meshes `a.obj` and `b.obj`, which is `a.obj` moved.
+fn meshes() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name, text| fs::write(folder.path().join(name), text).unwrap();
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    write("b.obj", "v 0 0 3\nv 1 0 3\nv 0 2 3\nf 1 2 3\n");
+    folder
+}
+
+#[test]
+fn equal_pictures_end_with_0_and_different_ones_with_1() {
+    let folder = pictures();
+    let (code, out, err) = compare(&folder, &["a.png", "a.png"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(
+        out.contains("infinite") && out.ends_with("passed: at most 0 may differ\n"),
+        "{out}"
+    );
+    let (code, out, err) = compare(&folder, &["a.png", "b.png"]);
+    assert_eq!((code, err.as_str()), (1, ""));
+    assert!(out.contains("360 of 19200"), "{out}");
+    assert!(
+        out.contains("found: 360 pixels are drawn only in A, within 20,92,30,12"),
+        "{out}"
+    );
+}
+
+#[test]
+fn threshold_allowance_and_ignored_areas_decide() {
+    let folder = pictures();
+    let code = |options: &[&str]| compare(&folder, &[&["a.png", "b.png"], options].concat()).0;
+    assert_eq!(code(&["--max-pixels", "360"]), 0);
+    assert_eq!(code(&["--max-pixels", "359"]), 1);
+    assert_eq!(code(&["--max-pixels", "50%"]), 0);
+    assert_eq!(code(&["--threshold", "153"]), 0);
+    assert_eq!(code(&["--ignore", "20,92,15,12"]), 1);
+    assert_eq!(
+        code(&["--ignore", "20,92,15,12", "--ignore", "35,92,15,12"]),
+        0
+    );
+}
+
+#[test]
+fn json_is_one_object_with_findings_as_sentences() {
+    let folder = pictures();
+    let (code, out, _) = compare(&folder, &["a.png", "b.png", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(code, 1);
+    assert_eq!(
+        (&json["a"], &json["passed"]),
+        (&"a.png".into(), &false.into())
+    );
+    assert_eq!(json["differing_pixels"], 360);
+    assert_eq!(json["findings"][0]["kind"], "outline");
+    assert!(
+        json["findings"][0]["message"]
+            .as_str()
+            .unwrap()
+            .contains("only in A")
+    );
+    let (_, out, _) = compare(&folder, &["a.png", "a.png", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&json["psnr"], &json["ssim"]), (&Value::Null, &1.0.into()));
+}
+
+#[test]
+fn the_result_shows_both_pictures_and_the_differences() {
+    let folder = pictures();
+    assert_eq!(compare(&folder, &["a.png", "b.png", "-o", "d.png"]).0, 1);
+    let path = folder.path().join("d.png");
+    let picture = decode(&path, &fs::read(&path).unwrap()).unwrap();
+    assert_eq!((picture.width, picture.height), (3 * WIDTH + 16, HEIGHT));
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    let at = |x: u32, y: u32| pixels[(y * picture.width + x) as usize];
+    let [a, b, heat] = [0, 1, 2].map(|part| at(part * (WIDTH + 8) + 30, 100));
+    assert_eq!((a, b), ([51, 77, 179, 255], [26, 26, 26, 255]));
+    assert!(heat[0] > 200, "{heat:?}");
+    assert_eq!(at(2 * (WIDTH + 8) + 70, 55), [0, 0, 0, 255]);
+}
+
+#[test]
+fn what_cannot_be_compared_ends_with_1_and_says_why() {
+    let folder = pictures();
+    let small = Picture {
+        width: HEIGHT,
+        height: WIDTH,
+        ..SCENE.paint()
+    };
+    save(&folder, "small.png", &small);
+    let (code, out, err) = compare(&folder, &["a.png", "small.png", "-o", "d.png"]);
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("A is 160×120, B is 120×160"), "{err}");
+    assert!(!folder.path().join("d.png").exists());
+    let (code, out, _) = compare(&folder, &["a.png", "none.png", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(code, 1);
+    assert_eq!(json["error"], "none.png: there is no such file");
+    let (code, _, err) = compare(&folder, &["a.png", "b.png", "-o", "none/d.png"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("there is no folder none"), "{err}");
+}
+
+#[test]
+fn wrong_usage_ends_with_2() {
+    let folder = pictures();
+    let code = |arguments: &[&str]| compare(&folder, arguments).0;
+    assert_eq!(code(&["a.png"]), 2);
+    for options in [
+        ["--threshold", "256"],
+        ["--threshold", "-1"],
+        ["--threshold", "1.5"],
+        ["--max-pixels", "-1"],
+        ["--max-pixels", "many"],
+        ["--ignore", "1,2,3"],
+        ["--ignore", "-1,2,3,4"],
+        ["-o", "d.txt"],
+    ] {
+        let arguments = [&["a.png", "b.png"], &options[..]].concat();
+        assert_eq!(code(&arguments), 2, "{options:?}");
+    }
+    let folder = meshes();
+    let code = |arguments: &[&str]| compare(&folder, arguments).0;
+    assert_eq!(code(&["a.obj", "b.png"]), 2);
+    assert_eq!(code(&["a.obj", "b.obj", "-o", "d.png"]), 2);
+    assert_eq!(code(&["a.obj", "b.obj", "--threshold", "-1"]), 2);
+}
+
+#[test]
+fn meshes_are_compared_by_vertex() {
+    let folder = meshes();
+    assert_eq!(compare(&folder, &["a.obj", "a.obj"]).0, 0);
+    assert_eq!(
+        compare(&folder, &["a.obj", "b.obj", "--threshold", "3"]).0,
+        0
+    );
+    let (code, out, _) = compare(&folder, &["a.obj", "b.obj"]);
+    assert_eq!(code, 1);
+    assert!(
+        out.contains("found: B is A moved by (0.000000, 0.000000, 3.000000)"),
+        "{out}"
+    );
+    let (_, out, _) = compare(&folder, &["a.obj", "b.obj", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(
+        (&json["max"], &json["findings"][0]["kind"]),
+        (&3.0.into(), &"offset".into())
+    );
+}
