@@ -128,7 +128,7 @@ impl fmt::Display for PictureComparison {
         let percent = |total: u64| 100.0 * differing_pixels as f64 / total.max(1) as f64;
         write!(
             f,
-            "differing pixels  {differing_pixels} of {compared_pixels} ({:.4} %) by more than {}",
+            "differing pixels    {differing_pixels} of {compared_pixels} ({:.4} %) by more than {}",
             percent(compared_pixels),
             self.threshold
         )?;
@@ -137,27 +137,31 @@ impl fmt::Display for PictureComparison {
             let percent = 100.0 * drawn_differing as f64 / drawn_pixels.max(1) as f64;
             write!(
                 f,
-                "\n  of the drawn    {drawn_differing} of {drawn_pixels} ({percent:.4} %)"
+                "\n  of the drawn      {drawn_differing} of {drawn_pixels} ({percent:.4} %)"
             )?;
         }
         if let Some(area) = self.differences.differing_area {
-            write!(f, "\n  within          {area} (x, y, width, height)")?;
+            write!(f, "\n  within            {area} (x, y, width, height)")?;
         }
         if self.ignored_pixels > 0 {
-            write!(f, "\nignored pixels    {}", self.ignored_pixels)?;
+            write!(f, "\nignored pixels      {}", self.ignored_pixels)?;
         }
-        write!(f, "\nlargest difference {} of 255", self.differences.max)?;
-        write!(f, "\nmean difference   {:.6} of 255", self.differences.mean)?;
+        write!(f, "\nlargest difference  {} of 255", self.differences.max)?;
+        write!(
+            f,
+            "\nmean difference     {:.6} of 255",
+            self.differences.mean
+        )?;
         if self.differences.psnr.is_finite() {
-            write!(f, "\nPSNR              {:.3} dB", self.differences.psnr)?;
+            write!(f, "\nPSNR                {:.3} dB", self.differences.psnr)?;
         } else {
-            write!(f, "\nPSNR              infinite (no color differs)")?;
+            write!(f, "\nPSNR                infinite (no color differs)")?;
         }
         match self.ssim {
-            Some(ssim) => write!(f, "\nSSIM              {ssim:.6}")?,
-            None => write!(f, "\nSSIM              none (needs 11×11 pixels)")?,
+            Some(ssim) => write!(f, "\nSSIM                {ssim:.6}")?,
+            None => write!(f, "\nSSIM                none (needs 11×11 pixels)")?,
         }
-        write!(f, "\nFLIP              {:.6}", self.flip)?;
+        write!(f, "\nFLIP                {:.6}", self.flip)?;
         for finding in &self.findings {
             write!(f, "\nfound: {finding}")?;
         }
