@@ -11,7 +11,7 @@ mod transform;
 
 pub use aabb::Aabb;
 pub use euler::Euler;
-pub use frame::bone_frame;
+pub use frame::{Frame, bone_frame};
 pub use matrix_stack::MatrixStack;
 pub use ray::{Ray, TriangleHit};
 pub use transform::Transform;

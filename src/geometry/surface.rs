@@ -1,0 +1,159 @@
+use super::Mesh;
+use super::curve::CurvePoint;
+use super::curve_closing::is_closed;
+use super::surface_volume::{enclosed_by_lathe, enclosed_by_sweep};
+use crate::math::Aabb;
+use glam::{DQuat, DVec3, Vec3};
+use std::collections::HashSet;
+use std::f64::consts::TAU;
+
+/// Corners closer than this, measured against the size of the surface, coincide.
+const COINCIDING: f32 = 1e-7;
+/// A volume closer to zero than this, measured against the size cubed, has no sign.
+const NO_VOLUME: f64 = 1e-9;
+
+/// The surface that `profile` (in the plane z = 0) sweeps when it is turned once about +Y, in
+/// `steps` steps.
+///
+/// Vertices lie ring by ring, `profile.len()` each, `steps + 1` rings, the last on the first.
+/// Normals are −N of the profile, turned along, and triangles wind counter-clockwise with them;
+/// both are flipped where the enclosed volume, the ends closed by discs, comes out negative, so
+/// that normals point outward. Triangles that shrink to a line on the axis are left out.
+#[doc(alias = "makeSurfRev")]
+pub fn surface_of_revolution(profile: &[CurvePoint], steps: u32) -> Mesh {
+    let steps = steps.max(1);
+    let size = Aabb::from_points(profile.iter().map(|point| point.position))
+        .size()
+        .length();
+    // What lies on the axis but for rounding would turn on a tiny circle and leave slivers.
+    let on_axis = |mut position: Vec3| {
+        if position.x.abs() <= COINCIDING * size {
+            position.x = 0.0;
+        }
+        position
+    };
+    let mut positions = Vec::with_capacity(profile.len() * (steps as usize + 1));
+    let mut normals = Vec::with_capacity(positions.capacity());
+    for step in 0..=steps {
+        let turn = DQuat::from_rotation_y(TAU * f64::from(step % steps) / f64::from(steps));
+        for point in profile {
+            positions.push((turn * on_axis(point.position).as_dvec3()).as_vec3());
+            normals.push((turn * -point.frame.normal.as_dvec3()).as_vec3());
+        }
+    }
+    // Left and right of the axis the same profile turns in opposite directions.
+    let mut triangles = quads(&positions, profile.len(), |column| {
+        profile[column].position.x + profile[column + 1].position.x <= 0.0
+    });
+    let volume = enclosed_by_lathe(&positions, &triangles);
+    if volume < 0.0 && has_sign(volume, &positions) {
+        triangles.iter_mut().for_each(reverse);
+        normals.iter_mut().for_each(|normal| *normal = -*normal);
+    }
+    Mesh::new(positions, triangles).with_normals(normals)
+}
+
+/// The surface that `profile` (in the plane z = 0) makes when it is carried along `sweep`: each
+/// profile point (x, y) becomes V + x·N + y·B in the frame of each point of the sweep.
+///
+/// Vertices lie ring by ring, `profile.len()` each, one ring a point of the sweep. Normals are
+/// −N of the profile in the same frames, and triangles wind counter-clockwise with them; both
+/// are flipped where a closed profile encloses a negative volume. To close a closed sweep, pass
+/// it through [`super::close_frames`] first.
+#[doc(alias = "makeGenCyl")]
+pub fn generalized_cylinder(profile: &[CurvePoint], sweep: &[CurvePoint]) -> Mesh {
+    let mut positions = Vec::with_capacity(profile.len() * sweep.len());
+    let mut normals = Vec::with_capacity(positions.capacity());
+    for along in sweep {
+        let frame = along.frame;
+        let turned = |flat: Vec3| frame.normal * flat.x + frame.binormal * flat.y;
+        for point in profile {
+            positions.push(along.position + turned(point.position));
+            normals.push(turned(-point.frame.normal));
+        }
+    }
+    let mut triangles = quads(&positions, profile.len(), |_| true);
+    // Where the profile reaches beyond the center of a bend the surface folds over; its winding
+    // stays consistent and goes with most of the normals.
+    let agreement: f64 = triangles
+        .iter()
+        .map(|&corners| agreement(&positions, &normals, corners))
+        .sum();
+    let against_normals = agreement < 0.0;
+    let volume = enclosed_by_sweep(&positions, &triangles, profile.len());
+    let inward = if is_closed(profile) && has_sign(volume, &positions) {
+        volume < 0.0
+    } else {
+        against_normals
+    };
+    if inward {
+        triangles.iter_mut().for_each(reverse);
+    }
+    if inward != against_normals {
+        normals.iter_mut().for_each(|normal| *normal = -*normal);
+    }
+    Mesh::new(positions, triangles).with_normals(normals)
+}
+
+/// Every edge of `triangles` once, as indices of its two vertices, the smaller first, in the
+/// order in which the triangles name them: the wireframe.
+pub fn wireframe(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let mut seen = HashSet::with_capacity(triangles.len() * 2);
+    let edges = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    edges
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .filter(|&edge| seen.insert(edge))
+        .collect()
+}
+
+/// Two triangles for each cell of a grid of `ring` columns; `forward` says for each column
+/// whether they wind along the ring first, then from one ring to the next. Triangles with
+/// coinciding corners are left out.
+fn quads(positions: &[Vec3], ring: usize, forward: impl Fn(usize) -> bool) -> Vec<[u32; 3]> {
+    let nearest = COINCIDING * size(positions);
+    let apart = |a: u32, b: u32| positions[a as usize].distance(positions[b as usize]) > nearest;
+    let rings = positions.len().checked_div(ring).unwrap_or(0);
+    let mut triangles = Vec::with_capacity(2 * positions.len());
+    for row in 1..rings {
+        for column in 1..ring {
+            let here = (row * ring + column) as u32;
+            let (left, above) = (here - 1, here - ring as u32);
+            let corner = above - 1;
+            for mut triangle in [[corner, above, left], [above, here, left]] {
+                let [a, b, c] = triangle;
+                if apart(a, b) && apart(b, c) && apart(c, a) {
+                    if !forward(column - 1) {
+                        reverse(&mut triangle);
+                    }
+                    triangles.push(triangle);
+                }
+            }
+        }
+    }
+    triangles
+}
+
+/// Whether `volume` is more than rounding in a surface of this size.
+fn has_sign(volume: f64, positions: &[Vec3]) -> bool {
+    volume.abs() > NO_VOLUME * f64::from(size(positions)).powi(3)
+}
+
+fn size(positions: &[Vec3]) -> f32 {
+    Aabb::from_points(positions.iter().copied()).size().length()
+}
+
+fn reverse(corners: &mut [u32; 3]) {
+    corners.swap(1, 2);
+}
+
+/// How well a triangle's winding agrees with its corners' normals, weighted by area.
+fn agreement(positions: &[Vec3], normals: &[Vec3], corners: [u32; 3]) -> f64 {
+    let [a, b, c] = corners.map(|i| positions[i as usize].as_dvec3());
+    let normal: DVec3 = corners
+        .iter()
+        .map(|&i| normals[i as usize].as_dvec3())
+        .sum();
+    (b - a).cross(c - a).dot(normal)
+}
