@@ -1,4 +1,5 @@
-use super::{Edit, Session, View};
+use super::apply_curve::apply_curve_edit;
+use super::{Edit, Session, Severity, View};
 use crate::math::Aabb;
 use crate::scene::{Camera, Scene, Shape, ShapeId};
 use glam::Vec3;
@@ -56,6 +57,17 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
         Edit::SetPose(id, pose) => {
             if let Some(character) = scene.character_mut(id) {
                 character.set_pose(pose);
+            }
+        }
+        Edit::SetControlPoint { .. }
+        | Edit::SetSteps { .. }
+        | Edit::SetRadius { .. }
+        | Edit::SetFrameClosing(..)
+        | Edit::SetCurveDisplay(..)
+        | Edit::MakeSurfaceOfRevolution { .. }
+        | Edit::MakeSweep { .. } => {
+            if let Err(refused) = apply_curve_edit(scene, &edit) {
+                session.messages.tell(Severity::Error, refused.to_string());
             }
         }
     }

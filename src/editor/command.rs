@@ -1,8 +1,8 @@
 use crate::character::Pose;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, Look, Placement, Shading, ShapeColor, ShapeId, ShapeKind, Source,
-    ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, Look, Placement, Shading, ShapeColor, ShapeId,
+    ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -65,6 +65,58 @@ pub enum Edit {
     ResetJoint(ShapeId, usize),
     /// Replaces all angles.
     SetPose(ShapeId, Pose),
+    /// Moves a control point. A curve that closes stays closed, a flat one flat.
+    SetControlPoint {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve in its [`crate::scene::CurveSet`].
+        curve: usize,
+        /// Index of the control point.
+        point: usize,
+        /// Its new place, in the shape's model space.
+        position: Vec3,
+    },
+    /// Sets the steps of a curve (per piece) or of a surface of revolution (of the turn).
+    SetSteps {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve or surface in its [`crate::scene::CurveSet`].
+        item: usize,
+        /// How many.
+        steps: u32,
+    },
+    /// Sets the radius of a circle.
+    SetRadius {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the circle in its [`crate::scene::CurveSet`].
+        curve: usize,
+        /// In the shape's model space.
+        radius: f32,
+    },
+    /// Spreads the angle by which frames miss their start along closed sweeps, or leaves it.
+    SetFrameClosing(ShapeId, bool),
+    /// Changes how curves and surfaces are drawn.
+    SetCurveDisplay(ShapeId, CurveDisplay),
+    /// Adds the surface that a flat curve sweeps when it turns about +Y.
+    MakeSurfaceOfRevolution {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve in its [`crate::scene::CurveSet`].
+        profile: usize,
+        /// Steps of the whole turn.
+        steps: u32,
+    },
+    /// Adds the surface that a flat curve makes when it is carried along another.
+    MakeSweep {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the flat curve in its [`crate::scene::CurveSet`]; a small circle, added with
+        /// the surface, if `None`.
+        profile: Option<usize>,
+        /// Index of the curve that it is carried along.
+        sweep: usize,
+    },
 }
 
 /// A change of how the scene is looked at.

@@ -2,6 +2,7 @@
 //! [`apply_edit`] and [`apply_view`] are the only places that change anything.
 
 mod apply;
+mod apply_curve;
 mod command;
 mod messages;
 mod session;

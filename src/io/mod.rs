@@ -19,6 +19,8 @@ mod scanner;
 mod scene_data;
 mod scene_file;
 mod skel;
+mod swp;
+mod to_swp;
 
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
@@ -31,3 +33,5 @@ pub use obj::read_character_obj;
 pub use pose_file::{Entries, PoseData, PoseFile};
 pub use scene_file::{SceneFile, SceneShape, read_scene};
 pub use skel::read_skel;
+pub use swp::read_swp;
+pub use to_swp::to_swp;

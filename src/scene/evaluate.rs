@@ -1,3 +1,4 @@
+use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::StickFigure;
 use crate::geometry::{Revision, SharedMesh};
@@ -27,15 +28,17 @@ pub struct EvaluatedShape {
 /// A shape's geometry in model space; the same `Arc` for as long as nothing changes it.
 #[derive(Clone, Debug)]
 pub struct EvaluatedGeometry {
-    /// Triangles, materials and undeformed vertices.
+    /// Triangles, materials and undeformed vertices; of curves, all their surfaces.
     pub mesh: SharedMesh,
     /// The deformed vertices, as many as the mesh has; `None` where nothing deforms it.
     pub skinned: Option<Vec<Vec3>>,
     /// Joints and bones of a character.
     pub figure: Option<StickFigure>,
+    /// Curves, control points, wireframe and parts of a shape made of curves.
+    pub curves: Option<EvaluatedCurves>,
     /// Changes whenever positions do.
     pub revision: Revision,
-    /// Around the mesh and the joints, in model space.
+    /// Around the mesh, the joints, the curves and their control points, in model space.
     pub bounds: Aabb,
 }
 
@@ -67,8 +70,8 @@ impl Evaluated {
     }
 }
 
-/// Evaluates scenes and keeps what did not change: only a shape whose pose has a new revision is
-/// skinned again.
+/// Evaluates scenes and keeps what did not change: only a shape whose pose or
+/// curves have a new revision is worked out again.
 #[derive(Debug, Default)]
 pub struct Evaluator {
     cache: HashMap<ShapeId, Arc<EvaluatedGeometry>>,
@@ -98,6 +101,7 @@ impl Evaluator {
     fn geometry(&mut self, shape: &Shape) -> Arc<EvaluatedGeometry> {
         let revision = match &shape.kind {
             ShapeKind::Character(character) => character.pose_revision(),
+            ShapeKind::Curve(curve) => curve.revision(),
             other => other.mesh().revision(),
         };
         if let Some(known) = self.cache.get(&shape.id)
@@ -107,6 +111,7 @@ impl Evaluator {
         }
         let geometry = Arc::new(match &shape.kind {
             ShapeKind::Character(character) => evaluate_character(character),
+            ShapeKind::Curve(curve) => evaluate_curves(curve),
             other => {
                 let mesh = other.mesh();
                 EvaluatedGeometry {
@@ -114,6 +119,7 @@ impl Evaluator {
                     mesh,
                     skinned: None,
                     figure: None,
+                    curves: None,
                     revision,
                 }
             }
@@ -135,6 +141,7 @@ fn evaluate_character(shape: &CharacterShape) -> EvaluatedGeometry {
         bounds: Aabb::from_points(around),
         skinned: Some(skinned),
         figure: Some(figure),
+        curves: None,
         revision: shape.pose_revision(),
     }
 }

@@ -2,8 +2,11 @@
 
 mod camera;
 mod color_presets;
+mod curve_shape;
 pub mod custom;
 mod evaluate;
+mod evaluate_curves;
+mod import_curve;
 mod picking;
 mod shape;
 mod shape_manager;
@@ -11,7 +14,10 @@ mod view_settings;
 
 pub use camera::{Camera, ViewDirection};
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
+pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
 pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
+pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
+pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
 pub use picking::pick_shape;
 pub use shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, Placement, Shape,

@@ -1,6 +1,6 @@
-use super::{ShapeColor, custom};
+use super::{CurveShape, ShapeColor, custom};
 use crate::character::{Character, Pose};
-use crate::geometry::{self, Revision, SharedMesh};
+use crate::geometry::{self, Mesh, Revision, SharedMesh};
 use crate::math::Transform;
 use std::sync::{Arc, LazyLock};
 
@@ -83,6 +83,8 @@ pub enum ShapeKind {
     Mesh(SharedMesh),
     /// Import Character.
     Character(CharacterShape),
+    /// Import Curve.
+    Curve(CurveShape),
 }
 
 /// A character in the scene: what was imported, and how it is posed and shown.
@@ -199,6 +201,7 @@ impl ShapeKind {
             Self::Custom => "Custom Shape",
             Self::Mesh(_) => "Shape",
             Self::Character(_) => "Character",
+            Self::Curve(_) => "Curve",
         }
     }
 
@@ -213,10 +216,11 @@ impl ShapeKind {
             Self::Custom => 11,
             Self::Mesh(_) => 1,
             Self::Character(_) => 12,
+            Self::Curve(_) => 30,
         }
     }
 
-    /// Its mesh, undeformed.
+    /// Its mesh, undeformed; empty for curves, whose surfaces only [`super::Evaluator`] makes.
     pub fn mesh(&self) -> SharedMesh {
         static CUBE: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(geometry::cube()));
         static SPHERE: LazyLock<SharedMesh> =
@@ -228,6 +232,7 @@ impl ShapeKind {
             LazyLock::new(|| SharedMesh::new(geometry::icosahedron()));
         static CUSTOM: LazyLock<SharedMesh> =
             LazyLock::new(|| SharedMesh::new(custom::custom_shape()));
+        static EMPTY: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(Mesh::default()));
         match self {
             Self::Cube => CUBE.clone(),
             Self::Sphere => SPHERE.clone(),
@@ -237,6 +242,7 @@ impl ShapeKind {
             Self::Custom => CUSTOM.clone(),
             Self::Mesh(mesh) => mesh.clone(),
             Self::Character(shape) => shape.character.bind_mesh().clone(),
+            Self::Curve(_) => EMPTY.clone(),
         }
     }
 }

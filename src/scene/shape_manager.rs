@@ -1,4 +1,4 @@
-use super::{CharacterShape, Placement, Shape, ShapeId, ShapeKind, Source};
+use super::{CharacterShape, CurveShape, Placement, Shape, ShapeId, ShapeKind, Source};
 
 /// The scene: the list of shapes, in the order they were made.
 #[derive(Clone, Debug)]
@@ -50,6 +50,22 @@ impl Scene {
     pub fn character_mut(&mut self, id: ShapeId) -> Option<&mut CharacterShape> {
         match &mut self.shape_mut(id)?.kind {
             ShapeKind::Character(character) => Some(character),
+            _ => None,
+        }
+    }
+
+    /// The curves called `id`, if it is some.
+    pub fn curve(&self, id: ShapeId) -> Option<&CurveShape> {
+        match &self.shape(id)?.kind {
+            ShapeKind::Curve(curve) => Some(curve),
+            _ => None,
+        }
+    }
+
+    /// The curves called `id`, to be changed, if it is some.
+    pub fn curve_mut(&mut self, id: ShapeId) -> Option<&mut CurveShape> {
+        match &mut self.shape_mut(id)?.kind {
+            ShapeKind::Curve(curve) => Some(curve),
             _ => None,
         }
     }
