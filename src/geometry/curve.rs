@@ -78,7 +78,7 @@ pub enum CurveError {
     #[error("expected at most {MAX_CURVE_POINTS} points on a curve, found {0}")]
     TooManyPoints(usize),
     /// A number that is not finite, or too large to compute with.
-    #[error("expected numbers within ±{MAX_COORDINATE:e}, found {0}")]
+    #[error("expected numbers within ±{MAX_COORDINATE:e}, found {0:e}")]
     Coordinate(f32),
 }
 

@@ -1,0 +1,14 @@
+//! Curves and surfaces as the assignment has them: Bézier curves, B-splines and circles with
+//! frames, surfaces of revolution, generalized cylinders, and the `.swp` files that describe
+//! them.
+
+mod curves;
+mod degenerate;
+mod editing;
+mod frames;
+mod own_files;
+mod reference;
+mod support;
+mod surfaces;
+mod swp;
+mod volumes;
