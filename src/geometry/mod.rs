@@ -1,4 +1,5 @@
-//! Meshes, curves, surfaces and the built-in shapes, in their own model space, at the origin and at scale 1.
+//! Meshes, curves, surfaces and the built-in shapes, in their own model space, at the origin and
+//! at scale 1.
 
 mod cube;
 mod cuboid;
@@ -29,7 +30,6 @@ pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, nearest_triangle
 pub use normals::{face_normal, face_normals, smooth_normals};
 pub use pyramid::pyramid;
 pub use revision::{Revision, SharedMesh};
-pub use sphere::sphere;
 pub use sphere::{Poles, sphere};
 pub use surface::{generalized_cylinder, surface_of_revolution, wireframe};
 pub use teapot::teapot;

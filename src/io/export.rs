@@ -1,9 +1,10 @@
 use crate::scene::{Evaluated, EvaluatedShape, Scene};
-use glam::Mat4;
+use glam::{Mat4, Vec3};
 use std::fmt::Write;
 
 /// The current geometry of a scene in the world, as an `.obj` file: an `o` for each shape, its
-/// vertices in the order of their file and under its pose, its triangles. Numbers have as many
+/// vertices in the order of their file and under its pose, its triangles; of curves all surfaces,
+/// whatever is displayed, then an `l` element for each curve in the order of the file. Numbers have as many
 /// digits as it takes to read the same ones back.
 ///
 /// `evaluated` must be what follows from `scene`.
@@ -20,19 +21,11 @@ pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
     out
 }
 
-/// Writes one shape, and returns how many vertices it has.
+/// Writes one shape, and returns how many vertices it wrote.
 fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> usize {
     let geometry = &shape.geometry;
     let positions = geometry.positions();
-    // Writing to a string cannot fail.
-    for &position in positions {
-        let world = if shape.world_from_model == Mat4::IDENTITY {
-            position
-        } else {
-            shape.world_from_model.transform_point3(position)
-        };
-        let _ = writeln!(out, "v {} {} {}", world.x, world.y, world.z);
-    }
+    write_vertices(out, shape, positions.iter().copied());
     // A mirrored shape would be inside out if its triangles kept their order.
     let mirrored = shape.world_from_model.determinant() < 0.0;
     for &[a, b, c] in &geometry.mesh.triangles {
@@ -40,7 +33,31 @@ fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> 
         let [a, b, c] = [a, b, c].map(|index| first_vertex + index as usize);
         let _ = writeln!(out, "f {a} {b} {c}");
     }
-    positions.len()
+    let mut written = positions.len();
+    for curve in geometry.curves.iter().flat_map(|all| &all.curves) {
+        write_vertices(out, shape, curve.positions());
+        out.push('l');
+        for _ in curve.positions() {
+            // Writing to a string cannot fail.
+            let _ = write!(out, " {}", first_vertex + written);
+            written += 1;
+        }
+        out.push('\n');
+    }
+    written
+}
+
+/// Writes `positions`, in the shape's model space, as they stand in the world.
+fn write_vertices(out: &mut String, shape: &EvaluatedShape, positions: impl Iterator<Item = Vec3>) {
+    for position in positions {
+        let world = if shape.world_from_model == Mat4::IDENTITY {
+            position
+        } else {
+            shape.world_from_model.transform_point3(position)
+        };
+        // Writing to a string cannot fail.
+        let _ = writeln!(out, "v {} {} {}", world.x, world.y, world.z);
+    }
 }
 
 #[cfg(test)]
@@ -48,7 +65,6 @@ mod tests {
     use super::*;
     use crate::io::read_character_obj;
     use crate::scene::{Evaluator, ShapeKind};
-    use glam::Vec3;
     use std::path::Path;
 
     #[test]

@@ -1,14 +1,16 @@
 use super::{
     Diagnostic, Files, Imported, builtin, files, is_character, read_character, read_shape_obj,
-    scene_file,
+    read_swp, scene_file,
 };
 use crate::geometry::SharedMesh;
-use crate::scene::{CharacterShape, Scene, ShapeKind, Source, ViewSettings, name_of_import};
+use crate::scene::{
+    CharacterShape, CurveShape, Scene, ShapeKind, Source, ViewSettings, name_of_import,
+};
 use std::path::Path;
 use std::sync::Arc;
 
 /// The extensions of files that can be imported into a scene, in lower case.
-pub const IMPORTABLE: &[&str] = &["obj"];
+pub const IMPORTABLE: &[&str] = &["obj", "swp"];
 
 /// Something imported, ready to be put into a scene.
 #[derive(Clone, Debug)]
@@ -22,7 +24,8 @@ pub struct NewShape {
 }
 
 /// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
-/// weights beside it is a character, others are shapes. `builtin:NAME` stands for a file too.
+/// weights beside it is a character, others are shapes; a `.swp` file holds curves. `builtin:NAME`
+/// stands for a file too.
 ///
 /// # Errors
 /// If it cannot be read, is not well formed, or is of a kind that cannot be imported.
@@ -32,6 +35,7 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     match files::extension(&file).as_str() {
         "obj" if is_character(files, &file) => import_character(files, path),
         "obj" => import_shape(files, path),
+        "swp" => import_curve(files, path),
         extension => Err(cannot_open(
             files,
             path,
@@ -75,6 +79,22 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
             Ok(mesh.map(|mesh| vec![new_shape(path, kind(mesh))]))
         }
         extension => Err(cannot_open(files, path, extension, "a shape", &["obj"])),
+    }
+}
+
+/// Import Curve: the curves and surfaces of the `.swp` file at `path`, as one shape.
+///
+/// # Errors
+/// If it cannot be read or is not well formed.
+pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let file = to_open(path)?;
+    match files::extension(&file).as_str() {
+        "swp" => {
+            let curves = read_swp(&file, &files.read(&file)?)?;
+            let kind = |curves| ShapeKind::Curve(CurveShape::new(curves));
+            Ok(curves.map(|curves| vec![new_shape(path, kind(curves))]))
+        }
+        extension => Err(cannot_open(files, path, extension, "curves", &["swp"])),
     }
 }
 

@@ -25,7 +25,9 @@ mod to_swp;
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::export_obj;
-pub use file_importer::{IMPORTABLE, Loaded, NewShape, import_any, import_character, import_shape};
+pub use file_importer::{
+    IMPORTABLE, Loaded, NewShape, import_any, import_character, import_curve, import_shape,
+};
 pub use files::Files;
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;

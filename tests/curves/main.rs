@@ -5,6 +5,7 @@
 mod curves;
 mod degenerate;
 mod editing;
+mod export;
 mod frames;
 mod own_files;
 mod reference;
