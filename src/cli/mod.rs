@@ -15,6 +15,7 @@ pub use error::CliError;
 pub use load::{files, load};
 pub use output::print;
 
+use crate::io::builtin;
 use clap::{Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -72,7 +73,10 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Export(args)) => export::run(&args),
         Some(Command::Render(args)) => render::run(&args),
-        None => open_window(cli.window).map_err(CliError::Other),
+        None => match unknown(&cli.window.files) {
+            Some(error) => Err(error),
+            None => open_window(cli.window).map_err(CliError::Other),
+        },
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -81,4 +85,19 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
             error.exit_code()
         }
     }
+}
+
+/// A word that looks like no file and is none was meant as a command.
+fn unknown(files: &[PathBuf]) -> Option<CliError> {
+    let word = files.iter().find(|file| {
+        let is_builtin = file.to_string_lossy().starts_with(builtin::PREFIX);
+        file.components().count() == 1
+            && file.extension().is_none()
+            && !is_builtin
+            && !file.exists()
+    })?;
+    Some(CliError::Usage(format!(
+        "there is neither a command nor a file called {}",
+        word.display()
+    )))
 }

@@ -5,6 +5,7 @@
 mod axis_pass;
 mod background_pass;
 mod compose;
+mod curve_pass;
 mod frame;
 mod ground_pass;
 mod interface_painter;

@@ -1,11 +1,12 @@
 use super::background_pass::whole_picture;
+use super::curve_pass::draw_curve_mask;
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{
-    DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program, VertexArray,
+    DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive, Program, VertexArray,
 };
-use crate::scene::{ModelDisplay, ShapeId, ShapeKind};
+use crate::scene::{ModelDisplay, ShapeId, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 
 const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
@@ -49,7 +50,7 @@ impl OutlinePass {
         context: &PassContext,
         frame: &Frame,
         meshes: &MeshCache,
-        skeletons: &mut SkeletonPass,
+        lines: (&mut SkeletonPass, &mut Immediate),
         target: &Framebuffer,
     ) -> Result<(), GpuError> {
         let marks = frame.marks;
@@ -77,7 +78,14 @@ impl OutlinePass {
         // The selected shape last, so that it keeps its pixels where the two overlap.
         for (id, color) in [(marks.hovered, Vec3::Y), (marks.selected, Vec3::X)] {
             if let Some(id) = id {
-                self.draw_mask(context, frame, meshes, skeletons, id, color)?;
+                self.draw_mask(
+                    context,
+                    frame,
+                    meshes,
+                    (&mut *lines.0, &mut *lines.1),
+                    id,
+                    color,
+                )?;
             }
         }
         mask.bind_texture(0);
@@ -97,7 +105,7 @@ impl OutlinePass {
         context: &PassContext,
         frame: &Frame,
         meshes: &MeshCache,
-        skeletons: &mut SkeletonPass,
+        (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
         id: ShapeId,
         color: Vec3,
     ) -> Result<(), GpuError> {
@@ -112,6 +120,12 @@ impl OutlinePass {
             && character.display.mode == ModelDisplay::Skeleton
         {
             return skeletons.draw_mask(context, evaluated, color);
+        }
+        if let ShapeKind::Curve(curve) = &shape.kind {
+            draw_curve_mask(immediate, context, evaluated, color);
+            if curve.display.surface != SurfaceVisibility::Shaded {
+                return Ok(());
+            }
         }
         let program = &self.mask_program;
         program.set_mat4("clip_from_world", context.clip_from_world);

@@ -1,5 +1,6 @@
 use super::axis_pass::draw_axis;
 use super::background_pass::BackgroundPass;
+use super::curve_pass::draw_curves;
 use super::frame::{Frame, PassContext};
 use super::ground_pass::GroundPass;
 use super::mesh_cache::MeshCache;
@@ -67,13 +68,20 @@ impl Renderer {
             draw_axis(gl, immediate, &context);
         }
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
+        draw_curves(gl, &context, frame, immediate);
         self.skeletons.draw(gl, &context, frame, immediate)?;
         self.surfaces.draw_translucent(gl, &context, frame, meshes);
         if frame.view.grid && frame.view.look == Look::Studio {
             self.ground.draw(gl, &context, camera);
         }
-        self.outline
-            .draw(gl, &context, frame, meshes, &mut self.skeletons, target)?;
+        self.outline.draw(
+            gl,
+            &context,
+            frame,
+            meshes,
+            (&mut self.skeletons, immediate),
+            target,
+        )?;
         gl.check("drawing the scene")
     }
 }

@@ -3,7 +3,7 @@ use super::lights::set_lights;
 use super::mesh_cache::{CachedMesh, MeshCache};
 use crate::geometry::Mesh;
 use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program};
-use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind};
+use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
 use glam::{Mat3, Mat4, Vec3};
 
 /// How much of a mesh is seen where its skeleton shows through.
@@ -111,18 +111,14 @@ fn shapes<'a>(
     frame: &'a Frame,
     mode: ModelDisplay,
 ) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
-    frame
-        .scene
-        .shapes()
-        .iter()
-        .zip(&frame.evaluated.shapes)
-        .filter(move |(shape, _)| {
-            let drawn_as = match &shape.kind {
-                ShapeKind::Character(character) => character.display.mode,
-                _ => ModelDisplay::Mesh,
-            };
-            drawn_as == mode
-        })
+    let shapes = frame.scene.shapes().iter().zip(&frame.evaluated.shapes);
+    shapes.filter(move |(shape, _)| match &shape.kind {
+        ShapeKind::Character(character) => character.display.mode == mode,
+        ShapeKind::Curve(curve) => {
+            mode == ModelDisplay::Mesh && curve.display.surface == SurfaceVisibility::Shaded
+        }
+        _ => mode == ModelDisplay::Mesh,
+    })
 }
 
 /// Runs of triangles with their colors. A material's color is tinted by the shape's own, which

@@ -144,3 +144,24 @@ fn the_views_of_the_menu_look_as_they_do_there() {
         render.file.starts_with("view_") && !turned && !render.ui
     });
 }
+
+#[test]
+fn shaded_surfaces_look_as_they_do_there() {
+    compare("shaded surfaces", &SURFACES, |render| {
+        render.file.starts_with("swp_") && render.file.contains("_shaded_")
+    });
+}
+
+#[test]
+fn curves_with_frames_look_as_they_do_there() {
+    compare("curves with frames", &LINES, |render| {
+        render.file.starts_with("swp_") && render.file.contains("_tnb_")
+    });
+}
+
+#[test]
+fn curves_and_surfaces_as_first_shown_look_as_they_do_there() {
+    compare("curves and surfaces", &LINES, |render| {
+        render.file.starts_with("swp_") && render.file.contains("_default_")
+    });
+}

@@ -8,7 +8,8 @@ use editor_core::geometry::{Mesh, SharedMesh, face_normals};
 use editor_core::io::{self, Diagnostic, Files};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{
-    Camera, CharacterShape, ModelDisplay, Scene, ShapeColor, ShapeKind, ViewSettings,
+    Camera, CharacterShape, CurveDisplay, CurveShape, CurveVisibility, ModelDisplay, Scene,
+    ShapeColor, ShapeKind, SurfaceVisibility, ViewSettings,
 };
 use glam::Vec3;
 
@@ -82,6 +83,10 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
         );
     } else if let Some(path) = content_path(renders, render) {
         let bytes = Disk.read(&path).expect("the shape's file");
+        if path.extension().is_some_and(|extension| extension == "swp") {
+            add_curves(&mut scene, &path, &bytes, file);
+            return (scene, view);
+        }
         let mesh = io::read_shape_obj(&Disk, &path, &bytes)
             .expect("a shape")
             .value;
@@ -99,6 +104,35 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
         assert!(file.starts_with("empty"), "{file}: what is in it?");
     }
     (scene, view)
+}
+
+fn add_curves(scene: &mut Scene, path: &Path, bytes: &[u8], file: &str) {
+    let curves = io::read_swp(path, bytes).expect("curves").value;
+    let mut shape = CurveShape::new(curves);
+    // The original leaves the step of a closed sweep where its frames do not meet.
+    shape.set_frame_closing(false);
+    shape.display = if file.contains("_shaded_") {
+        CurveDisplay {
+            control_points: false,
+            curve: CurveVisibility::Off,
+            surface: SurfaceVisibility::Shaded,
+        }
+    } else if file.contains("_wire_") {
+        CurveDisplay {
+            control_points: false,
+            curve: CurveVisibility::Off,
+            surface: SurfaceVisibility::WireframeWithNormals,
+        }
+    } else if file.contains("_tnb_") {
+        CurveDisplay {
+            control_points: true,
+            curve: CurveVisibility::OnWithFrames,
+            surface: SurfaceVisibility::Off,
+        }
+    } else {
+        CurveDisplay::default()
+    };
+    scene.add("Curve".into(), ShapeKind::Curve(shape), None);
 }
 
 /// `data/obj/torus.obj` of the original lies in `obj/` of the reference.

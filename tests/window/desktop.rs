@@ -30,6 +30,7 @@ impl Desktop {
                 "-screen",
                 "0",
                 "1400x900x24",
+                "-noreset",
                 "-nolisten",
                 "tcp",
             ])
