@@ -10,9 +10,12 @@ pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeCo
     let mut chosen = None;
     let custom = color.preset_index() == CUSTOM_PRESET;
     if custom {
-        let mut rgb = color.rgb().to_array();
-        let picker = ui.color_edit_button_rgb(&mut rgb);
+        // Eight bits a channel as they end up on screen: the scene's colors are not linear.
+        let [r, g, b, _] = to_color32(color.rgb()).to_array();
+        let mut bytes = [r, g, b];
+        let picker = ui.color_edit_button_srgb(&mut bytes);
         if picker.changed() {
+            let rgb = bytes.map(|channel| f32::from(channel) / 255.0);
             chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
         }
         named(picker, "Custom color").on_hover_text("Pick a color");

@@ -238,11 +238,10 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, changed: bool, look: Look) 
         (false, true) => palette.strong,
         (false, false) => palette.text,
     };
-    let painter = ui
-        .painter()
-        .with_clip_rect(label.rect.intersect(ui.clip_rect()));
+    let visible = label.rect.intersect(ui.clip_rect());
+    let painter = ui.painter().with_clip_rect(visible);
     let at = label.rect.left_center();
-    painter.text(at, Align2::LEFT_CENTER, name, font(ui), color);
+    let written = painter.text(at, Align2::LEFT_CENTER, name, font(ui), color);
     label.widget_info(|| {
         WidgetInfo::selected(
             WidgetType::SelectableLabel,
@@ -251,8 +250,9 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, changed: bool, look: Look) 
             name,
         )
     });
-    let state = if changed { "turned" } else { "at rest" };
-    label.clone().on_hover_text(format!("{name}, {state}"));
+    if written.right() > label.rect.right() {
+        label.clone().on_hover_text(name);
+    }
 }
 
 fn fold_arrow(ui: &Ui, id: Id, row: Rect, left: f32, at: &Row, name: &str) -> bool {

@@ -104,21 +104,21 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
     shape_panel::show(root, session, state, &mut actions);
     status_line::show(root, session, input);
-    let view = view_overlay::show(root, session, state, input, &mut actions);
+    let (view_rect, view) = view_overlay::show(root, session, state, input, &mut actions);
     windows::show(root, session, state, input, &mut actions);
-    state.view_rect = view.rect;
+    state.view_rect = view_rect;
 
     // Last, so that a list or a field that has the keyboard comes first.
     if !keys_taken {
         for command in keys::pressed(&ctx) {
-            press(command, session, state, aspect(view.rect), &mut actions);
+            press(command, session, state, aspect(view_rect), &mut actions);
             ctx.request_repaint();
         }
     }
     state.keys_were_taken = takes_keys(&ctx);
     UiOutput {
         actions,
-        view_rect: view.rect,
+        view_rect,
         view,
     }
 }

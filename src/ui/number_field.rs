@@ -326,7 +326,7 @@ impl<'a> NumberField<'a> {
         });
         if !typing && !response.dragged() {
             response.on_hover_text(format!(
-                "{}: {whole}\nDrag (Shift finer, Ctrl coarser) · click to type · right click for {}{}",
+                "{}: {whole}\nDrag · click to type · right click for {}{}",
                 self.name,
                 precise(self.rest),
                 self.unit

@@ -7,7 +7,13 @@ use egui::{Align, Button, Layout, RichText, ScrollArea, Ui};
 const TALLEST: f32 = 150.0;
 
 /// The shapes, `[i] Name (ID: n)`: click or ↑ and ↓ select one.
-pub(super) fn show(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
+/// One that was just `newly_selected`, here or elsewhere, is scrolled into sight.
+pub(super) fn show(
+    ui: &mut Ui,
+    session: &Session,
+    newly_selected: bool,
+    actions: &mut Vec<Action>,
+) {
     section(ui, "Shape Selector");
     let shapes = session.scene().shapes();
     if shapes.is_empty() {
@@ -20,12 +26,12 @@ pub(super) fn show(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         .show(ui, |ui| {
             ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                rows(ui, session, actions);
+                rows(ui, session, newly_selected, actions);
             });
         });
 }
 
-fn rows(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
+fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<Action>) {
     let shapes = session.scene().shapes();
     let mut chosen: Option<ShapeId> = None;
     let mut responses = Vec::with_capacity(shapes.len());
@@ -40,6 +46,9 @@ fn rows(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
             })
             .inner
             .on_hover_text(&label);
+        if selected && newly_selected {
+            row.scroll_to_me(None);
+        }
         if row.clicked() {
             row.request_focus();
             chosen = Some(shape.id);
@@ -53,7 +62,6 @@ fn rows(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
         && let (Some(row), Some(shape)) = (responses.get(to), shapes.get(to))
     {
         row.request_focus();
-        row.scroll_to_me(None);
         chosen = Some(shape.id);
     }
     if chosen.is_some() && chosen != session.selected() {

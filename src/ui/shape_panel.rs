@@ -26,7 +26,9 @@ pub(super) fn show(
             let title = RichText::new("Shape Selector and Properties").heading();
             ui.add(egui::Label::new(title).truncate());
             ui.separator();
-            shape_list::show(ui, session, actions);
+            let newly_selected = session.selected() != state.selected;
+            state.selected = session.selected();
+            shape_list::show(ui, session, newly_selected, actions);
             ui.separator();
             ScrollArea::vertical()
                 .id_salt("properties")

@@ -13,6 +13,8 @@ pub struct UiState {
     pub first_help: bool,
     /// Open windows; the one opened last is last, and Esc closes it first.
     pub(super) open: Vec<Dialog>,
+    /// The shape that was selected in the last frame, to notice one selected elsewhere.
+    pub(super) selected: Option<ShapeId>,
     pub(super) screenshot: ScreenshotForm,
     pub(super) joints: JointListState,
     pub(super) notices: NoticeState,
@@ -63,6 +65,7 @@ impl Default for UiState {
             theme: ThemePreference::System,
             first_help: false,
             open: Vec::new(),
+            selected: None,
             screenshot: ScreenshotForm::default(),
             joints: JointListState::default(),
             notices: NoticeState::default(),
@@ -77,11 +80,6 @@ impl UiState {
     /// Everything closed, nothing searched.
     pub fn new() -> Self {
         Self::default()
-    }
-
-    /// Whether a window of the panels is open, so that Esc is not the program's.
-    pub fn has_open_windows(&self) -> bool {
-        !self.open.is_empty()
     }
 
     /// Brings a window up, or to the end of the row for Esc if it is up already.

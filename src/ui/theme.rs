@@ -137,7 +137,7 @@ fn set_spacing(style: &mut Style) {
         ..egui::style::ScrollStyle::thin()
     };
     style.interaction.selectable_labels = false;
-    style.interaction.tooltip_delay = 0.4;
+    style.interaction.tooltip_delay = 0.7;
 }
 
 fn set_colors(visuals: &mut Visuals, palette: &Palette) {

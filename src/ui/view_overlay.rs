@@ -1,7 +1,10 @@
 use super::state::UiState;
 use super::{ViewInput, axis_ball, first_help, notices};
 use crate::editor::{Action, Session};
-use egui::{Response, Sense, Ui, WidgetInfo, WidgetType};
+use egui::{Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
+
+/// What the view leaves to the handle at the panel's edge, in points.
+const PANEL_EDGE: f32 = 4.0;
 
 /// Takes what the panels left free as the view, and shows what lies over it.
 ///
@@ -12,10 +15,12 @@ pub(super) fn show(
     state: &mut UiState,
     input: &ViewInput,
     actions: &mut Vec<Action>,
-) -> Response {
+) -> (Rect, Response) {
     let rect = root.available_rect_before_wrap();
     let id = root.id().with("view");
-    let response = root.interact(rect, id, Sense::click_and_drag() | Sense::hover());
+    let mut free = rect;
+    free.max.x = (free.max.x - PANEL_EDGE).max(free.min.x);
+    let response = root.interact(free, id, Sense::click_and_drag() | Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "View of the scene"));
     let mut over = root.new_child(
         egui::UiBuilder::new()
@@ -31,5 +36,5 @@ pub(super) fn show(
         let closed = first_help::show(&mut over, rect);
         state.first_help = !(closed || gesture);
     }
-    response
+    (rect, response)
 }

@@ -141,3 +141,21 @@ fn a_tiny_window_is_no_reason_to_panic() {
         editor.key(Key::F12);
     }
 }
+
+#[test]
+fn the_panel_is_made_wider_by_its_edge_and_the_view_narrower() {
+    let mut editor = Editor::with_figure();
+    let before = editor.harness.state().view;
+    let edge = egui::pos2(before.right(), 300.0);
+    editor.harness.hover_at(edge);
+    editor.harness.drag_at(edge);
+    editor.harness.hover_at(edge - vec2(40.0, 0.0));
+    editor.harness.hover_at(edge - vec2(80.0, 0.0));
+    editor.harness.drop_at(edge - vec2(80.0, 0.0));
+    editor.settle();
+    let after = editor.harness.state().view;
+    assert!(
+        (before.right() - after.right() - 80.0).abs() <= 2.0,
+        "{after}"
+    );
+}

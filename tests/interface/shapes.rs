@@ -152,3 +152,14 @@ fn the_display_mode_and_the_style_of_joints_and_bones_are_chosen_by_button() {
     assert_eq!(display.bones, BoneStyle::Lines);
     assert_eq!((display.point_size, display.line_width), (12.0, 3.0));
 }
+
+#[test]
+fn a_new_shape_is_scrolled_into_sight_in_a_long_list() {
+    let mut editor = with_cube();
+    for _ in 0..14 {
+        editor.choose(&["Insert", "Sphere"]);
+    }
+    let row = editor.widget("[15] Sphere (ID: 15)").rect();
+    let below = editor.widget("Delete").rect();
+    assert!(row.bottom() <= below.top(), "{row} is below {below}");
+}
