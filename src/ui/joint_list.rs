@@ -1,4 +1,5 @@
-use super::joint_row::{self, Columns, RowEvent};
+use super::joint_columns::{Columns, MANY};
+use super::joint_row::{self, RowEvent};
 use super::joint_tree::{self, Row};
 use super::state::JointListState;
 use super::theme::Palette;
@@ -96,13 +97,13 @@ fn show_rows(
     let skeleton = character.character.skeleton();
     let mut all = Rows::default();
     for row in rows {
-        let place = joint_row::place(ui, columns);
+        let place = columns.place(ui);
         all.places.push(place);
         let selected = session.selected_joint() == Some(row.joint);
         if selected && scroll_to_selected {
             ui.scroll_to_rect(place, None);
         }
-        if rows.len() > joint_row::MANY && !ui.is_rect_visible(place) {
+        if rows.len() > MANY && !ui.is_rect_visible(place) {
             continue;
         }
         let look = joint_row::Look {

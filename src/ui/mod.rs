@@ -10,6 +10,7 @@ mod display;
 mod expression;
 mod first_help;
 mod help;
+mod joint_columns;
 mod joint_list;
 mod joint_row;
 mod joint_tree;

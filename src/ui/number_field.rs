@@ -13,7 +13,7 @@ use std::ops::RangeInclusive;
 const FINER: f64 = 0.1;
 const COARSER: f64 = 10.0;
 /// Fields narrower than this show their axis as a line below rather than as a letter.
-const ROOM_FOR_LETTER: f32 = 44.0;
+pub(super) const ROOM_FOR_LETTER: f32 = 44.0;
 /// Fields narrower than this grow while they are typed into.
 const ROOM_TO_TYPE: f32 = 76.0;
 
