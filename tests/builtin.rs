@@ -1,0 +1,106 @@
+//! The files inside the program: all that is made for it is there, and works.
+
+use editor_core::disk::Disk;
+use editor_core::io::builtin::{BuiltinKind, PREFIX, WithBuiltin, catalogue, resolve};
+use editor_core::io::{Files, Loaded, PoseFile};
+use editor_core::scene::{Evaluator, ShapeKind};
+use std::path::{Path, PathBuf};
+
+fn named(name: &str) -> PathBuf {
+    PathBuf::from(format!("{PREFIX}{name}"))
+}
+
+fn load(name: &str) -> Loaded {
+    let mut loaded = Loaded::default();
+    loaded.add(&WithBuiltin(Disk), &named(name)).unwrap();
+    assert_eq!(loaded.warnings, [], "{name}");
+    loaded
+}
+
+#[test]
+fn every_file_made_for_it_is_inside_the_program() {
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+    for folder in ["characters", "poses", "scenes", "shapes"] {
+        for entry in std::fs::read_dir(assets.join(folder)).unwrap() {
+            let path = entry.unwrap().path();
+            let inside = path.strip_prefix(&assets).unwrap().to_str().unwrap();
+            let bytes = WithBuiltin(Disk).read(&named(inside)).unwrap();
+            assert!(bytes == std::fs::read(&path).unwrap(), "{inside}");
+        }
+    }
+}
+
+#[test]
+fn everything_in_the_catalogue_opens_by_its_name() {
+    for builtin in catalogue() {
+        let expected_character = match builtin.kind {
+            BuiltinKind::Character => true,
+            BuiltinKind::Shape => false,
+            BuiltinKind::Scene | BuiltinKind::Pose => continue,
+        };
+        let loaded = load(builtin.name);
+        let [shape] = loaded.scene.shapes() else {
+            panic!("{builtin:?}");
+        };
+        assert_eq!(
+            matches!(shape.kind, ShapeKind::Character(_)),
+            expected_character
+        );
+        assert_eq!(shape.name.to_lowercase(), builtin.name);
+        assert_eq!(
+            shape.source.as_ref().unwrap().0,
+            format!("builtin:{}", builtin.name)
+        );
+    }
+}
+
+#[test]
+fn every_pose_fits_the_character_that_it_is_named_for() {
+    let mut poses = 0;
+    for builtin in catalogue() {
+        if builtin.kind != BuiltinKind::Pose {
+            continue;
+        }
+        let (character, _) = builtin.name.split_once('-').unwrap();
+        let path = resolve(&named(&format!("poses/{}", builtin.name))).unwrap();
+        let pose = PoseFile::read(&path, &WithBuiltin(Disk).read(&path).unwrap()).unwrap();
+        pose.apply_to(&mut load(character).scene).unwrap();
+        poses += 1;
+    }
+    assert!(poses >= 6);
+}
+
+#[test]
+fn the_showcase_has_posed_characters_that_stand_on_its_floor() {
+    let loaded = load("showcase");
+    assert!(loaded.view.is_some());
+    let evaluated = Evaluator::new().evaluate(&loaded.scene);
+    let mut posed = 0;
+    for (shape, evaluated) in loaded.scene.shapes().iter().zip(&evaluated.shapes) {
+        let ShapeKind::Character(character) = &shape.kind else {
+            continue;
+        };
+        posed += usize::from(!character.pose().is_bind());
+        let positions = evaluated.geometry.positions().iter();
+        let heights = positions.map(|&p| evaluated.world_from_model.transform_point3(p).y);
+        let lowest = heights.fold(f32::INFINITY, f32::min);
+        assert!(lowest.abs() < 0.01, "{} stands at {lowest}", shape.name);
+    }
+    assert!(posed >= 2);
+}
+
+#[test]
+fn names_are_completed_and_unknown_ones_are_told_with_all_that_exist() {
+    assert_eq!(resolve(&named("adult")), Ok(named("characters/adult.obj")));
+    assert_eq!(
+        resolve(&named("poses/adult-walk")),
+        Ok(named("poses/adult-walk.json"))
+    );
+    assert_eq!(resolve(Path::new("adult")), Ok(PathBuf::from("adult")));
+    let error = resolve(&named("nobody")).unwrap_err().to_string();
+    assert!(
+        error.contains("adult") && error.contains("showcase"),
+        "{error}"
+    );
+    assert!(!WithBuiltin(Disk).exists(&named("nobody")));
+}
