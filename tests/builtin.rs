@@ -4,6 +4,7 @@ use editor_core::disk::Disk;
 use editor_core::io::builtin::{BuiltinKind, PREFIX, WithBuiltin, catalogue, resolve};
 use editor_core::io::{Files, Loaded, PoseFile};
 use editor_core::scene::{Evaluator, ShapeKind};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 fn named(name: &str) -> PathBuf {
@@ -103,4 +104,24 @@ fn names_are_completed_and_unknown_ones_are_told_with_all_that_exist() {
         "{error}"
     );
     assert!(!WithBuiltin(Disk).exists(&named("nobody")));
+}
+
+#[test]
+fn the_examples_of_the_documentation_work() {
+    let text = include_str!("../docs/files.md");
+    let examples: Vec<&str> = text
+        .split("```json\n")
+        .skip(1)
+        .filter_map(|rest| rest.split("```").next())
+        .collect();
+    let [pose, scene] = examples[..] else {
+        panic!("{examples:?}");
+    };
+    let path = PathBuf::from("example.scene");
+    let table = HashMap::from([(path.clone(), scene.as_bytes().to_vec())]);
+    let mut loaded = Loaded::default();
+    loaded.add(&WithBuiltin(table), &path).unwrap();
+    assert_eq!(loaded.scene.shapes().len(), 2);
+    let pose = PoseFile::read(Path::new("example.json"), pose.as_bytes()).unwrap();
+    pose.apply_to(&mut loaded.scene).unwrap();
 }
