@@ -21,7 +21,7 @@ fn load(name: &str) -> Loaded {
 #[test]
 fn every_file_made_for_it_is_inside_the_program() {
     let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
-    for folder in ["characters", "poses", "scenes", "shapes"] {
+    for folder in ["characters", "curves", "poses", "scenes", "shapes"] {
         for entry in std::fs::read_dir(assets.join(folder)).unwrap() {
             let path = entry.unwrap().path();
             let inside = path.strip_prefix(&assets).unwrap().to_str().unwrap();
@@ -34,19 +34,19 @@ fn every_file_made_for_it_is_inside_the_program() {
 #[test]
 fn everything_in_the_catalogue_opens_by_its_name() {
     for builtin in catalogue() {
-        let expected_character = match builtin.kind {
-            BuiltinKind::Character => true,
-            BuiltinKind::Shape => false,
-            BuiltinKind::Scene | BuiltinKind::Pose => continue,
-        };
+        if matches!(builtin.kind, BuiltinKind::Scene | BuiltinKind::Pose) {
+            continue;
+        }
         let loaded = load(builtin.name);
         let [shape] = loaded.scene.shapes() else {
             panic!("{builtin:?}");
         };
-        assert_eq!(
-            matches!(shape.kind, ShapeKind::Character(_)),
-            expected_character
-        );
+        let kind = match shape.kind {
+            ShapeKind::Character(_) => BuiltinKind::Character,
+            ShapeKind::Curve(_) => BuiltinKind::Curve,
+            _ => BuiltinKind::Shape,
+        };
+        assert_eq!(kind, builtin.kind);
         assert_eq!(shape.name.to_lowercase(), builtin.name);
         assert_eq!(
             shape.source.as_ref().unwrap().0,

@@ -13,6 +13,8 @@ pub enum BuiltinKind {
     Character,
     /// A mesh.
     Shape,
+    /// Curves, and surfaces swept from them.
+    Curve,
     /// Shapes with a view.
     Scene,
     /// Angles for joints.
@@ -45,6 +47,12 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "characters/robot.attach",
     "characters/robot.obj",
     "characters/robot.skel",
+    "curves/goblet.swp",
+    "curves/knot.swp",
+    "curves/pawn.swp",
+    "curves/seam.swp",
+    "curves/spring.swp",
+    "curves/vase.swp",
     "shapes/gear.obj",
     "shapes/gem.obj",
     "shapes/plant.mtl",
@@ -64,6 +72,7 @@ pub fn catalogue() -> Vec<Builtin> {
     [
         ("characters/", ".obj", BuiltinKind::Character),
         ("shapes/", ".obj", BuiltinKind::Shape),
+        ("curves/", ".swp", BuiltinKind::Curve),
         ("scenes/", ".scene", BuiltinKind::Scene),
         ("poses/", ".json", BuiltinKind::Pose),
     ]
@@ -87,7 +96,8 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
     let Some(name) = builtin_name(path) else {
         return Ok(path.to_owned());
     };
-    let primary = |asset: &Path| ["obj", "scene", "json"].contains(&&*files::extension(asset));
+    let primary =
+        |asset: &Path| ["obj", "swp", "scene", "json"].contains(&&*files::extension(asset));
     let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
     paths()
         .find(|asset| *asset == Path::new(name))

@@ -131,11 +131,11 @@ fn files_that_cannot_be_opened_say_which_can() {
     files.insert(PathBuf::from("._man.obj"), b"x".to_vec());
     assert_eq!(
         import_error(&files, "a.blend"),
-        "a.blend: expected a file that can be imported (.obj), found .blend"
+        "a.blend: expected a file that can be imported (.obj, .swp), found .blend"
     );
     assert_eq!(
         import_error(&files, "man.skel"),
-        "man.skel: expected a file that can be imported (.obj), found .skel: open the character's .obj file instead"
+        "man.skel: expected a file that can be imported (.obj, .swp), found .skel: open the character's .obj file instead"
     );
     assert_eq!(
         import_error(&files, "no.obj"),
@@ -146,7 +146,9 @@ fn files_that_cannot_be_opened_say_which_can() {
         .add(&files, Path::new("a.blend"))
         .unwrap_err();
     assert!(
-        error.to_string().contains("(.scene, .obj), found .blend"),
+        error
+            .to_string()
+            .contains("(.scene, .obj, .swp), found .blend"),
         "{error}"
     );
 }
@@ -249,7 +251,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape() {
         (
             "man.obj",
             "a.scene",
-            "expected a file that can be imported (.obj), found .scene",
+            "expected a file that can be imported (.obj, .swp), found .scene",
         ),
     ] {
         let text = SCENE.replacen(good, bad, 1);
