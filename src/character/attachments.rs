@@ -72,6 +72,27 @@ impl Attachments {
         self.vertices().map(<[Influence]>::len).max().unwrap_or(0)
     }
 
+    /// At most `most` influences a vertex: the largest, of equals the one that comes first, divided
+    /// by their sum. What programs with a fixed number of influences show, for comparison.
+    pub fn limited(&self, most: usize) -> Self {
+        let mut limited = Self::new();
+        let mut kept = Vec::new();
+        for influences in self.vertices() {
+            kept.clear();
+            kept.extend_from_slice(influences);
+            // Stable: equals stay in order.
+            kept.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+            kept.truncate(most);
+            let sum: f32 = kept.iter().map(|influence| influence.weight).sum();
+            let scale = if sum > 0.0 { sum.recip() } else { 1.0 };
+            limited.push_vertex(kept.iter().map(|influence| Influence {
+                weight: influence.weight * scale,
+                ..*influence
+            }));
+        }
+        limited
+    }
+
     /// Checks that every joint named is below `joints`.
     ///
     /// # Errors
@@ -87,5 +108,47 @@ impl Attachments {
             }
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn weights(pairs: &[(u32, f32)]) -> impl Iterator<Item = Influence> {
+        pairs
+            .iter()
+            .map(|&(joint, weight)| Influence { joint, weight })
+    }
+
+    #[test]
+    fn the_largest_are_kept_of_equals_the_first_and_divided_by_their_sum() {
+        let mut all = Attachments::new();
+        all.push_vertex(weights(&[
+            (7, 0.1),
+            (3, 0.25),
+            (5, 0.1),
+            (1, 0.5),
+            (0, 0.05),
+        ]));
+        all.push_vertex(weights(&[]));
+        all.push_vertex(weights(&[(2, 0.5)]));
+        let three = all.limited(3);
+        let sum = 0.5 + 0.25 + 0.1;
+        let kept: Vec<Influence> =
+            weights(&[(1, 0.5 / sum), (3, 0.25 / sum), (7, 0.1 / sum)]).collect();
+        assert_eq!(three.of_vertex(0).len(), 3);
+        for (found, expected) in three.of_vertex(0).iter().zip(&kept) {
+            assert_eq!(found.joint, expected.joint);
+            assert!((found.weight - expected.weight).abs() < 1e-7);
+        }
+        assert!(three.of_vertex(1).is_empty());
+        assert_eq!(
+            three.of_vertex(2),
+            [Influence {
+                joint: 2,
+                weight: 1.0
+            }]
+        );
     }
 }

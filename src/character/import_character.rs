@@ -1,5 +1,5 @@
 use super::{Attachments, AttachmentsError, Pose, SkeletalModel, skinning};
-use crate::geometry::{Mesh, SharedMesh};
+use crate::geometry::{Mesh, Normals, SharedMesh};
 use glam::{Mat4, Vec3};
 
 /// A skeleton with the mesh bound to it: what Import Character brings in.
@@ -73,6 +73,30 @@ impl Character {
         let mut skinned = vec![Vec3::ZERO; bind.len()];
         skinning::skin_positions(&palette, &self.attachments, bind, &mut skinned);
         skinned
+    }
+
+    /// The mesh's normals, one a vertex of the mesh, where the joints stand at
+    /// `model_from_joint`; `None` for a mesh whose triangles are flat, whose normals follow from
+    /// their corners.
+    pub fn skin_normals(&self, model_from_joint: &[Mat4]) -> Option<Vec<Vec3>> {
+        let Normals::PerVertex(bind) = &self.bind_mesh.normals else {
+            return None;
+        };
+        let palette = self.skeleton.palette(model_from_joint);
+        let positions = self.bind_mesh.position_of_vertices();
+        Some(skinning::skin_normals(
+            &palette,
+            &self.attachments,
+            positions.zip(bind.iter().copied()),
+        ))
+    }
+
+    /// The same character with at most `most` influences a vertex, see [`Attachments::limited`].
+    pub fn limited(&self, most: usize) -> Self {
+        Self {
+            attachments: self.attachments.limited(most),
+            ..self.clone()
+        }
     }
 
     /// The mesh's vertices under `pose`, in the order of the file.

@@ -8,10 +8,15 @@ use glam::Vec3;
 pub struct Joint {
     /// Shown in panels and used by pose files.
     pub name: String,
+    /// The short name that a Collada file gives it besides, by which pose files may call it too.
+    pub sid: Option<String>,
     /// Index of the parent; `None` for a root.
     pub parent: Option<usize>,
     /// Position at rest relative to the parent; for a root, in the character's model space.
     pub offset: Vec3,
+    /// Where its bone ends at rest, relative to the joint, if the file says so: the bones of a
+    /// Collada file have a length of their own, those of a course character end at its children.
+    pub tip: Option<Vec3>,
 }
 
 /// What the course calls the joints of a skeleton of 18, in the order of its files.

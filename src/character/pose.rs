@@ -1,4 +1,4 @@
-use super::SkeletalModel;
+use super::{Joint, SkeletalModel};
 use crate::math::Euler;
 use glam::Vec3;
 use std::collections::BTreeMap;
@@ -74,15 +74,17 @@ impl Pose {
         self.root_offsets.remove(&joint);
     }
 
-    /// The joint that a pose file calls `name_or_index`: a name first, then an index.
+    /// The joint that a pose file calls `name_or_index`: a name first, then a sid, then an index.
     ///
     /// # Errors
     /// If the skeleton has no such joint.
     pub fn find_joint(skeleton: &SkeletalModel, name_or_index: &str) -> Result<usize, PoseError> {
         let joints = skeleton.joints();
+        let by_sid = |joint: &Joint| joint.sid.as_deref() == Some(name_or_index);
         joints
             .iter()
             .position(|joint| joint.name == name_or_index)
+            .or_else(|| joints.iter().position(by_sid))
             .or_else(|| {
                 name_or_index
                     .parse()

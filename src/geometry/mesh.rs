@@ -1,5 +1,6 @@
 use crate::math::{Aabb, Ray, TriangleHit};
 use glam::{Vec2, Vec3};
+use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -7,6 +8,14 @@ use std::sync::Arc;
 ///
 /// `triangles` wind counter-clockwise seen from outside. Every index is below
 /// `positions.len()`; [`Mesh::new`] and the importers see to it.
+///
+/// # Positions and vertices
+/// Posing, picking, export and the weights of a character know *positions*: one for each that
+/// the file lists. Drawing knows *vertices*: a position with a normal and texture coordinates.
+/// Most meshes have one vertex a position. Where the corners that meet in a position disagree
+/// about the rest, [`Mesh::seams`] adds copies of it, after all positions, so that vertex `i` is
+/// position `i` for as long as there are positions: buffers of positions stay valid and only grow
+/// at the end ([`Mesh::at_vertices`]).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// Corner positions, in the order of the file they came from.
@@ -15,6 +24,8 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// How the surface is shaded.
     pub normals: Normals,
+    /// Vertices beyond one a position; `None` for a mesh that needs none.
+    pub seams: Option<Seams>,
     /// Texture coordinates of each vertex, (0, 0) at the picture's lower left; empty if none.
     pub texture_coordinates: Vec<Vec2>,
     /// Ranges of triangles with a material of their own, in order, not overlapping. Triangles in
@@ -28,8 +39,18 @@ pub enum Normals {
     /// One normal a triangle, from its current corners.
     #[default]
     Flat,
-    /// One normal a vertex, unit length, as many as there are positions.
+    /// One normal a vertex ([`Mesh::vertex_count`]), unit length.
     PerVertex(Vec<Vec3>),
+}
+
+/// The vertices of a mesh whose corners disagree in normals or texture coordinates where they
+/// share a position.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seams {
+    /// Vertex `positions.len() + k` lies at position `copies[k]`.
+    pub copies: Vec<u32>,
+    /// [`Mesh::triangles`] once more, in the same order, as indices of vertices.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 /// A run of triangles that share a material.
@@ -87,6 +108,36 @@ impl Mesh {
             normals: Normals::PerVertex(normals),
             ..self
         }
+    }
+
+    /// How many vertices there are to draw: at least as many as positions.
+    pub fn vertex_count(&self) -> usize {
+        self.positions.len() + self.seams.as_ref().map_or(0, |seams| seams.copies.len())
+    }
+
+    /// Corners of each triangle as indices of vertices, in the order of [`Mesh::triangles`].
+    pub fn vertex_triangles(&self) -> &[[u32; 3]] {
+        self.seams
+            .as_ref()
+            .map_or(&self.triangles, |seams| &seams.triangles)
+    }
+
+    /// What every vertex takes from its position: `of_positions`, one a position (where it is
+    /// now, say, or which joints move it), lengthened by the copies; one a vertex.
+    pub fn at_vertices<'a, T: Copy>(&self, of_positions: &'a [T]) -> Cow<'a, [T]> {
+        match &self.seams {
+            None => Cow::Borrowed(of_positions),
+            Some(seams) => {
+                let copies = seams.copies.iter().map(|&i| of_positions[i as usize]);
+                Cow::Owned(of_positions.iter().copied().chain(copies).collect())
+            }
+        }
+    }
+
+    /// The position that each vertex lies at: `0..positions.len()`, then the copies.
+    pub fn position_of_vertices(&self) -> impl Iterator<Item = u32> + '_ {
+        let copies = self.seams.iter().flat_map(|seams| &seams.copies).copied();
+        (0..self.positions.len() as u32).chain(copies)
     }
 
     /// The smallest box around all positions, in model space.

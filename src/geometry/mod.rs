@@ -9,6 +9,7 @@ mod curve_evaluation;
 mod facets;
 mod icosahedron;
 mod mesh;
+mod mesh_builder;
 mod normals;
 mod pyramid;
 mod revision;
@@ -26,7 +27,8 @@ pub use curve::{
 pub use curve_closing::{close_frames, is_closed};
 pub use facets::Facets;
 pub use icosahedron::icosahedron;
-pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, nearest_triangle};
+pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, Seams, nearest_triangle};
+pub use mesh_builder::{Corner, MeshBuilder};
 pub use normals::{face_normal, face_normals, smooth_normals};
 pub use pyramid::pyramid;
 pub use revision::{Revision, SharedMesh};

@@ -2,5 +2,7 @@
 //! (assignment, "SSD").
 
 mod exact;
+mod normals;
 
 pub use exact::skin_positions;
+pub use normals::skin_normals;
