@@ -3,6 +3,7 @@
 
 mod attach;
 pub mod builtin;
+pub mod dae;
 mod diagnostic;
 mod export;
 mod file_importer;

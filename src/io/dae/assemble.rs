@@ -1,0 +1,244 @@
+//! From instances to meshes and characters.
+
+use super::document::Dae;
+use super::guard::{FARTHEST, MOST_ELEMENTS};
+use super::instances::{Binding, Instance};
+use super::material::Materials;
+use super::primitives::{Attribute, Primitive};
+use super::report::DaeReport;
+use crate::character::{Attachments, Influence};
+use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
+use crate::io::Diagnostic;
+use glam::{DMat3, DMat4, Vec2, Vec3};
+use std::collections::HashMap;
+
+/// A mesh under construction, with the weights of its positions so far.
+#[derive(Default)]
+pub(super) struct Part {
+    pub builder: MeshBuilder,
+    pub attachments: Attachments,
+}
+
+/// Puts instances together.
+pub(super) struct Assembler<'d, 'a> {
+    pub dae: &'d Dae<'a>,
+    pub materials: Materials<'a>,
+    pub report: DaeReport,
+    elements: usize,
+}
+
+impl<'d, 'a> Assembler<'d, 'a> {
+    pub fn new(dae: &'d Dae<'a>, materials: Materials<'a>, report: DaeReport) -> Self {
+        Self {
+            dae,
+            materials,
+            report,
+            elements: 0,
+        }
+    }
+
+    /// Adds `instance` to `part`, brought into our space by `ours_from_mesh`.
+    ///
+    /// # Errors
+    /// If the file has grown too large by it.
+    pub fn add(
+        &mut self,
+        part: &mut Part,
+        instance: &Instance<'a>,
+        ours_from_mesh: DMat4,
+    ) -> Result<(), Diagnostic> {
+        let geometry = &instance.geometry;
+        let corners = geometry.primitives.iter().map(|p| p.positions.len());
+        self.elements += geometry.positions.len() + corners.sum::<usize>() / 3;
+        if self.elements > MOST_ELEMENTS {
+            let message =
+                format!("expected at most {MOST_ELEMENTS} positions and triangles, found more");
+            return Err(self.dae.error(instance.xml, message));
+        }
+        let base = part.builder.positions().len() as u32;
+        let builder = &mut part.builder;
+        builder.extend_positions(self.positions(instance, ours_from_mesh));
+        let turn = Turn::new(ours_from_mesh);
+        let bound = self.materials.bind(self.dae, instance.xml);
+        let mut unbound: HashMap<&str, _> = HashMap::new();
+        for primitive in &geometry.primitives {
+            let material = primitive.material.as_deref().and_then(|symbol| {
+                bound.get(symbol).cloned().or_else(|| {
+                    unbound
+                        .entry(symbol)
+                        .or_insert_with(|| self.unbound(instance, symbol))
+                        .clone()
+                })
+            });
+            let set = material.as_ref().and_then(|material| material.texture_set);
+            let start = builder.triangle_count();
+            push_triangles(builder, primitive, set, base, &turn);
+            if let Some(material) = material {
+                builder.push_group(MaterialGroup {
+                    triangles: start..builder.triangle_count(),
+                    material: material.material,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn unbound(
+        &mut self,
+        instance: &Instance<'a>,
+        symbol: &str,
+    ) -> Option<super::material::BoundMaterial> {
+        let found = self.materials.called(self.dae, symbol);
+        if found.is_none() {
+            let symbol = super::quoted(symbol);
+            let message =
+                format!("expected a material for {symbol}, found none: the shape's color is used");
+            self.dae.warn(instance.xml, message);
+        }
+        found
+    }
+
+    fn positions(&self, instance: &Instance<'a>, ours_from_mesh: DMat4) -> Vec<Vec3> {
+        let mut far = 0;
+        let positions = instance
+            .geometry
+            .positions
+            .iter()
+            .map(|position| {
+                let ours = ours_from_mesh.transform_point3(position.as_dvec3());
+                // Not a number compares as false.
+                if ours.abs().max_element() < FARTHEST && !ours.is_nan() {
+                    ours.as_vec3()
+                } else {
+                    far += 1;
+                    Vec3::ZERO
+                }
+            })
+            .collect();
+        if far > 0 {
+            let message = format!(
+                "expected positions within {FARTHEST:e} of the origin, found {far} others: put there"
+            );
+            self.dae.warn(instance.xml, message);
+        }
+        positions
+    }
+
+    /// The weights of a skin's positions, divided by their sums; joints are numbered as
+    /// `joint_of_node` does.
+    pub fn add_weights(
+        &mut self,
+        part: &mut Part,
+        instance: &Instance<'a>,
+        binding: &Binding<'a>,
+        joint_of_node: &HashMap<usize, u32>,
+    ) {
+        let joints: Vec<Option<u32>> = binding
+            .joints
+            .iter()
+            .map(|node| joint_of_node.get(&(*node)?).copied())
+            .collect();
+        let mut unusable = 0;
+        let mut row: Vec<(u32, f32)> = Vec::new();
+        for position in 0..instance.geometry.positions.len() {
+            row.clear();
+            let known = |&&(joint, _): &&(u32, f32)| joints[joint as usize].is_some();
+            row.extend(binding.skin.weights.get(position).iter().filter(known));
+            // Of equal weights the one first in the controller's list counts as larger.
+            row.sort_by_key(|&(joint, _)| joint);
+            row.dedup_by(|again, first| {
+                let same = again.0 == first.0;
+                first.1 += if same { again.1 } else { 0.0 };
+                same
+            });
+            row.retain(|&(_, weight)| weight != 0.0);
+            let sum: f32 = row.iter().map(|&(_, weight)| weight).sum();
+            if row.is_empty() {
+                self.report.unweighted += 1;
+            } else if sum > 0.0 && sum.is_finite() {
+                self.report.add_weight_sum(sum);
+            } else {
+                unusable += 1;
+                row.clear();
+            }
+            part.attachments
+                .push_vertex(row.iter().filter_map(|&(joint, weight)| {
+                    let joint = joints[joint as usize]?;
+                    let weight = weight / sum;
+                    weight.is_finite().then_some(Influence { joint, weight })
+                }));
+        }
+        if unusable > 0 {
+            let message = format!(
+                "expected weights with a positive sum, found others at {unusable} positions: these stay at rest"
+            );
+            self.dae.warn(instance.xml, message);
+        }
+    }
+
+    /// Hangs all positions of `instance` on one joint.
+    pub fn add_rigid(&mut self, part: &mut Part, instance: &Instance<'a>, joint: u32) {
+        for _ in &instance.geometry.positions {
+            let influence = Influence { joint, weight: 1.0 };
+            part.attachments.push_vertex([influence]);
+        }
+    }
+}
+
+/// What a transform does to normals and to the side that triangles show.
+struct Turn {
+    normals: DMat3,
+    mirrors: bool,
+}
+
+impl Turn {
+    fn new(ours_from_mesh: DMat4) -> Self {
+        let linear = DMat3::from_mat4(ours_from_mesh);
+        let mirrors = linear.determinant() < 0.0;
+        // The inverse transpose but for its length, and there even if there is no inverse.
+        let cofactors = DMat3::from_cols(
+            linear.y_axis.cross(linear.z_axis),
+            linear.z_axis.cross(linear.x_axis),
+            linear.x_axis.cross(linear.y_axis),
+        );
+        Self {
+            normals: if mirrors { -cofactors } else { cofactors },
+            mirrors,
+        }
+    }
+
+    fn normal(&self, normal: [f32; 3]) -> Option<Vec3> {
+        let normal = self.normals * Vec3::from_array(normal).as_dvec3();
+        normal.try_normalize().map(|normal| normal.as_vec3())
+    }
+}
+
+fn push_triangles(
+    builder: &mut MeshBuilder,
+    primitive: &Primitive,
+    set: Option<usize>,
+    base: u32,
+    turn: &Turn,
+) {
+    let texture = texture_of_set(&primitive.texture, set);
+    let corner = |at: usize| Corner {
+        position: base + primitive.positions[at],
+        normal: primitive
+            .normals
+            .as_ref()
+            .and_then(|normals| turn.normal(normals.source.row(normals.rows[at] as usize))),
+        texture: texture
+            .map(|texture| Vec2::from_array(texture.source.row(texture.rows[at] as usize))),
+    };
+    for first in (0..primitive.positions.len() / 3).map(|triangle| 3 * triangle) {
+        let [a, b, c] = [first, first + 1, first + 2].map(corner);
+        builder.push_triangle(if turn.mirrors { [a, c, b] } else { [a, b, c] });
+    }
+}
+
+/// The texture coordinates of the set asked for, else of the lowest.
+fn texture_of_set(texture: &[(usize, Attribute)], set: Option<usize>) -> Option<&Attribute> {
+    let asked = texture.iter().find(|(of_set, _)| Some(*of_set) == set);
+    let lowest = || texture.iter().min_by_key(|(of_set, _)| *of_set);
+    asked.or_else(lowest).map(|(_, attribute)| attribute)
+}

@@ -1,0 +1,271 @@
+use super::guard;
+use crate::io::{Diagnostic, Position};
+use roxmltree::{Document, ParsingOptions};
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
+
+pub(super) type Node<'a> = roxmltree::Node<'a, 'a>;
+
+/// A Collada document with what is needed all over: elements by id, places, and the warnings
+/// gathered on the way.
+pub(super) struct Dae<'a> {
+    pub path: &'a Path,
+    text: &'a str,
+    pub root: Node<'a>,
+    ids: HashMap<&'a str, Node<'a>>,
+    /// Byte at which each line starts.
+    lines: Vec<usize>,
+    notes: RefCell<Notes>,
+    ear_work: Cell<usize>,
+}
+
+#[derive(Default)]
+struct Notes {
+    warnings: Vec<Diagnostic>,
+    unshown: usize,
+    ignored: BTreeMap<String, usize>,
+}
+
+/// More warnings than anyone reads are counted instead of kept.
+const MOST_WARNINGS: usize = 100;
+/// Enough for two million triangles written as `<polygons>`; memory for others.
+const MOST_XML_NODES: u32 = 4_000_000;
+
+/// Parses the XML of the file at `path`.
+///
+/// # Errors
+/// If it is not well-formed, has a document type (entities could make it grow without end), or
+/// exceeds the limits of [`guard`].
+pub(super) fn parse_xml<'a>(path: &Path, text: &'a str) -> Result<Document<'a>, Diagnostic> {
+    guard::check(path, text)?;
+    let options = ParsingOptions {
+        allow_dtd: false,
+        nodes_limit: MOST_XML_NODES,
+        ..ParsingOptions::default()
+    };
+    Document::parse_with_options(text, options).map_err(|error| {
+        let at = error.pos();
+        let message = match error {
+            roxmltree::Error::DtdDetected => {
+                "expected Collada without a document type, found <!DOCTYPE>".to_owned()
+            }
+            roxmltree::Error::NodesLimitReached => {
+                format!("expected at most {MOST_XML_NODES} elements and texts, found more")
+            }
+            other => format!("expected well-formed XML: {other}"),
+        };
+        Diagnostic::at(path, at.row as usize, at.col as usize, message)
+    })
+}
+
+impl<'a> Dae<'a> {
+    /// Looks over `xml`, parsed from `text`.
+    ///
+    /// # Errors
+    /// If the outermost element is not `<COLLADA>`.
+    pub fn new(path: &'a Path, text: &'a str, xml: &'a Document<'a>) -> Result<Self, Diagnostic> {
+        let lines = std::iter::once(0)
+            .chain(text.match_indices('\n').map(|(at, _)| at + 1))
+            .collect();
+        let dae = Self {
+            path,
+            text,
+            root: xml.root_element(),
+            ids: HashMap::new(),
+            lines,
+            notes: RefCell::default(),
+            ear_work: Cell::default(),
+        };
+        if dae.root.tag_name().name() != "COLLADA" {
+            let message = format!("expected <COLLADA>, found {}", label(dae.root));
+            return Err(dae.error(dae.root, message));
+        }
+        Ok(dae.with_ids())
+    }
+
+    fn with_ids(mut self) -> Self {
+        let mut ids = HashMap::new();
+        for node in self.root.descendants().filter(Node::is_element) {
+            if let Some(id) = node.attribute("id")
+                && ids.insert(id, node).is_some_and(|earlier| earlier != node)
+            {
+                self.warn(node, format!("expected every id once, found “{id}” again"));
+            }
+        }
+        self.ids = ids;
+        self
+    }
+
+    /// The element whose id is `id`.
+    pub fn by_id(&self, id: &str) -> Option<Node<'a>> {
+        self.ids.get(id).copied()
+    }
+
+    /// The element that attribute `name` of `node` refers to as `#id`.
+    ///
+    /// # Errors
+    /// If the attribute or the element is missing, or it is in another file.
+    pub fn target(&self, node: Node<'a>, name: &str) -> Result<Node<'a>, Diagnostic> {
+        let url = node.attribute(name).ok_or_else(|| {
+            self.error(node, format!("expected {name}=\"#…\" in {}", label(node)))
+        })?;
+        self.by_url(node, url)
+    }
+
+    /// The element that `url`, found at `node`, refers to as `#id`.
+    ///
+    /// # Errors
+    /// If there is none in this file.
+    pub fn by_url(&self, node: Node<'a>, url: &str) -> Result<Node<'a>, Diagnostic> {
+        let url = url.trim();
+        url.strip_prefix('#')
+            .and_then(|id| self.by_id(id))
+            .ok_or_else(|| {
+                let found = super::quoted(url);
+                self.error(
+                    node,
+                    format!("expected the id of an element, found {found}"),
+                )
+            })
+    }
+
+    /// The target of `name`, which must be an element called `tag`.
+    ///
+    /// # Errors
+    /// As [`Dae::target`], and if it is called otherwise.
+    pub fn target_called(
+        &self,
+        node: Node<'a>,
+        name: &str,
+        tag: &str,
+    ) -> Result<Node<'a>, Diagnostic> {
+        let target = self.target(node, name)?;
+        if target.tag_name().name() == tag {
+            return Ok(target);
+        }
+        let message = format!("expected a reference to <{tag}>, found {}", label(target));
+        Err(self.error(node, message))
+    }
+
+    /// The first child of `node` called `tag`.
+    ///
+    /// # Errors
+    /// If there is none.
+    pub fn child(&self, node: Node<'a>, tag: &str) -> Result<Node<'a>, Diagnostic> {
+        child(node, tag)
+            .ok_or_else(|| self.error(node, format!("expected <{tag}> in {}", label(node))))
+    }
+
+    /// An error or a warning about `node`.
+    pub fn error(&self, node: Node<'a>, message: impl Into<String>) -> Diagnostic {
+        self.error_at(node.range().start, message)
+    }
+
+    /// An error or a warning about the byte `offset` of the file.
+    pub fn error_at(&self, offset: usize, message: impl Into<String>) -> Diagnostic {
+        Diagnostic {
+            position: Some(self.position(offset)),
+            ..Diagnostic::new(self.path, message)
+        }
+    }
+
+    /// Where `part`, a piece of this document's text, starts; where `node` starts if it is not a
+    /// piece of it, as for text with entities.
+    pub fn offset_of(&self, node: Node<'a>, part: &str) -> usize {
+        let offset = (part.as_ptr() as usize).wrapping_sub(self.text.as_ptr() as usize);
+        if offset <= self.text.len() {
+            offset
+        } else {
+            node.range().start
+        }
+    }
+
+    fn position(&self, offset: usize) -> Position {
+        let line = self.lines.partition_point(|&start| start <= offset).max(1);
+        let before = self.text.get(self.lines[line - 1]..offset).unwrap_or("");
+        Position {
+            line,
+            column: before.chars().count() + 1,
+        }
+    }
+
+    /// Keeps a warning about `node`.
+    pub fn warn(&self, node: Node<'a>, message: impl Into<String>) {
+        self.warn_with(|| self.error(node, message));
+    }
+
+    /// Keeps a warning.
+    pub fn warn_with(&self, warning: impl FnOnce() -> Diagnostic) {
+        let full = self.notes.borrow().warnings.len() >= MOST_WARNINGS;
+        if full {
+            self.notes.borrow_mut().unshown += 1;
+        } else {
+            let warning = warning();
+            self.notes.borrow_mut().warnings.push(warning);
+        }
+    }
+
+    /// The value, or none and its error kept as a warning.
+    pub fn or_warn<T>(&self, result: Result<T, Diagnostic>) -> Option<T> {
+        result.map_err(|error| self.warn_with(|| error)).ok()
+    }
+
+    /// Counts something in the file that this program has no use for.
+    pub fn ignore(&self, what: impl Into<String>) {
+        *self
+            .notes
+            .borrow_mut()
+            .ignored
+            .entry(what.into())
+            .or_default() += 1;
+    }
+
+    /// Whether a polygon may be cut ear by ear, which can take the cube of its corners. A file
+    /// full of large polygons gets fans once its share is spent.
+    pub fn may_cut_ears(&self, corners: usize) -> bool {
+        if corners > 16 {
+            let spent = self.ear_work.get();
+            self.ear_work
+                .set(spent.saturating_add(corners.saturating_pow(3)));
+        }
+        self.ear_work.get() < guard::MOST_EAR_WORK
+    }
+
+    /// All that was noticed: warnings, and what was ignored how often.
+    pub fn into_notes(self) -> (Vec<Diagnostic>, BTreeMap<String, usize>) {
+        let Notes {
+            mut warnings,
+            unshown,
+            ignored,
+        } = self.notes.into_inner();
+        if unshown > 0 {
+            let message = format!("{unshown} more warnings are not shown");
+            warnings.push(Diagnostic::new(self.path, message));
+        }
+        (warnings, ignored)
+    }
+}
+
+/// The first child of `node` called `tag`, whatever its name space.
+pub(super) fn child<'a>(node: Node<'a>, tag: &str) -> Option<Node<'a>> {
+    children(node, tag).next()
+}
+
+/// The children of `node` called `tag`.
+pub(super) fn children<'a, 't>(
+    node: Node<'a>,
+    tag: &'t str,
+) -> impl Iterator<Item = Node<'a>> + use<'a, 't> {
+    node.children()
+        .filter(move |child| child.is_element() && child.tag_name().name() == tag)
+}
+
+/// How messages call an element.
+pub(super) fn label(node: Node) -> String {
+    let tag = node.tag_name().name();
+    match node.attribute("id").or_else(|| node.attribute("name")) {
+        Some(id) => format!("<{tag}> {}", super::quoted(id)),
+        None => format!("<{tag}>"),
+    }
+}

@@ -1,0 +1,258 @@
+//! Collada (`.dae`): rigged characters and static meshes.
+//!
+//! The reader forgives what can be forgiven: a part that is broken is left out with a warning,
+//! and only a file with nothing left is an error. Everything ends up in one space, +Y up and in
+//! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
+//! file's rest orientation is not kept but in the direction of its bone.
+//!
+//! Memory and time stay in proportion to the file (see [`guard`]), whatever it says.
+
+mod assemble;
+mod document;
+mod geometry;
+mod guard;
+mod instances;
+mod material;
+mod nodes;
+mod numbers;
+mod primitives;
+mod report;
+mod rigs;
+mod skin;
+mod source;
+mod space;
+mod texture;
+mod tips;
+
+use super::{Diagnostic, Files, Imported};
+use crate::character::{Character, Joint, SkeletalModel};
+use crate::geometry::Mesh;
+use assemble::{Assembler, Part};
+use document::{Dae, label, parse_xml};
+use instances::{Instance, collect};
+use material::Materials;
+use nodes::SceneNode;
+pub use report::{DaeReport, InverseBind};
+use rigs::{Rig, Rigs};
+pub use space::{FileSpace, UpAxis};
+use std::path::Path;
+
+/// What a Collada file shows.
+#[derive(Clone, Debug)]
+pub struct DaeScene {
+    /// Skeletons with the meshes bound to them, in the order of their first skin. The skins of
+    /// one skeleton are one mesh, one after the other in the order of the scene, followed by
+    /// meshes that hang rigidly below its joints. One without any skin has a mesh without
+    /// positions.
+    pub characters: Vec<DaeCharacter>,
+    /// Meshes that no skeleton moves, in the order of the scene.
+    pub meshes: Vec<DaeMesh>,
+    /// What else was found.
+    pub report: DaeReport,
+}
+
+/// A character and what the file calls it.
+#[derive(Clone, Debug)]
+pub struct DaeCharacter {
+    /// The name of the node that holds its roots.
+    pub name: String,
+    /// Its joints are in the order of the scene, parents before children.
+    pub character: Character,
+}
+
+/// A static mesh and what the file calls it.
+#[derive(Clone, Debug)]
+pub struct DaeMesh {
+    /// The name of its node.
+    pub name: String,
+    /// In our space, its node's transform applied.
+    pub mesh: Mesh,
+}
+
+/// Reads the Collada file at `path`, and the pictures that it names, from `files`.
+///
+/// # Errors
+/// If the file cannot be read, is no Collada, exceeds the reader's limits, or shows nothing; then
+/// the error is the first thing that went wrong, where something did.
+pub fn import_dae(files: &dyn Files, path: &Path) -> Result<Imported<DaeScene>, Diagnostic> {
+    let bytes = files.read(path)?;
+    let text = document_text(&bytes);
+    let xml = parse_xml(path, &text)?;
+    let dae = Dae::new(path, &text, &xml)?;
+    let mut scene = read_scene(&dae, files)?;
+    let (warnings, ignored) = dae.into_notes();
+    scene.report.ignored = ignored;
+    if scene.characters.is_empty() && scene.meshes.is_empty() {
+        let empty = || Diagnostic::new(path, "expected meshes or joints in the scene, found none");
+        return Err(warnings.into_iter().next().unwrap_or_else(empty));
+    }
+    Ok(Imported {
+        value: scene,
+        warnings,
+    })
+}
+
+/// Line ends as XML wants them and no byte that is not UTF-8: names in other encodings suffer,
+/// numbers do not.
+fn document_text(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    if text.contains('\r') {
+        text.replace("\r\n", "\n").replace('\r', "\n")
+    } else {
+        text.into_owned()
+    }
+}
+
+fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagnostic> {
+    let space = FileSpace::read(dae);
+    let ours_from_file = space.ours_from_file();
+    let mut nodes = nodes::flatten(dae)?;
+    let instances = collect(dae, &mut nodes);
+    ignore_libraries(dae);
+    let rigs = Rigs::new(&nodes, &instances);
+    let mut assembler = Assembler::new(dae, Materials::new(files), DaeReport::new(space));
+    let mut parts: Vec<Part> = rigs.rigs.iter().map(|_| Part::default()).collect();
+    let mut rigid = Vec::new();
+    let mut meshes = Vec::new();
+    for instance in &instances {
+        let world = nodes[instance.node].world;
+        if let Some(binding) = &instance.binding {
+            // The node of a skin does not move it, as Collada says.
+            let ours_from_mesh = ours_from_file * binding.skin.bind_shape;
+            if let Some(warning) = assembler.report.add_inverse_binds(binding, &nodes) {
+                dae.warn(instance.xml, warning);
+            }
+            assembler.report.skins += 1;
+            if let Some(rig) = rigs.of_binding(binding) {
+                assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
+                let joint_of_node = &rigs.rigs[rig].joint_of_node;
+                assembler.add_weights(&mut parts[rig], instance, binding, joint_of_node);
+            } else {
+                dae.warn(
+                    instance.xml,
+                    "expected a skeleton, found no joint: the mesh stays as it is",
+                );
+                meshes.push(static_mesh(
+                    &mut assembler,
+                    instance,
+                    ours_from_mesh,
+                    &nodes,
+                )?);
+            }
+        } else if let Some((rig, joint)) = rigs.carrier(instance.node) {
+            rigid.push((instance, rig, joint));
+        } else {
+            meshes.push(static_mesh(
+                &mut assembler,
+                instance,
+                ours_from_file * world,
+                &nodes,
+            )?);
+        }
+    }
+    for (instance, rig, joint) in rigid {
+        let ours_from_mesh = ours_from_file * nodes[instance.node].world;
+        assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
+        assembler.add_rigid(&mut parts[rig], instance, joint);
+    }
+    let characters = rigs
+        .rigs
+        .iter()
+        .zip(parts)
+        .map(|(rig, part)| {
+            Ok(DaeCharacter {
+                name: Rigs::name(rig, &nodes).to_owned(),
+                character: character(dae, &rigs, rig, part, &nodes, ours_from_file)?,
+            })
+        })
+        .collect::<Result<_, Diagnostic>>()?;
+    Ok(DaeScene {
+        characters,
+        meshes,
+        report: assembler.report,
+    })
+}
+
+fn static_mesh<'a>(
+    assembler: &mut Assembler<'_, 'a>,
+    instance: &Instance<'a>,
+    ours_from_mesh: glam::DMat4,
+    nodes: &[SceneNode<'a>],
+) -> Result<DaeMesh, Diagnostic> {
+    let mut part = Part::default();
+    assembler.add(&mut part, instance, ours_from_mesh)?;
+    let name = nodes[instance.node].xml.attribute("name");
+    Ok(DaeMesh {
+        name: name.unwrap_or(&instance.geometry.name).to_owned(),
+        mesh: part.builder.build(),
+    })
+}
+
+fn character(
+    dae: &Dae,
+    rigs: &Rigs,
+    rig: &Rig,
+    part: Part,
+    nodes: &[SceneNode],
+    ours_from_file: glam::DMat4,
+) -> Result<Character, Diagnostic> {
+    let at = |joint: usize| {
+        rig.nodes
+            .get(joint)
+            .map_or(dae.root, |&node| nodes[node].xml)
+    };
+    let joints = rigs.joints(rig, nodes, ours_from_file);
+    if let Some(far) = joints.iter().position(is_far) {
+        return Err(dae.error(
+            at(far),
+            "expected a joint at a finite place, found one too far away",
+        ));
+    }
+    let skeleton = SkeletalModel::new(joints)
+        .map_err(|error| dae.error(at(error.joint().unwrap_or(0)), error.to_string()))?;
+    Character::new(skeleton, part.attachments, part.builder.build())
+        .map_err(|error| dae.error(at(0), error.to_string()))
+}
+
+fn is_far(joint: &Joint) -> bool {
+    // Not a number compares as false.
+    let near = f64::from(joint.offset.abs().max_element()) < guard::FARTHEST;
+    !near || joint.offset.is_nan()
+}
+
+/// Counts the libraries that hold what is not shown.
+fn ignore_libraries(dae: &Dae) {
+    for library in dae.root.children().filter(roxmltree::Node::is_element) {
+        let tag = library.tag_name().name();
+        let read = [
+            "asset",
+            "scene",
+            "extra",
+            "library_controllers",
+            "library_effects",
+            "library_geometries",
+            "library_images",
+            "library_materials",
+            "library_nodes",
+            "library_visual_scenes",
+        ];
+        if !read.contains(&tag) && library.has_children() {
+            dae.ignore(tag);
+        }
+    }
+}
+
+/// `text` in quotes, shortened and without control characters, fit for a message.
+fn quoted(text: &str) -> String {
+    const SHOWN: usize = 40;
+    let shown: String = text.chars().take(SHOWN).collect();
+    let more = if text.chars().nth(SHOWN).is_some() {
+        "…"
+    } else {
+        ""
+    };
+    format!(
+        "“{}{more}”",
+        shown.escape_debug().to_string().replace("\\\"", "\"")
+    )
+}

@@ -1,0 +1,9 @@
+//! Collada files: every rule of the reader on files written for it, files of real exporters
+//! against golden poses, and files that mean harm.
+
+mod characters;
+mod hostile;
+mod materials;
+mod meshes;
+mod reference;
+mod support;
