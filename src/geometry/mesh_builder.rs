@@ -177,7 +177,9 @@ mod tests {
 
     const SQUARE: [Vec3; 4] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
 
-    fn mesh(triangles: &[[(u32, Option<Vec3>, Option<Vec2>); 3]]) -> Mesh {
+    type Parts = (u32, Option<Vec3>, Option<Vec2>);
+
+    fn mesh(triangles: &[[Parts; 3]]) -> Mesh {
         let mut builder = MeshBuilder::new();
         builder.extend_positions(SQUARE);
         for corners in triangles {
