@@ -1,6 +1,7 @@
 use super::{
-    Diagnostic, Files, Imported, builtin, files, is_character, read_character, read_shape_obj,
-    read_swp, scene_file,
+    Diagnostic, Files, Imported, builtin,
+    dae::{DaeScene, read_dae},
+    files, is_character, read_character, read_shape_obj, read_swp, scene_file,
 };
 use crate::geometry::SharedMesh;
 use crate::scene::{
@@ -10,7 +11,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// The extensions of files that can be imported into a scene, in lower case.
-pub const IMPORTABLE: &[&str] = &["obj", "swp"];
+pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 
 /// Something imported, ready to be put into a scene.
 #[derive(Clone, Debug)]
@@ -24,8 +25,8 @@ pub struct NewShape {
 }
 
 /// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
-/// weights beside it is a character, others are shapes; a `.swp` file holds curves. `builtin:NAME`
-/// stands for a file too.
+/// weights beside it is a character, others are shapes; a `.swp` file holds curves, and a `.dae`
+/// file may hold several characters and shapes. `builtin:NAME` stands for a file too.
 ///
 /// # Errors
 /// If it cannot be read, is not well formed, or is of a kind that cannot be imported.
@@ -36,6 +37,7 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
         "obj" if is_character(files, &file) => import_character(files, path),
         "obj" => import_shape(files, path),
         "swp" => import_curve(files, path),
+        "dae" => Ok(read_dae(files, &file)?.map(|scene| shapes_of(path, scene))),
         extension => Err(cannot_open(
             files,
             path,
@@ -46,7 +48,8 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     }
 }
 
-/// Import Character: the `.obj` file at `path` with the `.skel` and `.attach` files beside it.
+/// Import Character: the `.obj` file at `path` with the `.skel` and `.attach` files beside it, or
+/// all that a `.dae` file holds, a character among it.
 ///
 /// # Errors
 /// If one of them is missing, or cannot be read, or is not well formed, or does not fit.
@@ -62,11 +65,26 @@ pub fn import_character(
             let kind = |c| ShapeKind::Character(CharacterShape::new(Arc::new(c)));
             Ok(character.map(|character| vec![new_shape(path, kind(character))]))
         }
-        extension => Err(cannot_open(files, path, extension, "a character", &["obj"])),
+        "dae" => {
+            let read = read_dae(files, &file)?;
+            if read.value.characters.is_empty() {
+                let message = "expected a character, found only shapes: import it as a shape";
+                return Err(Diagnostic::new(path, message));
+            }
+            Ok(read.map(|scene| shapes_of(path, scene)))
+        }
+        extension => Err(cannot_open(
+            files,
+            path,
+            extension,
+            "a character",
+            IMPORTABLE,
+        )),
     }
 }
 
-/// Import Shape: the mesh of the `.obj` file at `path`, whatever lies beside it.
+/// Import Shape: the mesh of the `.obj` file at `path`, whatever lies beside it, or those of a
+/// `.dae` file without their skeletons.
 ///
 /// # Errors
 /// If it cannot be read or is not well formed.
@@ -78,7 +96,17 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
             Ok(mesh.map(|mesh| vec![new_shape(path, kind(mesh))]))
         }
-        extension => Err(cannot_open(files, path, extension, "a shape", &["obj"])),
+        "dae" => Ok(read_dae(files, &file)?.map(|scene| {
+            let shapes = shapes_of(path, scene);
+            let rigid = shapes.into_iter().map(|shape| NewShape {
+                kind: ShapeKind::Mesh(shape.kind.mesh()),
+                ..shape
+            });
+            rigid
+                .filter(|shape| !shape.kind.mesh().positions.is_empty())
+                .collect()
+        })),
+        extension => Err(cannot_open(files, path, extension, "a shape", IMPORTABLE)),
     }
 }
 
@@ -181,6 +209,33 @@ fn new_shape(path: &Path, kind: ShapeKind) -> NewShape {
         kind,
         source: Source(path_text.into_owned()),
     }
+}
+
+/// The characters of a Collada file, then its static meshes. What is alone in its file has the
+/// file's name, others that of the file and their own.
+fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
+    let characters = scene.characters.into_iter().map(|found| {
+        let shape = CharacterShape::new(Arc::new(found.character));
+        (found.name, ShapeKind::Character(shape))
+    });
+    let meshes = scene.meshes.into_iter();
+    let meshes = meshes.map(|found| (found.name, ShapeKind::Mesh(SharedMesh::new(found.mesh))));
+    let found: Vec<(String, ShapeKind)> = characters.chain(meshes).collect();
+    let is_alone = found.len() == 1;
+    found
+        .into_iter()
+        .map(|(name, kind)| {
+            let shape = new_shape(path, kind);
+            NewShape {
+                name: if is_alone {
+                    shape.name
+                } else {
+                    format!("{} {name}", shape.name)
+                },
+                ..shape
+            }
+        })
+        .collect()
 }
 
 /// What to say about a file of the wrong kind; that there is none comes first.

@@ -268,6 +268,7 @@ mod tests {
                 name: (*name).to_owned(),
                 parent: index.checked_sub(1),
                 offset: Vec3::Y,
+                ..Joint::default()
             });
             let skeleton = SkeletalModel::new(joints.collect()).unwrap();
             let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();

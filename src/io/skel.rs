@@ -44,6 +44,7 @@ pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, D
                 .map_or_else(|| Joint::default_name(index, count), str::to_owned),
             parent: row.parent,
             offset: row.offset,
+            ..Joint::default()
         })
         .collect();
     let skeleton = SkeletalModel::new(joints).map_err(|error| {

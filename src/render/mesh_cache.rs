@@ -67,14 +67,15 @@ impl CachedMesh {
             Shading::Flat => true,
             Shading::Smooth => false,
         };
-        let facets = is_flat.then(|| Facets::new(mesh.positions.len(), &mesh.triangles));
+        let triangles = mesh.vertex_triangles();
+        let facets = is_flat.then(|| Facets::new(mesh.vertex_count(), triangles));
         let (positions, normals) = vertices(geometry, facets.as_ref());
         let position_buffer = Buffer::vertices(gl, usage, &positions)?;
         let normal_buffer = Buffer::vertices(gl, usage, &normals)?;
-        let triangles = facets
+        let drawn = facets
             .as_ref()
-            .map_or(&mesh.triangles, |facets| &facets.triangles);
-        let index_buffer = IndexBuffer::new(gl, Usage::Static, triangles.as_flattened())?;
+            .map_or(triangles, |facets| &facets.triangles);
+        let index_buffer = IndexBuffer::new(gl, Usage::Static, drawn.as_flattened())?;
         let vertex_array = VertexArray::builder(gl)
             .attribute(&position_buffer, Attribute::f32(0, 3))
             .attribute(&normal_buffer, Attribute::f32(1, 3))
@@ -117,15 +118,19 @@ fn vertices<'a>(
     geometry: &'a EvaluatedGeometry,
     facets: Option<&Facets>,
 ) -> (Cow<'a, [Vec3]>, Cow<'a, [Vec3]>) {
-    let positions = geometry.positions();
-    let triangles = &geometry.mesh.triangles;
+    let mesh = &geometry.mesh;
+    let positions = mesh.at_vertices(geometry.positions());
     if let Some(facets) = facets {
-        let normals = facets.at_last_corners(&face_normals(positions, triangles));
-        return (facets.gather(positions).into(), normals.into());
+        let normals = face_normals(geometry.positions(), &mesh.triangles);
+        let normals = facets.at_last_corners(&normals);
+        return (facets.gather(&positions).into(), normals.into());
     }
-    let normals = match &geometry.mesh.normals {
-        Normals::PerVertex(normals) if geometry.skinned.is_none() => normals.into(),
-        _ => smooth_normals(positions, triangles).into(),
-    };
-    (positions.into(), normals)
+    let normals = geometry.normals().map_or_else(
+        || {
+            let normals = smooth_normals(geometry.positions(), &mesh.triangles);
+            mesh.at_vertices(&normals).into_owned().into()
+        },
+        Cow::from,
+    );
+    (positions, normals)
 }

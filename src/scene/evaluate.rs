@@ -1,7 +1,7 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::StickFigure;
-use crate::geometry::{Revision, SharedMesh};
+use crate::geometry::{Normals, Revision, SharedMesh};
 use crate::math::Aabb;
 use glam::{Mat4, Vec3};
 use std::collections::HashMap;
@@ -30,8 +30,11 @@ pub struct EvaluatedShape {
 pub struct EvaluatedGeometry {
     /// Triangles, materials and undeformed vertices; of curves, all their surfaces.
     pub mesh: SharedMesh,
-    /// The deformed vertices, as many as the mesh has; `None` where nothing deforms it.
+    /// The deformed positions, as many as the mesh has; `None` where nothing deforms it.
     pub skinned: Option<Vec<Vec3>>,
+    /// The deformed normals, as many as the mesh has vertices; `None` where nothing deforms it or
+    /// its triangles are flat.
+    pub skinned_normals: Option<Vec<Vec3>>,
     /// Joints and bones of a character.
     pub figure: Option<StickFigure>,
     /// Curves, control points, wireframe and parts of a shape made of curves.
@@ -43,9 +46,18 @@ pub struct EvaluatedGeometry {
 }
 
 impl EvaluatedGeometry {
-    /// The current vertices, in the order of the file.
+    /// The current positions, in the order of the file.
     pub fn positions(&self) -> &[Vec3] {
         self.skinned.as_deref().unwrap_or(&self.mesh.positions)
+    }
+
+    /// The current normals, one a vertex of the mesh; `None` where its triangles are flat.
+    pub fn normals(&self) -> Option<&[Vec3]> {
+        match (&self.skinned_normals, &self.mesh.normals) {
+            (Some(skinned), _) => Some(skinned),
+            (None, Normals::PerVertex(normals)) => Some(normals),
+            (None, Normals::Flat) => None,
+        }
     }
 }
 
@@ -118,6 +130,7 @@ impl Evaluator {
                     bounds: mesh.bounds(),
                     mesh,
                     skinned: None,
+                    skinned_normals: None,
                     figure: None,
                     curves: None,
                     revision,
@@ -140,6 +153,7 @@ fn evaluate_character(shape: &CharacterShape) -> EvaluatedGeometry {
         mesh: character.bind_mesh().clone(),
         bounds: Aabb::from_points(around),
         skinned: Some(skinned),
+        skinned_normals: character.skin_normals(&model_from_joint),
         figure: Some(figure),
         curves: None,
         revision: shape.pose_revision(),

@@ -68,6 +68,7 @@ pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
     EvaluatedGeometry {
         bounds: Aabb::from_points(on_curves).union(mesh.bounds()),
         skinned: None,
+        skinned_normals: None,
         figure: None,
         revision: shape.revision(),
         curves: Some(EvaluatedCurves {

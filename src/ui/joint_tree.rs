@@ -79,6 +79,7 @@ mod tests {
             name: name.to_owned(),
             parent,
             offset: Vec3::Y,
+            ..Joint::default()
         });
         SkeletalModel::new(joints.collect()).expect("a tree")
     }

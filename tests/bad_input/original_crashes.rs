@@ -131,11 +131,11 @@ fn files_that_cannot_be_opened_say_which_can() {
     files.insert(PathBuf::from("._man.obj"), b"x".to_vec());
     assert_eq!(
         import_error(&files, "a.blend"),
-        "a.blend: expected a file that can be imported (.obj, .swp), found .blend"
+        "a.blend: expected a file that can be imported (.obj, .swp, .dae), found .blend"
     );
     assert_eq!(
         import_error(&files, "man.skel"),
-        "man.skel: expected a file that can be imported (.obj, .swp), found .skel: open the character's .obj file instead"
+        "man.skel: expected a file that can be imported (.obj, .swp, .dae), found .skel: open the character's .obj file instead"
     );
     assert_eq!(
         import_error(&files, "no.obj"),
@@ -148,7 +148,7 @@ fn files_that_cannot_be_opened_say_which_can() {
     assert!(
         error
             .to_string()
-            .contains("(.scene, .obj, .swp), found .blend"),
+            .contains("(.scene, .obj, .swp, .dae), found .blend"),
         "{error}"
     );
 }
@@ -251,7 +251,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape() {
         (
             "man.obj",
             "a.scene",
-            "expected a file that can be imported (.obj, .swp), found .scene",
+            "expected a file that can be imported (.obj, .swp, .dae), found .scene",
         ),
     ] {
         let text = SCENE.replacen(good, bad, 1);

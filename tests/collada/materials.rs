@@ -3,10 +3,9 @@
 use crate::support::*;
 use editor_core::geometry::{Mesh, Picture};
 use editor_core::io::Imported;
-use editor_core::io::dae::{DaeScene, import_dae};
+use editor_core::io::dae::DaeScene;
 use glam::{Vec2, Vec3};
 use std::io::Cursor;
-use std::path::Path;
 
 /// `<image>`, effect and material; `diffuse` is the content of `<diffuse>`.
 fn material(id: &str, params: &str, diffuse: &str) -> String {
@@ -45,7 +44,7 @@ fn textured(init_from: &str) -> String {
 }
 
 fn read(text: String, files: Memory) -> Imported<DaeScene> {
-    import_dae(&files.with("models/a.dae", text), Path::new("models/a.dae")).unwrap()
+    crate::support::read(&files.with("models/a.dae", text), "models/a.dae").unwrap()
 }
 
 fn picture(mesh: &Mesh) -> Option<&Picture> {
@@ -136,7 +135,7 @@ fn a_missing_or_broken_picture_is_a_warning_and_the_mesh_stays() {
             textured("skin.png"),
             Memory::default().with("models/skin.png", bytes),
         );
-        assert_warns(&broken, "expected a PNG or JPEG picture in models/skin.png");
+        assert_warns(&broken, "models/skin.png: expected a PNG, JPEG or GIF");
         assert_eq!(picture(&broken.value.meshes[0].mesh), None);
     }
 }

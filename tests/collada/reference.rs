@@ -1,7 +1,7 @@
 //! Files of a real exporter, with poses worked out by another program.
 
 use editor_core::character::{Character, Pose};
-use editor_core::io::dae::{DaeScene, import_dae};
+use editor_core::io::dae::{DaeScene, read_dae};
 use editor_core::io::{Diagnostic, Files, Imported};
 use editor_core::math::Euler;
 use glam::{Mat3, Mat4, Vec3};
@@ -34,7 +34,7 @@ fn folder() -> Option<PathBuf> {
 }
 
 fn import(folder: &Path, name: &str) -> Imported<DaeScene> {
-    import_dae(&Disk, &folder.join(format!("{name}.dae"))).unwrap_or_else(|e| panic!("{e}"))
+    read_dae(&Disk, &folder.join(format!("{name}.dae"))).unwrap_or_else(|e| panic!("{e}"))
 }
 
 fn only_character(folder: &Path, name: &str) -> Character {
@@ -221,7 +221,7 @@ fn reading_takes_a_few_milliseconds() {
         let best = (0..5)
             .map(|_| {
                 let start = Instant::now();
-                import_dae(&Disk, &path).unwrap();
+                read_dae(&Disk, &path).unwrap();
                 start.elapsed()
             })
             .min();

@@ -1,8 +1,8 @@
 //! Small Collada files to write tests with.
 
 use editor_core::geometry::Mesh;
-use editor_core::io::dae::{DaeScene, import_dae};
-use editor_core::io::{Diagnostic, Files, Imported};
+use editor_core::io::dae::{DaeScene, read_dae};
+use editor_core::io::{Diagnostic, Imported};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -18,21 +18,13 @@ impl Memory {
     }
 }
 
-impl Files for Memory {
-    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-        self.0
-            .get(path)
-            .cloned()
-            .ok_or_else(|| Diagnostic::new(path, "no such file"))
-    }
-
-    fn exists(&self, path: &Path) -> bool {
-        self.0.contains_key(path)
-    }
+/// What `path` reads among `files`.
+pub fn read(files: &Memory, path: &str) -> Result<Imported<DaeScene>, Diagnostic> {
+    read_dae(&files.0, Path::new(path))
 }
 
 pub fn import_bytes(bytes: impl Into<Vec<u8>>) -> Result<Imported<DaeScene>, Diagnostic> {
-    import_dae(&Memory::default().with("a.dae", bytes), Path::new("a.dae"))
+    read(&Memory::default().with("a.dae", bytes), "a.dae")
 }
 
 /// Imports `text`, which must be good.

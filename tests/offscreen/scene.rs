@@ -24,6 +24,7 @@ fn beam() -> CharacterShape {
         name: name.to_owned(),
         parent,
         offset,
+        ..Joint::default()
     };
     let skeleton = SkeletalModel::new(vec![
         joint("near", None, Vec3::new(-1.0, 0.0, 0.0)),

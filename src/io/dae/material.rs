@@ -135,6 +135,9 @@ impl<'a> Materials<'a> {
                     read.coordinates = value.attribute("texcoord").map(str::to_owned);
                     let image = image(dae, effect, profile, value)?;
                     read.material.texture = self.textures.picture(dae, image);
+                    if read.material.texture.is_some() {
+                        read.material.color = Vec3::ONE;
+                    }
                 }
                 _ => {}
             }

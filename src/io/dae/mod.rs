@@ -24,6 +24,7 @@ mod space;
 mod texture;
 mod tips;
 
+use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
@@ -74,7 +75,7 @@ pub struct DaeMesh {
 /// # Errors
 /// If the file cannot be read, is no Collada, exceeds the reader's limits, or shows nothing; then
 /// the error is the first thing that went wrong, where something did.
-pub fn import_dae(files: &dyn Files, path: &Path) -> Result<Imported<DaeScene>, Diagnostic> {
+pub fn read_dae(files: &dyn Files, path: &Path) -> Result<Imported<DaeScene>, Diagnostic> {
     let bytes = files.read(path)?;
     let text = document_text(&bytes);
     let xml = parse_xml(path, &text)?;
@@ -240,19 +241,4 @@ fn ignore_libraries(dae: &Dae) {
             dae.ignore(tag);
         }
     }
-}
-
-/// `text` in quotes, shortened and without control characters, fit for a message.
-fn quoted(text: &str) -> String {
-    const SHOWN: usize = 40;
-    let shown: String = text.chars().take(SHOWN).collect();
-    let more = if text.chars().nth(SHOWN).is_some() {
-        "…"
-    } else {
-        ""
-    };
-    format!(
-        "“{}{more}”",
-        shown.escape_debug().to_string().replace("\\\"", "\"")
-    )
 }

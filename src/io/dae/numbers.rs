@@ -2,7 +2,7 @@
 
 use super::document::{Dae, Node};
 use super::quoted;
-use crate::io::Diagnostic;
+use crate::io::{Diagnostic, number};
 use glam::DMat4;
 use std::str::FromStr;
 
@@ -27,9 +27,9 @@ pub(super) fn text<'a>(node: Node<'a>) -> &'a str {
 pub(super) fn floats(dae: &Dae, node: Node) -> Result<Vec<f32>, Diagnostic> {
     let mut not_finite = NotFinite::default();
     let numbers = words(node)
-        .map(|word| match word.parse::<f32>() {
-            Ok(number) if number.is_finite() => Ok(number),
-            parsed => not_finite.zero_for(dae, node, word, parsed.is_ok()),
+        .map(|word| match number::finite(word) {
+            Some(number) => Ok(number),
+            None => not_finite.zero_for(dae, node, word),
         })
         .collect();
     not_finite.warn(dae, node);
@@ -106,15 +106,9 @@ struct NotFinite {
 }
 
 impl NotFinite {
-    fn zero_for(
-        &mut self,
-        dae: &Dae,
-        node: Node,
-        word: &str,
-        is_number: bool,
-    ) -> Result<f32, Diagnostic> {
+    fn zero_for(&mut self, dae: &Dae, node: Node, word: &str) -> Result<f32, Diagnostic> {
         let lower = word.to_ascii_lowercase();
-        if !is_number
+        if word.parse::<f32>().is_err()
             && !["nan", "inf", "#ind"]
                 .iter()
                 .any(|mark| lower.contains(mark))

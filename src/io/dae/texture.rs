@@ -4,17 +4,13 @@ use super::document::{Dae, Node, child};
 use super::numbers::text;
 use super::quoted;
 use crate::geometry::Picture;
-use crate::io::{Diagnostic, Files};
-use image::{ImageReader, Limits};
+use crate::io::{Diagnostic, Files, image};
 use roxmltree::NodeId;
 use std::collections::HashMap;
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Pixels along a side of a picture: what every graphics card can take.
-const MOST_PIXELS: u32 = 16_384;
-/// Bytes of one picture while it is decoded, and of all pictures of a file together.
+/// Bytes of all pictures of a file together, when decoded.
 const MOST_BYTES: usize = 1 << 29;
 
 /// The pictures of a document, each read once.
@@ -35,17 +31,17 @@ impl<'a> Textures<'a> {
     }
 
     /// The picture of an `<image>`; `None`, with a warning, if it is missing or cannot be read.
-    pub fn picture(&mut self, dae: &Dae<'a>, image: Node<'a>) -> Option<Arc<Picture>> {
-        if let Some(known) = self.read.get(&image.id()) {
+    pub fn picture(&mut self, dae: &Dae<'a>, element: Node<'a>) -> Option<Arc<Picture>> {
+        if let Some(known) = self.read.get(&element.id()) {
             return known.clone();
         }
-        let picture = dae.or_warn(self.read(dae, image));
-        self.read.insert(image.id(), picture.clone());
+        let picture = dae.or_warn(self.read(dae, element));
+        self.read.insert(element.id(), picture.clone());
         picture
     }
 
-    fn read(&mut self, dae: &Dae<'a>, image: Node<'a>) -> Result<Arc<Picture>, Diagnostic> {
-        let init = dae.child(image, "init_from")?;
+    fn read(&mut self, dae: &Dae<'a>, element: Node<'a>) -> Result<Arc<Picture>, Diagnostic> {
+        let init = dae.child(element, "init_from")?;
         let url = text(child(init, "ref").unwrap_or(init));
         let folder = dae.path.parent().unwrap_or(Path::new(""));
         let path = candidates(url)
@@ -57,13 +53,7 @@ impl<'a> Textures<'a> {
             return Err(dae.error(init, format!("expected a picture, found no file {found}")));
         };
         let bytes = self.files.read(&path)?;
-        let picture = decode(&bytes).map_err(|why| {
-            let message = format!(
-                "expected a PNG or JPEG picture in {}: {why}",
-                path.display()
-            );
-            dae.error(init, message)
-        })?;
+        let picture = image::decode(&path, &bytes)?;
         self.bytes += picture.rgba.len();
         if self.bytes > MOST_BYTES {
             let found = quoted(url);
@@ -117,26 +107,6 @@ fn percent_decoded(text: &str) -> String {
         }
     }
     String::from_utf8(bytes).unwrap_or_else(|_| text.to_owned())
-}
-
-fn decode(bytes: &[u8]) -> Result<Picture, String> {
-    let mut reader = ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|error| error.to_string())?;
-    let mut limits = Limits::default();
-    limits.max_image_width = Some(MOST_PIXELS);
-    limits.max_image_height = Some(MOST_PIXELS);
-    limits.max_alloc = Some(MOST_BYTES as u64);
-    reader.limits(limits);
-    let picture = reader
-        .decode()
-        .map_err(|error| error.to_string())?
-        .into_rgba8();
-    Ok(Picture {
-        width: picture.width(),
-        height: picture.height(),
-        rgba: picture.into_raw(),
-    })
 }
 
 #[cfg(test)]
