@@ -36,6 +36,7 @@ pub fn figure_called(names: &[&str; 18]) -> Arc<Character> {
         name: name.to_owned(),
         parent,
         offset: Vec3::from(offset),
+        ..Joint::default()
     });
     let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
     let ball = sphere(0.1, 12, 8, Poles::Y);
@@ -68,6 +69,7 @@ pub fn chain(count: usize) -> Arc<Character> {
         name: format!("Joint {joint}"),
         parent: joint.checked_sub(1),
         offset: Vec3::Y * 0.01,
+        ..Joint::default()
     });
     let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
     let mesh = Mesh::new(Vec::new(), Vec::new());
