@@ -2,11 +2,12 @@
 # make run    installs what a window needs, builds, and opens the showcase
 #             (without a display: draws it to showcase.png)
 # make test   installs what the tests need and runs everything
+# make pictures  draws the pictures of README.md
 # make lint   what must be clean before a change lands: format, clippy, documentation
 
 CARGO ?= cargo
 
-.PHONY: all editor run test lint clean packages-run packages-test
+.PHONY: all editor run test lint pictures clean packages-run packages-test
 
 all: editor
 
@@ -30,6 +31,9 @@ lint:
 	$(CARGO) fmt --check
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --lib
+
+pictures: packages-run editor
+	@sh scripts/pictures.sh
 
 packages-run:
 	@sh scripts/packages.sh run

@@ -5,6 +5,7 @@
 mod arguments;
 pub mod check;
 pub mod compare;
+mod display_options;
 mod error;
 pub mod export;
 mod load;
@@ -40,7 +41,7 @@ struct Cli {
 /// What the window starts with.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct WindowArgs {
-    /// Scenes to open (.scene), and characters and shapes (.obj) to import, or builtin:NAME
+    /// Scenes to open (.scene), files to import (.obj, .dae, .swp), or builtin:NAME
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Title of the window, for instance your name

@@ -1,5 +1,6 @@
 //! `editor render`: a picture without a window.
 
+use super::display_options::DisplayOptions;
 use super::{CliError, arguments, load};
 use crate::disk;
 use crate::editor::Session;
@@ -8,10 +9,7 @@ use crate::gpu::{Backend, Framebuffer, Gl};
 use crate::io;
 use crate::math::Aabb;
 use crate::render::{Frame, InterfacePainter, Marks, Offscreen, compose, read_picture, view_place};
-use crate::scene::{
-    BoneStyle, Camera, JointStyle, Look, ModelDisplay, Scene, ShapeKind, ViewDirection,
-    ViewSettings,
-};
+use crate::scene::{Camera, Look, ViewDirection, ViewSettings};
 use crate::ui;
 use std::path::PathBuf;
 
@@ -23,7 +21,8 @@ use std::path::PathBuf;
     editor render builtin:showcase --samples 4 -o showcase.png\n  \
     editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png")]
 pub struct Args {
-    /// Scenes, characters (.obj with .skel and .attach beside it), shapes, or builtin:NAME.
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj),
+    /// curves (.swp), or builtin:NAME.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The picture to write; its extension is .png, .jpg or .gif.
@@ -49,15 +48,8 @@ pub struct Args {
     /// Pose every character by this POSE.json.
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
-    /// What is drawn of characters [default: mesh, or as the scene has it].
-    #[arg(long)]
-    display: Option<Display>,
-    /// How joints are drawn [default: spheres, or as the scene has it].
-    #[arg(long)]
-    joints: Option<Joints>,
-    /// How bones are drawn [default: boxes, or as the scene has it].
-    #[arg(long)]
-    bones: Option<Bones>,
+    #[command(flatten)]
+    display: DisplayOptions,
     /// Light and background [default: course, or as the scene has it].
     #[arg(long)]
     look: Option<LookName>,
@@ -73,25 +65,6 @@ pub struct Args {
     /// Draw the window's panels too; the size is the window's.
     #[arg(long)]
     ui: bool,
-}
-
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Display {
-    Mesh,
-    Skeleton,
-    Both,
-}
-
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Joints {
-    Points,
-    Spheres,
-}
-
-#[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Bones {
-    Lines,
-    Boxes,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -137,7 +110,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 
 fn session(args: &Args) -> Result<Session, CliError> {
     let mut loaded = load(&args.files, args.pose.as_deref())?;
-    set_display(args, &mut loaded.scene);
+    args.display.apply_to(&mut loaded.scene);
 
     let mut view = loaded.view.unwrap_or_default();
     view.axis = args.axis;
@@ -164,40 +137,6 @@ fn session(args: &Args) -> Result<Session, CliError> {
 fn fitted(mut view: ViewSettings, bounds: &Aabb, (width, height): (u32, u32)) -> ViewSettings {
     view.camera.fit(bounds, width as f32 / height as f32);
     view
-}
-
-fn set_display(args: &Args, scene: &mut Scene) {
-    let characters: Vec<_> = scene
-        .shapes()
-        .iter()
-        .filter(|shape| matches!(shape.kind, ShapeKind::Character(_)))
-        .map(|shape| shape.id)
-        .collect();
-    for id in characters {
-        let Some(character) = scene.character_mut(id) else {
-            continue;
-        };
-        let display = &mut character.display;
-        if let Some(mode) = args.display {
-            display.mode = match mode {
-                Display::Mesh => ModelDisplay::Mesh,
-                Display::Skeleton => ModelDisplay::Skeleton,
-                Display::Both => ModelDisplay::Both,
-            };
-        }
-        if let Some(joints) = args.joints {
-            display.joints = match joints {
-                Joints::Points => JointStyle::Points,
-                Joints::Spheres => JointStyle::Spheres,
-            };
-        }
-        if let Some(bones) = args.bones {
-            display.bones = match bones {
-                Bones::Lines => BoneStyle::Lines,
-                Bones::Boxes => BoneStyle::Boxes,
-            };
-        }
-    }
 }
 
 fn frame(session: &Session, marks: Marks) -> Frame<'_> {

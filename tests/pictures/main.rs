@@ -61,14 +61,26 @@ impl Difference {
 
 /// Draws every render that `wanted` picks and collects those beyond `limits`.
 fn compare(what: &str, limits: &Limits, wanted: impl Fn(&Render) -> bool) {
+    each(what, wanted, |render, ours, theirs| {
+        let difference = Difference::between(ours, theirs);
+        (!difference.is_within(limits)).then(|| format!("{}: {difference:?}", render.file))
+    });
+}
+
+/// Draws every render that `wanted` picks and hands it to `fault` with the original's picture.
+fn each(
+    what: &str,
+    wanted: impl Fn(&Render) -> bool,
+    fault: impl Fn(&Render, &Picture, &Picture) -> Option<String>,
+) {
     let Some(renders) = Renders::read(what) else {
         return;
     };
     let context = HeadlessContext::new(Backend::Auto).expect("a context");
     let mut renderer = Renderer::new(context.gl()).expect("a renderer");
     let mut compared = 0;
-    let mut failed = Vec::new();
-    for render in renders.all.iter().filter(|render| wanted(render)) {
+    let mut faults = Vec::new();
+    for render in renders.all.iter().filter(|r| wanted(r) && !r.ui) {
         let (scene, view) = scenes::build(&renders, render);
         let evaluated = Evaluator::new().evaluate(&scene);
         let frame = Frame {
@@ -84,17 +96,14 @@ fn compare(what: &str, limits: &Limits, wanted: impl Fn(&Render) -> bool) {
         if let Ok(folder) = std::env::var("EDITOR_KEEP_PICTURES") {
             reference::keep(&folder, &render.file, &ours);
         }
-        let difference = Difference::between(&ours, &renders.picture(render));
         compared += 1;
-        if !difference.is_within(limits) {
-            failed.push(format!("{}: {difference:?}", render.file));
-        }
+        faults.extend(fault(render, &ours, &renders.picture(render)));
     }
     assert!(compared > 0, "no picture of {what} was found");
     assert!(
-        failed.is_empty(),
+        faults.is_empty(),
         "{what}, {compared} compared:\n{}",
-        failed.join("\n")
+        faults.join("\n")
     );
 }
 
@@ -104,35 +113,33 @@ fn the_built_in_shapes_look_as_they_do_there() {
         let file = &render.file;
         let is_shape = file.starts_with("shape_") || file.starts_with("cube_");
         // Our teapot is smooth where theirs has facets.
-        is_shape && !file.starts_with("shape_teapot") && !render.ui
+        is_shape && !file.starts_with("shape_teapot")
     });
 }
 
 #[test]
 fn the_axes_look_as_they_do_there() {
-    compare("axes", &LINES, |render| {
-        render.file.starts_with("empty_") && !render.ui
-    });
+    compare("axes", &LINES, |render| render.file.starts_with("empty_"));
 }
 
 #[test]
 fn imported_shapes_look_as_they_do_there() {
     compare("imported shapes", &SURFACES, |render| {
-        render.file.starts_with("obj_") && !render.ui
+        render.file.starts_with("obj_")
     });
 }
 
 #[test]
 fn posed_characters_look_as_they_do_there() {
     compare("characters as meshes", &SURFACES, |render| {
-        render.mode.as_deref() == Some("mesh") && !render.ui
+        render.mode.as_deref() == Some("mesh")
     });
 }
 
 #[test]
 fn skeletons_look_as_they_do_there() {
     compare("characters as skeletons", &LINES, |render| {
-        render.mode.as_deref() == Some("skel") && !render.ui
+        render.mode.as_deref() == Some("skel")
     });
 }
 
@@ -141,7 +148,7 @@ fn the_views_of_the_menu_look_as_they_do_there() {
     compare("view presets", &SURFACES, |render| {
         // From above and below ours have +X to the right, theirs are turned by 180°.
         let turned = render.file.contains("_py_") || render.file.contains("_my_");
-        render.file.starts_with("view_") && !turned && !render.ui
+        render.file.starts_with("view_") && !turned
     });
 }
 
@@ -164,4 +171,53 @@ fn curves_and_surfaces_as_first_shown_look_as_they_do_there() {
     compare("curves and surfaces", &LINES, |render| {
         render.file.starts_with("swp_") && render.file.contains("_default_")
     });
+}
+
+/// Theirs leaves out some edges, ours draws all of them: whatever they lit must be lit here.
+#[test]
+fn wireframes_have_every_edge_that_theirs_have() {
+    each(
+        "wireframes",
+        |render| render.file.contains("_wire_"),
+        |render, ours, theirs| {
+            let lit = |pixel: &[u8]| pixel[..3].iter().any(|c| c.abs_diff(BACKGROUND) > CLEARLY);
+            let pixels = ours.rgba.chunks_exact(4).zip(theirs.rgba.chunks_exact(4));
+            let (mut drawn, mut missing) = (0_usize, 0_usize);
+            for (a, b) in pixels {
+                drawn += usize::from(lit(b));
+                missing += usize::from(lit(b) && !lit(a));
+            }
+            let limit = LINES.clearly * drawn as f64;
+            (missing as f64 > limit)
+                .then(|| format!("{}: {missing} of {drawn} missing", render.file))
+        },
+    );
+}
+
+/// Where the original sees the scene turned by half a circle, from above and from below, its
+/// picture turned back is ours.
+#[test]
+fn the_views_from_above_and_below_are_theirs_turned_by_half_a_circle() {
+    let wanted = |render: &Render| render.file.contains("_py_") || render.file.contains("_my_");
+    each(
+        "views from above and below",
+        wanted,
+        |render, ours, theirs| {
+            let mut turned = theirs.clone();
+            turned.rgba = theirs
+                .rgba
+                .chunks_exact(4)
+                .rev()
+                .flatten()
+                .copied()
+                .collect();
+            let difference = Difference::between(ours, &turned);
+            // Turned about the middle of the picture, lines fall on the other side of a pixel.
+            let limits = Limits {
+                clearly: 0.10,
+                slightly: 1.0,
+            };
+            (!difference.is_within(&limits)).then(|| format!("{}: {difference:?}", render.file))
+        },
+    );
 }

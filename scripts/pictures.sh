@@ -1,0 +1,15 @@
+#!/bin/sh
+# Draws the pictures of README.md with the program itself.
+set -eu
+cd "$(dirname "$0")/.."
+out=docs/pictures
+mkdir -p "$out"
+./editor render builtin:showcase --ui --size 1280x800 --samples 4 -o "$out/window.png"
+./editor render builtin:adult --pose builtin:adult-walk --display both --look studio \
+    --camera 55,8,2.6 --samples 4 --size 640x480 -o "$out/both.png"
+./editor render builtin:adult --pose builtin:adult-walk --display skeleton \
+    --camera 55,8,2.6 --samples 4 --size 640x480 -o "$out/skeleton.png"
+./editor render builtin:knot --curve frames --surface off --fit --camera 70,35,5 --samples 4 \
+    --size 640x480 -o "$out/frames.png"
+./editor render builtin:goblet --control-points off --curve off --look studio --fit \
+    --camera 60,20,5 --samples 4 --size 640x480 -o "$out/surface.png"
