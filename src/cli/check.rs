@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 /// Mistakes are told as path:line:column with what was expected and what was found.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it), shapes (.obj), poses
-    /// (.json), or builtin:NAME
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it), shapes (.obj), curves
+    /// (.swp), poses (.json), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print one JSON object instead of text
@@ -49,8 +49,17 @@ struct ShapeReport {
     triangles: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     skeleton: Option<SkeletonReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    curves: Option<CurvesReport>,
     materials: Vec<String>,
     bounds: Option<[[f32; 3]; 2]>,
+}
+
+#[derive(Debug, Serialize)]
+struct CurvesReport {
+    curves: usize,
+    points: usize,
+    surfaces: usize,
 }
 
 #[derive(Debug, Serialize)]
@@ -149,6 +158,11 @@ fn look_at(shape: &Shape, evaluated: &EvaluatedShape) -> ShapeReport {
         vertices: mesh.positions.len(),
         triangles: mesh.triangles.len(),
         skeleton: skeleton(&shape.kind),
+        curves: evaluated.geometry.curves.as_ref().map(|all| CurvesReport {
+            curves: all.curves.len(),
+            points: all.curves.iter().map(|curve| curve.points.len()).sum(),
+            surfaces: all.surfaces.len(),
+        }),
         materials,
         bounds: (!bounds.is_empty()).then(|| [bounds.min.to_array(), bounds.max.to_array()]),
     }
@@ -196,6 +210,11 @@ fn in_words(file: &FileReport) -> String {
             if let Some([low, high]) = skeleton.weight_sums {
                 line("  weight sums", format!("{low:.4} to {high:.4}"));
             }
+        }
+        if let Some(curves) = &shape.curves {
+            let points = format!("{} ({} points)", curves.curves, curves.points);
+            line("  curves", points);
+            line("  surfaces", curves.surfaces.to_string());
         }
         if !shape.materials.is_empty() {
             line("  materials", shape.materials.join(", "));

@@ -41,7 +41,7 @@ pub struct EvaluatedGeometry {
     pub curves: Option<EvaluatedCurves>,
     /// Changes whenever positions do.
     pub revision: Revision,
-    /// Around the mesh, the joints, the curves and their control points, in model space.
+    /// Around the mesh, the joints and the curves, in model space; not around control points.
     pub bounds: Aabb,
 }
 

@@ -54,17 +54,12 @@ impl EvaluatedCurve {
     }
 }
 
-/// Curves, surfaces and bounds of `shape`. The bounds hold the control points too, since those
-/// are to be dragged.
+/// Curves, surfaces and bounds of `shape`.
 pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
     let set = shape.curves();
     let curves = curves(set, shape.frame_closing());
     let (mesh, surfaces) = surfaces(set, &curves);
-    let on_curves = curves.iter().flat_map(|curve| {
-        curve
-            .positions()
-            .chain(curve.control_points.iter().copied())
-    });
+    let on_curves = curves.iter().flat_map(EvaluatedCurve::positions);
     EvaluatedGeometry {
         bounds: Aabb::from_points(on_curves).union(mesh.bounds()),
         skinned: None,

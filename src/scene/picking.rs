@@ -1,8 +1,10 @@
-use super::{Evaluated, ShapeId};
+use super::curve_picking::nearest_curve;
+use super::{Evaluated, EvaluatedShape, ShapeId};
 use crate::geometry::nearest_triangle;
 use crate::math::Ray;
 
-/// The shape whose surface `ray`, in the world, meets first, with the distance along the ray.
+/// The shape whose surface `ray`, in the world, meets first, or whose curve it first passes close
+/// by, with the distance along the ray.
 ///
 /// A character shown as a skeleton is picked by its mesh all the same: thin bones are hard to
 /// hit and nothing else stands in that place.
@@ -11,17 +13,22 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
         .shapes
         .iter()
         .filter_map(|shape| {
-            let model_from_world = shape.world_from_model.inverse();
-            let model_ray = ray.transformed(model_from_world);
-            if !model_ray.meets(&shape.geometry.bounds) {
-                return None;
-            }
-            let geometry = &shape.geometry;
-            let (_, hit) =
-                nearest_triangle(&model_ray, geometry.positions(), &geometry.mesh.triangles)?;
-            Some((shape.id, hit.distance))
+            let hits = [nearest_surface(shape, ray), nearest_curve(shape, ray)];
+            let nearest = hits.into_iter().flatten().min_by(f32::total_cmp)?;
+            Some((shape.id, nearest))
         })
         .min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+fn nearest_surface(shape: &EvaluatedShape, ray: &Ray) -> Option<f32> {
+    let model_from_world = shape.world_from_model.inverse();
+    let model_ray = ray.transformed(model_from_world);
+    if !model_ray.meets(&shape.geometry.bounds) {
+        return None;
+    }
+    let geometry = &shape.geometry;
+    let (_, hit) = nearest_triangle(&model_ray, geometry.positions(), &geometry.mesh.triangles)?;
+    Some(hit.distance)
 }
 
 #[cfg(test)]
