@@ -260,17 +260,83 @@ fn a_missing_thing_is_not_a_missing_highlight_even_if_it_is_bright() {
 }
 
 #[test]
+fn a_highlight_off_the_brightest_place_is_told_by_its_white_light_if_the_thing_has_a_color() {
+    let light = |amount: f32, gray: u8| gray.saturating_add((80.0 * amount) as u8);
+    let colored = Scene {
+        specular: 0.0,
+        ..SCENE
+    };
+    let found = findings(&spotted(&colored, light), &colored.paint());
+    assert!(
+        matches!(
+            found[..],
+            [Finding::Highlight {
+                missing_in: Which::B,
+                ..
+            }]
+        ),
+        "{found:?}"
+    );
+    let gray = Scene {
+        color: Vec3::splat(0.4),
+        ..colored
+    };
+    let found = findings(&spotted(&gray, light), &gray.paint());
+    assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+}
+
+#[test]
+fn a_shadow_is_not_a_missing_highlight() {
+    let shade = |amount: f32, channel: u8| (f32::from(channel) * (1.0 - 0.4 * amount)) as u8;
+    for color in [SCENE.color, Vec3::splat(0.7)] {
+        let scene = Scene {
+            specular: 0.0,
+            color,
+            ..SCENE
+        };
+        let found = findings(&scene.paint(), &spotted(&scene, shade));
+        assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+    }
+}
+
+/// The scene with its channels changed around a place on the ball off its highlight, the more the
+/// nearer.
+fn spotted(scene: &Scene, change: impl Fn(f32, u8) -> u8) -> Picture {
+    let mut picture = scene.paint();
+    for y in 0..HEIGHT {
+        for x in 0..WIDTH {
+            let away = (x as f32 - 66.0).hypot(y as f32 - 58.0) / 12.0;
+            let start = (4 * (y * WIDTH + x)) as usize;
+            for channel in &mut picture.rgba[start..start + 3] {
+                *channel = change((1.0 - away).max(0.0), *channel);
+            }
+        }
+    }
+    picture
+}
+
+#[test]
 fn antialiasing_and_half_a_pixel_are_differences_along_edges() {
     let smooth = Scene {
         samples: 4,
         ..SCENE
     };
-    assert_eq!(findings_for(smooth), [Finding::Edges]);
     let half = Scene {
         center: [70.5, 55.0],
         ..SCENE
     };
-    assert_eq!(findings_for(half), [Finding::Edges]);
+    let faceted = Scene {
+        facets: 24,
+        ..SCENE
+    };
+    let faceted_half = Scene { facets: 24, ..half };
+    for (a, b) in [(SCENE, smooth), (SCENE, half), (faceted, faceted_half)] {
+        let found = findings(&a.paint(), &b.paint());
+        assert!(
+            matches!(found[..], [Finding::Edges { share }] if share > 0.9),
+            "{found:?}"
+        );
+    }
 }
 
 #[test]

@@ -7,10 +7,13 @@ use crate::compare::ssim::luma;
 
 /// A highlight covers no more than one in so many drawn pixels.
 const ONE_IN: usize = 3;
-/// Its pixels are among the so many times brightest.
+/// On gray things, where less light looks the same as less white light, its pixels are among the
+/// so many times brightest.
 const BRIGHTEST_TIMES: usize = 3;
 /// White light adds as much to each channel, but for rounding (of 255).
 const NEUTRAL: u8 = 4;
+/// A thing has a color of its own if its channels are this far apart.
+const COLORED: u8 = 24;
 /// Channels that reach this may have been cut off, and say nothing about the color of the light.
 const SATURATED: u8 = 250;
 /// Share of the pixels that must bear each sign of a highlight.
@@ -29,8 +32,8 @@ impl Pair<'_> {
         unlit: &[Pixel],
         missing_in: Which,
     ) -> Option<Finding> {
-        let [drawn_a, drawn_b] = self.drawn_masks()?;
-        if drawn_a != drawn_b {
+        let [drawn_a, _] = self.drawn_masks()?;
+        if self.outline().is_some() {
             return None;
         }
         let differs: Vec<bool> = lit
@@ -48,8 +51,9 @@ impl Pair<'_> {
         }
         let place = lumas.len() - (count * BRIGHTEST_TIMES).min(lumas.len());
         let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
-        let signs = differing.iter().filter(|(lit, unlit)| {
-            luma(*lit) >= least_bright && added_light(*lit, *unlit).is_some()
+        let signs = differing.iter().filter(|&&(lit, unlit)| {
+            let telling = is_colored(unlit) || luma(lit) >= least_bright;
+            telling && added_light(lit, unlit).is_some()
         });
         let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
         (enough && fades(&differing))
@@ -82,6 +86,10 @@ fn added_light(lit: Pixel, unlit: Pixel) -> Option<u8> {
     }
     // A cut-off channel may have got more than it shows, never less.
     (least == u8::MAX || most <= least.saturating_add(NEUTRAL)).then_some(most)
+}
+
+fn is_colored([r, g, b, _]: Pixel) -> bool {
+    r.max(g).max(b) - r.min(g).min(b) >= COLORED
 }
 
 /// Whether the light fades toward the rim instead of filling the area evenly, as an object in

@@ -65,15 +65,19 @@ pub enum Finding {
         /// The one that was encoded more often, and is lighter.
         lighter: Which,
     },
-    /// A highlight is missing: the difference is white light on the brightest parts.
+    /// A highlight is missing: the difference is white light that fades toward its rim.
     Highlight {
         /// The picture without it.
         missing_in: Which,
         /// Where it is in the other.
         area: Area,
     },
-    /// Differences only where a color lies between its neighbors in the other picture.
-    Edges,
+    /// The differences lie along edges, where each color is between those around it in the other
+    /// picture.
+    Edges {
+        /// So many of the pixels that differ by more than 8 of 255.
+        share: f64,
+    },
     /// Things are drawn in one picture where the other shows the background.
     Outline {
         /// Pixels drawn only in A.
@@ -191,7 +195,11 @@ impl fmt::Display for Finding {
             Self::RedBlueExchanged => f.write_str("B has red and blue exchanged (BGR for RGB?)"),
             Self::Background { a, b, alone } => {
                 let [a, b] = [a, b].map(|[r, g, b]| format!("({r}, {g}, {b})"));
-                let rest = if *alone { "; nothing else does by more than 8" } else { "" };
+                let rest = if *alone {
+                    "; nothing else does by more than 8"
+                } else {
+                    ""
+                };
                 write!(f, "the background differs: {a} in A, {b} in B{rest}")
             }
             Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
@@ -204,8 +212,10 @@ impl fmt::Display for Finding {
                 f,
                 "a highlight is missing in {missing_in}, around {area}: the specular term of the light"
             ),
-            Self::Edges => f.write_str(
-                "the pictures differ only along edges: antialiasing, or a movement of less than about a pixel",
+            Self::Edges { share } => write!(
+                f,
+                "{:.1} % of the differences lie along edges: antialiasing, or a movement of less than about a pixel",
+                100.0 * share
             ),
             Self::Outline {
                 only_a,

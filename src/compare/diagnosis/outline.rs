@@ -4,12 +4,13 @@ use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 
-/// Differences along edges must be so large a share of all.
-const NEARLY_ALL: f64 = 0.98;
+/// Differences along edges must be so large a share of all. Small facets meet in fewer pixels
+/// than the picture has, so that some of the colors between them are nowhere.
+const NEARLY_ALL: f64 = 0.85;
 /// Outlines agree if no more than this share of the drawn pixels is drawn in one picture alone.
 const OUTLINE_SLACK: f64 = 0.005;
 /// Shading differs if it does so in more than this share of the drawn pixels.
-const LEAST_SHADING: f64 = 0.01;
+const LEAST_SHADING: f64 = 0.001;
 
 impl Pair<'_> {
     /// Whether each picture's colors, where they differ, lie between those that the other has
@@ -25,8 +26,8 @@ impl Pair<'_> {
                 between += u64::from(fits);
             }
         }
-        let enough = between as f64 >= NEARLY_ALL * differing as f64;
-        (differing >= FEWEST_PIXELS && enough).then_some(Finding::Edges)
+        let share = between as f64 / differing as f64;
+        (differing >= FEWEST_PIXELS && share >= NEARLY_ALL).then_some(Finding::Edges { share })
     }
 
     /// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`.
