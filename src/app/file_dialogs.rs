@@ -14,15 +14,17 @@ impl Purpose {
     fn title(self) -> &'static str {
         match self {
             Self::ImportShape => "Import Shape",
-            Self::ImportCharacter => "Import Character (.obj with .skel and .attach beside it)",
+            Self::ImportCharacter => {
+                "Import Character (.dae, or .obj with .skel and .attach beside it)"
+            }
             Self::SaveScreenshot(_) => "Save Screenshot",
         }
     }
 
     fn filter(self) -> &'static str {
         match self {
-            Self::ImportShape => "Shapes (.obj)",
-            Self::ImportCharacter => "Characters (.obj)",
+            Self::ImportShape => "Shapes (.obj, .dae)",
+            Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::SaveScreenshot(_) => "Pictures (.png, .jpg, .gif)",
         }
     }
@@ -41,8 +43,10 @@ impl Purpose {
             .to_lowercase();
         let has = |other: &str| path.with_extension(other).is_file();
         match self {
-            Self::ImportShape => extension == "obj",
-            Self::ImportCharacter => extension == "obj" && (has("skel") || has("attach")),
+            Self::ImportShape => extension == "obj" || extension == "dae",
+            Self::ImportCharacter => {
+                extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
+            }
             Self::SaveScreenshot(_) => ["png", "jpg", "jpeg", "gif"].contains(&&*extension),
         }
     }

@@ -1,7 +1,27 @@
 //! Values of options, as people type them.
 
+use crate::io::Loaded;
 use crate::scene::{Camera, ViewDirection};
 use glam::Vec3;
+
+/// Which weights of a character count.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub(super) enum Influences {
+    /// Every one of the file.
+    All,
+    /// The four largest of a vertex, divided by their sum: what some programs show.
+    #[value(name = "4")]
+    Four,
+}
+
+impl Influences {
+    /// Cuts the characters of `loaded` down.
+    pub fn apply_to(self, loaded: &mut Loaded) {
+        if let Self::Four = self {
+            loaded.limit_influences(4);
+        }
+    }
+}
 
 /// `800x600`.
 pub(super) fn size(text: &str) -> Result<(u32, u32), String> {

@@ -1,5 +1,6 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
+use super::check_collada::ColladaReport;
 use super::{CliError, files, print};
 use crate::character::Influence;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin};
@@ -14,8 +15,8 @@ use std::path::{Path, PathBuf};
 /// Mistakes are told as path:line:column with what was expected and what was found.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it), shapes (.obj), curves
-    /// (.swp), poses (.json), or builtin:NAME
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, or .dae), shapes (.obj,
+    /// .dae), curves (.swp), poses (.json), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print one JSON object instead of text
@@ -37,6 +38,8 @@ struct FileReport {
     shapes: Vec<ShapeReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posed_joints: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    collada: Option<ColladaReport>,
     warnings: Vec<String>,
 }
 
@@ -110,6 +113,7 @@ impl FileReport {
             error: None,
             shapes: Vec::new(),
             posed_joints: None,
+            collada: None,
             warnings: Vec::new(),
         }
     }
@@ -117,10 +121,11 @@ impl FileReport {
 
 fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
     let file = builtin::resolve(path)?;
-    if file
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("json"))
-    {
+    let is = |extension: &str| {
+        file.extension()
+            .is_some_and(|found| found.eq_ignore_ascii_case(extension))
+    };
+    if is("json") {
         let pose = PoseFile::read(&file, &files.read(&file)?)?;
         let data = pose.data();
         let entries = data.joints.0.iter().chain(&data.roots.0);
@@ -134,10 +139,12 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
     loaded.add(files, path)?;
     let evaluated = Evaluator::new().evaluate(&loaded.scene);
     let shapes = loaded.scene.shapes().iter().zip(&evaluated.shapes);
+    let collada = is("dae").then(|| ColladaReport::read(files, &file));
     Ok(FileReport {
         shapes: shapes
             .map(|(shape, evaluated)| look_at(shape, evaluated))
             .collect(),
+        collada: collada.transpose()?,
         warnings: loaded.warnings.iter().map(ToString::to_string).collect(),
         ..FileReport::new(path)
     })
@@ -223,6 +230,9 @@ fn in_words(file: &FileReport) -> String {
             let corner = |[x, y, z]: [f32; 3]| format!("({x:.4}, {y:.4}, {z:.4})");
             line("  bounds", format!("{} to {}", corner(min), corner(max)));
         }
+    }
+    for (name, value) in file.collada.iter().flat_map(ColladaReport::in_words) {
+        line(name, value);
     }
     for warning in &file.warnings {
         line("warning", warning.clone());

@@ -1,6 +1,6 @@
 //! `editor export`: the current geometry as an `.obj` file.
 
-use super::{CliError, load};
+use super::{CliError, arguments, load};
 use crate::disk;
 use crate::io::{self, Diagnostic};
 use crate::scene::Evaluator;
@@ -12,8 +12,8 @@ use std::path::PathBuf;
 /// have as many digits as it takes to read back the same ones. Polygons become triangles.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it), shapes (.obj), or
-    /// builtin:NAME
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, or .dae), shapes (.obj,
+    /// .dae), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The .obj file to write
@@ -22,6 +22,9 @@ pub struct Args {
     /// Pose the characters first: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
+    /// Which weights count
+    #[arg(long, default_value = "all")]
+    influences: arguments::Influences,
 }
 
 /// Carries the command out.
@@ -36,7 +39,8 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             Diagnostic::new(&args.output, message).to_string(),
         ));
     }
-    let loaded = load(&args.files, args.pose.as_deref())?;
+    let mut loaded = load(&args.files, args.pose.as_deref())?;
+    args.influences.apply_to(&mut loaded);
     let evaluated = Evaluator::new().evaluate(&loaded.scene);
     let text = io::export_obj(&loaded.scene, &evaluated);
     Ok(disk::write_whole(&args.output, text.as_bytes())?)

@@ -4,6 +4,7 @@
 
 mod arguments;
 pub mod check;
+mod check_collada;
 pub mod compare;
 mod display_options;
 mod error;

@@ -50,6 +50,9 @@ pub struct Args {
     pose: Option<PathBuf>,
     #[command(flatten)]
     display: DisplayOptions,
+    /// Which weights count.
+    #[arg(long, default_value = "all")]
+    influences: arguments::Influences,
     /// Light and background [default: course, or as the scene has it].
     #[arg(long)]
     look: Option<LookName>,
@@ -110,6 +113,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 
 fn session(args: &Args) -> Result<Session, CliError> {
     let mut loaded = load(&args.files, args.pose.as_deref())?;
+    args.influences.apply_to(&mut loaded);
     args.display.apply_to(&mut loaded.scene);
 
     let mut view = loaded.view.unwrap_or_default();

@@ -3,6 +3,7 @@ use super::{
     dae::{DaeScene, read_dae},
     files, is_character, read_character, read_shape_obj, read_swp, scene_file,
 };
+use crate::character::Character;
 use crate::geometry::SharedMesh;
 use crate::scene::{
     CharacterShape, CurveShape, Scene, ShapeKind, Source, ViewSettings, name_of_import,
@@ -62,8 +63,7 @@ pub fn import_character(
         "obj" => {
             exists(files, &file)?;
             let character = read_character(files, &file)?;
-            let kind = |c| ShapeKind::Character(CharacterShape::new(Arc::new(c)));
-            Ok(character.map(|character| vec![new_shape(path, kind(character))]))
+            Ok(character.map(|character| vec![new_shape(path, posable(character))]))
         }
         "dae" => {
             let read = read_dae(files, &file)?;
@@ -138,6 +138,16 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// Leaves every character at most `most` influences a vertex, see [`Character::limited`].
+    pub fn limit_influences(&mut self, most: usize) {
+        let ids: Vec<_> = self.scene.shapes().iter().map(|shape| shape.id).collect();
+        for id in ids {
+            if let Some(shape) = self.scene.character_mut(id) {
+                shape.character = Arc::new(shape.character.limited(most));
+            }
+        }
+    }
+
     /// Adds what the file at `path` holds: the shapes of a scene with its view, or an import.
     ///
     /// # Errors
@@ -211,13 +221,15 @@ fn new_shape(path: &Path, kind: ShapeKind) -> NewShape {
     }
 }
 
+fn posable(character: Character) -> ShapeKind {
+    ShapeKind::Character(CharacterShape::new(Arc::new(character)))
+}
+
 /// The characters of a Collada file, then its static meshes. What is alone in its file has the
 /// file's name, others that of the file and their own.
 fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
-    let characters = scene.characters.into_iter().map(|found| {
-        let shape = CharacterShape::new(Arc::new(found.character));
-        (found.name, ShapeKind::Character(shape))
-    });
+    let characters = scene.characters.into_iter();
+    let characters = characters.map(|found| (found.name, posable(found.character)));
     let meshes = scene.meshes.into_iter();
     let meshes = meshes.map(|found| (found.name, ShapeKind::Mesh(SharedMesh::new(found.mesh))));
     let found: Vec<(String, ShapeKind)> = characters.chain(meshes).collect();

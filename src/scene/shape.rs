@@ -215,6 +215,8 @@ impl ShapeKind {
             Self::Icosahedron => 6,
             Self::Custom => 11,
             Self::Mesh(_) => 1,
+            // Its materials have colors, which another one would tint.
+            Self::Character(shape) if !shape.character.bind_mesh().groups.is_empty() => 1,
             Self::Character(_) => 12,
             Self::Curve(_) => 30,
         }

@@ -165,8 +165,8 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::Teapot), Menu::Insert, "Teapot", "Add the Utah teapot at the origin", &[key(SHIFT, Key::T)]),
     entry(Command::Insert(Primitive::Icosahedron), Menu::Insert, "Icosahedron", "Add an icosahedron at the origin", &[key(SHIFT, Key::I)]),
     entry(Command::Insert(Primitive::Custom), Menu::Insert, "Custom Shape", "Add the shape that custom.rs makes", &[key(SHIFT, Key::U)]),
-    entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj file", &[key(CTRL, Key::I)]),
-    entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
+    entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
+    entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
 
     entry(Command::Delete, Menu::Shape, "Delete", "Take the selected shape away", &[key(NONE, Key::Delete)]),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),

@@ -3,6 +3,7 @@
 
 mod characters;
 mod hostile;
+mod importing;
 mod materials;
 mod meshes;
 mod reference;

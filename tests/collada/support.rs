@@ -2,7 +2,7 @@
 
 use editor_core::geometry::Mesh;
 use editor_core::io::dae::{DaeScene, read_dae};
-use editor_core::io::{Diagnostic, Imported};
+use editor_core::io::{Diagnostic, Files, Imported};
 use glam::Vec3;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -16,11 +16,15 @@ impl Memory {
         self.0.insert(path.into(), bytes.into());
         self
     }
+
+    pub fn files(&self) -> &dyn Files {
+        &self.0
+    }
 }
 
 /// What `path` reads among `files`.
 pub fn read(files: &Memory, path: &str) -> Result<Imported<DaeScene>, Diagnostic> {
-    read_dae(&files.0, Path::new(path))
+    read_dae(files.files(), Path::new(path))
 }
 
 pub fn import_bytes(bytes: impl Into<Vec<u8>>) -> Result<Imported<DaeScene>, Diagnostic> {

@@ -1,0 +1,85 @@
+use crate::io::dae::{DaeReport, UpAxis, read_dae};
+use crate::io::{Diagnostic, Files};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// What `editor check` tells of a Collada file besides its shapes.
+#[derive(Debug, Serialize)]
+pub(super) struct ColladaReport {
+    up_axis: &'static str,
+    meters_per_unit: f64,
+    skins: usize,
+    /// As in the file; the shapes' weights have been divided by them.
+    weight_sums: Option<[f32; 2]>,
+    unweighted_vertices: usize,
+    inverse_bind_difference: Option<Difference>,
+    ignored: BTreeMap<String, usize>,
+}
+
+/// Where inverse bind matrices and scene differ most.
+#[derive(Debug, Serialize)]
+struct Difference {
+    joint: String,
+    difference: f64,
+}
+
+impl ColladaReport {
+    /// Reads the file at `path` for what does not become part of a scene.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn read(files: &dyn Files, path: &Path) -> Result<Self, Diagnostic> {
+        Ok(read_dae(files, path)?.value.report.into())
+    }
+
+    /// Lines of a report for people: what, and how much.
+    pub fn in_words(&self) -> Vec<(&'static str, String)> {
+        let mut lines = vec![(
+            "collada",
+            format!("{} up, {} m a unit", self.up_axis, self.meters_per_unit),
+        )];
+        if self.skins > 0 {
+            lines.push(("  skins", self.skins.to_string()));
+        }
+        if let Some([low, high]) = self.weight_sums {
+            lines.push((
+                "  weight sums",
+                format!("{low:.4} to {high:.4} in the file"),
+            ));
+        }
+        if self.unweighted_vertices > 0 {
+            let count = self.unweighted_vertices;
+            lines.push(("  unweighted", format!("{count} vertices stay at rest")));
+        }
+        if let Some(Difference { joint, difference }) = &self.inverse_bind_difference {
+            let most = format!("differs from the scene by at most {difference:.1e}, at {joint}");
+            lines.push(("  bind pose", most));
+        }
+        for (what, count) in &self.ignored {
+            lines.push(("  ignored", format!("{count} × {what}")));
+        }
+        lines
+    }
+}
+
+impl From<DaeReport> for ColladaReport {
+    fn from(report: DaeReport) -> Self {
+        Self {
+            up_axis: match report.space.up {
+                UpAxis::X => "X",
+                UpAxis::Y => "Y",
+                UpAxis::Z => "Z",
+            },
+            meters_per_unit: report.space.meters,
+            skins: report.skins,
+            weight_sums: report.weight_sums.map(|(low, high)| [low, high]),
+            unweighted_vertices: report.unweighted,
+            inverse_bind_difference: report.worst_inverse_bind.map(|worst| Difference {
+                joint: worst.joint,
+                difference: worst.difference,
+            }),
+            ignored: report.ignored,
+        }
+    }
+}

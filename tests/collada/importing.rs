@@ -1,0 +1,101 @@
+//! Collada files as the program imports them.
+
+use crate::support::*;
+use editor_core::io::{Loaded, import_any, import_character, import_shape};
+use editor_core::scene::{COLOR_PRESETS, ShapeColor, ShapeKind};
+use std::path::Path;
+
+/// A skinned arm and a static mesh beside it.
+fn both() -> Memory {
+    let mesh = format!(
+        "<node name=\"Sword\">{}</node></visual_scene>",
+        instance("g")
+    );
+    let text = arm(&Skin::default()).replace("</visual_scene>", &mesh);
+    Memory::default().with("my_arm.dae", text)
+}
+
+fn names(shapes: &[editor_core::io::NewShape]) -> Vec<(&str, &str)> {
+    shapes
+        .iter()
+        .map(|shape| (shape.name.as_str(), shape.kind.label()))
+        .collect()
+}
+
+#[test]
+fn a_file_brings_in_its_characters_and_then_its_meshes() {
+    let files = both();
+    let path = Path::new("my_arm.dae");
+    let expected = [("My_arm Name a", "Character"), ("My_arm Sword", "Shape")];
+    assert_eq!(
+        names(&import_any(files.files(), path).unwrap().value),
+        expected
+    );
+    assert_eq!(
+        names(&import_character(files.files(), path).unwrap().value),
+        expected
+    );
+    let shapes = import_shape(files.files(), path).unwrap().value;
+    assert!(
+        shapes
+            .iter()
+            .all(|shape| matches!(shape.kind, ShapeKind::Mesh(_)))
+    );
+    assert_eq!(shapes.len(), 2);
+}
+
+#[test]
+fn what_is_alone_in_its_file_has_the_files_name() {
+    let files = Memory::default().with("a/vase.DAE", static_document(&triangle("g")));
+    let path = Path::new("a/vase.DAE");
+    let imported = import_any(files.files(), path).unwrap().value;
+    assert_eq!(names(&imported), [("Vase", "Shape")]);
+    let error = import_character(files.files(), path)
+        .unwrap_err()
+        .to_string();
+    assert_eq!(
+        error,
+        "a/vase.DAE: expected a character, found only shapes: import it as a shape"
+    );
+}
+
+#[test]
+fn a_scene_can_be_cut_to_four_influences() {
+    let skin = Skin {
+        joints: "a b",
+        weights: "1 3",
+        vcount: "2 0 0",
+        v: "0 0 1 1",
+        ..Skin::default()
+    };
+    let files = Memory::default().with("a.dae", arm(&skin));
+    let mut loaded = Loaded::default();
+    loaded.add(files.files(), Path::new("a.dae")).unwrap();
+    loaded.limit_influences(1);
+    let ShapeKind::Character(shape) = &loaded.scene.shapes()[0].kind else {
+        panic!("expected a character");
+    };
+    let kept = shape.character.attachments().of_vertex(0);
+    assert_eq!((kept.len(), kept[0].joint, kept[0].weight), (1, 1, 1.0));
+}
+
+#[test]
+fn a_character_with_materials_starts_white_so_that_these_show_as_they_are() {
+    let white = |text: String| {
+        let files = Memory::default().with("a.dae", text);
+        let mut loaded = Loaded::default();
+        loaded.add(files.files(), Path::new("a.dae")).unwrap();
+        let color = loaded.scene.shapes()[0].placement.color;
+        matches!(color, ShapeColor::Preset(preset) if COLOR_PRESETS[preset].name == "White")
+    };
+    let plain = arm(&Skin::default());
+    let library = r##"<library_effects><effect id="e"><profile_COMMON><technique><lambert/></technique></profile_COMMON></effect></library_effects><library_materials><material id="m"><instance_effect url="#e"/></material></library_materials>"##;
+    let colored = plain
+        .replace(
+            "<library_geometries>",
+            &format!("{library}<library_geometries>"),
+        )
+        .replace("<triangles", "<triangles material=\"m\"");
+    assert!(white(colored));
+    assert!(!white(plain));
+}
