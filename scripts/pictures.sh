@@ -13,3 +13,9 @@ mkdir -p "$out"
     --size 640x480 -o "$out/frames.png"
 ./editor render builtin:goblet --control-points off --curve off --look studio --fit \
     --camera 60,20,5 --samples 4 --size 640x480 -o "$out/surface.png"
+# What cutting to four weights a vertex would look like is told by compare: here, two poses.
+./editor render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 -o "$out/a.png"
+./editor render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 \
+    --influences 4 -o "$out/b.png"
+./editor compare "$out/a.png" "$out/b.png" -o "$out/compare.png" || true
+rm "$out/a.png" "$out/b.png"
