@@ -57,7 +57,7 @@ pub struct Args {
     #[arg(long)]
     look: Option<LookName>,
     /// Draw the axes.
-    #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch)]
+    #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch, action = clap::ArgAction::Set)]
     axis: bool,
     /// Samples a pixel, for smooth edges; 0 for none.
     #[arg(long, value_name = "N", default_value_t = 0)]

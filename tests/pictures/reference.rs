@@ -22,6 +22,12 @@ pub struct Render {
     pub joints: BTreeMap<usize, JointAngles>,
 }
 
+impl Render {
+    pub fn is_from_above_or_below(&self) -> bool {
+        self.file.contains("_py_") || self.file.contains("_my_")
+    }
+}
+
 #[derive(Debug, Deserialize)]
 pub struct Camera {
     pub target: [f32; 3],

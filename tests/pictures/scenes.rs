@@ -29,10 +29,17 @@ impl Files for Disk {
 
 /// The scene of one picture and how it is looked at.
 pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
+    // From above and from below the original sees the scene turned by half a circle, through a
+    // rounding accident; ours has +X to the right there, and sees theirs from the other side.
+    let turn = if render.is_from_above_or_below() {
+        std::f32::consts::PI
+    } else {
+        0.0
+    };
     let camera = Camera {
         target: Vec3::from_array(render.camera.target),
         radius: render.camera.radius,
-        theta: render.camera.theta_rad as f32,
+        theta: render.camera.theta_rad as f32 + turn,
         phi: render.camera.phi_rad as f32,
         ..Camera::default()
     };

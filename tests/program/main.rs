@@ -5,6 +5,7 @@ mod reference;
 
 mod check;
 mod export;
+mod render;
 mod usage;
 
 use std::path::{Path, PathBuf};

@@ -1,0 +1,229 @@
+//! `editor render`: pictures without a window.
+
+use super::{editor_in, files_in, folder};
+use std::path::Path;
+
+/// The pixels of a picture that a run wrote.
+fn picture(folder: &Path, name: &str) -> image::RgbaImage {
+    image::open(folder.join(name)).unwrap().to_rgba8()
+}
+
+fn drawn(picture: &image::RgbaImage) -> usize {
+    picture
+        .pixels()
+        .filter(|pixel| pixel.0 != [26, 26, 26, 255])
+        .count()
+}
+
+#[test]
+fn a_character_is_drawn_posed_and_fills_the_picture() {
+    let folder = folder();
+    for (name, pose) in [
+        ("rest.png", &[][..]),
+        ("bent.png", &["--pose", "bend.json"]),
+    ] {
+        let arguments = [&["render", "man.obj", "--fit", "-o", name], pose].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(0), "{arguments:?}: {}", ran.err);
+    }
+    let (rest, bent) = (
+        picture(folder.path(), "rest.png"),
+        picture(folder.path(), "bent.png"),
+    );
+    assert_eq!(rest.dimensions(), (800, 600));
+    assert!(drawn(&rest) > 10_000);
+    assert_ne!(rest, bent);
+}
+
+#[test]
+fn egl_and_osmesa_draw_the_same_picture_and_so_does_every_run() {
+    let folder = folder();
+    let mut files = Vec::new();
+    for (name, gl) in [
+        ("a.png", "egl"),
+        ("b.png", "osmesa"),
+        ("c.png", "egl"),
+        ("d.png", "auto"),
+    ] {
+        let ran = editor_in(
+            folder.path(),
+            &[
+                "render",
+                "builtin:showcase",
+                "--ui",
+                "--samples",
+                "4",
+                "--gl",
+                gl,
+                "-o",
+                name,
+            ],
+        );
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{gl}");
+        files.push(std::fs::read(folder.path().join(name)).unwrap());
+    }
+    assert!(files.windows(2).all(|pair| pair[0] == pair[1]));
+}
+
+#[test]
+fn options_change_the_picture_and_defaults_are_what_the_contract_says() {
+    let folder = folder();
+    let render = |name: &str, options: &[&str]| {
+        let arguments = [
+            &["render", "builtin:robot", "--size", "200x150", "-o", name],
+            options,
+        ];
+        let ran = editor_in(folder.path(), &arguments.concat());
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options:?}");
+        picture(folder.path(), name)
+    };
+    let plain = render("plain.png", &[]);
+    let said = "--display mesh --joints spheres --bones boxes --look course --axis off --samples 0 \
+                --gl auto --camera 90,0,5 --curve on --surface shaded --control-points on";
+    assert_eq!(
+        plain,
+        render("said.png", &said.split_whitespace().collect::<Vec<_>>())
+    );
+    for options in [
+        &["--display", "skeleton"][..],
+        &["--display", "both"],
+        &["--display", "skeleton", "--joints", "points"],
+        &["--display", "skeleton", "--bones", "lines"],
+        &["--look", "studio"],
+        &["--axis", "on"],
+        &["--samples", "4"],
+        &["--camera=-30,10,5"],
+        &["--camera", "-30,10,5,0.1,0,0"],
+        &["--view", "-x"],
+        &["--view", "+y"],
+        &["--fit"],
+    ] {
+        let changed = render("changed.png", options);
+        assert_ne!(plain, changed, "{options:?}");
+        assert!(drawn(&changed) > 100, "{options:?}");
+    }
+}
+
+#[test]
+fn pictures_are_written_as_png_jpeg_and_gif() {
+    let folder = folder();
+    for name in ["a.png", "a.jpg", "a.gif"] {
+        let ran = editor_in(
+            folder.path(),
+            &["render", "box.obj", "--size", "64x48", "-o", name],
+        );
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{name}");
+        assert_eq!(picture(folder.path(), name).dimensions(), (64, 48));
+    }
+}
+
+#[test]
+fn curves_are_drawn_with_frames_and_wireframes() {
+    let folder = folder();
+    let swp = "circ profile 12 0.5\ncirc sweep 24 1.5\ngcyl ring profile sweep\n";
+    std::fs::write(folder.path().join("ring.swp"), swp).unwrap();
+    let mut pictures = Vec::new();
+    for options in [
+        &["--curve", "off", "--control-points", "off"][..],
+        &["--surface", "wireframe"],
+        &["--surface", "off", "--curve", "frames"],
+        &[
+            "--no-frame-closing",
+            "--surface",
+            "off",
+            "--curve",
+            "off",
+            "--control-points",
+            "off",
+        ],
+    ] {
+        let arguments = [&["render", "ring.swp", "-o", "a.png"], options].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options:?}");
+        pictures.push(picture(folder.path(), "a.png"));
+    }
+    assert!(pictures.windows(2).all(|pair| pair[0] != pair[1]));
+    assert_eq!(drawn(&pictures[3]), 0);
+}
+
+#[test]
+fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
+    let folder = folder();
+    let before = files_in(folder.path());
+    for (arguments, code, told) in [
+        (&["render", "bad.obj", "-o", "a.png"][..], 1, "bad.obj:2:"),
+        (
+            &["render", "none.obj", "-o", "a.png"],
+            1,
+            "none.obj: there is no such file",
+        ),
+        (&["render", "man.obj", "-o", "a.bmp"], 1, "a.bmp: expected"),
+        (
+            &["render", "man.obj", "-o", "no/a.png"],
+            1,
+            "there is no folder",
+        ),
+        (
+            &["render", "man.obj", "--size", "99999x99999", "-o", "a.png"],
+            1,
+            "99999",
+        ),
+        (
+            &["render", "man.obj", "--samples", "7000", "-o", "a.png"],
+            1,
+            "7000",
+        ),
+        (
+            &["render", "man.obj", "--pose", "a.scene", "-o", "a.png"],
+            1,
+            "a.scene:1:",
+        ),
+        (
+            &["render", "box.obj", "--pose", "bend.json", "-o", "a.png"],
+            1,
+            "bend.json",
+        ),
+        (
+            &["render", "man.obj", "--size", "800", "-o", "a.png"],
+            2,
+            "WIDTHxHEIGHT",
+        ),
+        (
+            &["render", "man.obj", "--camera", "1,2", "-o", "a.png"],
+            2,
+            "THETA,PHI,RADIUS",
+        ),
+        (
+            &["render", "man.obj", "--camera", "1,2,NaN", "-o", "a.png"],
+            2,
+            "THETA,PHI,RADIUS",
+        ),
+        (
+            &["render", "man.obj", "--view", "up", "-o", "a.png"],
+            2,
+            "+x, -x",
+        ),
+        (
+            &["render", "man.obj", "--axis", "maybe", "-o", "a.png"],
+            2,
+            "on or off",
+        ),
+        (&["render", "man.obj"], 2, "--output"),
+    ] {
+        let ran = editor_in(folder.path(), arguments);
+        assert_eq!(
+            (ran.code, &*ran.out),
+            (Some(code), ""),
+            "{arguments:?}: {}",
+            ran.err
+        );
+        let errors: Vec<_> = ran
+            .err
+            .lines()
+            .filter(|l| l.starts_with("error: "))
+            .collect();
+        assert_eq!(errors.len(), 1, "{arguments:?}: {}", ran.err);
+        assert!(ran.err.contains(told), "{arguments:?}: {}", ran.err);
+        assert_eq!(files_in(folder.path()), before, "{arguments:?}");
+    }
+}
