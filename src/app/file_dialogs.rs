@@ -1,4 +1,5 @@
 use crate::editor::Screenshot;
+use crate::scene::ShapeId;
 use egui_file_dialog::{DialogState, FileDialog, Filter};
 use std::path::{Path, PathBuf};
 
@@ -6,7 +7,10 @@ use std::path::{Path, PathBuf};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Purpose {
     ImportShape,
+    ImportCurve,
     ImportCharacter,
+    ExportCurve(ShapeId),
+    ExportGeometry,
     SaveScreenshot(Screenshot),
 }
 
@@ -17,6 +21,9 @@ impl Purpose {
             Self::ImportCharacter => {
                 "Import Character (.dae, or .obj with .skel and .attach beside it)"
             }
+            Self::ImportCurve => "Import Curve",
+            Self::ExportCurve(_) => "Export Curve",
+            Self::ExportGeometry => "Export Geometry",
             Self::SaveScreenshot(_) => "Save Screenshot",
         }
     }
@@ -25,6 +32,8 @@ impl Purpose {
         match self {
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
+            Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
+            Self::ExportGeometry => "Geometry (.obj)",
             Self::SaveScreenshot(_) => "Pictures (.png, .jpg, .gif)",
         }
     }
@@ -47,6 +56,8 @@ impl Purpose {
             Self::ImportCharacter => {
                 extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
             }
+            Self::ExportGeometry => extension == "obj",
+            Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
             Self::SaveScreenshot(_) => ["png", "jpg", "jpeg", "gif"].contains(&&*extension),
         }
     }
@@ -66,27 +77,33 @@ impl FileDialogs {
         self.open.is_some()
     }
 
-    /// Opens it in `folder`, in place of one that is open already.
+    /// Opens it in `folder`, in place of one that is open already, to choose a file.
     pub fn open(&mut self, purpose: Purpose, folder: Option<&Path>) {
+        let mut dialog = Self::dialog(purpose, folder);
+        dialog.pick_file();
+        self.open = Some((purpose, dialog));
+    }
+
+    /// Opens it to write a file, which it calls `name` until the user does otherwise.
+    pub fn open_to_save(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
+        let mut dialog = Self::dialog(purpose, folder).default_file_name(name);
+        dialog.save_file();
+        self.open = Some((purpose, dialog));
+    }
+
+    fn dialog(purpose: Purpose, folder: Option<&Path>) -> FileDialog {
         let filter = Filter::new(move |path: &Path| purpose.lists(path));
-        let mut dialog = FileDialog::new()
+        let dialog = FileDialog::new()
             .title(purpose.title())
             .id("file dialog")
             .add_file_filter(purpose.filter(), filter)
             .default_file_filter(purpose.filter())
             .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
             .default_size([640.0, 440.0]);
-        if let Some(folder) = folder.filter(|folder| folder.is_dir()) {
-            dialog = dialog.initial_directory(folder.to_owned());
+        match folder.filter(|folder| folder.is_dir()) {
+            Some(folder) => dialog.initial_directory(folder.to_owned()),
+            None => dialog,
         }
-        match purpose {
-            Purpose::SaveScreenshot(_) => {
-                dialog = dialog.default_file_name("screenshot.png");
-                dialog.save_file();
-            }
-            _ => dialog.pick_file(),
-        }
-        self.open = Some((purpose, dialog));
     }
 
     /// Shows the dialog if it is open; returns the file once one is chosen.

@@ -36,10 +36,11 @@ impl Workspace {
         let view_input = ui::ViewInput {
             title: &self.title,
             builtin_characters: &self.builtin_characters,
+            builtin_curves: &self.builtin_curves,
             hovered_shape: self.hovered_shape,
             frames_per_second: None,
             backend: &self.backend,
-            gesture_under_way: false,
+            gesture_under_way: state.gesture_under_way(),
             keys_are_taken: dialogs.is_open(),
         };
         let mut shown = None;
@@ -54,7 +55,7 @@ impl Workspace {
         let Some(mut shown) = shown else {
             return Ok(Duration::MAX);
         };
-        self.hovered_shape = ui::view_gestures(&shown.view, session, &mut shown.actions);
+        self.hovered_shape = ui::view_gestures(&shown.view, session, state, &mut shown.actions);
         let changed = !shown.actions.is_empty() || chosen.is_some();
         self.carry_out(std::mem::take(&mut shown.actions));
         if let Some((purpose, path)) = chosen {

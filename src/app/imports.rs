@@ -30,6 +30,11 @@ impl Workspace {
         self.insert(io::import_shape(&files(), path));
     }
 
+    /// Import ▸ Import Curve.
+    pub(super) fn import_curve(&mut self, path: &Path) {
+        self.insert(io::import_curve(&files(), path));
+    }
+
     /// Import ▸ Import Character.
     pub(super) fn import_character(&mut self, path: &Path) {
         self.insert(io::import_character(&files(), path));

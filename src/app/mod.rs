@@ -2,6 +2,7 @@
 //! picture, and nothing is drawn while nothing changes.
 
 mod application;
+mod exports;
 mod file_dialogs;
 mod frame;
 pub mod globals;

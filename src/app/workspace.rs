@@ -1,4 +1,5 @@
 use super::application::{AppError, Options, Wake};
+use super::exports::file_stem;
 use super::file_dialogs::{FileDialogs, Purpose};
 use super::frame::FramePictures;
 use super::globals;
@@ -37,6 +38,7 @@ pub(super) struct Workspace {
     /// What draws, for the status line.
     pub(super) backend: String,
     pub(super) builtin_characters: Vec<&'static str>,
+    pub(super) builtin_curves: Vec<&'static str>,
     quit: bool,
 }
 
@@ -85,7 +87,8 @@ impl Workspace {
             hovered_shape: None,
             title,
             backend,
-            builtin_characters: builtin_characters(),
+            builtin_characters: builtins(BuiltinKind::Character),
+            builtin_curves: builtins(BuiltinKind::Curve),
             quit: false,
         };
         workspace.ui.theme = workspace.preferences.theme;
@@ -165,7 +168,22 @@ impl Workspace {
         match ask {
             Ask::ImportShape => self.dialogs.open(Purpose::ImportShape, folder),
             Ask::ImportCharacter => self.dialogs.open(Purpose::ImportCharacter, folder),
-            Ask::Screenshot(shot) => self.dialogs.open(Purpose::SaveScreenshot(shot), folder),
+            Ask::ImportCurve => self.dialogs.open(Purpose::ImportCurve, folder),
+            Ask::ExportCurve(id) => {
+                let shape = self.session.scene().shape(id);
+                let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
+                let purpose = Purpose::ExportCurve(id);
+                self.dialogs
+                    .open_to_save(purpose, folder, &format!("{stem}.swp"));
+            }
+            Ask::ExportGeometry => {
+                let purpose = Purpose::ExportGeometry;
+                self.dialogs.open_to_save(purpose, folder, "scene.obj");
+            }
+            Ask::Screenshot(shot) => {
+                let purpose = Purpose::SaveScreenshot(shot);
+                self.dialogs.open_to_save(purpose, folder, "screenshot.png");
+            }
             Ask::InsertBuiltin(name) => self.import_any(Path::new(&format!("builtin:{name}"))),
             Ask::Quit => self.quit = true,
         }
@@ -176,7 +194,10 @@ impl Workspace {
         self.preferences.last_folder = path.parent().map(Path::to_owned);
         match purpose {
             Purpose::ImportShape => self.import_shape(&path),
+            Purpose::ImportCurve => self.import_curve(&path),
             Purpose::ImportCharacter => self.import_character(&path),
+            Purpose::ExportCurve(id) => self.export_curve(id, &path),
+            Purpose::ExportGeometry => self.export_geometry(&path),
             Purpose::SaveScreenshot(shot) if shot.with_panels => {
                 self.pending_screenshot = Some(path);
             }
@@ -190,10 +211,10 @@ impl Workspace {
     }
 }
 
-fn builtin_characters() -> Vec<&'static str> {
+fn builtins(kind: BuiltinKind) -> Vec<&'static str> {
     builtin::catalogue()
         .into_iter()
-        .filter(|builtin| builtin.kind == BuiltinKind::Character)
+        .filter(|builtin| builtin.kind == kind)
         .map(|builtin| builtin.name)
         .collect()
 }

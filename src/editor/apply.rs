@@ -11,8 +11,7 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
     match edit {
         Edit::Insert { name, kind, source } => {
             session.selected = Some(scene.add(name, kind, source));
-            session.selected_joint = None;
-            session.hovered_joint = None;
+            session.forget_parts();
         }
         Edit::Delete(id) => delete(session, id),
         Edit::Reset(id) => scene.reset(id),
@@ -60,13 +59,18 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
             }
         }
         Edit::SetControlPoint { .. }
+        | Edit::AddControlPoint { .. }
+        | Edit::RemoveControlPoint { .. }
+        | Edit::AddCurve(..)
+        | Edit::RemoveCurveItem { .. }
+        | Edit::SetCurves(..)
         | Edit::SetSteps { .. }
         | Edit::SetRadius { .. }
         | Edit::SetFrameClosing(..)
         | Edit::SetCurveDisplay(..)
         | Edit::MakeSurfaceOfRevolution { .. }
         | Edit::MakeSweep { .. } => {
-            if let Err(refused) = apply_curve_edit(scene, &edit) {
+            if let Err(refused) = apply_curve_edit(scene, edit) {
                 session.messages.tell(Severity::Error, refused.to_string());
             }
         }
@@ -90,13 +94,13 @@ pub fn apply_view(session: &mut Session, view: View) {
         View::SetShading(shading) => session.view.shading = shading,
         View::Select(selected) => {
             if selected != session.selected {
-                session.selected_joint = None;
-                session.hovered_joint = None;
+                session.forget_parts();
             }
             session.selected = selected;
         }
         View::SelectJoint(joint) => session.selected_joint = joint,
         View::HoverJoint(joint) => session.hovered_joint = joint,
+        View::HoverControlPoint(point) => session.hovered_control_point = point,
         View::DismissMessages => session.messages.dismiss(),
     }
     session.refresh();
@@ -138,8 +142,7 @@ fn delete(session: &mut Session, id: ShapeId) {
         session.selected = next
             .and_then(|index| shapes.get(index))
             .map(|shape| shape.id);
-        session.selected_joint = None;
-        session.hovered_joint = None;
+        session.forget_parts();
     }
 }
 

@@ -11,8 +11,8 @@ const TUBE_STEPS: u32 = 20;
 ///
 /// # Errors
 /// If the change would not leave valid curves; nothing is changed then.
-pub(super) fn apply_curve_edit(scene: &mut Scene, edit: &Edit) -> Result<(), CurveSetError> {
-    match *edit {
+pub(super) fn apply_curve_edit(scene: &mut Scene, edit: Edit) -> Result<(), CurveSetError> {
+    match edit {
         Edit::SetControlPoint {
             shape,
             curve,
@@ -21,6 +21,26 @@ pub(super) fn apply_curve_edit(scene: &mut Scene, edit: &Edit) -> Result<(), Cur
         } => change(scene, shape, |set| {
             set.with_control_point(curve, point, position)
         }),
+        Edit::AddControlPoint {
+            shape,
+            curve,
+            after,
+        } => change(scene, shape, |set| set.with_point_after(curve, after)),
+        Edit::RemoveControlPoint {
+            shape,
+            curve,
+            point,
+        } => change(scene, shape, |set| set.without_point(curve, point)),
+        Edit::AddCurve(shape, curve) => change(scene, shape, |set| {
+            let mut set = set.clone();
+            let name = set.free_name("curve");
+            set.push(&name, CurveItemKind::Curve(curve))?;
+            Ok(set)
+        }),
+        Edit::RemoveCurveItem { shape, item } => {
+            change(scene, shape, |set| Ok(set.without_item(item)))
+        }
+        Edit::SetCurves(shape, curves) => change(scene, shape, |_| Ok(curves)),
         Edit::SetSteps { shape, item, steps } => {
             change(scene, shape, |set| set.with_steps(item, steps))
         }

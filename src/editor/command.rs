@@ -1,8 +1,9 @@
 use crate::character::Pose;
+use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, Look, Placement, Shading, ShapeColor, ShapeId,
-    ShapeKind, Source, ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, CurveSet, Look, Placement, Shading, ShapeColor,
+    ShapeId, ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -76,6 +77,37 @@ pub enum Edit {
         /// Its new place, in the shape's model space.
         position: Vec3,
     },
+    /// Adds a control point, or a whole piece of a Bézier curve (see
+    /// [`Curve::with_point_after`]).
+    AddControlPoint {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve in its [`crate::scene::CurveSet`].
+        curve: usize,
+        /// Index of the control point that the new one comes behind.
+        after: usize,
+    },
+    /// Takes a control point away, of a Bézier curve with its handles (see
+    /// [`Curve::without_point`]).
+    RemoveControlPoint {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve in its [`crate::scene::CurveSet`].
+        curve: usize,
+        /// Index of the control point.
+        point: usize,
+    },
+    /// Adds a curve at the end of a shape made of curves.
+    AddCurve(ShapeId, Curve),
+    /// Takes a curve or surface out of a shape made of curves, and all surfaces made from it.
+    RemoveCurveItem {
+        /// The shape made of curves.
+        shape: ShapeId,
+        /// Index of the curve or surface in its [`crate::scene::CurveSet`].
+        item: usize,
+    },
+    /// Replaces all curves of a shape at once, as a cancelled gesture does.
+    SetCurves(ShapeId, CurveSet),
     /// Sets the steps of a curve (per piece) or of a surface of revolution (of the turn).
     SetSteps {
         /// The shape made of curves.
@@ -148,6 +180,9 @@ pub enum View {
     SelectJoint(Option<usize>),
     /// Marks the joint that the pointer is over, or none.
     HoverJoint(Option<usize>),
+    /// Marks the control point of the selected shape that the pointer is over, by the indices of
+    /// its curve and of the point in it; or none.
+    HoverControlPoint(Option<(usize, usize)>),
     /// Takes the fresh messages away; the history keeps them.
     DismissMessages,
 }
@@ -159,8 +194,14 @@ pub enum Ask {
     ImportShape,
     /// Import ▸ Import Character: choose a file.
     ImportCharacter,
-    /// A built-in character by its name.
+    /// Import ▸ Import Curve: choose a file.
+    ImportCurve,
+    /// A built-in character or curve by its name.
     InsertBuiltin(&'static str),
+    /// Write the curves of a shape as `.swp`: choose a file.
+    ExportCurve(ShapeId),
+    /// Write the geometry of the scene as `.obj`: choose a file.
+    ExportGeometry,
     /// Save a picture of the view: choose a file.
     Screenshot(Screenshot),
     /// End the program.

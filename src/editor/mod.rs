@@ -4,10 +4,12 @@
 mod apply;
 mod apply_curve;
 mod command;
+mod control_point_drag;
 mod messages;
 mod session;
 
 pub use apply::{apply_edit, apply_view};
 pub use command::{Action, Ask, Edit, Screenshot, View};
+pub use control_point_drag::{ControlPointDrag, pick_control_point};
 pub use messages::{Message, Messages, Severity};
 pub use session::Session;

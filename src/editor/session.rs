@@ -10,6 +10,7 @@ pub struct Session {
     pub(super) selected: Option<ShapeId>,
     pub(super) selected_joint: Option<usize>,
     pub(super) hovered_joint: Option<usize>,
+    pub(super) hovered_control_point: Option<(usize, usize)>,
     pub(super) view: ViewSettings,
     /// What was told to the user.
     pub messages: Messages,
@@ -25,6 +26,7 @@ impl Default for Session {
             selected: None,
             selected_joint: None,
             hovered_joint: None,
+            hovered_control_point: None,
             view: ViewSettings::default(),
             messages: Messages::default(),
             evaluator: Evaluator::new(),
@@ -73,6 +75,13 @@ impl Session {
         self.hovered_joint
     }
 
+    /// The control point of the selected shape that the pointer is over, in the view or in the
+    /// panel: the indices of its curve in the [`crate::scene::CurveSet`] and of the point in the
+    /// curve. Always one that exists.
+    pub fn hovered_control_point(&self) -> Option<(usize, usize)> {
+        self.hovered_control_point
+    }
+
     /// How the scene is looked at.
     pub fn view(&self) -> &ViewSettings {
         &self.view
@@ -88,6 +97,13 @@ impl Session {
         self.revision
     }
 
+    /// Forgets which part of the selected shape was selected or under the pointer.
+    pub(super) fn forget_parts(&mut self) {
+        self.selected_joint = None;
+        self.hovered_joint = None;
+        self.hovered_control_point = None;
+    }
+
     /// Works out anew what changed. Both apply functions end with this.
     pub(super) fn refresh(&mut self) {
         self.revision = Revision::new();
@@ -99,5 +115,14 @@ impl Session {
             .map_or(0, |character| character.character.skeleton().joints().len());
         self.selected_joint = self.selected_joint.filter(|&joint| joint < joints);
         self.hovered_joint = self.hovered_joint.filter(|&joint| joint < joints);
+        let curves = self
+            .selected
+            .and_then(|id| self.scene.curve(id))
+            .map(|shape| shape.curves());
+        self.hovered_control_point = self.hovered_control_point.filter(|&(curve, point)| {
+            curves
+                .and_then(|curves| curves.curve(curve))
+                .is_some_and(|curve| point < curve.control_points().len())
+        });
     }
 }

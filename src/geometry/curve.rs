@@ -173,6 +173,11 @@ impl Curve {
         self.control_points().iter().all(|point| point.z == 0.0)
     }
 
+    /// Whether its control points cannot leave the plane z = 0 (`bez2`, `bsp2`).
+    pub fn stays_flat(&self) -> bool {
+        matches!(self.form, CurveForm::Spline { flat: true, .. })
+    }
+
     /// At most how many points [`Curve::evaluate`] yields.
     pub fn max_points(&self) -> usize {
         let steps = self.steps as usize + 1;
@@ -243,17 +248,33 @@ impl Curve {
     }
 }
 
-/// The control point that repeats point `index` in a curve that closes.
-fn twin(basis: Basis, points: &[Vec3], index: usize) -> Option<usize> {
-    let shared = match basis {
+/// How many points at the end repeat the first ones in a curve that closes.
+pub(super) fn repeated(basis: Basis) -> usize {
+    match basis {
         Basis::Bezier => 1,
         Basis::BSpline => 3,
-    };
+    }
+}
+
+/// Whether the last control points repeat the first ones, so that the curve closes.
+pub(super) fn repeats_its_start(basis: Basis, points: &[Vec3]) -> bool {
+    let shared = repeated(basis);
     // With fewer points the first and the last ones would be the same ones.
-    let first_repeated = points.len().checked_sub(shared)?;
-    if first_repeated < shared || points[..shared] != points[first_repeated..] {
+    match points.len().checked_sub(shared) {
+        Some(first_repeated) => {
+            first_repeated >= shared && points[..shared] == points[first_repeated..]
+        }
+        None => false,
+    }
+}
+
+/// The control point that repeats point `index` in a curve that closes.
+fn twin(basis: Basis, points: &[Vec3], index: usize) -> Option<usize> {
+    if !repeats_its_start(basis, points) {
         return None;
     }
+    let shared = repeated(basis);
+    let first_repeated = points.len() - shared;
     if index < shared {
         Some(first_repeated + index)
     } else {

@@ -6,6 +6,7 @@ mod cuboid;
 mod curve;
 mod curve_closing;
 mod curve_evaluation;
+mod curve_points;
 mod facets;
 mod icosahedron;
 mod mesh;

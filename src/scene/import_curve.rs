@@ -181,6 +181,55 @@ impl CurveSet {
         self.with_kind(item, CurveItemKind::Curve(moved))
     }
 
+    /// The same set with one more control point, or piece, of the curve `item` behind `point` (see
+    /// [`Curve::with_point_after`]).
+    ///
+    /// # Errors
+    /// If `item` is no curve or there would be too many points.
+    pub fn with_point_after(&self, item: usize, point: usize) -> Result<Self, CurveSetError> {
+        let curve = self.curve(item).ok_or(CurveSetError::NotACurve(item))?;
+        let changed = curve.with_point_after(point)?;
+        self.with_kind(item, CurveItemKind::Curve(changed))
+    }
+
+    /// The same set without control point `point` of the curve `item`, where that can be spared
+    /// (see [`Curve::without_point`]).
+    ///
+    /// # Errors
+    /// If `item` is no curve.
+    pub fn without_point(&self, item: usize, point: usize) -> Result<Self, CurveSetError> {
+        let curve = self.curve(item).ok_or(CurveSetError::NotACurve(item))?;
+        let changed = curve.without_point(point)?;
+        self.with_kind(item, CurveItemKind::Curve(changed))
+    }
+
+    /// The same set without the curve or surface `index`, and without the surfaces made from it.
+    /// An item that does not exist changes nothing.
+    pub fn without_item(&self, index: usize) -> Self {
+        let mut set = Self::new();
+        // Where each of the items that stay is now.
+        let mut places = Vec::with_capacity(self.items.len());
+        for (i, item) in self.items.iter().enumerate() {
+            let place = |old: usize| places.get(old).copied().flatten();
+            let kind = match &item.kind {
+                _ if i == index => None,
+                CurveItemKind::Curve(curve) => Some(CurveItemKind::Curve(curve.clone())),
+                CurveItemKind::Revolution { steps, profile } => {
+                    place(*profile).map(|profile| CurveItemKind::Revolution {
+                        steps: *steps,
+                        profile,
+                    })
+                }
+                CurveItemKind::Sweep { profile, sweep } => place(*profile)
+                    .zip(place(*sweep))
+                    .map(|(profile, sweep)| CurveItemKind::Sweep { profile, sweep }),
+            };
+            // What was valid in a larger set is valid in a smaller one.
+            places.push(kind.and_then(|kind| set.push(&item.name, kind).ok()));
+        }
+        set
+    }
+
     /// The same set with `steps` steps: per piece of a curve, of the whole turn of a surface of
     /// revolution. A sweep has the steps of its curves, and does not change.
     ///

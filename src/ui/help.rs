@@ -43,6 +43,7 @@ fn title(menu: Menu) -> &'static str {
     match menu {
         Menu::File => "File",
         Menu::Insert => "Insert",
+        Menu::Curves => "Insert, curves",
         Menu::Import => "Insert ⏵ Import",
         Menu::Shape => "Selected shape",
         Menu::View => "View",

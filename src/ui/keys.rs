@@ -1,4 +1,5 @@
-use crate::scene::{Look, Shading, ShapeKind, ViewDirection};
+use crate::geometry::Basis;
+use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, ViewDirection};
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, ThemePreference};
 
 /// Everything that a menu item or a key can start.
@@ -6,14 +7,24 @@ use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, ThemePreference};
 pub enum Command {
     /// Opens the dialog for a picture of the view.
     Screenshot,
+    /// Writes the selected curves into a file.
+    ExportCurve,
+    /// Writes the geometry of the scene into a file.
+    ExportGeometry,
     /// Closes what is open, else ends the program.
     Quit,
     /// Adds a shape.
     Insert(Primitive),
     /// Adds a shape from a file.
     ImportShape,
+    /// Adds curves from a file.
+    ImportCurve,
     /// Adds a character from its files.
     ImportCharacter,
+    /// Turns a curve of the selected shape about +Y.
+    MakeSurfaceOfRevolution,
+    /// Carries one curve of the selected shape along another.
+    MakeSweep,
     /// Takes the selected shape away.
     Delete,
     /// Puts the selected shape back to how it started.
@@ -42,7 +53,7 @@ pub enum Command {
     About,
 }
 
-/// The shapes of the Insert menu.
+/// The shapes and curves of the Insert menu.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Primitive {
     /// See [`ShapeKind::Cube`].
@@ -57,6 +68,12 @@ pub enum Primitive {
     Icosahedron,
     /// See [`ShapeKind::Custom`].
     Custom,
+    /// See [`CurveSet::start_spline`].
+    BezierCurve,
+    /// See [`CurveSet::start_spline`].
+    BSplineCurve,
+    /// See [`CurveSet::start_circle`].
+    Circle,
 }
 
 impl Primitive {
@@ -69,8 +86,15 @@ impl Primitive {
             Self::Teapot => ShapeKind::Teapot,
             Self::Icosahedron => ShapeKind::Icosahedron,
             Self::Custom => ShapeKind::Custom,
+            Self::BezierCurve => curve(CurveSet::start_spline(Basis::Bezier)),
+            Self::BSplineCurve => curve(CurveSet::start_spline(Basis::BSpline)),
+            Self::Circle => curve(CurveSet::start_circle()),
         }
     }
+}
+
+fn curve(set: CurveSet) -> ShapeKind {
+    ShapeKind::Curve(CurveShape::new(set))
 }
 
 /// The menu, or the part of one between two lines, that a command is listed in.
@@ -78,8 +102,10 @@ impl Primitive {
 pub enum Menu {
     /// File.
     File,
-    /// Insert.
+    /// Insert, first part.
     Insert,
+    /// Insert, the part with curves.
+    Curves,
     /// Insert ▸ Import.
     Import,
     /// View, first part.
@@ -100,9 +126,10 @@ pub enum Menu {
 
 impl Menu {
     /// All, in the order of the window about the keys.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::File,
         Self::Insert,
+        Self::Curves,
         Self::Import,
         Self::Shape,
         Self::View,
@@ -157,6 +184,8 @@ const fn entry(
 #[rustfmt::skip]
 pub const COMMANDS: &[Entry] = &[
     entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
+    entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]),
+    entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
     entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end the program", &[key(NONE, Key::Escape)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
@@ -165,7 +194,13 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::Teapot), Menu::Insert, "Teapot", "Add the Utah teapot at the origin", &[key(SHIFT, Key::T)]),
     entry(Command::Insert(Primitive::Icosahedron), Menu::Insert, "Icosahedron", "Add an icosahedron at the origin", &[key(SHIFT, Key::I)]),
     entry(Command::Insert(Primitive::Custom), Menu::Insert, "Custom Shape", "Add the shape that custom.rs makes", &[key(SHIFT, Key::U)]),
+    entry(Command::Insert(Primitive::BezierCurve), Menu::Curves, "Bézier Curve", "Add a Bézier curve of four control points to drag into shape", &[key(SHIFT, Key::B)]),
+    entry(Command::Insert(Primitive::BSplineCurve), Menu::Curves, "B-Spline Curve", "Add a B-spline of four control points to drag into shape", &[key(SHIFT, Key::N)]),
+    entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]),
+    entry(Command::MakeSurfaceOfRevolution, Menu::Curves, "Surface of Revolution from Curve", "Turn the last flat curve of the selected shape about the Y axis", &[key(SHIFT, Key::V)]),
+    entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry the first flat curve of the selected shape along another; a tube where there is only one", &[key(SHIFT, Key::W)]),
     entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
+    entry(Command::ImportCurve, Menu::Import, "Import Curve", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]),
     entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
 
     entry(Command::Delete, Menu::Shape, "Delete", "Take the selected shape away", &[key(NONE, Key::Delete)]),
@@ -213,6 +248,10 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Click in the view", "Select the shape under the pointer"),
     gesture("Left drag in the view", "Move the scene with the pointer"),
     gesture("Right drag in the view", "Turn the camera about its target"),
+    gesture(
+        "Drag a control point",
+        "Move it; Esc or right click cancels",
+    ),
     gesture("Wheel in the view", "Move the camera closer or away"),
     gesture("Click the axis ball", "Look from the side that was clicked"),
     gesture(
@@ -254,6 +293,14 @@ impl Entry {
 /// `Esc` is what keyboards have on them.
 fn short(shortcut: &str) -> String {
     shortcut.replace("Escape", "Esc")
+}
+
+/// What menus call `command`.
+pub(super) fn label(command: Command) -> &'static str {
+    COMMANDS
+        .iter()
+        .find(|entry| entry.command == command)
+        .map_or("", |entry| entry.label)
 }
 
 /// The tooltip of `command`, with its key.

@@ -5,6 +5,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
 use crate::editor::{Action, Ask, Session};
+use crate::scene::name_of_import;
 use egui::containers::menu::{MenuBar, MenuConfig};
 use egui::{Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, Ui};
 
@@ -58,20 +59,29 @@ impl Items<'_> {
     fn insert(&mut self, ui: &mut Ui) {
         self.all(ui, Menu::Insert);
         ui.separator();
-        let names = self.input.builtin_characters;
-        if !names.is_empty() {
-            submenu(ui, "Built-in Character", |ui| {
-                for &name in names {
-                    let item = ui
-                        .button(name)
-                        .on_hover_text("Add this character at the origin");
-                    if item.clicked() {
-                        self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
-                    }
-                }
-            });
-        }
+        self.all(ui, Menu::Curves);
+        ui.separator();
+        let (characters, curves) = (self.input.builtin_characters, self.input.builtin_curves);
+        self.builtins(ui, "Built-in Character", characters);
+        self.builtins(ui, "Built-in Curve", curves);
         submenu(ui, "Import", |ui| self.all(ui, Menu::Import));
+    }
+
+    /// A menu of files inside the program, where there are any.
+    fn builtins(&mut self, ui: &mut Ui, label: &str, names: &[&'static str]) {
+        if names.is_empty() {
+            return;
+        }
+        submenu(ui, label, |ui| {
+            for &name in names {
+                let item = ui
+                    .button(name_of_import(name))
+                    .on_hover_text("Add it at the origin");
+                if item.clicked() {
+                    self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
+                }
+            }
+        });
     }
 
     fn view(&mut self, ui: &mut Ui) {

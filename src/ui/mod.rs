@@ -6,6 +6,11 @@
 mod about;
 mod axis_ball;
 mod color_field;
+mod control_points;
+mod curve_commands;
+mod curve_display;
+mod curve_gestures;
+mod curve_list;
 mod display;
 mod expression;
 mod first_help;
@@ -50,6 +55,8 @@ pub struct ViewInput<'a> {
     pub title: &'a str,
     /// Names for Insert ▸ Built-in Character; none, no such menu.
     pub builtin_characters: &'a [&'static str],
+    /// Names for Insert ▸ Built-in Curve; none, no such menu.
+    pub builtin_curves: &'a [&'static str],
     /// The shape under the pointer in the view.
     pub hovered_shape: Option<ShapeId>,
     /// How fast pictures are drawn, while they are.
@@ -99,7 +106,10 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // The root was made before, with the style of then.
     root.set_style(ctx.global_style());
     let mut actions = Vec::new();
-    let keys_taken = input.keys_are_taken || state.keys_were_taken || takes_keys(&ctx);
+    let keys_taken = input.keys_are_taken
+        || state.keys_were_taken
+        || state.gesture_under_way()
+        || takes_keys(&ctx);
 
     let last_view = state.view_rect;
     menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);

@@ -1,7 +1,8 @@
-use super::keys::Command;
+use super::curve_commands;
+use super::keys::{self, Command, Primitive};
 use super::state::{Dialog, UiState};
 use crate::editor::{Action, Ask, Edit, Session, View};
-use crate::scene::{Look, ShapeKind};
+use crate::scene::Look;
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
 /// actions. `aspect` is width over height of the view.
@@ -22,8 +23,13 @@ pub(super) fn run(
         Command::About => state.open(Dialog::About),
         Command::SetTheme(theme) => state.theme = theme,
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
-        Command::Insert(primitive) => return Some(Action::Edit(insert(primitive.kind()))),
+        Command::Insert(primitive) => return Some(insert(command, primitive)),
+        Command::MakeSurfaceOfRevolution => return curve_commands::revolution(session),
+        Command::MakeSweep => return curve_commands::sweep(session),
+        Command::ExportCurve => return curve_commands::export(session),
+        Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
         Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
+        Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
         Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
         Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
@@ -38,12 +44,13 @@ pub(super) fn run(
     None
 }
 
-fn insert(kind: ShapeKind) -> Edit {
-    Edit::Insert {
-        name: kind.label().to_owned(),
-        kind,
+/// A new shape, called as in the menu.
+fn insert(command: Command, primitive: Primitive) -> Action {
+    Action::Edit(Edit::Insert {
+        name: keys::label(command).to_owned(),
+        kind: primitive.kind(),
         source: None,
-    }
+    })
 }
 
 /// Whether a command that switches something has it switched on; `None` for all others.
@@ -67,6 +74,12 @@ pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'stat
         }
         Command::Delete | Command::Reset if session.selected().is_none() => {
             Some("No shape is selected")
+        }
+        Command::ExportGeometry if session.scene().shapes().is_empty() => {
+            Some("There is nothing to export")
+        }
+        Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
+            curve_commands::why_disabled(command, session)
         }
         Command::Fit if session.scene().shapes().is_empty() => Some("There is nothing to fit"),
         _ => None,

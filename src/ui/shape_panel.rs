@@ -1,5 +1,5 @@
 use super::state::UiState;
-use super::{display, joint_list, properties, shape_list};
+use super::{curve_display, curve_list, display, joint_list, properties, shape_list};
 use crate::editor::{Action, Session, View};
 use crate::scene::ShapeKind;
 use egui::{Frame, Margin, Panel, RichText, ScrollArea, Ui};
@@ -38,6 +38,7 @@ pub(super) fn show(
 }
 
 fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Vec<Action>) {
+    state.curves.hovered = None;
     let shape = session.selected().and_then(|id| session.scene().shape(id));
     let Some(shape) = shape else {
         if !session.scene().shapes().is_empty() {
@@ -55,6 +56,12 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
             joint_list::show(ui, session, shape.id, &mut state.joints, actions);
         } else {
             leave_joints(state, actions);
+        }
+        if let ShapeKind::Curve(curve) = &shape.kind {
+            ui.separator();
+            curve_display::show(ui, shape.id, curve, actions);
+            ui.separator();
+            curve_list::show(ui, session, shape.id, &mut state.curves, actions);
         }
     });
 }

@@ -1,3 +1,4 @@
+use super::curve_gestures::PointGesture;
 use super::screenshot::ScreenshotForm;
 use crate::scene::ShapeId;
 use egui::ThemePreference;
@@ -17,6 +18,7 @@ pub struct UiState {
     pub(super) selected: Option<ShapeId>,
     pub(super) screenshot: ScreenshotForm,
     pub(super) joints: JointListState,
+    pub(super) curves: CurveState,
     pub(super) notices: NoticeState,
     /// Whether a text field or a popup had the keyboard at the end of the last frame. egui takes
     /// the keyboard away from them at the start of the frame in which Esc is pressed.
@@ -52,6 +54,17 @@ pub(super) struct JointListState {
     pub selected: Option<(ShapeId, usize)>,
 }
 
+/// What the list of curves and the gestures with control points remember.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CurveState {
+    /// Which curves and surfaces are unfolded, where that was ever chosen.
+    pub unfolded: HashMap<(ShapeId, usize), bool>,
+    /// The control point whose row the pointer was over in the last frame.
+    pub hovered: Option<(usize, usize)>,
+    /// The control point in the user's hand.
+    pub gesture: Option<PointGesture>,
+}
+
 /// What the notices over the view remember.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct NoticeState {
@@ -68,6 +81,7 @@ impl Default for UiState {
             selected: None,
             screenshot: ScreenshotForm::default(),
             joints: JointListState::default(),
+            curves: CurveState::default(),
             notices: NoticeState::default(),
             keys_were_taken: false,
             styled: false,
@@ -80,6 +94,11 @@ impl UiState {
     /// Everything closed, nothing searched.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Whether a gesture in the view is under way, so that Esc cancels it and does nothing else.
+    pub fn gesture_under_way(&self) -> bool {
+        self.curves.gesture.is_some()
     }
 
     /// Brings a window up, or to the end of the row for Esc if it is up already.

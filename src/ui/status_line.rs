@@ -36,6 +36,10 @@ fn machine(input: &ViewInput) -> String {
 /// What the pointer is over, if anything, and what gestures do there.
 fn sentence(session: &Session, input: &ViewInput) -> (Option<String>, &'static str) {
     const CAMERA: &str = "Left drag moves the scene · right drag turns it · wheel zooms";
+    if let Some(point) = hovered_control_point(session) {
+        let next = "Drag to move it · Esc or right click cancels";
+        return (Some(point), next);
+    }
     if let Some(joint) = hovered_joint(session) {
         let next = "Click to select the joint · drag its numbers to turn it";
         return (Some(joint), next);
@@ -59,4 +63,11 @@ fn hovered_joint(session: &Session) -> Option<String> {
     let character = session.scene().character(session.selected()?)?;
     let joints = character.character.skeleton().joints();
     joints.get(joint).map(|joint| joint.name.clone())
+}
+
+fn hovered_control_point(session: &Session) -> Option<String> {
+    let (curve, point) = session.hovered_control_point()?;
+    let shape = session.scene().curve(session.selected()?)?;
+    let item = shape.curves().items().get(curve)?;
+    Some(format!("{}, control point {}", item.name, point + 1))
 }

@@ -1,3 +1,5 @@
+use super::UiState;
+use super::curve_gestures::{self, PointerUse};
 use crate::editor::{Action, Session, View};
 use crate::scene::{ShapeId, pick_shape};
 use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response};
@@ -7,15 +9,21 @@ use glam::Vec2;
 const POINTS_PER_NOTCH: f32 = 50.0;
 
 /// What the pointer does to the scene, as in the course's editor: a left drag pans, a right drag
-/// turns, the wheel zooms, a click selects the shape under the pointer.
+/// turns, the wheel zooms, a click selects the shape under the pointer. Control points of the
+/// selected curves come first: a left drag moves the one under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
 /// to themselves. Returns the shape that the pointer is over.
 pub fn view_gestures(
     view: &Response,
     session: &Session,
+    state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
+    let pointer = curve_gestures::control_points(view, session, &mut state.curves, actions);
+    if pointer == PointerUse::Holding {
+        return None;
+    }
     let mut camera = session.view().camera;
     let delta = Vec2::new(view.drag_delta().x, view.drag_delta().y);
     if view.dragged_by(PointerButton::Primary) {
@@ -29,6 +37,9 @@ pub fn view_gestures(
     }
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));
+    }
+    if pointer == PointerUse::Over {
+        return None;
     }
     if view.clicked() {
         let clicked = view.interact_pointer_pos();

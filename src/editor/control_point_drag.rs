@@ -1,0 +1,150 @@
+use super::{Edit, Session};
+use crate::scene::{CurveSet, ShapeId};
+use glam::{Mat4, Vec2, Vec3};
+
+/// How far from a control point, in pixels, the pointer still grabs it.
+const REACH: f32 = 8.0;
+/// A plane seen at less than this (sine, about 1°) cannot be pointed at.
+const EDGE_ON: f32 = 0.02;
+/// What a coordinate may be off by rounding, in distances from the eye: well below a pixel.
+const ROUNDING: f32 = 4e-6;
+
+/// A control point in the user's hand. It stays under the pointer: points of flat curves and of
+/// profiles in the plane of their curve, others in the plane through them that is parallel to the
+/// picture.
+#[derive(Clone, Debug)]
+pub struct ControlPointDrag {
+    shape: ShapeId,
+    curve: usize,
+    point: usize,
+    /// The curves as they were, for [`ControlPointDrag::cancel`].
+    before: CurveSet,
+    /// From the pointer to the point in the picture, pixels.
+    grip: Vec2,
+    /// Where the point was, in the shape's model space.
+    start: Vec3,
+    plane: Plane,
+}
+
+/// In the world; `normal` has unit length.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    origin: Vec3,
+    normal: Vec3,
+}
+
+/// The control point of the selected shape at `pixel` in a picture of `size`, from the top left:
+/// the indices of its curve in the [`CurveSet`] and of the point in the curve. None where control
+/// points are not shown. Of several within reach the nearest in the picture.
+pub fn pick_control_point(session: &Session, pixel: Vec2, size: Vec2) -> Option<(usize, usize)> {
+    let id = session.selected()?;
+    let shape = session.scene().curve(id)?;
+    if !shape.display.control_points {
+        return None;
+    }
+    let world_from_model = session.evaluated().shape(id)?.world_from_model;
+    let camera = &session.view().camera;
+    let mut nearest = None;
+    let mut reach = REACH;
+    for (curve, item) in shape.curves().items().iter().enumerate() {
+        let points = item.curve().map_or(&[] as &[Vec3], |c| c.control_points());
+        for (point, &position) in points.iter().enumerate() {
+            let world = world_from_model.transform_point3(position);
+            let Some(place) = camera.pixel(world, size) else {
+                continue;
+            };
+            // Of points that coincide the first: the others follow it or lie hidden below.
+            if place.distance(pixel) < reach {
+                reach = place.distance(pixel);
+                nearest = Some((curve, point));
+            }
+        }
+    }
+    nearest
+}
+
+impl ControlPointDrag {
+    /// Grabs the control point at `pixel`, if there is one (see [`pick_control_point`]).
+    pub fn begin(session: &Session, pixel: Vec2, size: Vec2) -> Option<Self> {
+        let (curve, point) = pick_control_point(session, pixel, size)?;
+        let shape = session.selected()?;
+        let before = session.scene().curve(shape)?.curves();
+        let world_from_model = session.evaluated().shape(shape)?.world_from_model;
+        let grabbed = before.curve(curve)?;
+        let start = *grabbed.control_points().get(point)?;
+        let origin = world_from_model.transform_point3(start);
+        let camera = &session.view().camera;
+        let normal = if grabbed.stays_flat() || before.is_profile(curve) {
+            flat_normal(world_from_model)?
+        } else {
+            camera.right().cross(camera.up())
+        };
+        Some(Self {
+            shape,
+            curve,
+            point,
+            before: before.clone(),
+            grip: camera.pixel(origin, size)? - pixel,
+            start,
+            plane: Plane { origin, normal },
+        })
+    }
+
+    /// The shape whose point it is.
+    pub fn shape(&self) -> ShapeId {
+        self.shape
+    }
+
+    /// The indices of the curve and of the point in it.
+    pub fn control_point(&self) -> (usize, usize) {
+        (self.curve, self.point)
+    }
+
+    /// Brings the point to where the pointer is: at `pixel` in a picture of `size`. `None` where
+    /// the plane that it moves in cannot be pointed at, so that it stays where it is.
+    pub fn moved_to(&self, session: &Session, pixel: Vec2, size: Vec2) -> Option<Edit> {
+        let camera = &session.view().camera;
+        let ray = camera.ray(pixel + self.grip, size);
+        let towards = ray.direction.dot(self.plane.normal);
+        if towards.abs() < EDGE_ON {
+            return None;
+        }
+        let distance = (self.plane.origin - ray.origin).dot(self.plane.normal) / towards;
+        if !(distance > 0.0 && distance <= camera.far) {
+            return None;
+        }
+        let model_from_world = session
+            .evaluated()
+            .shape(self.shape)?
+            .world_from_model
+            .inverse();
+        let position = model_from_world.transform_point3(ray.at(distance));
+        let eye = model_from_world.transform_point3(ray.origin);
+        let rounding = ROUNDING * eye.distance(self.start);
+        let position = without_rounding(position, self.start, rounding);
+        position.is_finite().then_some(Edit::SetControlPoint {
+            shape: self.shape,
+            curve: self.curve,
+            point: self.point,
+            position,
+        })
+    }
+
+    /// Puts everything back to how it was when the point was grabbed.
+    pub fn cancel(&self) -> Edit {
+        Edit::SetCurves(self.shape, self.before.clone())
+    }
+}
+
+/// The world's normal of the model's plane z = 0; `None` where that is flattened to a line.
+fn flat_normal(world_from_model: Mat4) -> Option<Vec3> {
+    let (x, y) = (world_from_model.x_axis, world_from_model.y_axis);
+    x.truncate().cross(y.truncate()).try_normalize()
+}
+
+/// A curve that is drawn flat in a straight view stays flat: coordinates that differ from `start`
+/// by rounding alone do not change.
+fn without_rounding(position: Vec3, start: Vec3, rounding: f32) -> Vec3 {
+    let same = (position - start).abs().cmple(Vec3::splat(rounding));
+    Vec3::select(same, start, position)
+}

@@ -1,0 +1,154 @@
+use super::number_field::NumberField;
+use super::theme::Palette;
+use super::widgets::named;
+use crate::editor::{Action, Edit};
+use crate::geometry::{Basis, Curve, CurveForm};
+use crate::scene::ShapeId;
+use egui::{Button, Label, Rect, RichText, Ui, vec2};
+
+/// Of curves with more control points than this only the rows in sight are shown to egui: the
+/// panel must stay quick whatever a file holds.
+const MANY: usize = 256;
+const BUTTON: f32 = 18.0;
+
+/// The curve whose control points are listed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Listed<'a> {
+    pub shape: ShapeId,
+    /// Index in the [`crate::scene::CurveSet`].
+    pub index: usize,
+    pub curve: &'a Curve,
+    /// What the list calls it.
+    pub title: &'a str,
+    /// Whether its points cannot leave z = 0.
+    pub flat: bool,
+    /// The point under the pointer, in the view or here.
+    pub hovered: Option<usize>,
+}
+
+/// One row a control point: its coordinates, and buttons that add one behind it or take it away.
+/// Returns the point whose row the pointer is over.
+pub(super) fn show(ui: &mut Ui, listed: &Listed, actions: &mut Vec<Action>) -> Option<usize> {
+    let points = listed.curve.control_points();
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let mut hovered = None;
+    for point in 0..points.len() {
+        let place = Rect::from_min_size(ui.cursor().min, size);
+        if points.len() > MANY && !ui.is_rect_visible(place) {
+            ui.allocate_space(size);
+            continue;
+        }
+        if ui.rect_contains_pointer(place) {
+            hovered = Some(point);
+        }
+        if listed.hovered == Some(point) {
+            let color = ui.visuals().widgets.hovered.weak_bg_fill;
+            ui.painter().rect_filled(place, 2.0, color);
+        }
+        ui.push_id(point, |ui| {
+            ui.horizontal(|ui| row(ui, listed, point, size.x, actions));
+        });
+    }
+    hovered
+}
+
+fn row(ui: &mut Ui, listed: &Listed, point: usize, width: f32, actions: &mut Vec<Action>) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    ui.spacing_mut().button_padding.x = 2.0;
+    let digits = listed.curve.control_points().len().to_string().len();
+    let number = 8.0 * digits.max(2) as f32 + 4.0;
+    let height = ui.spacing().interact_size.y;
+    let weak = Palette::of(ui.visuals()).weak;
+    let text = RichText::new((point + 1).to_string()).small().color(weak);
+    ui.add_sized(vec2(number, height), Label::new(text).extend());
+
+    let axes = if listed.flat { 2 } else { 3 };
+    let room = width - number - 2.0 * BUTTON - 2.0 * (axes + 2) as f32;
+    coordinates(
+        ui,
+        listed,
+        point,
+        axes,
+        (room / axes as f32).floor(),
+        actions,
+    );
+
+    let name = |what: &str| format!("{what} {} point {}", listed.title, point + 1);
+    let (shape, curve) = (listed.shape, listed.index);
+    let (adds, takes) = match listed.curve.form() {
+        CurveForm::Spline {
+            basis: Basis::Bezier,
+            ..
+        } => (
+            "Add a piece here: three points",
+            "Take this point away, with the handles beside it",
+        ),
+        _ => ("Add a point behind this one", "Take this point away"),
+    };
+    let square = vec2(BUTTON, height);
+    let add = ui.add_sized(square, Button::new("+"));
+    if named(add, &name("Add behind"))
+        .on_hover_text(adds)
+        .clicked()
+    {
+        let after = point;
+        actions.push(Action::Edit(Edit::AddControlPoint {
+            shape,
+            curve,
+            after,
+        }));
+    }
+    let can = listed.curve.can_lose_point(point);
+    let remove = ui
+        .add_enabled_ui(can, |ui| ui.add_sized(square, Button::new("−")))
+        .inner;
+    let remove = named(remove, &name("Remove"))
+        .on_hover_text(takes)
+        .on_disabled_hover_text(why_it_stays(listed.curve, point));
+    if remove.clicked() {
+        actions.push(Action::Edit(Edit::RemoveControlPoint {
+            shape,
+            curve,
+            point,
+        }));
+    }
+}
+
+fn coordinates(
+    ui: &mut Ui,
+    listed: &Listed,
+    point: usize,
+    axes: usize,
+    width: f32,
+    actions: &mut Vec<Action>,
+) {
+    let now = listed.curve.control_points()[point];
+    let size = vec2(width, ui.spacing().interact_size.y);
+    for axis in 0..axes {
+        let letter = ["X", "Y", "Z"][axis];
+        let name = format!("{} point {} {letter}", listed.title, point + 1);
+        let field = NumberField::new(&name, now[axis], 0.01)
+            .decimals(2..=4)
+            .axis(axis);
+        if let Some(value) = field.show(ui, size) {
+            let mut position = now;
+            position[axis] = value;
+            actions.push(Action::Edit(Edit::SetControlPoint {
+                shape: listed.shape,
+                curve: listed.index,
+                point,
+                position,
+            }));
+        }
+    }
+}
+
+fn why_it_stays(curve: &Curve, point: usize) -> &'static str {
+    match curve.form() {
+        CurveForm::Spline {
+            basis: Basis::Bezier,
+            ..
+        } if point % 3 != 0 => "A handle goes with the point on the curve beside it",
+        _ => "This is the last piece",
+    }
+}
