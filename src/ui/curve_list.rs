@@ -280,8 +280,10 @@ impl Item<'_> {
             let menu = ui.menu_button("Sweep along this ⏷", |ui| {
                 let profiles = curves(self.set())
                     .filter(|&(index, curve)| index != self.index && curve.is_flat())
-                    .map(|(index, _)| (Some(index), self.title_of(index)));
-                for (profile, label) in profiles.chain([(None, "A new small circle".to_owned())]) {
+                    .map(|(index, _)| (Some(index), format!("Carry {}", self.title_of(index))));
+                for (profile, label) in
+                    profiles.chain([(None, "Carry a new small circle".to_owned())])
+                {
                     if ui.button(label).clicked() {
                         actions.push(Action::Edit(Edit::MakeSweep {
                             shape: self.id,

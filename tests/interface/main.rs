@@ -1,6 +1,7 @@
 //! Drives the panels by the names of their widgets, as a person and a screen reader find them,
 //! and looks at what became of the scene. No pixels, no window.
 
+mod curves;
 mod figure;
 mod joints;
 mod layout;
@@ -25,6 +26,8 @@ struct Program {
     state: UiState,
     asked: Vec<Ask>,
     keys_are_taken: bool,
+    /// Whether what the pointer does in the view counts, as in the program.
+    gestures: bool,
     view: Rect,
 }
 
@@ -47,6 +50,7 @@ impl Editor {
             state: UiState::new(),
             asked: Vec::new(),
             keys_are_taken: false,
+            gestures: false,
             view: Rect::NOTHING,
         };
         let frame = |root: &mut egui::Ui, program: &mut Program| {
@@ -218,12 +222,17 @@ impl Program {
         let input = ViewInput {
             title: "Editor",
             builtin_characters: BUILT_IN,
+            builtin_curves: &["vase"],
             backend: "OpenGL 3.3",
             keys_are_taken: self.keys_are_taken,
             ..ViewInput::default()
         };
-        let output = ui::show(root, &self.session, &mut self.state, &input);
+        let mut output = ui::show(root, &self.session, &mut self.state, &input);
         self.view = output.view_rect;
+        if self.gestures {
+            let (session, actions) = (&self.session, &mut output.actions);
+            ui::view_gestures(&output.view, session, &mut self.state, actions);
+        }
         for action in output.actions {
             match action {
                 Action::Edit(edit) => apply_edit(&mut self.session, edit),

@@ -15,6 +15,9 @@ fn every_shape_of_the_insert_menu_is_added_and_selected() {
         "Teapot",
         "Icosahedron",
         "Custom Shape",
+        "Bézier Curve",
+        "B-Spline Curve",
+        "Circle",
     ];
     for (index, name) in names.into_iter().enumerate() {
         editor.choose(&["Insert", name]);
@@ -29,14 +32,18 @@ fn imports_and_built_in_characters_are_asked_of_the_program() {
     let mut editor = Editor::new();
     editor.choose(&["Insert", "Import", "Import Shape"]);
     editor.choose(&["Insert", "Import", "Import Character"]);
+    editor.choose(&["Insert", "Import", "Import Curve"]);
     editor.choose(&["Insert", "Built-in Character", "Robot"]);
+    editor.choose(&["Insert", "Built-in Curve", "Vase"]);
     editor.key_with(Modifiers::COMMAND, Key::I);
     assert_eq!(
         editor.asked(),
         [
             Ask::ImportShape,
             Ask::ImportCharacter,
+            Ask::ImportCurve,
             Ask::InsertBuiltin("Robot"),
+            Ask::InsertBuiltin("vase"),
             Ask::ImportShape,
         ]
     );
