@@ -50,7 +50,8 @@ pub fn pick_control_point(session: &Session, pixel: Vec2, size: Vec2) -> Option<
         let points = item.curve().map_or(&[] as &[Vec3], |c| c.control_points());
         for (point, &position) in points.iter().enumerate() {
             let world = world_from_model.transform_point3(position);
-            let Some(place) = camera.pixel(world, size) else {
+            let place = camera.pixel(world, size);
+            let Some(place) = place.filter(|_| camera.is_in_depth(world)) else {
                 continue;
             };
             // Of points that coincide the first: the others follow it or lie hidden below.
@@ -110,7 +111,8 @@ impl ControlPointDrag {
             return None;
         }
         let distance = (self.plane.origin - ray.origin).dot(self.plane.normal) / towards;
-        if !(distance > 0.0 && distance <= camera.far) {
+        let world = ray.at(distance);
+        if distance <= 0.0 || !camera.is_in_depth(world) {
             return None;
         }
         let model_from_world = session
@@ -118,7 +120,7 @@ impl ControlPointDrag {
             .shape(self.shape)?
             .world_from_model
             .inverse();
-        let position = model_from_world.transform_point3(ray.at(distance));
+        let position = model_from_world.transform_point3(world);
         let eye = model_from_world.transform_point3(ray.origin);
         let rounding = ROUNDING * eye.distance(self.start);
         let position = without_rounding(position, self.start, rounding);

@@ -176,6 +176,17 @@ impl Camera {
         })
     }
 
+    /// How far a point of the world lies before the eye, along the direction of view; negative
+    /// behind it.
+    pub fn depth(&self, world: Vec3) -> f32 {
+        (self.eye() - world).dot(self.outward())
+    }
+
+    /// Whether a point of the world lies between the near and the far plane.
+    pub fn is_in_depth(&self, world: Vec3) -> bool {
+        (self.near..=self.far).contains(&self.depth(world))
+    }
+
     /// Drags the scene with the pointer, which moved by `delta` pixels (y down). The vertical
     /// part runs along the world's +Y, as in the course's editor.
     pub fn pan(&mut self, delta: Vec2) {

@@ -4,6 +4,7 @@
 
 mod curves;
 mod degenerate;
+mod dragging;
 mod editing;
 mod export;
 mod frames;

@@ -70,12 +70,41 @@ fn every_widget_has_a_name() {
     }
 }
 
+/// Curves of every kind with everything in their panel shown, in a window that has room for all.
+fn full_of_curves() -> Editor {
+    let mut editor = Editor::sized(vec2(800.0, 1400.0));
+    editor.choose(&["Insert", "Bézier Curve"]);
+    editor.type_into("1. curve point 4 Z", "-12.345");
+    editor.choose(&["Add a curve", "Add circle"]);
+    editor.choose(&["Insert", "Surface of Revolution from Curve"]);
+    editor.choose(&["Insert", "Sweep from Curves"]);
+    for item in ["1. curve", "2. curve2", "3. surface", "4. surface2"] {
+        editor.click(item);
+    }
+    editor
+}
+
+#[test]
+fn everything_about_curves_has_a_name_and_a_place_of_its_own() {
+    let mut editor = full_of_curves();
+    assert_all_named(&editor, "curves");
+    assert_apart(&editor);
+    editor.click("Add a curve");
+    assert_all_named(&editor, "curves to add");
+}
+
 #[test]
 fn in_the_courses_window_no_widget_leaves_the_panel_or_covers_another() {
     let mut editor = full();
     editor.reveal("Delete");
-    let panel = Rect::from_min_max(egui::pos2(520.0, 0.0), egui::pos2(800.0, 600.0));
-    let in_panel: Vec<_> = interactive(&editor)
+    assert_apart(&editor);
+}
+
+/// Asserts that widgets of the panel, which is as wide as the course's, stay in it and apart.
+fn assert_apart(editor: &Editor) {
+    let window = editor.harness.ctx.content_rect();
+    let panel = window.with_min_x(window.right() - 280.0);
+    let in_panel: Vec<_> = interactive(editor)
         .into_iter()
         .filter(|(_, rect)| rect.center().x > panel.left() && rect.bottom() < panel.bottom())
         .collect();

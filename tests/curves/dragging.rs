@@ -1,0 +1,168 @@
+//! A grabbed control point stays under the pointer, whatever the view and the placement.
+
+use editor_core::editor::{ControlPointDrag, Edit, Session, View, apply_edit, apply_view};
+use editor_core::geometry::{Basis, Curve};
+use editor_core::math::{Euler, Transform};
+use editor_core::scene::{Camera, CurveItemKind, CurveSet, CurveShape, ShapeKind};
+use glam::{Vec2, Vec3};
+use proptest::prelude::*;
+
+const SIZE: Vec2 = Vec2::new(520.0, 560.0);
+/// How far the point may be from where it is held, in pixels.
+const TOLERANCE: f32 = 0.05;
+
+fn vector(range: std::ops::Range<f32>) -> impl Strategy<Value = Vec3> {
+    prop::array::uniform3(range).prop_map(Vec3::from_array)
+}
+
+fn cameras() -> impl Strategy<Value = Camera> {
+    (
+        vector(-1.0..1.0),
+        1.0..20.0_f32,
+        -3.1..3.1_f32,
+        -1.47..1.47_f32,
+    )
+        .prop_map(|(target, radius, theta, phi)| Camera {
+            target,
+            radius,
+            theta,
+            phi,
+            ..Camera::default()
+        })
+}
+
+fn transforms() -> impl Strategy<Value = Transform> {
+    (vector(-2.0..2.0), vector(-180.0..180.0), vector(0.1..10.0)).prop_map(
+        |(position, degrees, scale)| Transform {
+            position,
+            rotation: Euler::from_degrees(degrees),
+            scale,
+        },
+    )
+}
+
+fn session(camera: Camera, transform: Transform, flat: bool, points: [Vec3; 4]) -> Session {
+    let mut set = CurveSet::new();
+    let curve = Curve::spline(Basis::Bezier, flat, 4, points.to_vec()).unwrap();
+    set.push("curve", CurveItemKind::Curve(curve)).unwrap();
+    let mut session = Session::new();
+    apply_edit(
+        &mut session,
+        Edit::Insert {
+            name: "Curve".into(),
+            kind: ShapeKind::Curve(CurveShape::new(set)),
+            source: None,
+        },
+    );
+    let id = session.selected().unwrap();
+    apply_edit(&mut session, Edit::SetTransform(id, transform));
+    apply_view(&mut session, View::SetCamera(camera));
+    session
+}
+
+fn world(session: &Session, point: usize) -> Vec3 {
+    let id = session.selected().unwrap();
+    let curves = session.scene().curve(id).unwrap().curves();
+    let shape = session.evaluated().shape(id).unwrap();
+    let model = curves.curve(0).unwrap().control_points()[point];
+    shape.world_from_model.transform_point3(model)
+}
+
+fn pixel(session: &Session, point: usize) -> Option<Vec2> {
+    session
+        .view()
+        .camera
+        .pixel(world(session, point), SIZE)
+        .filter(|p| p.cmpge(Vec2::ZERO).all() && p.cmple(SIZE).all())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        // Some points lie outside the picture.
+        max_global_rejects: 100_000,
+        ..ProptestConfig::with_cases(2000)
+    })]
+
+    #[test]
+    fn a_grabbed_control_point_stays_under_the_pointer(
+        camera in cameras(),
+        transform in transforms(),
+        flat: bool,
+        points in prop::array::uniform4(vector(-1.0..1.0)),
+        which in 0..4_usize,
+        grip in prop::array::uniform2(-5.0..5.0_f32),
+        path in prop::collection::vec((0.0..1.0_f32, 0.0..1.0_f32), 1..6),
+    ) {
+        let mut session = session(camera, transform, flat, points);
+        let at = pixel(&session, which);
+        prop_assume!(at.is_some() && camera.is_in_depth(world(&session, which)));
+        let before = world(&session, which);
+        let at = at.unwrap_or_default();
+        let pressed = at + Vec2::from_array(grip);
+        let drag = ControlPointDrag::begin(&session, pressed, SIZE);
+        let drag = drag.expect("a point within reach is grabbed");
+        let (_, held) = drag.control_point();
+        let grip = pixel(&session, held).unwrap_or(at) - pressed;
+        let (held_before, depth_before) = (world(&session, held), camera.depth(world(&session, held)));
+        for (x, y) in path {
+            let pointer = Vec2::new(x, y) * SIZE;
+            let Some(edit) = drag.moved_to(&session, pointer, SIZE) else {
+                prop_assert!(flat, "only a plane seen at a slant can be out of reach");
+                continue;
+            };
+            apply_edit(&mut session, edit);
+            let now = camera.pixel(world(&session, held), SIZE).expect("before the eye");
+            prop_assert!(
+                (now - pointer - grip).length() < TOLERANCE,
+                "{now} held at {pointer} by {grip}"
+            );
+            if !flat {
+                let depth = camera.depth(world(&session, held));
+                prop_assert!((depth - depth_before).abs() < 1e-4 * depth_before.max(1.0));
+            }
+        }
+        prop_assert!(session.messages.history().is_empty());
+        apply_edit(&mut session, drag.cancel());
+        prop_assert_eq!(world(&session, held), held_before);
+        prop_assert_eq!(world(&session, which), before);
+    }
+}
+
+#[test]
+fn a_flat_curve_seen_from_its_edge_stays_where_it_is() {
+    let camera = Camera::preset(editor_core::scene::ViewDirection::PlusX);
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(0.0, -0.5, 0.0)];
+    let session = session(camera, Transform::IDENTITY, true, points);
+    let at = pixel(&session, 3).unwrap();
+    let drag = ControlPointDrag::begin(&session, at, SIZE).unwrap();
+    assert!(drag.moved_to(&session, at + Vec2::X, SIZE).is_none());
+}
+
+#[test]
+fn a_shape_flattened_to_nothing_does_not_lose_its_points() {
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE];
+    for flat in [false, true] {
+        let transform = Transform {
+            scale: Vec3::ZERO,
+            ..Transform::IDENTITY
+        };
+        let session = session(Camera::default(), transform, flat, points);
+        if let Some(drag) = ControlPointDrag::begin(&session, SIZE * 0.5, SIZE) {
+            assert!(drag.moved_to(&session, Vec2::ONE, SIZE).is_none());
+        }
+    }
+}
+
+#[test]
+fn a_curve_drawn_in_a_straight_view_stays_flat_to_the_last_bit() {
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(1.0, 1.0, 0.0)];
+    let mut session = session(Camera::default(), Transform::IDENTITY, false, points);
+    let at = pixel(&session, 3).unwrap();
+    let drag = ControlPointDrag::begin(&session, at, SIZE).unwrap();
+    for step in 1..100 {
+        let pointer = at + Vec2::new(-1.3, 0.7) * step as f32;
+        let edit = drag.moved_to(&session, pointer, SIZE).unwrap();
+        apply_edit(&mut session, edit);
+        assert_eq!(world(&session, 3).z, 0.0);
+    }
+}
