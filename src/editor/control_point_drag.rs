@@ -1,9 +1,7 @@
 use super::{Edit, Session};
-use crate::scene::{CurveSet, ShapeId};
+use crate::scene::{self, CurveSet, ShapeId};
 use glam::{Mat4, Vec2, Vec3};
 
-/// How far from a control point, in pixels, the pointer still grabs it.
-const REACH: f32 = 8.0;
 /// A plane seen at less than this (sine, about 1°) cannot be pointed at.
 const EDGE_ON: f32 = 0.02;
 /// What a coordinate may be off by rounding, in distances from the eye: well below a pixel.
@@ -33,41 +31,21 @@ struct Plane {
     normal: Vec3,
 }
 
-/// The control point of the selected shape at `pixel` in a picture of `size`, from the top left:
-/// the indices of its curve in the [`CurveSet`] and of the point in the curve. None where control
-/// points are not shown. Of several within reach the nearest in the picture.
-pub fn pick_control_point(session: &Session, pixel: Vec2, size: Vec2) -> Option<(usize, usize)> {
+/// The control point of the selected shape at `pixel` in a picture of `size` (see
+/// [`scene::pick_control_point`]); none where control points are not shown.
+pub fn control_point_at(session: &Session, pixel: Vec2, size: Vec2) -> Option<(usize, usize)> {
     let id = session.selected()?;
-    let shape = session.scene().curve(id)?;
-    if !shape.display.control_points {
+    if !session.scene().curve(id)?.display.control_points {
         return None;
     }
-    let world_from_model = session.evaluated().shape(id)?.world_from_model;
-    let camera = &session.view().camera;
-    let mut nearest = None;
-    let mut reach = REACH;
-    for (curve, item) in shape.curves().items().iter().enumerate() {
-        let points = item.curve().map_or(&[] as &[Vec3], |c| c.control_points());
-        for (point, &position) in points.iter().enumerate() {
-            let world = world_from_model.transform_point3(position);
-            let place = camera.pixel(world, size);
-            let Some(place) = place.filter(|_| camera.is_in_depth(world)) else {
-                continue;
-            };
-            // Of points that coincide the first: the others follow it or lie hidden below.
-            if place.distance(pixel) < reach {
-                reach = place.distance(pixel);
-                nearest = Some((curve, point));
-            }
-        }
-    }
-    nearest
+    let shape = session.evaluated().shape(id)?;
+    scene::pick_control_point(shape, &session.view().camera, pixel, size)
 }
 
 impl ControlPointDrag {
-    /// Grabs the control point at `pixel`, if there is one (see [`pick_control_point`]).
+    /// Grabs the control point at `pixel`, if there is one (see [`control_point_at`]).
     pub fn begin(session: &Session, pixel: Vec2, size: Vec2) -> Option<Self> {
-        let (curve, point) = pick_control_point(session, pixel, size)?;
+        let (curve, point) = control_point_at(session, pixel, size)?;
         let shape = session.selected()?;
         let before = session.scene().curve(shape)?.curves();
         let world_from_model = session.evaluated().shape(shape)?.world_from_model;

@@ -10,6 +10,6 @@ mod session;
 
 pub use apply::{apply_edit, apply_view};
 pub use command::{Action, Ask, Edit, Screenshot, View};
-pub use control_point_drag::{ControlPointDrag, pick_control_point};
+pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use messages::{Message, Messages, Severity};
 pub use session::Session;

@@ -47,7 +47,7 @@ impl Curve {
             return false;
         };
         let least = match basis {
-            Basis::Bezier if index % 3 != 0 => return false,
+            Basis::Bezier if !index.is_multiple_of(3) => return false,
             Basis::Bezier => 7,
             // Three points that are all repeated are the fewest that close.
             Basis::BSpline if repeats_its_start(*basis, points) => 7,

@@ -1,44 +1,39 @@
-use super::EvaluatedShape;
+use super::{Camera, EvaluatedShape};
 use crate::math::Ray;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// How far from the ray a line or point is still meant, as a part of its distance from the eye:
 /// about seven pixels of an 800×600 picture at the first field of view.
 const REACH: f32 = 0.01;
+/// How far from a control point the pointer still grabs it, in pixels.
+const POINT_REACH: f32 = 8.0;
 
-/// A control point that a ray passes close by.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ControlPointHit {
-    /// Index of its curve in the [`super::CurveSet`].
-    pub curve: usize,
-    /// Its index in the curve.
-    pub point: usize,
-    /// Distance along the ray, in multiples of its direction.
-    pub distance: f32,
-}
-
-/// The control point of `shape` that `ray`, in the world, passes closest by, if one is within
-/// reach. Of points in one place it is the first.
-pub fn pick_control_point(shape: &EvaluatedShape, ray: &Ray) -> Option<ControlPointHit> {
-    let mut best: Option<(f32, ControlPointHit)> = None;
+/// The control point of `shape` at `pixel` in a picture of `size`, from the top left: the indices
+/// of its curve in the [`super::CurveSet`] and of the point in the curve. Of several within reach
+/// the nearest in the picture; of points in one place the first.
+pub fn pick_control_point(
+    shape: &EvaluatedShape,
+    camera: &Camera,
+    pixel: Vec2,
+    size: Vec2,
+) -> Option<(usize, usize)> {
+    let mut nearest = None;
+    let mut reach = POINT_REACH;
     let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
     for curve in curves {
         for (point, &position) in curve.control_points.iter().enumerate() {
             let world = shape.world_from_model.transform_point3(position);
-            let Some((distance, miss)) = passing(ray, world) else {
+            let place = camera.pixel(world, size);
+            let Some(place) = place.filter(|_| camera.is_in_depth(world)) else {
                 continue;
             };
-            if best.is_none_or(|(closest, _)| miss < closest) {
-                let hit = ControlPointHit {
-                    curve: curve.item,
-                    point,
-                    distance,
-                };
-                best = Some((miss, hit));
+            if place.distance(pixel) < reach {
+                reach = place.distance(pixel);
+                nearest = Some((curve.item, point));
             }
         }
     }
-    best.map(|(_, hit)| hit)
+    nearest
 }
 
 /// Where `ray`, in the world, first passes within reach of a curve of `shape`, as the distance
@@ -127,11 +122,29 @@ mod tests {
     }
 
     #[test]
-    fn the_control_point_closest_to_the_ray_is_picked() {
+    fn the_control_point_closest_to_the_pointer_is_picked() {
         let (evaluated, _) = scene(CurveSet::start_spline(Basis::Bezier));
-        let pick = |x, y| pick_control_point(&evaluated.shapes[0], &from_the_front(x, y));
-        let hit = pick(-0.48, 2.01).unwrap();
-        assert_eq!((hit.curve, hit.point, hit.distance), (0, 1, 5.0));
-        assert_eq!(pick(0.0, 1.0), None);
+        let (shape, size) = (&evaluated.shapes[0], Vec2::new(800.0, 600.0));
+        let camera = Camera::default();
+        let pick = |pixel| pick_control_point(shape, &camera, pixel, size);
+        let at = camera.pixel(Vec3::new(-0.5, 2.0, 0.0), size).unwrap();
+        assert_eq!(pick(at + Vec2::new(5.0, -6.0)), Some((0, 1)));
+        assert_eq!(pick(at + Vec2::new(6.0, -6.0)), None);
+    }
+
+    #[test]
+    fn a_control_point_in_front_of_the_near_plane_is_not_picked() {
+        let (evaluated, _) = scene(CurveSet::start_spline(Basis::Bezier));
+        let point = Vec3::new(-0.5, 2.0, 0.0);
+        let size = Vec2::new(800.0, 600.0);
+        for (radius, picked) in [(0.5, Some((0, 1))), (0.09, None)] {
+            let camera = Camera {
+                target: point,
+                radius,
+                ..Camera::default()
+            };
+            let pick = pick_control_point(&evaluated.shapes[0], &camera, size * 0.5, size);
+            assert_eq!(pick, picked);
+        }
     }
 }

@@ -15,7 +15,7 @@ mod view_settings;
 
 pub use camera::{Camera, ViewDirection};
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
-pub use curve_picking::{ControlPointHit, pick_control_point};
+pub use curve_picking::pick_control_point;
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
 pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};

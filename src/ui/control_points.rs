@@ -148,7 +148,7 @@ fn why_it_stays(curve: &Curve, point: usize) -> &'static str {
         CurveForm::Spline {
             basis: Basis::Bezier,
             ..
-        } if point % 3 != 0 => "A handle goes with the point on the curve beside it",
+        } if !point.is_multiple_of(3) => "A handle goes with the point on the curve beside it",
         _ => "This is the last piece",
     }
 }

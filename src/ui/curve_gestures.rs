@@ -1,5 +1,5 @@
 use super::state::CurveState;
-use crate::editor::{Action, ControlPointDrag, Session, View, pick_control_point};
+use crate::editor::{Action, ControlPointDrag, Session, View, control_point_at};
 use egui::{CursorIcon, Key, PointerButton, Pos2, Response};
 use glam::Vec2;
 
@@ -63,7 +63,7 @@ fn mark(session: &Session, point: Option<(usize, usize)>, actions: &mut Vec<Acti
 
 fn hovered(view: &Response, session: &Session) -> Option<(usize, usize)> {
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    pick_control_point(session, pixel(view, position), size(view))
+    control_point_at(session, pixel(view, position), size(view))
 }
 
 /// egui only takes a press for a drag once the pointer has moved; what was grabbed lies where the
