@@ -3,19 +3,20 @@
 set -eu
 cd "$(dirname "$0")/.."
 out=docs/pictures
+editor=${EDITOR_PROGRAM:-./editor}
 mkdir -p "$out"
-./editor render builtin:showcase --ui --size 1280x800 --samples 4 -o "$out/window.png"
-./editor render builtin:adult --pose builtin:adult-walk --display both --look studio \
+"$editor" render builtin:showcase --ui --size 1280x800 --samples 4 -o "$out/window.png"
+"$editor" render builtin:adult --pose builtin:adult-walk --display both --look studio \
     --camera 55,8,2.6 --samples 4 --size 640x480 -o "$out/both.png"
-./editor render builtin:adult --pose builtin:adult-walk --display skeleton \
+"$editor" render builtin:adult --pose builtin:adult-walk --display skeleton \
     --camera 55,8,2.6 --samples 4 --size 640x480 -o "$out/skeleton.png"
-./editor render builtin:knot --curve frames --surface off --fit --camera 70,35,5 --samples 4 \
+"$editor" render builtin:knot --curve frames --surface off --fit --camera 70,35,5 --samples 4 \
     --size 640x480 -o "$out/frames.png"
-./editor render builtin:goblet --control-points off --curve off --look studio --fit \
-    --camera 60,20,5 --samples 4 --size 640x480 -o "$out/surface.png"
-# What cutting to four weights a vertex would look like is told by compare: here, two poses.
-./editor render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 -o "$out/a.png"
-./editor render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 \
+"$editor" render builtin:scenes/turned --samples 4 \
+    --size 640x480 -o "$out/surface.png"
+# What cutting the weights of a vertex to the largest four changes.
+"$editor" render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 -o "$out/a.png"
+"$editor" render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 \
     --influences 4 -o "$out/b.png"
-./editor compare "$out/a.png" "$out/b.png" -o "$out/compare.png" || true
+"$editor" compare "$out/a.png" "$out/b.png" -o "$out/compare.png" || true
 rm "$out/a.png" "$out/b.png"

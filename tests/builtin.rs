@@ -3,7 +3,7 @@
 use editor_core::disk::Disk;
 use editor_core::io::builtin::{BuiltinKind, PREFIX, WithBuiltin, catalogue, resolve};
 use editor_core::io::{Files, Loaded, PoseFile};
-use editor_core::scene::{Evaluator, ShapeKind};
+use editor_core::scene::{CurveVisibility, Evaluator, ShapeKind, SurfaceVisibility};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -53,6 +53,23 @@ fn everything_in_the_catalogue_opens_by_its_name() {
             format!("builtin:{}", builtin.name)
         );
     }
+}
+
+#[test]
+fn a_scene_says_how_its_curves_are_drawn() {
+    let loaded = load("turned");
+    let mut curves = 0;
+    for shape in loaded.scene.shapes() {
+        let ShapeKind::Curve(curve) = &shape.kind else {
+            continue;
+        };
+        curves += 1;
+        assert!(!curve.display.control_points, "{}", shape.name);
+        assert_eq!(curve.display.curve, CurveVisibility::Off);
+        assert_eq!(curve.display.surface, SurfaceVisibility::Shaded);
+        assert!(curve.frame_closing());
+    }
+    assert_eq!(curves, 4);
 }
 
 #[test]

@@ -97,6 +97,7 @@ impl Workspace {
             hovered: self.hovered_shape,
             selected_joint: self.session.selected_joint(),
             hovered_joint: self.session.hovered_joint(),
+            hovered_control_point: self.session.hovered_control_point(),
         };
         let now = Some((self.session.revision(), marks));
         if !fresh && self.pictures.shown == now {

@@ -58,6 +58,7 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "shapes/plant.mtl",
     "shapes/plant.obj",
     "scenes/showcase.scene",
+    "scenes/turned.scene",
     "poses/adult-sit.json",
     "poses/adult-walk.json",
     "poses/adult-wave.json",

@@ -3,8 +3,9 @@
 use super::{PoseData, json, scanner};
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    COLOR_PRESETS, CUSTOM_PRESET, Camera, CharacterDisplay, Look, Placement, Shading, ShapeColor,
-    ShapeKind, ViewSettings,
+    COLOR_PRESETS, CUSTOM_PRESET, Camera, CharacterDisplay, CurveDisplay, CurveShape,
+    CurveVisibility, Look, Placement, Shading, ShapeColor, ShapeKind, SurfaceVisibility,
+    ViewSettings,
 };
 use glam::Vec3;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
@@ -216,6 +217,41 @@ pub(super) struct ShapeData {
     pub pose: Option<PoseReference>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub display: Option<CharacterDisplay>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub curves: Option<CurveData>,
+}
+
+/// How curves and surfaces are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub(super) struct CurveData {
+    control_points: bool,
+    curve: CurveVisibility,
+    surface: SurfaceVisibility,
+    close_frames: bool,
+}
+
+impl Default for CurveData {
+    fn default() -> Self {
+        let display = CurveDisplay::default();
+        Self {
+            control_points: display.control_points,
+            curve: display.curve,
+            surface: display.surface,
+            close_frames: true,
+        }
+    }
+}
+
+impl CurveData {
+    pub fn apply_to(self, shape: &mut CurveShape) {
+        shape.display = CurveDisplay {
+            control_points: self.control_points,
+            curve: self.curve,
+            surface: self.surface,
+        };
+        shape.set_frame_closing(self.close_frames);
+    }
 }
 
 fn one() -> Vec3 {

@@ -42,7 +42,7 @@ impl SceneShape {
 /// `source`: a file, relative to the scene's folder, or `builtin:NAME`. All else may be left out:
 /// `name`, `position`, `rotation` in degrees, `scale`, `uniform_scaling`, `color` (a name of the
 /// panel's list, or `[r, g, b]` in 0..1), and for characters `pose` (as in pose files, or the
-/// name of one) and `display`.
+/// name of one) and `display`, for curves `curves`.
 ///
 /// # Errors
 /// At the first thing that is not so, in this file or in one that it names.
@@ -95,7 +95,7 @@ impl SceneReader<'_> {
             }
         };
         let mut shapes = Vec::new();
-        let mut has_character = false;
+        let (mut has_character, mut has_curves) = (false, false);
         for (mut kind, name, source) in new {
             let placement = data.placement(&kind);
             if let ShapeKind::Character(character) = &mut kind {
@@ -112,6 +112,12 @@ impl SceneReader<'_> {
                     character.set_pose(pose);
                 }
             }
+            if let ShapeKind::Curve(curve) = &mut kind {
+                has_curves = true;
+                if let Some(display) = data.curves {
+                    display.apply_to(curve);
+                }
+            }
             shapes.push(SceneShape {
                 name: data.name.clone().unwrap_or(name),
                 kind,
@@ -121,6 +127,10 @@ impl SceneReader<'_> {
         }
         if !has_character && (data.pose.is_some() || data.display.is_some()) {
             let message = "expected a character, for it has a pose or display, found a shape";
+            return Err(self.wrong(index, message));
+        }
+        if !has_curves && data.curves.is_some() {
+            let message = "expected curves, for it says how they are drawn, found a shape";
             return Err(self.wrong(index, message));
         }
         Ok(shapes)

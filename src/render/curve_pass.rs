@@ -10,6 +10,7 @@ use glam::Vec3;
 const CURVE: Vec3 = Vec3::ONE;
 const CONTROL: Vec3 = Vec3::new(1.0, 1.0, 0.0);
 const CONTROL_POINT_SIZE: f32 = 5.0;
+const HOVERED_POINT_SIZE: f32 = 11.0;
 /// Length of the lines that show a frame, in the curve's space.
 const FRAME_LENGTH: f32 = 0.2;
 const NORMAL: Vec3 = Vec3::X;
@@ -38,7 +39,28 @@ pub(super) fn draw_curves(
         immediate.load_matrix(context.clip_from_world * evaluated.world_from_model);
         immediate.line_width(1.0);
         draw_shape(immediate, curve.display, curves, &evaluated.geometry);
+        let hovered = frame.marks.hovered_control_point;
+        if let Some(point) = hovered.filter(|_| frame.marks.selected == Some(shape.id)) {
+            draw_hovered_point(immediate, curves, point);
+        }
     }
+}
+
+fn draw_hovered_point(
+    immediate: &mut Immediate,
+    curves: &EvaluatedCurves,
+    (item, point): (usize, usize),
+) {
+    let curve = curves.curves.iter().find(|curve| curve.item == item);
+    let Some(&position) = curve.and_then(|curve| curve.control_points.get(point)) else {
+        return;
+    };
+    immediate.color(CONTROL);
+    immediate.point_size(HOVERED_POINT_SIZE);
+    immediate.point_shape(PointShape::Square);
+    immediate.begin(Mode::Points);
+    immediate.vertex(position);
+    immediate.end();
 }
 
 fn draw_shape(

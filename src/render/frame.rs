@@ -25,6 +25,9 @@ pub struct Marks {
     pub selected_joint: Option<usize>,
     /// The joint of the selected shape that the pointer is over.
     pub hovered_joint: Option<usize>,
+    /// The control point of the selected shape that the pointer is over: the indices of its curve
+    /// in the [`crate::scene::CurveSet`] and of the point in the curve.
+    pub hovered_control_point: Option<(usize, usize)>,
 }
 
 /// What all passes of one picture share.

@@ -13,8 +13,7 @@ pub struct CurveShape {
 }
 
 /// How curves and surfaces are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CurveDisplay {
     /// Whether control points and the polygon that joins them are drawn.
     pub control_points: bool,
@@ -43,6 +42,7 @@ pub enum CurveVisibility {
     /// Drawn as lines.
     On,
     /// Drawn as lines with normal, tangent and binormal at each point.
+    #[serde(rename = "frames")]
     OnWithFrames,
 }
 
@@ -53,6 +53,7 @@ pub enum SurfaceVisibility {
     /// Not drawn.
     Off,
     /// All edges of the triangles, and the normal of each vertex.
+    #[serde(rename = "wireframe")]
     WireframeWithNormals,
     /// Lit.
     Shaded,

@@ -244,6 +244,11 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape() {
             "shape 2: expected a character, for it has a pose or display, found a shape",
         ),
         (
+            "\"name\": \"é\"",
+            "\"curves\": {\"curve\": \"off\"}",
+            "shape 3: expected curves, for it says how they are drawn, found a shape",
+        ),
+        (
             "\"Tip\"",
             "\"Top\"",
             "shape 2: expected the name or index of a joint, such as “Tip”, “Root”, “Joint 2”, found “Top”",

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use editor_core::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
-use editor_core::geometry::Mesh;
+use editor_core::geometry::{Basis, Mesh};
 use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::math::Euler;
 use editor_core::render::{Frame, Marks, Renderer};
 use editor_core::scene::{
-    BoneStyle, CharacterShape, Evaluator, JointStyle, Look, ModelDisplay, Scene, Shading, ShapeId,
-    ShapeKind, ViewSettings,
+    BoneStyle, CharacterShape, CurveSet, CurveShape, Evaluator, JointStyle, Look, ModelDisplay,
+    Scene, Shading, ShapeId, ShapeKind, ViewSettings,
 };
 use glam::Vec3;
 
@@ -234,6 +234,29 @@ fn the_selected_shape_is_outlined_and_the_outline_is_no_part_of_the_picture_to_h
         };
         assert_eq!(orange(&plain), 0);
         assert!(orange(&marked) > 100, "{}", orange(&marked));
+    });
+}
+
+#[test]
+fn the_control_point_under_the_pointer_is_larger_than_the_others() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let curves = CurveSet::start_spline(Basis::Bezier);
+        let (scene, id) = scene_of(ShapeKind::Curve(CurveShape::new(curves)));
+        let mut yellow = |hovered_control_point| {
+            let marks = Marks {
+                selected: Some(id),
+                hovered_control_point,
+                ..Marks::default()
+            };
+            let picture = draw(gl, &mut renderer, &scene, &no_axis(), marks);
+            picture.count(|[r, g, b, _]| r > 250 && g > 250 && b < 5)
+        };
+        let plain = yellow(None);
+        let grown = yellow(Some((0, 1))) - plain;
+        // A square of 11 pixels in the place of one of 5, and lines below both.
+        assert!((80..=96).contains(&grown), "{grown}");
+        assert_eq!(yellow(Some((0, 99))), plain);
     });
 }
 
