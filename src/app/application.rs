@@ -62,6 +62,8 @@ pub fn run(options: Options) -> Result<(), AppError> {
 pub(super) enum Wake {
     /// An assistive technology asks for something.
     Accessibility(accesskit_winit::Event),
+    /// Something about a comparison has been found out.
+    Measured,
 }
 
 impl From<accesskit_winit::Event> for Wake {
@@ -141,9 +143,11 @@ impl ApplicationHandler<Wake> for Application {
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, Wake::Accessibility(event): Wake) {
+    fn user_event(&mut self, _: &ActiveEventLoop, wake: Wake) {
         if let Some(workspace) = &mut self.workspace {
-            workspace.on_accessibility(event);
+            if let Wake::Accessibility(event) = wake {
+                workspace.on_accessibility(event);
+            }
             workspace.request_redraw();
         }
     }

@@ -12,6 +12,8 @@ pub(super) enum Purpose {
     ExportCurve(ShapeId),
     ExportGeometry,
     SaveScreenshot(Screenshot),
+    Compare,
+    SaveComparison,
 }
 
 impl Purpose {
@@ -25,6 +27,8 @@ impl Purpose {
             Self::ExportCurve(_) => "Export Curve",
             Self::ExportGeometry => "Export Geometry",
             Self::SaveScreenshot(_) => "Save Screenshot",
+            Self::Compare => "Compare with Picture",
+            Self::SaveComparison => "Save Comparison",
         }
     }
 
@@ -34,7 +38,9 @@ impl Purpose {
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
             Self::ExportGeometry => "Geometry (.obj)",
-            Self::SaveScreenshot(_) => "Pictures (.png, .jpg, .gif)",
+            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
+                "Pictures (.png, .jpg, .gif)"
+            }
         }
     }
 
@@ -58,7 +64,9 @@ impl Purpose {
             }
             Self::ExportGeometry => extension == "obj",
             Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
-            Self::SaveScreenshot(_) => ["png", "jpg", "jpeg", "gif"].contains(&&*extension),
+            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
+                ["png", "jpg", "jpeg", "gif"].contains(&&*extension)
+            }
         }
     }
 }

@@ -1,4 +1,5 @@
 use super::application::AppError;
+use super::compare::Comparison;
 use super::globals;
 use super::workspace::Workspace;
 use crate::geometry::Revision;
@@ -32,7 +33,11 @@ impl Workspace {
         let window = self.window.window();
         let input = self.egui.take_egui_input(window);
         let context = self.egui.egui_ctx().clone();
+        if let Some(comparison) = &mut self.comparison {
+            comparison.take_results(&context);
+        }
         let (session, state, dialogs) = (&self.session, &mut self.ui, &mut self.dialogs);
+        let compare = self.comparison.as_ref().map(Comparison::view);
         let view_input = ui::ViewInput {
             title: &self.title,
             builtin_characters: &self.builtin_characters,
@@ -42,6 +47,7 @@ impl Workspace {
             backend: &self.backend,
             gesture_under_way: state.gesture_under_way(),
             keys_are_taken: dialogs.is_open(),
+            compare: compare.as_ref(),
         };
         let mut shown = None;
         let mut chosen = None;
@@ -55,7 +61,8 @@ impl Workspace {
         let Some(mut shown) = shown else {
             return Ok(Duration::MAX);
         };
-        self.hovered_shape = ui::view_gestures(&shown.view, session, state, &mut shown.actions);
+        self.hovered_shape =
+            ui::view_gestures(&shown.view, &shown.places, session, state, &mut shown.actions);
         let changed = !shown.actions.is_empty() || chosen.is_some();
         self.carry_out(std::mem::take(&mut shown.actions));
         if let Some((purpose, path)) = chosen {
@@ -70,9 +77,14 @@ impl Workspace {
             self.painter.skip(output);
             return Err(error.into());
         }
+        let compared = self.draw_comparison();
         self.show_frame(&shown, output, size)?;
         // The panels were laid out before what they asked for was done.
-        Ok(if changed { Duration::ZERO } else { delay })
+        Ok(if changed || compared {
+            Duration::ZERO
+        } else {
+            delay
+        })
     }
 
     fn place(shown: &ui::UiOutput, pixels_per_point: f32, size: PhysicalSize<u32>) -> Rect {
@@ -101,6 +113,11 @@ impl Workspace {
         };
         let now = Some((self.session.revision(), marks));
         if !fresh && self.pictures.shown == now {
+            return Ok(());
+        }
+        if self.comparison.is_some() {
+            // Its pictures lie over the whole view.
+            self.pictures.shown = None;
             return Ok(());
         }
         let Some(target) = &self.pictures.scene else {

@@ -2,14 +2,17 @@ use super::workspace::Workspace;
 use crate::disk::Disk;
 use crate::editor::{Edit, Session, Severity, apply_edit};
 use crate::io::builtin::WithBuiltin;
+use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic, Imported, Loaded, NewShape};
 use std::path::{Path, PathBuf};
 
 impl Workspace {
-    /// Starts with `paths` in one scene. What cannot be opened is told; the others are there.
+    /// Starts with `paths` in one scene, compared with the last that is a picture. What cannot be
+    /// opened is told; the others are there.
     pub(super) fn open_at_start(&mut self, paths: &[PathBuf]) {
         let mut loaded = Loaded::default();
         let mut failed = Vec::new();
+        let (pictures, paths): (Vec<_>, Vec<_>) = paths.iter().partition(|path| is_picture(path));
         for path in paths {
             if let Err(error) = loaded.add(&files(), path) {
                 failed.push(error);
@@ -18,6 +21,19 @@ impl Workspace {
         self.session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
         self.tell(Severity::Warning, loaded.warnings);
         self.tell(Severity::Error, failed);
+        if let Some(picture) = pictures.last() {
+            self.compare_with(picture);
+        }
+    }
+
+    /// Uses a file that was dropped on the window: a picture to compare the view with, all else as
+    /// an import.
+    pub(super) fn use_dropped(&mut self, path: &Path) {
+        if is_picture(path) {
+            self.compare_with(path);
+        } else {
+            self.import_any(path);
+        }
     }
 
     /// Adds what the file at `path` holds, whatever it is.
@@ -67,6 +83,11 @@ impl Workspace {
     }
 }
 
-fn files() -> WithBuiltin<Disk> {
+fn is_picture(path: &Path) -> bool {
+    PictureFormat::of(path).is_ok()
+}
+
+/// What the program reads: files on disk, and those it brings.
+pub(super) fn files() -> WithBuiltin<Disk> {
     WithBuiltin(Disk)
 }

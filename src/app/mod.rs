@@ -2,6 +2,7 @@
 //! picture, and nothing is drawn while nothing changes.
 
 mod application;
+mod compare;
 mod exports;
 mod file_dialogs;
 mod frame;

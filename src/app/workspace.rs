@@ -1,4 +1,5 @@
 use super::application::{AppError, Options, Wake};
+use super::compare::Comparison;
 use super::exports::file_stem;
 use super::file_dialogs::{FileDialogs, Purpose};
 use super::frame::FramePictures;
@@ -22,6 +23,7 @@ use winit::window::Window;
 /// Fields are dropped in this order: what was made with OpenGL before its context.
 pub(super) struct Workspace {
     pub(super) pictures: FramePictures,
+    pub(super) comparison: Option<Comparison>,
     pub(super) renderer: Renderer,
     pub(super) painter: InterfacePainter,
     pub(super) window: WindowContext,
@@ -39,6 +41,7 @@ pub(super) struct Workspace {
     pub(super) backend: String,
     pub(super) builtin_characters: Vec<&'static str>,
     pub(super) builtin_curves: Vec<&'static str>,
+    pub(super) proxy: EventLoopProxy<Wake>,
     quit: bool,
 }
 
@@ -75,6 +78,7 @@ impl Workspace {
         let preferences = Preferences::load();
         let mut workspace = Self {
             pictures: FramePictures::default(),
+            comparison: None,
             renderer,
             painter,
             window,
@@ -89,6 +93,7 @@ impl Workspace {
             backend,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
+            proxy: proxy.clone(),
             quit: false,
         };
         workspace.ui.theme = workspace.preferences.theme;
@@ -124,7 +129,7 @@ impl Workspace {
     /// Hands an event to the panels; whether they want to be drawn again.
     pub fn on_window_event(&mut self, event: &WindowEvent) -> bool {
         if let WindowEvent::DroppedFile(path) = event {
-            self.import_any(path);
+            self.use_dropped(path);
         }
         self.egui
             .on_window_event(self.window.window(), event)
@@ -185,6 +190,7 @@ impl Workspace {
                 self.dialogs.open_to_save(purpose, folder, "screenshot.png");
             }
             Ask::InsertBuiltin(name) => self.import_any(Path::new(&format!("builtin:{name}"))),
+            Ask::Compare(action) => self.compare(action),
             Ask::Quit => self.quit = true,
         }
     }
@@ -202,6 +208,8 @@ impl Workspace {
                 self.pending_screenshot = Some(path);
             }
             Purpose::SaveScreenshot(shot) => self.save_view(&path, shot),
+            Purpose::Compare => self.compare_with(&path),
+            Purpose::SaveComparison => self.save_comparison(&path),
         }
     }
 

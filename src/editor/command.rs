@@ -1,3 +1,4 @@
+use super::CompareAction;
 use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
@@ -204,6 +205,8 @@ pub enum Ask {
     ExportGeometry,
     /// Save a picture of the view: choose a file.
     Screenshot(Screenshot),
+    /// Compare the view with a picture.
+    Compare(CompareAction),
     /// End the program.
     Quit,
 }

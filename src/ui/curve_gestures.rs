@@ -1,12 +1,14 @@
+use super::ScenePlaces;
 use super::state::CurveState;
 use crate::editor::{Action, ControlPointDrag, Session, View, control_point_at};
-use egui::{CursorIcon, Key, PointerButton, Pos2, Response};
-use glam::Vec2;
+use egui::{CursorIcon, Key, PointerButton, Response};
 
 /// A control point that was grabbed with the left button.
 #[derive(Clone, Debug)]
 pub(super) struct PointGesture {
     drag: ControlPointDrag,
+    /// Index of the picture of the scene that it began in.
+    place: usize,
     /// Once it is cancelled it only waits for the buttons to be released, so that what is left of
     /// the drag does not become another gesture.
     cancelled: bool,
@@ -26,16 +28,17 @@ pub(super) enum PointerUse {
 /// Drags control points of the selected curves in the view, and marks the one under the pointer.
 pub(super) fn control_points(
     view: &Response,
+    places: &ScenePlaces,
     session: &Session,
     state: &mut CurveState,
     actions: &mut Vec<Action>,
 ) -> PointerUse {
     if view.drag_started_by(PointerButton::Primary) && state.gesture.is_none() {
-        state.gesture = begin(view, session);
+        state.gesture = begin(view, places, session);
     }
     let in_view = match &mut state.gesture {
         Some(gesture) => {
-            let goes_on = gesture.go_on(view, session, actions);
+            let goes_on = gesture.go_on(view, places, session, actions);
             let point = (!gesture.cancelled).then(|| gesture.drag.control_point());
             if !goes_on {
                 state.gesture = None;
@@ -44,7 +47,7 @@ pub(super) fn control_points(
             mark(session, point, actions);
             return PointerUse::Holding;
         }
-        None => hovered(view, session),
+        None => hovered(view, places, session),
     };
     mark(session, in_view.or(state.hovered), actions);
     if in_view.is_none() {
@@ -61,25 +64,35 @@ fn mark(session: &Session, point: Option<(usize, usize)>, actions: &mut Vec<Acti
     }
 }
 
-fn hovered(view: &Response, session: &Session) -> Option<(usize, usize)> {
+fn hovered(view: &Response, places: &ScenePlaces, session: &Session) -> Option<(usize, usize)> {
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    control_point_at(session, pixel(view, position), size(view))
+    let (pixel, size) = places.pixel(places.index_at(position)?, position)?;
+    control_point_at(session, pixel, size)
 }
 
 /// egui only takes a press for a drag once the pointer has moved; what was grabbed lies where the
 /// button went down.
-fn begin(view: &Response, session: &Session) -> Option<PointGesture> {
+fn begin(view: &Response, places: &ScenePlaces, session: &Session) -> Option<PointGesture> {
     let pressed = view.ctx.input(|input| input.pointer.press_origin())?;
-    let drag = ControlPointDrag::begin(session, pixel(view, pressed), size(view))?;
+    let place = places.index_at(pressed)?;
+    let (pixel, size) = places.pixel(place, pressed)?;
+    let drag = ControlPointDrag::begin(session, pixel, size)?;
     Some(PointGesture {
         drag,
+        place,
         cancelled: false,
     })
 }
 
 impl PointGesture {
     /// Follows the pointer; whether the gesture goes on in the next frame.
-    fn go_on(&mut self, view: &Response, session: &Session, actions: &mut Vec<Action>) -> bool {
+    fn go_on(
+        &mut self,
+        view: &Response,
+        places: &ScenePlaces,
+        session: &Session,
+        actions: &mut Vec<Action>,
+    ) -> bool {
         let (cancel, left_down, any_down) = view.ctx.input_mut(|input| {
             // Taken, so that Esc does nothing else in this frame.
             let escape = input.consume_key(egui::Modifiers::NONE, Key::Escape);
@@ -99,21 +112,11 @@ impl PointGesture {
             self.cancelled = true;
             return any_down;
         }
-        if let Some(position) = view.interact_pointer_pos() {
-            let edit = self
-                .drag
-                .moved_to(session, pixel(view, position), size(view));
+        let position = view.interact_pointer_pos();
+        if let Some((pixel, size)) = position.and_then(|at| places.pixel(self.place, at)) {
+            let edit = self.drag.moved_to(session, pixel, size);
             actions.extend(edit.map(Action::Edit));
         }
         left_down
     }
-}
-
-fn pixel(view: &Response, position: Pos2) -> Vec2 {
-    let from_corner = position - view.rect.min;
-    Vec2::new(from_corner.x, from_corner.y)
-}
-
-fn size(view: &Response) -> Vec2 {
-    Vec2::new(view.rect.width(), view.rect.height())
 }

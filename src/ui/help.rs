@@ -50,6 +50,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Look => "View ⏵ Look",
         Menu::Shading => "View ⏵ Shading",
         Menu::Ground => "View ⏵ Ground",
+        Menu::Compare => "View ⏵ Compare",
         Menu::Theme => "View ⏵ Theme",
         Menu::Help => "Help",
     }

@@ -45,6 +45,8 @@ pub enum Command {
     SetShading(Shading),
     /// Chooses the colors of the panels.
     SetTheme(ThemePreference),
+    /// Chooses a picture to compare the view with.
+    Compare,
     /// Opens the list of keys and gestures.
     Keys,
     /// Opens the history of messages.
@@ -116,6 +118,8 @@ pub enum Menu {
     Shading,
     /// View, last part.
     Ground,
+    /// View, the line about comparing.
+    Compare,
     /// View ▸ Theme.
     Theme,
     /// Help.
@@ -126,7 +130,7 @@ pub enum Menu {
 
 impl Menu {
     /// All, in the order of the window about the keys.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::File,
         Self::Insert,
         Self::Curves,
@@ -136,6 +140,7 @@ impl Menu {
         Self::Look,
         Self::Shading,
         Self::Ground,
+        Self::Compare,
         Self::Theme,
         Self::Help,
     ];
@@ -186,7 +191,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
     entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]),
     entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
-    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end the program", &[key(NONE, Key::Escape)]),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else end the program", &[key(NONE, Key::Escape)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
     entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),
@@ -215,6 +220,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]),
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
+    entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences", &[key(NONE, Key::F8)]),
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid on the ground", &[key(NONE, Key::F3)]),
     entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh brings; facetted where it has none", &[key(NONE, Key::F5)]),

@@ -91,6 +91,8 @@ impl Items<'_> {
         submenu(ui, "Shading", |ui| self.all(ui, Menu::Shading));
         self.all(ui, Menu::Ground);
         ui.separator();
+        self.all(ui, Menu::Compare);
+        ui.separator();
         submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
     }
 

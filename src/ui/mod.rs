@@ -6,6 +6,7 @@
 mod about;
 mod axis_ball;
 mod color_field;
+mod compare;
 mod control_points;
 mod curve_commands;
 mod curve_display;
@@ -27,6 +28,7 @@ mod number_field;
 mod number_text;
 mod properties;
 mod run_command;
+mod scene_places;
 mod screenshot;
 mod shape_list;
 mod shape_panel;
@@ -38,14 +40,18 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
+pub use compare::{
+    CompareCounts, CompareJudgment, CompareReport, CompareView, ShownPicture, picture_texture,
+};
 pub use expression::evaluate;
 pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
+pub use scene_places::ScenePlaces;
 pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette};
 pub use view_gestures::view_gestures;
 
-use crate::editor::{Action, Session};
-use crate::scene::ShapeId;
+use crate::editor::{Action, Ask, CompareAction, Session};
+use crate::scene::{Look, ShapeId};
 use egui::{Rect, Response, Ui};
 
 /// What the panels show that neither session nor their own state knows.
@@ -68,6 +74,8 @@ pub struct ViewInput<'a> {
     /// Whether the keyboard belongs to something of the program's own, such as a file dialog or
     /// a gesture that Esc cancels. The panels then leave all keys alone.
     pub keys_are_taken: bool,
+    /// The comparison that is under way: it takes the place of the view alone.
+    pub compare: Option<&'a CompareView<'a>>,
 }
 
 /// What came of one frame of panels.
@@ -80,6 +88,8 @@ pub struct UiOutput {
     /// The view as a widget below everything that lies over it: `hovered()`, `clicked()`,
     /// `dragged_by(…)` and `drag_delta()` say what the pointer does to the scene.
     pub view: Response,
+    /// Where in the view the scene is shown: all of it, or the pictures of a comparison.
+    pub places: ScenePlaces,
 }
 
 impl UiOutput {
@@ -115,14 +125,33 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
     shape_panel::show(root, session, state, &mut actions);
     status_line::show(root, session, input);
-    let (view_rect, view) = view_overlay::show(root, session, state, input, &mut actions);
+    let mut settings = input.compare.map(|compare| compare.settings.clone());
+    if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
+        let look_is_course = session.view().look == Look::Course;
+        compare::panel(root, look_is_course, compare, settings, &mut actions);
+    }
+    let (view_rect, view, places) =
+        view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);
+    if let (Some(compare), Some(settings)) = (input.compare, settings)
+        && settings != *compare.settings
+    {
+        actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
+    }
     windows::show(root, session, state, input, &mut actions);
     state.view_rect = view_rect;
 
     // Last, so that a list or a field that has the keyboard comes first.
     if !keys_taken {
         for command in keys::pressed(&ctx) {
-            press(command, session, state, aspect(view_rect), &mut actions);
+            let comparing = input.compare.is_some();
+            press(
+                command,
+                session,
+                state,
+                comparing,
+                aspect(view_rect),
+                &mut actions,
+            );
             ctx.request_repaint();
         }
     }
@@ -131,6 +160,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions,
         view_rect,
         view,
+        places,
     }
 }
 
@@ -139,16 +169,21 @@ fn takes_keys(ctx: &egui::Context) -> bool {
     ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
 }
 
-/// What a key does: Esc closes the window opened last before it ends the program, and nothing
-/// else works below a dialog.
+/// What a key does: Esc closes the window opened last, then ends a comparison, then the program;
+/// and nothing else works below a dialog.
 fn press(
     command: Command,
     session: &Session,
     state: &mut UiState,
+    comparing: bool,
     aspect: f32,
     actions: &mut Vec<Action>,
 ) {
     if command == Command::Quit && state.open.pop().is_some() {
+        return;
+    }
+    if command == Command::Quit && comparing {
+        actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
         return;
     }
     if state.is_open(state::Dialog::Screenshot) {

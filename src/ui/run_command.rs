@@ -1,7 +1,7 @@
 use super::curve_commands;
 use super::keys::{self, Command, Primitive};
 use super::state::{Dialog, UiState};
-use crate::editor::{Action, Ask, Edit, Session, View};
+use crate::editor::{Action, Ask, CompareAction, Edit, Session, View};
 use crate::scene::Look;
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
@@ -31,6 +31,7 @@ pub(super) fn run(
         Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
+        Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
         Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
         Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
         Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),

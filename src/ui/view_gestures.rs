@@ -1,8 +1,8 @@
-use super::UiState;
 use super::curve_gestures::{self, PointerUse};
+use super::{ScenePlaces, UiState};
 use crate::editor::{Action, Session, View};
 use crate::scene::{ShapeId, pick_shape};
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Rect, Response};
+use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Response};
 use glam::Vec2;
 
 /// Points of a touchpad's scrolling that count as one notch of a wheel.
@@ -13,19 +13,22 @@ const POINTS_PER_NOTCH: f32 = 50.0;
 /// selected curves come first: a left drag moves the one under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
-/// to themselves. Returns the shape that the pointer is over.
+/// to themselves. `places` are where the scene is shown in it. Returns the shape that the pointer
+/// is over.
 pub fn view_gestures(
     view: &Response,
+    places: &ScenePlaces,
     session: &Session,
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
-    let pointer = curve_gestures::control_points(view, session, &mut state.curves, actions);
+    let pointer = curve_gestures::control_points(view, places, session, &mut state.curves, actions);
     if pointer == PointerUse::Holding {
         return None;
     }
     let mut camera = session.view().camera;
-    let delta = Vec2::new(view.drag_delta().x, view.drag_delta().y);
+    let delta = view.drag_delta() / places.points_per_pixel;
+    let delta = Vec2::new(delta.x, delta.y);
     if view.dragged_by(PointerButton::Primary) {
         camera.pan(delta);
     }
@@ -43,17 +46,16 @@ pub fn view_gestures(
     }
     if view.clicked() {
         let clicked = view.interact_pointer_pos();
-        let shape = clicked.and_then(|position| shape_at(session, view.rect, position));
+        let shape = clicked.and_then(|position| shape_at(session, places, position));
         actions.push(Action::View(View::Select(shape)));
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    shape_at(session, view.rect, position)
+    shape_at(session, places, position)
 }
 
-fn shape_at(session: &Session, rect: Rect, position: Pos2) -> Option<ShapeId> {
-    let pixel = position - rect.min;
-    let size = Vec2::new(rect.width(), rect.height());
-    let ray = session.view().camera.ray(Vec2::new(pixel.x, pixel.y), size);
+fn shape_at(session: &Session, places: &ScenePlaces, position: Pos2) -> Option<ShapeId> {
+    let (pixel, size) = places.pixel(places.index_at(position)?, position)?;
+    let ray = session.view().camera.ray(pixel, size);
     pick_shape(session.evaluated(), &ray).map(|(id, _)| id)
 }
 

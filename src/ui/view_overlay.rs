@@ -1,12 +1,13 @@
 use super::state::UiState;
-use super::{ViewInput, axis_ball, first_help, notices};
-use crate::editor::{Action, Session};
+use super::{ScenePlaces, ViewInput, axis_ball, compare, first_help, notices};
+use crate::editor::{Action, CompareSettings, Session};
 use egui::{Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
 
 /// What the view leaves to the handle at the panel's edge, in points.
 const PANEL_EDGE: f32 = 4.0;
 
-/// Takes what the panels left free as the view, and shows what lies over it.
+/// Takes what the panels left free as the view, and shows what lies over it. `settings` are those
+/// of a comparison, if one is under way, as its panel left them.
 ///
 /// The view is a widget below all others here: egui says which of them the pointer is for.
 pub(super) fn show(
@@ -14,8 +15,9 @@ pub(super) fn show(
     session: &Session,
     state: &mut UiState,
     input: &ViewInput,
+    settings: Option<&mut CompareSettings>,
     actions: &mut Vec<Action>,
-) -> (Rect, Response) {
+) -> (Rect, Response, ScenePlaces) {
     let rect = root.available_rect_before_wrap();
     let id = root.id().with("view");
     let mut free = rect;
@@ -29,6 +31,12 @@ pub(super) fn show(
     );
     over.set_clip_rect(rect.intersect(root.clip_rect()));
 
+    let places = match (input.compare, settings) {
+        (Some(compare), Some(settings)) => {
+            compare::pictures(&mut over, &response, compare, settings)
+        }
+        _ => ScenePlaces::whole(rect),
+    };
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
     notices::show(&mut over, rect, session, &mut state.notices, actions);
     if state.first_help {
@@ -36,5 +44,5 @@ pub(super) fn show(
         let closed = first_help::show(&mut over, rect);
         state.first_help = !(closed || gesture);
     }
-    (rect, response)
+    (rect, response, places)
 }

@@ -1,0 +1,119 @@
+use super::{CompareView, report, settings};
+use crate::editor::{Action, Ask, CompareAction, CompareMode, CompareSettings};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::named;
+use egui::{Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui};
+
+/// At this height the course's 800×600 pixels fit above it in the window's first size.
+const HEIGHT: f32 = 118.0;
+const LOWEST: f32 = 64.0;
+/// Narrower panels show their parts one below the other.
+const ROOM_FOR_COLUMNS: f32 = 760.0;
+
+/// The panel below the view while a picture is compared with it.
+pub(in crate::ui) fn show(
+    root: &mut Ui,
+    look_is_course: bool,
+    compare: &CompareView,
+    changed: &mut CompareSettings,
+    actions: &mut Vec<Action>,
+) {
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
+    let highest = (root.available_height() * 0.6).max(LOWEST);
+    Panel::bottom("compare")
+        .frame(frame)
+        .resizable(true)
+        .default_size(HEIGHT)
+        .size_range(LOWEST..=highest)
+        .show(root, |ui| {
+            header(ui, compare, changed, actions);
+            ui.add_space(2.0);
+            ScrollArea::vertical()
+                .id_salt("comparison")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    if ui.available_width() < ROOM_FOR_COLUMNS {
+                        report::findings(ui, compare.report);
+                        report::numbers(ui, compare.report);
+                        ui.separator();
+                        settings::show(ui, look_is_course, compare, changed, actions);
+                    } else {
+                        ui.columns_const(|[numbers, findings, choices]| {
+                            report::numbers(numbers, compare.report);
+                            report::findings(findings, compare.report);
+                            settings::show(choices, look_is_course, compare, changed, actions);
+                        });
+                    }
+                });
+        });
+}
+
+fn header(
+    ui: &mut Ui,
+    compare: &CompareView,
+    changed: &mut CompareSettings,
+    actions: &mut Vec<Action>,
+) {
+    ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+        let mut ask = |button: egui::Response, action| {
+            if button.clicked() {
+                actions.push(Action::Ask(Ask::Compare(action)));
+            }
+        };
+        let close = named(ui.add(Button::new("×")), "Stop comparing");
+        ask(
+            close.on_hover_text("Back to the view alone (Esc)"),
+            CompareAction::Close,
+        );
+        let save = ui.add(Button::new("Save…"));
+        ask(
+            save.on_hover_text("Save A, B and their differences side by side in one picture"),
+            CompareAction::Save,
+        );
+        let other = named(ui.add(Button::new("Open…")), "Compare with another picture");
+        ask(
+            other.on_hover_text("Compare with another picture (F8)"),
+            CompareAction::Choose,
+        );
+        ui.with_layout(
+            Layout::left_to_right(Align::Min).with_main_wrap(true),
+            |ui| {
+                modes(ui, changed);
+                let (width, height) = compare.size();
+                let text = format!("{} · {width}×{height}", compare.name);
+                let color = Palette::of(ui.visuals()).weak;
+                ui.add(Label::new(RichText::new(text).color(color)).truncate())
+                    .on_hover_text("A, the picture that the view is compared with");
+            },
+        );
+    });
+}
+
+fn modes(ui: &mut Ui, changed: &mut CompareSettings) {
+    for mode in CompareMode::ALL {
+        let button = ui.selectable_label(changed.mode == mode, mode.label());
+        if button.on_hover_text(explained(mode)).clicked() {
+            changed.mode = mode;
+        }
+    }
+    match changed.mode {
+        CompareMode::Swipe => share(ui, "Swipe position", &mut changed.swipe),
+        CompareMode::OnionSkin => share(ui, "Live view's opacity", &mut changed.onion),
+        _ => {}
+    }
+}
+
+fn share(ui: &mut Ui, name: &str, value: &mut f32) {
+    let slider = Slider::new(value, 0.0..=1.0).show_value(false);
+    named(ui.add(slider), name).on_hover_text(name);
+}
+
+fn explained(mode: CompareMode) -> &'static str {
+    match mode {
+        CompareMode::SideBySide => "The picture (A) beside the live view (B)",
+        CompareMode::Swipe => "The picture left of a line that you drag, the live view right of it",
+        CompareMode::Blink => "The picture and the live view in turn: what moves, differs",
+        CompareMode::OnionSkin => "The live view over the picture, like thin paper",
+        CompareMode::Difference => "Black where both are equal, lighter where they differ more",
+    }
+}
