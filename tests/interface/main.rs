@@ -1,6 +1,7 @@
 //! Drives the panels by the names of their widgets, as a person and a screen reader find them,
 //! and looks at what became of the scene. No pixels, no window.
 
+mod compare;
 mod curves;
 mod figure;
 mod joints;
@@ -29,6 +30,7 @@ struct Program {
     /// Whether what the pointer does in the view counts, as in the program.
     gestures: bool,
     view: Rect,
+    comparing: Option<compare::Comparing>,
 }
 
 /// The panels in a window of their own, with the program behind them.
@@ -52,6 +54,7 @@ impl Editor {
             keys_are_taken: false,
             gestures: false,
             view: Rect::NOTHING,
+            comparing: None,
         };
         let frame = |root: &mut egui::Ui, program: &mut Program| {
             // The harness leaves a margin that a window has not.
@@ -219,7 +222,9 @@ impl Editor {
 
 impl Program {
     fn frame(&mut self, root: &mut egui::Ui) {
+        let compare = self.comparing.as_ref().map(compare::Comparing::view);
         let input = ViewInput {
+            compare: compare.as_ref(),
             title: "Editor",
             builtin_characters: BUILT_IN,
             builtin_curves: &["vase"],
@@ -237,7 +242,10 @@ impl Program {
             match action {
                 Action::Edit(edit) => apply_edit(&mut self.session, edit),
                 Action::View(view) => apply_view(&mut self.session, view),
-                Action::Ask(ask) => self.asked.push(ask),
+                Action::Ask(ask) => {
+                    compare::carry_out(&mut self.comparing, &ask);
+                    self.asked.push(ask);
+                }
             }
         }
     }

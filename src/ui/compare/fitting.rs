@@ -2,7 +2,7 @@ use egui::{Rect, Vec2, pos2, vec2};
 
 /// Height of the line of text above a picture, in points.
 pub(super) const CAPTION: f32 = 20.0;
-/// Between two pictures, in points.
+/// Between two pictures, and around them where there is room, in points.
 const GAP: f32 = 8.0;
 
 /// A picture of `size` pixels in the middle of `area` (points), as large as fits. Where it can
@@ -36,6 +36,7 @@ pub(super) fn one(area: Rect, size: Vec2, pixels_per_point: f32) -> Rect {
 /// Where two pictures of the same size are shown, each with a caption above it: side by side, or
 /// one above the other where they can be clearly larger so.
 pub(super) fn two(area: Rect, size: Vec2, pixels_per_point: f32) -> [Rect; 2] {
+    let area = area.shrink(GAP.min(area.size().min_elem().max(0.0) * 0.1));
     let beside = halves(area, vec2(1.0, 0.0)).map(|half| one(half, size, pixels_per_point));
     let above = halves(area, vec2(0.0, 1.0)).map(|half| one(half, size, pixels_per_point));
     if above[0].width() > 1.25 * beside[0].width() {

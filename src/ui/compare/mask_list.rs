@@ -39,15 +39,17 @@ pub(super) fn show(ui: &mut Ui, size: (u32, u32), masks: &mut Vec<Mask>) {
     for (index, mask) in masks.iter_mut().enumerate() {
         ui.horizontal(|ui| {
             let name = format!("Mask {}", index + 1);
-            ui.label(&name);
+            ui.label(&name)
+                .on_hover_text("First column and row, width × height, in pixels");
             let mut edited = *mask;
             let sides = [
-                ("X", &mut edited.x, size.0),
-                ("Y", &mut edited.y, size.1),
-                ("width", &mut edited.width, size.0),
-                ("height", &mut edited.height, size.1),
+                ("", "X", &mut edited.x, size.0),
+                (",", "Y", &mut edited.y, size.1),
+                ("·", "width", &mut edited.width, size.0),
+                ("×", "height", &mut edited.height, size.1),
             ];
-            for (side, value, most) in sides {
+            for (before, side, value, most) in sides {
+                ui.label(before);
                 number(ui, &format!("{name} {side}"), value, most);
             }
             *mask = edited.inside(size);

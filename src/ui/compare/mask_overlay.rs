@@ -71,11 +71,12 @@ fn paint(ui: &Ui, rect: Rect, index: usize) {
         Stroke::new(1.0, Palette::of(ui.visuals()).accent),
         StrokeKind::Inside,
     );
+    let middle = rect.top() + LABEL.y.min(rect.height()) * 0.5;
     painter.with_clip_rect(rect.intersect(ui.clip_rect())).text(
-        rect.min + vec2(6.0, 3.0),
-        Align2::LEFT_TOP,
+        pos2(rect.left() + 6.0, middle),
+        Align2::LEFT_CENTER,
         format!("Mask {}", index + 1),
-        FontId::proportional(12.0),
+        FontId::proportional(rect.height().clamp(8.0, 12.0)),
         Color32::WHITE,
     );
 }

@@ -5,7 +5,7 @@ use crate::ui::widgets::named;
 use egui::{Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui};
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
-const HEIGHT: f32 = 118.0;
+const HEIGHT: f32 = 128.0;
 const LOWEST: f32 = 64.0;
 /// Narrower panels show their parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
@@ -33,14 +33,19 @@ pub(in crate::ui) fn show(
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     if ui.available_width() < ROOM_FOR_COLUMNS {
-                        report::findings(ui, compare.report);
+                        report::findings(ui, look_is_course, compare);
                         report::numbers(ui, compare.report);
                         ui.separator();
                         settings::show(ui, look_is_course, compare, changed, actions);
                     } else {
-                        ui.columns_const(|[numbers, findings, choices]| {
+                        let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
+                        ui.columns_const(|columns: &mut [Ui; 3]| {
+                            for column in &mut *columns {
+                                column.spacing_mut().item_spacing.x = gap;
+                            }
+                            let [numbers, findings, choices] = columns;
                             report::numbers(numbers, compare.report);
-                            report::findings(findings, compare.report);
+                            report::findings(findings, look_is_course, compare);
                             settings::show(choices, look_is_course, compare, changed, actions);
                         });
                     }

@@ -1,4 +1,5 @@
-use super::{CompareCounts, CompareJudgment, CompareReport};
+use super::{CompareCounts, CompareJudgment, CompareReport, CompareView};
+use crate::editor::CompareSettings;
 use crate::ui::theme::Palette;
 use egui::{Grid, Label, RichText, Ui};
 
@@ -23,9 +24,8 @@ pub(super) fn numbers(ui: &mut Ui, report: &CompareReport) {
             for (name, value, hint) in counted(report.counts.as_ref()) {
                 line(ui, name, &value, palette.text, hint);
             }
-            for (name, value, hint) in perceived(judged) {
-                line(ui, name, &value, judged_color, hint);
-            }
+            let (name, value, hint) = perceived(judged);
+            line(ui, name, &value, judged_color, hint);
         });
 }
 
@@ -63,23 +63,19 @@ fn counted(counts: Option<&CompareCounts>) -> [Line; 4] {
     ]
 }
 
-fn perceived(judgment: Option<&CompareJudgment>) -> [Line; 2] {
-    let ssim = match judgment {
+fn perceived(judgment: Option<&CompareJudgment>) -> Line {
+    let value = match judgment {
         None => UNKNOWN.to_owned(),
-        Some(CompareJudgment { ssim: None, .. }) => "needs 11×11 pixels".to_owned(),
-        Some(CompareJudgment {
-            ssim: Some(ssim), ..
-        }) => format!("{ssim:.5}"),
+        Some(CompareJudgment { ssim, flip, .. }) => match ssim {
+            Some(ssim) => format!("{ssim:.5}, {flip:.5}"),
+            None => format!("none below 11×11 pixels, {flip:.5}"),
+        },
     };
-    let flip = judgment.map_or(UNKNOWN.to_owned(), |j| format!("{:.5}", j.flip));
-    [
-        ("SSIM", ssim, "Structural similarity: 1 if equal"),
-        (
-            "FLIP",
-            flip,
-            "The difference that a person sees when the pictures blink: 0 if equal, at most 1",
-        ),
-    ]
+    (
+        "SSIM, FLIP",
+        value,
+        "Structural similarity, 1 if equal; and the difference that a person sees when the pictures blink, 0 if equal",
+    )
 }
 
 /// `37 of 12345 (0.300 %)`.
@@ -99,38 +95,66 @@ fn line(ui: &mut Ui, name: &str, value: &str, color: egui::Color32, hint: &str) 
 }
 
 /// What is wrong, in words.
-pub(super) fn findings(ui: &mut Ui, report: &CompareReport) {
+pub(super) fn findings(ui: &mut Ui, look_is_course: bool, compare: &CompareView) {
     let palette = Palette::of(ui.visuals());
-    let mut say = |text: &str, color| {
-        let text = RichText::new(text).color(color);
-        ui.add(Label::new(text).wrap().selectable(true));
-    };
-    if let Some(problem) = &report.problem {
-        return say(problem, palette.error);
-    }
-    let Some(counts) = &report.counts else {
-        return say("Measuring…", palette.weak);
-    };
-    if counts.max == 0 {
-        return say("A and B are equal, pixel by pixel.", palette.strong);
-    }
-    if counts.differing == 0 {
-        say(
-            "No pixel differs by more than the threshold.",
-            palette.strong,
-        );
-    }
-    match &report.judgment {
-        Some(judgment) if !report.measuring => {
-            for finding in &judgment.findings {
-                say(finding, palette.strong);
-            }
-            if judgment.findings.is_empty() {
-                say("No single cause explains the differences.", palette.text);
-            }
+    ui.vertical(|ui| {
+        let mut say = |text: &str, color| {
+            let text = RichText::new(text).color(color);
+            ui.add(Label::new(text).wrap().selectable(true));
+        };
+        let report = compare.report;
+        if let Some(problem) = &report.problem {
+            return say(problem, palette.error);
         }
-        _ => say("Looking for the cause…", palette.weak),
-    }
+        let Some(counts) = &report.counts else {
+            return say("Measuring…", palette.weak);
+        };
+        if counts.max == 0 {
+            return say("A and B are equal, pixel by pixel.", palette.strong);
+        }
+        if counts.differing == 0 {
+            say(
+                "No pixel differs by more than the threshold.",
+                palette.strong,
+            );
+        }
+        for hint in hints(look_is_course, compare.settings, counts) {
+            say(hint, palette.text);
+        }
+        match &report.judgment {
+            Some(judgment) if !report.measuring => {
+                for finding in &judgment.findings {
+                    say(finding, palette.strong);
+                }
+                if judgment.findings.is_empty() {
+                    say("No single cause explains the differences.", palette.text);
+                }
+            }
+            _ => say("Looking for the cause…", palette.weak),
+        }
+    });
+}
+
+const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
+const OTHER_LOOK: &str =
+    "B has the Studio look. Course look draws it as the course's program does.";
+const SMOOTH: &str = "B has smooth edges; the course's program has none.";
+
+/// What the person at the panel can do about differences.
+fn hints(
+    look_is_course: bool,
+    settings: &CompareSettings,
+    counts: &CompareCounts,
+) -> impl Iterator<Item = &'static str> {
+    // Where not even the border has a color of its own, something lies over the scene.
+    let covered = settings.masks.is_empty() && counts.drawn == counts.compared;
+    [
+        (!look_is_course, OTHER_LOOK),
+        (look_is_course && settings.smooth_edges, SMOOTH),
+        (look_is_course && covered, COVERED),
+    ]
+    .into_iter()
+    .filter_map(|(applies, hint)| applies.then_some(hint))
 }
 
 #[cfg(test)]

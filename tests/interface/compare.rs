@@ -1,0 +1,246 @@
+//! The Compare panel, and the pictures that take the place of the view.
+
+use crate::Editor;
+use editor_core::editor::{Ask, CompareAction, CompareMode, CompareSettings, Mask, View};
+use editor_core::geometry::Picture;
+use editor_core::scene::{Look, Shading};
+use editor_core::ui::{CompareCounts, CompareJudgment, CompareReport, CompareView, ShownPicture};
+use egui::{Key, TextureId, vec2};
+
+/// A comparison with a gray picture of the course's size.
+pub struct Comparing {
+    settings: CompareSettings,
+    picture: Picture,
+    report: CompareReport,
+}
+
+impl Comparing {
+    fn new() -> Self {
+        let (width, height) = (800, 600);
+        Self {
+            settings: CompareSettings::default(),
+            picture: Picture {
+                width,
+                height,
+                rgba: vec![26; 4 * (width * height) as usize],
+            },
+            report: CompareReport::default(),
+        }
+    }
+
+    pub fn view(&self) -> CompareView<'_> {
+        let shown = ShownPicture {
+            picture: &self.picture,
+            texture: TextureId::default(),
+        };
+        CompareView {
+            name: "sample.png",
+            settings: &self.settings,
+            reference: shown,
+            live: Some(shown),
+            difference: None,
+            report: &self.report,
+        }
+    }
+}
+
+/// What the program would do.
+pub fn carry_out(comparing: &mut Option<Comparing>, ask: &Ask) {
+    match (ask, comparing.as_mut()) {
+        (Ask::Compare(CompareAction::Set(settings)), Some(comparing)) => {
+            comparing.settings = settings.clone();
+        }
+        (Ask::Compare(CompareAction::Close), _) => *comparing = None,
+        _ => {}
+    }
+}
+
+fn comparing() -> Editor {
+    let mut editor = Editor::sized(vec2(1280.0, 800.0));
+    editor.harness.state_mut().comparing = Some(Comparing::new());
+    editor.settle();
+    editor
+}
+
+fn settings(editor: &Editor) -> &CompareSettings {
+    let comparing = &editor.harness.state().comparing;
+    &comparing.as_ref().expect("a comparison").settings
+}
+
+fn report(editor: &mut Editor, report: CompareReport) {
+    let comparing = &mut editor.harness.state_mut().comparing;
+    comparing.as_mut().expect("a comparison").report = report;
+    editor.settle();
+}
+
+fn counts(differing: u64, max: u8) -> CompareCounts {
+    CompareCounts {
+        compared: 480_000,
+        differing,
+        drawn: 12_000,
+        drawn_differing: differing,
+        max,
+        mean: 0.25,
+        psnr: 31.5,
+    }
+}
+
+#[test]
+fn a_picture_to_compare_with_is_asked_for_by_menu_and_key() {
+    let mut editor = Editor::new();
+    editor.choose(&["View", "Compare with Picture…"]);
+    editor.key(Key::F8);
+    let choose = Ask::Compare(CompareAction::Choose);
+    assert_eq!(editor.asked(), [choose.clone(), choose]);
+}
+
+#[test]
+fn every_mode_is_one_click_and_shows_what_is_what() {
+    let mut editor = comparing();
+    for mode in CompareMode::ALL {
+        editor.click(mode.label());
+        assert_eq!(settings(&editor).mode, mode);
+    }
+    editor.click("Side by side");
+    assert!(editor.has("A: reference") && editor.has("B: live view"));
+    editor.click("Difference");
+    assert!(!editor.has("A: reference"));
+}
+
+#[test]
+fn the_line_between_the_pictures_is_dragged_in_the_view() {
+    let mut editor = comparing();
+    editor.click("Swipe");
+    editor.drag("Line between the pictures", 200.0);
+    // The picture is shown pixel by pixel, 800 wide.
+    assert!((settings(&editor).swipe - 0.75).abs() < 0.01);
+}
+
+#[test]
+fn masks_are_added_for_the_courses_panels_and_by_hand_and_taken_away() {
+    let mut editor = comparing();
+    editor.click("Mask its panels");
+    assert_eq!(settings(&editor).masks, Mask::course_panels((800, 600)));
+    editor.click("Add mask");
+    editor.type_into("Mask 3 X", "100");
+    editor.type_into("Mask 3 Y", "600/4");
+    editor.type_into("Mask 3 width", "5000");
+    editor.type_into("Mask 3 height", "0");
+    let third = Mask {
+        x: 100,
+        y: 150,
+        width: 700,
+        height: 1,
+    };
+    assert_eq!(settings(&editor).masks[2], third);
+    editor.click("Remove mask 1");
+    assert_eq!(settings(&editor).masks.len(), 2);
+    assert_eq!(settings(&editor).masks[1], third);
+}
+
+#[test]
+fn a_mask_is_moved_by_its_label() {
+    let mut editor = comparing();
+    editor.click("Difference");
+    editor.click("Add mask");
+    let before = settings(&editor).masks[0];
+    editor.drag("Move mask 1", 50.0);
+    let after = settings(&editor).masks[0];
+    assert_eq!(
+        after,
+        Mask {
+            x: before.x + 50,
+            ..before
+        }
+    );
+}
+
+#[test]
+fn the_course_look_is_one_click() {
+    let mut editor = comparing();
+    editor.view(View::SetLook(Look::Studio));
+    editor.view(View::SetShading(Shading::Smooth));
+    editor.click("Smooth edges");
+    assert!(settings(&editor).smooth_edges);
+    editor.click("Course look");
+    assert!(!settings(&editor).smooth_edges);
+    let view = editor.session().view();
+    assert_eq!(
+        (view.look, view.shading),
+        (Look::Course, Shading::AsAuthored)
+    );
+}
+
+#[test]
+fn numbers_and_causes_are_told_in_words() {
+    let mut editor = comparing();
+    assert!(editor.has("Measuring…"));
+    let told = CompareReport {
+        counts: Some(counts(240, 200)),
+        judgment: Some(CompareJudgment {
+            ssim: Some(0.5),
+            flip: 0.25,
+            findings: vec!["B is A moved by 1 pixel right.".to_owned()],
+        }),
+        measuring: false,
+        problem: None,
+    };
+    report(&mut editor, told.clone());
+    for text in [
+        "240 of 480000 (0.050 %)",
+        "240 of 12000 (2.000 %)",
+        "at most 200, mean 0.250 of 255",
+        "31.50 dB",
+        "0.50000, 0.25000",
+        "B is A moved by 1 pixel right.",
+    ] {
+        assert!(editor.has(text), "{text}");
+    }
+    let newer = CompareReport {
+        measuring: true,
+        ..told
+    };
+    report(&mut editor, newer);
+    assert!(
+        !editor.has("B is A moved by 1 pixel right."),
+        "a cause of older pictures is told"
+    );
+    let equal = CompareReport {
+        counts: Some(counts(0, 0)),
+        ..CompareReport::default()
+    };
+    report(&mut editor, equal);
+    assert!(editor.has("A and B are equal, pixel by pixel."));
+}
+
+#[test]
+fn esc_ends_the_comparison_before_the_program_and_so_does_its_cross() {
+    let mut editor = comparing();
+    editor.key(Key::Escape);
+    assert!(editor.harness.state().comparing.is_none());
+    assert!(!editor.has("Stop comparing"));
+    editor.key(Key::Escape);
+    let close = Ask::Compare(CompareAction::Close);
+    assert_eq!(editor.asked(), [close.clone(), Ask::Quit]);
+
+    let mut editor = comparing();
+    editor.click("Save…");
+    editor.click("Compare with another picture");
+    editor.click("Stop comparing");
+    let asked = [CompareAction::Save, CompareAction::Choose].map(Ask::Compare);
+    assert_eq!(editor.asked(), [asked[0].clone(), asked[1].clone(), close]);
+}
+
+#[test]
+fn everything_is_there_in_a_small_window_too() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().comparing = Some(Comparing::new());
+    editor.settle();
+    editor.click("Onion skin");
+    editor.click("Add mask");
+    editor.type_into("Threshold", "8");
+    assert_eq!(settings(&editor).threshold, 8);
+    assert_eq!(settings(&editor).masks.len(), 1);
+    editor.click("Stop comparing");
+    assert!(editor.harness.state().comparing.is_none());
+}
