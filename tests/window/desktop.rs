@@ -140,6 +140,13 @@ impl<'a> Program<'a> {
         pause();
     }
 
+    /// Clicks with the first button.
+    pub fn click(&self, place: (f32, f32)) {
+        self.point(place);
+        self.desktop.xdotool(&["click", "1"]);
+        pause();
+    }
+
     fn point(&self, (x, y): (f32, f32)) {
         let (x, y) = (x.round().to_string(), y.round().to_string());
         self.desktop.xdotool(&["mousemove", &x, &y]);

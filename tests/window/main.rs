@@ -97,6 +97,50 @@ fn the_mouse_moves_the_camera_and_the_window_stays_still_when_left_alone() {
 }
 
 #[test]
+fn a_picture_of_the_same_scene_is_compared_and_not_a_pixel_differs() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let models = home_with_character(home.path());
+    let reference = models.join("reference.png");
+    let rendered = command(home.path())
+        .args(["render", "builtin:robot", "--axis", "on", "-o"])
+        .arg(&reference)
+        .output()
+        .expect("the program runs");
+    assert!(rendered.status.success(), "{rendered:?}");
+
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let alone = program.picture();
+    program.keys(&["F8", "Down", "Return"]);
+    assert!(program.picture() != alone, "the comparison does not show");
+    program.click(places::middle_of_comparing("builtin:robot", "Save…"));
+    program.picture();
+    program.keys(&["Return"]);
+    program.picture();
+    let saved = image::open(models.join("comparison.png")).expect("a saved comparison");
+    let saved = saved.to_rgba8();
+    let part = |x: u32| image::imageops::crop_imm(&saved, x, 0, 800, 600).to_image();
+    assert_eq!((saved.width() % 800, saved.height()), (16, 600));
+    let (reference, live) = (part(0), part(808));
+    assert!(
+        reference == live,
+        "the live view is not the rendered picture"
+    );
+    assert!(
+        reference
+            .pixels()
+            .any(|pixel| pixel != reference.get_pixel(0, 0))
+    );
+
+    // Esc leaves the comparison first.
+    program.keys(&["Escape"]);
+    program.picture();
+    program.keys(&["Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+}
+
+#[test]
 fn the_first_start_opens_the_showcase_and_later_ones_do_not() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");

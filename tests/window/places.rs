@@ -1,9 +1,10 @@
 //! Where widgets are on the screen: the same panels, laid out without a window, are asked.
 
-use editor_core::editor::Session;
+use editor_core::editor::{CompareSettings, Session};
+use editor_core::geometry::Picture;
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files, Loaded};
-use editor_core::ui::{self, UiState, ViewInput};
+use editor_core::ui::{self, CompareReport, CompareView, ShownPicture, UiState, ViewInput};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::path::Path;
@@ -25,16 +26,46 @@ impl Files for NoDisk {
 
 /// The middle of the widget called `label`, in a window that shows `scene` as it starts.
 pub fn middle_of(scene: &str, label: &str) -> (f32, f32) {
+    middle_in(scene, label, None)
+}
+
+/// The same while the view is compared with a picture of 800×600.
+pub fn middle_of_comparing(scene: &str, label: &str) -> (f32, f32) {
+    let picture = Picture {
+        width: 800,
+        height: 600,
+        rgba: vec![0; 4 * 800 * 600],
+    };
+    middle_in(scene, label, Some(picture))
+}
+
+fn middle_in(scene: &str, label: &str, compared: Option<Picture>) -> (f32, f32) {
     let mut loaded = Loaded::default();
     loaded
         .add(&WithBuiltin(NoDisk), Path::new(scene))
         .expect("a built-in scene or character");
     let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
     let mut state = UiState::new();
+    let (settings, report) = (CompareSettings::default(), CompareReport::default());
     let mut harness = Harness::builder()
         .with_size(egui::vec2(SIZE.0, SIZE.1))
         .build_ui(move |ui| {
-            ui::show(ui, &session, &mut state, &ViewInput::default());
+            let compare = compared.as_ref().map(|picture| CompareView {
+                name: "reference.png",
+                settings: &settings,
+                reference: ShownPicture {
+                    picture,
+                    texture: egui::TextureId::default(),
+                },
+                live: None,
+                difference: None,
+                report: &report,
+            });
+            let input = ViewInput {
+                compare: compare.as_ref(),
+                ..ViewInput::default()
+            };
+            ui::show(ui, &session, &mut state, &input);
         });
     harness.run_steps(4);
     let middle = harness.get_by_label(label).rect().center();
