@@ -61,8 +61,13 @@ impl Workspace {
         let Some(mut shown) = shown else {
             return Ok(Duration::MAX);
         };
-        self.hovered_shape =
-            ui::view_gestures(&shown.view, &shown.places, session, state, &mut shown.actions);
+        self.hovered_shape = ui::view_gestures(
+            &shown.view,
+            &shown.places,
+            session,
+            state,
+            &mut shown.actions,
+        );
         let changed = !shown.actions.is_empty() || chosen.is_some();
         self.carry_out(std::mem::take(&mut shown.actions));
         if let Some((purpose, path)) = chosen {

@@ -1,6 +1,6 @@
 //! The Compare panel, and the pictures that take the place of the view.
 
-use crate::Editor;
+use crate::{Editor, curves};
 use editor_core::editor::{Ask, CompareAction, CompareMode, CompareSettings, Mask, View};
 use editor_core::geometry::Picture;
 use editor_core::scene::{Look, Shading};
@@ -211,6 +211,47 @@ fn numbers_and_causes_are_told_in_words() {
     };
     report(&mut editor, equal);
     assert!(editor.has("A and B are equal, pixel by pixel."));
+}
+
+#[test]
+fn a_control_point_is_dragged_in_the_live_picture_of_either_arrangement() {
+    for mode in [CompareMode::SideBySide, CompareMode::OnionSkin] {
+        let mut editor = curves::with_curve("Bézier Curve");
+        let mut comparing = Comparing::new();
+        comparing.settings.mode = mode;
+        editor.harness.state_mut().comparing = Some(comparing);
+        editor.settle();
+        let camera = editor.session().view().camera;
+        let from = curves::place(&editor, 3);
+        let to = from + vec2(-20.0, 15.0);
+        editor.press(from);
+        editor.release(to);
+        let off = curves::place(&editor, 3) - to;
+        assert!(off.length() < 0.05, "{mode:?}: {off:?}");
+        assert_eq!(editor.session().view().camera, camera);
+    }
+}
+
+#[test]
+fn a_pixel_of_the_picture_pans_as_far_as_a_pixel_of_the_view() {
+    let panned = |comparing: Option<Comparing>| {
+        let mut editor = Editor::sized(vec2(1280.0, 800.0));
+        editor.harness.state_mut().comparing = comparing;
+        editor.settle();
+        let picture = editor.harness.state().view;
+        let shown = if editor.harness.state().comparing.is_some() {
+            picture.width() / 800.0
+        } else {
+            1.0
+        };
+        let from = picture.center();
+        editor.press(from);
+        editor.release(from + vec2(40.0, 0.0) * shown);
+        editor.session().view().camera.target
+    };
+    let (plain, compared) = (panned(None), panned(Some(Comparing::new())));
+    assert!(plain.length() > 1e-3, "nothing moved");
+    assert!(plain.distance(compared) < 1e-5, "{plain} {compared}");
 }
 
 #[test]

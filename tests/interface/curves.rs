@@ -10,7 +10,7 @@ use editor_core::scene::{
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::Vec3;
 
-fn with_curve(label: &str) -> Editor {
+pub fn with_curve(label: &str) -> Editor {
     let mut editor = Editor::new();
     editor.choose(&["Insert", label]);
     editor
@@ -274,7 +274,7 @@ fn exports_are_asked_of_the_program() {
 }
 
 /// Where a control point of the first curve is on the screen.
-fn place(editor: &Editor, point: usize) -> Pos2 {
+pub fn place(editor: &Editor, point: usize) -> Pos2 {
     let view = editor.harness.state().view;
     let camera = &editor.session().view().camera;
     let size = glam::Vec2::new(view.width(), view.height());
@@ -288,7 +288,7 @@ fn place(editor: &Editor, point: usize) -> Pos2 {
 }
 
 impl Editor {
-    fn press(&mut self, at: Pos2) {
+    pub fn press(&mut self, at: Pos2) {
         self.harness.state_mut().gestures = true;
         self.harness.hover_at(at);
         self.settle();
@@ -296,12 +296,12 @@ impl Editor {
         self.settle();
     }
 
-    fn go_to(&mut self, at: Pos2) {
+    pub fn go_to(&mut self, at: Pos2) {
         self.harness.hover_at(at);
         self.settle();
     }
 
-    fn release(&mut self, at: Pos2) {
+    pub fn release(&mut self, at: Pos2) {
         self.go_to(at);
         self.harness.drop_at(at);
         self.settle();

@@ -29,6 +29,7 @@ struct Program {
     keys_are_taken: bool,
     /// Whether what the pointer does in the view counts, as in the program.
     gestures: bool,
+    /// Where the scene is; while it is compared, its live picture.
     view: Rect,
     comparing: Option<compare::Comparing>,
 }
@@ -234,9 +235,13 @@ impl Program {
         };
         let mut output = ui::show(root, &self.session, &mut self.state, &input);
         self.view = output.view_rect;
+        if let (Some(_), Some(&picture)) = (&compare, output.places.rects.last()) {
+            self.view = picture;
+        }
         if self.gestures {
             let (session, actions) = (&self.session, &mut output.actions);
-            ui::view_gestures(&output.view, session, &mut self.state, actions);
+            let (view, places) = (&output.view, &output.places);
+            ui::view_gestures(view, places, session, &mut self.state, actions);
         }
         for action in output.actions {
             match action {

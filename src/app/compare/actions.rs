@@ -20,8 +20,7 @@ impl Workspace {
             CompareAction::Choose => self.dialogs.open(Purpose::Compare, folder),
             CompareAction::Save => {
                 let purpose = Purpose::SaveComparison;
-                self.dialogs
-                    .open_to_save(purpose, folder, "comparison.png");
+                self.dialogs.open_to_save(purpose, folder, "comparison.png");
             }
             CompareAction::Close => self.comparison = None,
             CompareAction::Set(settings) => {
