@@ -57,7 +57,7 @@ impl MeshCache {
 impl CachedMesh {
     fn new(gl: &Gl, geometry: &EvaluatedGeometry, shading: Shading) -> Result<Self, GpuError> {
         let mesh = &geometry.mesh;
-        let usage = if geometry.skinned.is_some() {
+        let usage = if geometry.deformation.is_some() {
             Usage::Stream
         } else {
             Usage::Static

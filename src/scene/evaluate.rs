@@ -1,11 +1,11 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
+use super::{CharacterShape, Deformation, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::StickFigure;
 use crate::geometry::{Normals, Revision, SharedMesh};
 use crate::math::Aabb;
 use glam::{Mat4, Vec3};
 use std::collections::HashMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Everything that follows from a scene: matrices, deformed vertices, bounds.
 #[derive(Clone, Debug, Default)]
@@ -30,41 +30,65 @@ pub struct EvaluatedShape {
 pub struct EvaluatedGeometry {
     /// Triangles, materials and undeformed vertices; of curves, all their surfaces.
     pub mesh: SharedMesh,
-    /// The deformed positions, as many as the mesh has; `None` where nothing deforms it.
-    pub skinned: Option<Vec<Vec3>>,
-    /// The deformed normals, as many as the mesh has vertices; `None` where nothing deforms it or
-    /// its triangles are flat.
-    pub skinned_normals: Option<Vec<Vec3>>,
+    /// What joints do to the mesh; `None` where nothing deforms it.
+    pub deformation: Option<Deformation>,
     /// Joints and bones of a character.
     pub figure: Option<StickFigure>,
     /// Curves, control points, wireframe and parts of a shape made of curves.
     pub curves: Option<EvaluatedCurves>,
     /// Changes whenever positions do.
     pub revision: Revision,
-    /// Around the mesh, the joints and the curves, in model space; not around control points.
-    pub bounds: Aabb,
+    /// Around all but a deformed mesh, whose bounds are worked out when they are asked for.
+    pub(super) fixed_bounds: Aabb,
+    pub(super) bounds: OnceLock<Aabb>,
 }
 
 impl EvaluatedGeometry {
+    /// What nothing deforms, with `bounds` around all of it.
+    pub(super) fn rigid(mesh: SharedMesh, bounds: Aabb, revision: Revision) -> Self {
+        Self {
+            mesh,
+            deformation: None,
+            figure: None,
+            curves: None,
+            revision,
+            fixed_bounds: bounds,
+            bounds: OnceLock::new(),
+        }
+    }
+
     /// The current positions, in the order of the file.
     pub fn positions(&self) -> &[Vec3] {
-        self.skinned.as_deref().unwrap_or(&self.mesh.positions)
+        self.deformation
+            .as_ref()
+            .map_or(&self.mesh.positions, Deformation::positions)
     }
 
     /// The current normals, one a vertex of the mesh; `None` where its triangles are flat.
     pub fn normals(&self) -> Option<&[Vec3]> {
-        match (&self.skinned_normals, &self.mesh.normals) {
-            (Some(skinned), _) => Some(skinned),
+        match (&self.deformation, &self.mesh.normals) {
+            (_, Normals::Flat) => None,
+            (Some(deformation), _) => deformation.normals(),
             (None, Normals::PerVertex(normals)) => Some(normals),
-            (None, Normals::Flat) => None,
         }
+    }
+
+    /// Around the mesh, the joints and the curves, in model space; not around control points.
+    pub fn bounds(&self) -> Aabb {
+        *self.bounds.get_or_init(|| match &self.deformation {
+            Some(deformation) => {
+                let deformed = deformation.positions().iter().copied();
+                self.fixed_bounds.union(Aabb::from_points(deformed))
+            }
+            None => self.fixed_bounds,
+        })
     }
 }
 
 impl EvaluatedShape {
     /// The box around the shape in the world.
     pub fn world_bounds(&self) -> Aabb {
-        self.geometry.bounds.transformed(self.world_from_model)
+        self.geometry.bounds().transformed(self.world_from_model)
     }
 }
 
@@ -126,15 +150,8 @@ impl Evaluator {
             ShapeKind::Curve(curve) => evaluate_curves(curve),
             other => {
                 let mesh = other.mesh();
-                EvaluatedGeometry {
-                    bounds: mesh.bounds(),
-                    mesh,
-                    skinned: None,
-                    skinned_normals: None,
-                    figure: None,
-                    curves: None,
-                    revision,
-                }
+                let bounds = mesh.bounds();
+                EvaluatedGeometry::rigid(mesh, bounds, revision)
             }
         });
         self.cache.insert(shape.id, geometry.clone());
@@ -146,23 +163,44 @@ fn evaluate_character(shape: &CharacterShape) -> EvaluatedGeometry {
     let character = &shape.character;
     let skeleton = character.skeleton();
     let model_from_joint = skeleton.update_current_joint_to_world_transforms(shape.pose());
-    let skinned = character.skin(&model_from_joint);
     let figure = StickFigure::new(skeleton, &model_from_joint);
-    let around = skinned.iter().chain(&figure.joints).copied();
+    let around_joints = Aabb::from_points(figure.joints.iter().copied());
+    let mesh = character.bind_mesh().clone();
     EvaluatedGeometry {
-        mesh: character.bind_mesh().clone(),
-        bounds: Aabb::from_points(around),
-        skinned: Some(skinned),
-        skinned_normals: character.skin_normals(&model_from_joint),
+        deformation: Some(Deformation::new(character.clone(), model_from_joint)),
         figure: Some(figure),
-        curves: None,
-        revision: shape.pose_revision(),
+        ..EvaluatedGeometry::rigid(mesh, around_joints, shape.pose_revision())
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn vertices_are_deformed_when_they_are_asked_for_and_not_before() {
+        let joint = crate::character::Joint::default();
+        let skeleton = crate::character::SkeletalModel::new(vec![joint]).unwrap();
+        let mut attachments = crate::character::Attachments::new();
+        attachments.push_vertex([crate::character::Influence {
+            joint: 0,
+            weight: 1.0,
+        }]);
+        let mesh = crate::geometry::Mesh::new(vec![Vec3::X * 2.0], Vec::new());
+        let character = crate::character::Character::new(skeleton, attachments, mesh).unwrap();
+        let mut shape = CharacterShape::new(Arc::new(character));
+        let mut pose = crate::character::Pose::new();
+        pose.set_root_offset(0, Vec3::Y);
+        shape.set_pose(pose);
+        let mut scene = Scene::new();
+        scene.add("Dot".into(), ShapeKind::Character(shape), None);
+        let evaluated = Evaluator::new().evaluate(&scene);
+        let geometry = &evaluated.shapes[0].geometry;
+        let deformation = geometry.deformation.as_ref().unwrap();
+        assert!(!deformation.is_worked_out());
+        assert_eq!(geometry.bounds().max, Vec3::new(2.0, 1.0, 0.0));
+        assert!(deformation.is_worked_out());
+    }
 
     #[test]
     fn what_did_not_change_is_not_worked_out_again() {

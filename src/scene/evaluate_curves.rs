@@ -60,18 +60,14 @@ pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
     let curves = curves(set, shape.frame_closing());
     let (mesh, surfaces) = surfaces(set, &curves);
     let on_curves = curves.iter().flat_map(EvaluatedCurve::positions);
+    let bounds = Aabb::from_points(on_curves).union(mesh.bounds());
     EvaluatedGeometry {
-        bounds: Aabb::from_points(on_curves).union(mesh.bounds()),
-        skinned: None,
-        skinned_normals: None,
-        figure: None,
-        revision: shape.revision(),
         curves: Some(EvaluatedCurves {
             edges: wireframe(&mesh.triangles),
             curves,
             surfaces,
         }),
-        mesh: SharedMesh::new(mesh),
+        ..EvaluatedGeometry::rigid(SharedMesh::new(mesh), bounds, shape.revision())
     }
 }
 

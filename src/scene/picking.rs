@@ -23,7 +23,7 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
 fn nearest_surface(shape: &EvaluatedShape, ray: &Ray) -> Option<f32> {
     let model_from_world = shape.world_from_model.inverse();
     let model_ray = ray.transformed(model_from_world);
-    if !model_ray.meets(&shape.geometry.bounds) {
+    if !model_ray.meets(&shape.geometry.bounds()) {
         return None;
     }
     let geometry = &shape.geometry;

@@ -202,11 +202,11 @@ fn several_surfaces_of_a_file_share_one_mesh_and_know_their_parts() {
 
 #[test]
 fn bounds_are_around_curves_and_surfaces_but_not_around_control_points() {
-    let bounds = evaluate(read("bez2 a 8 4 [0 0] [0 4] [1 4] [1 0]").unwrap(), true).bounds;
+    let bounds = evaluate(read("bez2 a 8 4 [0 0] [0 4] [1 4] [1 0]").unwrap(), true).bounds();
     assert_eq!(
         (bounds.min, bounds.max),
         (Vec3::ZERO, Vec3::new(1.0, 3.0, 0.0))
     );
-    let bounds = evaluate(read("circ a 8 1 srev s 8 a").unwrap(), true).bounds;
+    let bounds = evaluate(read("circ a 8 1 srev s 8 a").unwrap(), true).bounds();
     assert!(bounds.min.distance(-Vec3::ONE) < 1e-6 && bounds.max.distance(Vec3::ONE) < 1e-6);
 }
