@@ -1,6 +1,7 @@
 // A surface in model space.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 7) in vec2 texture_coordinates;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_model;
@@ -11,6 +12,7 @@ out vec3 world_normal;
 // The same, of the triangle's last corner alone.
 flat out vec3 face_normal;
 out vec3 tint;
+out vec2 on_picture;
 
 void main() {
     vec4 world = world_from_model * vec4(position, 1.0);
@@ -18,5 +20,6 @@ void main() {
     world_normal = world_from_model_normal * normal;
     face_normal = world_normal;
     tint = vec3(1.0);
+    on_picture = texture_coordinates;
     gl_Position = clip_from_world * world;
 }

@@ -16,4 +16,5 @@ pub use import_character::{Character, CharacterError};
 pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
+pub use skinning::Skinning;
 pub use stick_figure::{Bone, StickFigure};

@@ -34,12 +34,22 @@ impl Facets {
         Self { sources, triangles }
     }
 
-    /// The vertices here, from the mesh's.
-    pub fn gather(&self, positions: &[Vec3]) -> Vec<Vec3> {
+    /// What each vertex here takes from its vertex of the mesh.
+    pub fn gather<T: Copy>(&self, of_vertices: &[T]) -> Vec<T> {
         self.sources
             .iter()
-            .map(|&source| positions[source as usize])
+            .map(|&source| of_vertices[source as usize])
             .collect()
+    }
+
+    /// The first two corners of the triangle that each vertex here is the last corner of, as
+    /// indices into `sources`; the vertex itself, twice, where it is no last corner.
+    pub fn first_corners(&self) -> Vec<[u32; 2]> {
+        let mut corners: Vec<[u32; 2]> = (0..self.sources.len() as u32).map(|i| [i; 2]).collect();
+        for &[first, second, last] in &self.triangles {
+            corners[last as usize] = [first, second];
+        }
+        corners
     }
 
     /// One entry a vertex here, with each triangle's normal at its last corner.
@@ -68,6 +78,9 @@ mod tests {
                 let sources = after.map(|corner| facets.sources[corner as usize]);
                 let turns = (0..3).map(|k| [before[k], before[(k + 1) % 3], before[(k + 2) % 3]]);
                 assert!(turns.into_iter().any(|turn| turn == sources));
+            }
+            for &[first, second, last] in &facets.triangles {
+                assert_eq!(facets.first_corners()[last as usize], [first, second]);
             }
             assert!(facets.sources.len() <= mesh.positions.len() + mesh.triangles.len());
         }

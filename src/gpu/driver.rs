@@ -27,6 +27,8 @@ pub struct Info {
     pub max_samples: u32,
     /// Longest side of a texture, in pixels.
     pub max_texture_size: u32,
+    /// Most textures that a vertex shader can read.
+    pub max_vertex_textures: u32,
     /// Longest side of a framebuffer, in pixels.
     pub max_framebuffer_size: u32,
     /// Largest point, in pixels.
@@ -136,6 +138,7 @@ pub(in crate::gpu) fn read_info(glow: &glow::Context) -> Info {
         is_gles,
         max_samples: number(glow::MAX_SAMPLES),
         max_texture_size: number(glow::MAX_TEXTURE_SIZE),
+        max_vertex_textures: number(glow::MAX_VERTEX_TEXTURE_IMAGE_UNITS),
         max_framebuffer_size: number(glow::MAX_RENDERBUFFER_SIZE)
             .min(number(glow::MAX_TEXTURE_SIZE))
             .min(largest_viewport),

@@ -4,6 +4,7 @@
 
 mod axis_pass;
 mod background_pass;
+mod cached_mesh;
 mod compose;
 mod curve_pass;
 mod frame;
@@ -11,14 +12,21 @@ mod ground_pass;
 mod interface_painter;
 mod lights;
 mod mesh_cache;
+mod mesh_programs;
 mod offscreen;
 mod outline_pass;
+mod palettes;
+mod read_back;
 mod renderer;
 mod skeleton_pass;
+mod skin;
+mod skinning_choice;
 mod surface_pass;
+mod table;
 
 pub use compose::{compose, view_place};
 pub use frame::{Frame, Marks};
 pub use interface_painter::{InterfaceError, InterfacePainter};
 pub use offscreen::{Offscreen, OffscreenError, read_picture};
+pub use read_back::read_back_skinning;
 pub use renderer::Renderer;

@@ -2,6 +2,7 @@ use super::background_pass::whole_picture;
 use super::curve_pass::draw_curve_mask;
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
+use super::mesh_programs::MeshPrograms;
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{
     DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive, Program, VertexArray,
@@ -18,7 +19,7 @@ const WIDTH: u32 = 2;
 /// before them: their outline is first drawn as a mask, whose edge is then drawn over the picture.
 #[derive(Debug)]
 pub(super) struct OutlinePass {
-    mask_program: Program,
+    masks: MeshPrograms,
     edge_program: Program,
     whole_picture: VertexArray,
     mask: Option<Framebuffer>,
@@ -27,12 +28,7 @@ pub(super) struct OutlinePass {
 impl OutlinePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
-            mask_program: Program::new(
-                gl,
-                "mask",
-                include_str!("../../shaders/surface_vertex.glsl"),
-                include_str!("../../shaders/mask_fragment.glsl"),
-            )?,
+            masks: MeshPrograms::new(gl, "mask", include_str!("../../shaders/mask_fragment.glsl"))?,
             edge_program: Program::new(
                 gl,
                 "outline",
@@ -42,6 +38,11 @@ impl OutlinePass {
             whole_picture: whole_picture(gl)?,
             mask: None,
         })
+    }
+
+    /// Gets ready for meshes that the vertex shader moves.
+    pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
+        self.masks.add_skinned(gl)
     }
 
     pub fn draw(
@@ -127,7 +128,8 @@ impl OutlinePass {
                 return Ok(());
             }
         }
-        let program = &self.mask_program;
+        let program = self.masks.of(cached);
+        meshes.bind_skin(program, id);
         program.set_mat4("clip_from_world", context.clip_from_world);
         program.set_mat4("world_from_model", evaluated.world_from_model);
         program.set_vec3("color", color);

@@ -6,6 +6,7 @@ use super::ground_pass::GroundPass;
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::SkeletonPass;
+use super::skinning_choice::SkinningChoice;
 use super::surface_pass::SurfacePass;
 use crate::gpu::{Framebuffer, Gl, GpuError, Immediate};
 use crate::scene::Look;
@@ -13,13 +14,15 @@ use crate::scene::Look;
 /// Draws frames into pictures, and keeps what it uploaded for the next.
 #[derive(Debug)]
 pub struct Renderer {
-    gl: Gl,
-    meshes: MeshCache,
+    pub(super) gl: Gl,
+    pub(super) meshes: MeshCache,
+    pub(super) skinning: SkinningChoice,
+    pub(super) notices: Vec<String>,
     background: BackgroundPass,
-    surfaces: SurfacePass,
+    pub(super) surfaces: SurfacePass,
     skeletons: SkeletonPass,
     ground: GroundPass,
-    outline: OutlinePass,
+    pub(super) outline: OutlinePass,
     immediate: Immediate,
 }
 
@@ -31,7 +34,9 @@ impl Renderer {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
             gl: gl.clone(),
-            meshes: MeshCache::default(),
+            meshes: MeshCache::new(gl.info().max_texture_size),
+            skinning: SkinningChoice::automatic(gl.info()),
+            notices: Vec::new(),
             background: BackgroundPass::new(gl)?,
             surfaces: SurfacePass::new(gl)?,
             skeletons: SkeletonPass::new(gl)?,
@@ -46,6 +51,7 @@ impl Renderer {
     /// # Errors
     /// When something does not fit into the driver's memory or limits, or a GL error occurred.
     pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
+        self.update_meshes(frame)?;
         let Self {
             gl,
             meshes,
@@ -62,7 +68,6 @@ impl Renderer {
             clip_from_world,
         };
 
-        meshes.update(gl, frame.evaluated, frame.view.shading)?;
         self.background.draw(gl, &context, frame.view.look, target);
         if frame.view.axis {
             draw_axis(gl, immediate, &context);

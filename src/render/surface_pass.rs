@@ -1,8 +1,9 @@
 use super::frame::{Frame, PassContext};
 use super::lights::set_lights;
-use super::mesh_cache::{CachedMesh, MeshCache};
+use super::mesh_cache::MeshCache;
+use super::mesh_programs::MeshPrograms;
 use crate::geometry::Mesh;
-use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program};
+use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive};
 use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
 use glam::{Mat3, Mat4, Vec3};
 
@@ -12,18 +13,19 @@ const SEEN_THROUGH: f32 = 0.55;
 /// Draws the surfaces of shapes.
 #[derive(Debug)]
 pub(super) struct SurfacePass {
-    program: Program,
+    programs: MeshPrograms,
 }
 
 impl SurfacePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
-        let program = Program::new(
-            gl,
-            "surface",
-            include_str!("../../shaders/surface_vertex.glsl"),
-            include_str!("../../shaders/surface_fragment.glsl"),
-        )?;
-        Ok(Self { program })
+        let fragment = include_str!("../../shaders/surface_fragment.glsl");
+        let programs = MeshPrograms::new(gl, "surface", fragment)?;
+        Ok(Self { programs })
+    }
+
+    /// Gets ready for meshes that the vertex shader moves.
+    pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
+        self.programs.add_skinned(gl)
     }
 
     /// Everything that hides what lies behind it.
@@ -31,9 +33,7 @@ impl SurfacePass {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
         for (shape, evaluated) in shapes(frame, ModelDisplay::Mesh) {
-            if let Some(cached) = meshes.get(shape.id) {
-                self.draw_mesh(shape, evaluated, cached, 1.0);
-            }
+            self.draw_mesh(shape, evaluated, meshes, 1.0);
         }
     }
 
@@ -59,29 +59,26 @@ impl SurfacePass {
         };
         self.prepare(context, frame);
         for (shape, evaluated) in shapes(frame, ModelDisplay::Both) {
-            if let Some(cached) = meshes.get(shape.id) {
-                depth_only.apply(gl);
-                self.draw_mesh(shape, evaluated, cached, SEEN_THROUGH);
-                blended.apply(gl);
-                self.draw_mesh(shape, evaluated, cached, SEEN_THROUGH);
-            }
+            depth_only.apply(gl);
+            self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
+            blended.apply(gl);
+            self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
         }
     }
 
     fn prepare(&self, context: &PassContext, frame: &Frame) {
-        self.program
-            .set_mat4("clip_from_world", context.clip_from_world);
-        set_lights(&self.program, frame.view.look, &frame.view.camera);
+        for program in self.programs.all() {
+            program.set_mat4("clip_from_world", context.clip_from_world);
+            set_lights(program, frame.view.look, &frame.view.camera);
+        }
     }
 
-    fn draw_mesh(
-        &self,
-        shape: &Shape,
-        evaluated: &EvaluatedShape,
-        cached: &CachedMesh,
-        alpha: f32,
-    ) {
-        let program = &self.program;
+    fn draw_mesh(&self, shape: &Shape, evaluated: &EvaluatedShape, meshes: &MeshCache, alpha: f32) {
+        let Some(cached) = meshes.get(shape.id) else {
+            return;
+        };
+        let program = self.programs.of(cached);
+        meshes.bind_skin(program, shape.id);
         program.set_mat4("world_from_model", evaluated.world_from_model);
         program.set_mat3(
             "world_from_model_normal",

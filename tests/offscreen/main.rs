@@ -5,5 +5,6 @@ mod draw_state;
 mod gpu;
 mod immediate;
 mod scene;
+mod skinning;
 mod support;
 mod texture;

@@ -1,0 +1,27 @@
+// A character's surface in its bind pose, moved by its joints; follows skinning.glsl.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in uvec2 run;
+layout(location = 7) in vec2 texture_coordinates;
+
+uniform mat4 clip_from_world;
+uniform mat4 world_from_model;
+uniform mat3 world_from_model_normal;
+
+out vec3 world_position;
+out vec3 world_normal;
+// The same, of the triangle's last corner alone.
+flat out vec3 face_normal;
+out vec3 tint;
+out vec2 on_picture;
+
+void main() {
+    Rows rows = model_from_bind(run);
+    vec4 world = world_from_model * vec4(moved(rows, position), 1.0);
+    world_position = world.xyz;
+    world_normal = world_from_model_normal * turned(rows, normal);
+    face_normal = world_normal;
+    tint = vec3(1.0);
+    on_picture = texture_coordinates;
+    gl_Position = clip_from_world * world;
+}
