@@ -7,6 +7,7 @@ fn main() -> std::process::ExitCode {
         let options = app::Options {
             files: window.files,
             title: window.title,
+            skinning: window.skinning.map(Into::into),
         };
         app::run(options).map_err(|error| error.to_string())
     })

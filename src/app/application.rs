@@ -1,4 +1,5 @@
 use super::workspace::Workspace;
+use crate::character::Skinning;
 use crate::gpu::{ContextError, GpuError};
 use crate::render::InterfaceError;
 use egui_winit::accesskit_winit;
@@ -16,6 +17,8 @@ pub struct Options {
     pub files: Vec<PathBuf>,
     /// Title of the window; the one of [`super::globals`] if `None`.
     pub title: Option<String>,
+    /// What deforms characters, in place of what the preferences say.
+    pub skinning: Option<Skinning>,
 }
 
 /// Why the window did not open, or closed by itself. Each names its remedy.

@@ -2,6 +2,7 @@ use super::application::AppError;
 use super::compare::Comparison;
 use super::globals;
 use super::workspace::Workspace;
+use crate::editor::Severity;
 use crate::geometry::Revision;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
 use crate::render::{Frame, Marks, compose, read_picture, view_place};
@@ -117,6 +118,7 @@ impl Workspace {
             hovered_control_point: self.session.hovered_control_point(),
         };
         let now = Some((self.session.revision(), marks));
+        let fresh = self.renderer.set_skinning(self.ui.skinning) || fresh;
         if !fresh && self.pictures.shown == now {
             return Ok(());
         }
@@ -136,6 +138,9 @@ impl Workspace {
         };
         self.renderer.draw(&frame, target)?;
         self.pictures.shown = now;
+        for notice in self.renderer.take_notices() {
+            self.session.messages.tell(Severity::Warning, notice);
+        }
         Ok(())
     }
 

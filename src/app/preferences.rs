@@ -1,3 +1,4 @@
+use crate::character::Skinning;
 use crate::disk;
 use egui::ThemePreference;
 use std::path::PathBuf;
@@ -10,6 +11,8 @@ pub(super) struct Preferences {
     pub last_folder: Option<PathBuf>,
     /// Colors of the panels.
     pub theme: ThemePreference,
+    /// What deforms characters; whatever suits the driver if `None`.
+    pub skinning: Option<Skinning>,
     /// Whether the program has been started before.
     pub started_before: bool,
 }
@@ -19,6 +22,7 @@ impl Default for Preferences {
         Self {
             last_folder: None,
             theme: ThemePreference::System,
+            skinning: None,
             started_before: false,
         }
     }

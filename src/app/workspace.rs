@@ -5,6 +5,7 @@ use super::file_dialogs::{FileDialogs, Purpose};
 use super::frame::FramePictures;
 use super::globals;
 use super::preferences::Preferences;
+use crate::character::Skinning;
 use crate::editor::{Action, Ask, Session, apply_edit, apply_view};
 use crate::gpu::WindowContext;
 use crate::io::builtin::{self, BuiltinKind};
@@ -42,6 +43,8 @@ pub(super) struct Workspace {
     pub(super) builtin_characters: Vec<&'static str>,
     pub(super) builtin_curves: Vec<&'static str>,
     pub(super) proxy: EventLoopProxy<Wake>,
+    /// What deformed characters in the first frame.
+    skinning_at_start: Option<Skinning>,
     quit: bool,
 }
 
@@ -94,9 +97,12 @@ impl Workspace {
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             proxy: proxy.clone(),
+            skinning_at_start: None,
             quit: false,
         };
         workspace.ui.theme = workspace.preferences.theme;
+        workspace.ui.skinning = options.skinning.or(workspace.preferences.skinning);
+        workspace.skinning_at_start = workspace.ui.skinning;
         workspace.open_first_files(&options.files);
         workspace.preferences.started_before = true;
         workspace.window.window().set_visible(true);
@@ -215,6 +221,10 @@ impl Workspace {
 
     pub fn save_preferences(mut self) {
         self.preferences.theme = self.ui.theme;
+        // One that was asked for on the command line, and left so, is for that time only.
+        if self.ui.skinning != self.skinning_at_start {
+            self.preferences.skinning = self.ui.skinning;
+        }
         self.preferences.save();
     }
 }

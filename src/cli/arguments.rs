@@ -1,5 +1,6 @@
 //! Values of options, as people type them.
 
+use crate::character::Skinning;
 use crate::io::Loaded;
 use crate::scene::{Camera, ViewDirection};
 use glam::Vec3;
@@ -19,6 +20,24 @@ impl Influences {
     pub fn apply_to(self, loaded: &mut Loaded) {
         if let Self::Four = self {
             loaded.limit_influences(4);
+        }
+    }
+}
+
+/// What deforms the meshes that are drawn.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub enum SkinningName {
+    /// The processor.
+    Cpu,
+    /// The graphics card.
+    Gpu,
+}
+
+impl From<SkinningName> for Skinning {
+    fn from(name: SkinningName) -> Self {
+        match name {
+            SkinningName::Cpu => Self::Cpu,
+            SkinningName::Gpu => Self::Gpu,
         }
     }
 }

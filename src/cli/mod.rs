@@ -13,6 +13,7 @@ mod load;
 mod output;
 pub mod render;
 
+pub use arguments::SkinningName;
 pub use error::CliError;
 pub use load::{files, load};
 pub use output::print;
@@ -30,7 +31,7 @@ use std::process::ExitCode;
     version,
     about,
     args_conflicts_with_subcommands = true,
-    override_usage = "editor [FILE]... [--title TEXT]\n       editor COMMAND ..."
+    override_usage = "editor [FILE]... [--title TEXT] [--skinning cpu|gpu]\n       editor COMMAND ..."
 )]
 struct Cli {
     #[command(subcommand)]
@@ -48,6 +49,9 @@ pub struct WindowArgs {
     /// Title of the window, for instance your name
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
+    /// What deforms characters, for this time [default: as View ▸ Skinning has it]
+    #[arg(long)]
+    pub skinning: Option<SkinningName>,
 }
 
 #[derive(Debug, Subcommand)]

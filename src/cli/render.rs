@@ -65,6 +65,9 @@ pub struct Args {
     /// What to draw with.
     #[arg(long, default_value = "auto")]
     gl: GlName,
+    /// What deforms characters [default: the graphics card, or the processor where that draws].
+    #[arg(long)]
+    skinning: Option<arguments::SkinningName>,
     /// Draw the window's panels too; the size is the window's.
     #[arg(long)]
     ui: bool,
@@ -99,12 +102,18 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         GlName::Osmesa => Backend::Osmesa,
     };
     let mut offscreen = Offscreen::new(backend)?;
+    offscreen
+        .renderer()
+        .set_skinning(args.skinning.map(Into::into));
     let picture = if args.ui {
         with_panels(args, &session, &mut offscreen)?
     } else {
         let frame = frame(&session, Marks::default());
         offscreen.picture(&frame, args.size, args.samples)?
     };
+    for notice in offscreen.renderer().take_notices() {
+        eprintln!("warning: {notice}");
+    }
     let bytes = io::image::encode(&picture, format)
         .map_err(|message| io::Diagnostic::new(&args.output, message))?;
     disk::write_whole(&args.output, &bytes)?;

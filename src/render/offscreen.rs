@@ -36,6 +36,11 @@ impl Offscreen {
         self.context.gl()
     }
 
+    /// What draws, for what it can be told and what it has to tell.
+    pub fn renderer(&mut self) -> &mut Renderer {
+        &mut self.renderer
+    }
+
     /// The backend that was found.
     pub fn backend(&self) -> Backend {
         self.context.backend()

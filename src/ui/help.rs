@@ -52,6 +52,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Ground => "View ⏵ Ground",
         Menu::Compare => "View ⏵ Compare",
         Menu::Theme => "View ⏵ Theme",
+        Menu::Skinning => "View ⏵ Skinning",
         Menu::Help => "Help",
     }
 }

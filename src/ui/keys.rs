@@ -1,3 +1,4 @@
+use crate::character::Skinning;
 use crate::geometry::Basis;
 use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, ViewDirection};
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -47,6 +48,8 @@ pub enum Command {
     SetTheme(ThemePreference),
     /// Chooses a picture to compare the view with.
     Compare,
+    /// Chooses what deforms characters; whatever suits the driver if `None`.
+    SetSkinning(Option<Skinning>),
     /// Opens the list of keys and gestures.
     Keys,
     /// Opens the history of messages.
@@ -122,6 +125,8 @@ pub enum Menu {
     Compare,
     /// View ▸ Theme.
     Theme,
+    /// View ▸ Skinning.
+    Skinning,
     /// Help.
     Help,
     /// The shape panel's buttons.
@@ -130,7 +135,7 @@ pub enum Menu {
 
 impl Menu {
     /// All, in the order of the window about the keys.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::File,
         Self::Insert,
         Self::Curves,
@@ -142,6 +147,7 @@ impl Menu {
         Self::Ground,
         Self::Compare,
         Self::Theme,
+        Self::Skinning,
         Self::Help,
     ];
 }
@@ -230,6 +236,9 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop has it", &[]),
     entry(Command::SetTheme(ThemePreference::Dark), Menu::Theme, "Dark", "Light text on dark panels", &[]),
     entry(Command::SetTheme(ThemePreference::Light), Menu::Theme, "Light", "Dark text on light panels", &[]),
+    entry(Command::SetSkinning(None), Menu::Skinning, "Automatic", "The graphics card deforms characters where there is one", &[]),
+    entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and hands their vertices over", &[]),
+    entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
 
     entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
     entry(Command::Messages, Menu::Help, "Messages", "Everything the program has told since it started", &[key(NONE, Key::F9)]),

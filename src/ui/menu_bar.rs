@@ -94,6 +94,7 @@ impl Items<'_> {
         self.all(ui, Menu::Compare);
         ui.separator();
         submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
+        submenu(ui, "Skinning", |ui| self.all(ui, Menu::Skinning));
     }
 
     /// The table's commands of one menu.

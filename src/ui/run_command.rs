@@ -22,6 +22,7 @@ pub(super) fn run(
         Command::Messages => state.open(Dialog::Messages),
         Command::About => state.open(Dialog::About),
         Command::SetTheme(theme) => state.theme = theme,
+        Command::SetSkinning(skinning) => state.skinning = skinning,
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive)),
         Command::MakeSurfaceOfRevolution => return curve_commands::revolution(session),
@@ -63,6 +64,7 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
         Command::SetLook(look) => Some(view.look == look),
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),
+        Command::SetSkinning(skinning) => Some(state.skinning == skinning),
         _ => None,
     }
 }

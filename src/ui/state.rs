@@ -1,5 +1,6 @@
 use super::curve_gestures::PointGesture;
 use super::screenshot::ScreenshotForm;
+use crate::character::Skinning;
 use crate::scene::ShapeId;
 use egui::ThemePreference;
 use std::collections::{BTreeSet, HashMap};
@@ -10,6 +11,8 @@ use std::collections::{BTreeSet, HashMap};
 pub struct UiState {
     /// Colors of the panels. Public because the program keeps it from one run to the next.
     pub theme: ThemePreference,
+    /// What deforms characters; whatever suits the driver if `None`. Kept by the program, too.
+    pub skinning: Option<Skinning>,
     /// Whether the three lines for newcomers are shown.
     pub first_help: bool,
     /// Open windows; the one opened last is last, and Esc closes it first.
@@ -76,6 +79,7 @@ impl Default for UiState {
     fn default() -> Self {
         Self {
             theme: ThemePreference::System,
+            skinning: None,
             first_help: false,
             open: Vec::new(),
             selected: None,

@@ -1,6 +1,7 @@
 //! Menus, keys and dialogs.
 
 use crate::Editor;
+use editor_core::character::Skinning;
 use editor_core::editor::{Ask, Screenshot};
 use editor_core::scene::{Look, Shading};
 use egui::{Key, Modifiers};
@@ -77,6 +78,17 @@ fn the_theme_is_chosen_in_the_menu() {
     assert!(!editor.harness.ctx.global_style().visuals.dark_mode);
     editor.choose(&["View", "Theme", "Dark"]);
     assert!(editor.harness.ctx.global_style().visuals.dark_mode);
+}
+
+#[test]
+fn who_skins_is_chosen_in_the_menu() {
+    let mut editor = Editor::new();
+    assert_eq!(editor.harness.state().state.skinning, None);
+    editor.choose(&["View", "Skinning", "Graphics Card"]);
+    let chosen = editor.harness.state().state.skinning;
+    assert_eq!(chosen, Some(Skinning::Gpu));
+    editor.choose(&["View", "Skinning", "Automatic"]);
+    assert_eq!(editor.harness.state().state.skinning, None);
 }
 
 #[test]

@@ -105,6 +105,32 @@ fn options_change_the_picture_and_defaults_are_what_the_contract_says() {
 }
 
 #[test]
+fn both_ways_of_skinning_draw_the_same_character() {
+    let folder = folder();
+    let [cpu, gpu] = ["cpu", "gpu"].map(|skinning| {
+        let name = format!("{skinning}.png");
+        let ran = editor_in(
+            folder.path(),
+            &[
+                "render",
+                "builtin:adult",
+                "--pose",
+                "builtin:adult-walk",
+                "--skinning",
+                skinning,
+                "-o",
+                &name,
+            ],
+        );
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{skinning}");
+        picture(folder.path(), &name)
+    });
+    let different = cpu.pixels().zip(gpu.pixels()).filter(|(a, b)| a != b);
+    assert!(drawn(&cpu) > 10_000);
+    assert!(different.count() < 50);
+}
+
+#[test]
 fn pictures_are_written_as_png_jpeg_and_gif() {
     let folder = folder();
     for name in ["a.png", "a.jpg", "a.gif"] {
