@@ -1,4 +1,4 @@
-use super::{Attachments, AttachmentsError, Pose, SkeletalModel, skinning};
+use super::{Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, bone, skinning};
 use crate::geometry::{Mesh, Normals, SharedMesh};
 use glam::{Mat4, Vec3};
 
@@ -9,6 +9,7 @@ pub struct Character {
     skeleton: SkeletalModel,
     attachments: Attachments,
     bind_mesh: SharedMesh,
+    bones: Vec<JointBone>,
 }
 
 /// Why mesh, weights and skeleton do not make a character.
@@ -43,10 +44,12 @@ impl Character {
             return Err(CharacterError::RowCount { vertices, rows });
         }
         attachments.check(skeleton.joints().len())?;
+        let bones = bone::bones(&skeleton, &attachments, &bind_mesh.positions);
         Ok(Self {
             skeleton,
             attachments,
             bind_mesh: SharedMesh::new(bind_mesh),
+            bones,
         })
     }
 
@@ -63,6 +66,11 @@ impl Character {
     /// The mesh in the bind pose.
     pub fn bind_mesh(&self) -> &SharedMesh {
         &self.bind_mesh
+    }
+
+    /// The bones that a hand can take, ordered by joint.
+    pub fn bones(&self) -> &[JointBone] {
+        &self.bones
     }
 
     /// The mesh's vertices, in the order of the file, where the joints stand at

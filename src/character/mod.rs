@@ -4,6 +4,7 @@
 //! the world. Joint indices are the order of the file.
 
 mod attachments;
+mod bone;
 mod import_character;
 mod joint;
 mod pose;
@@ -12,6 +13,7 @@ pub mod skinning;
 mod stick_figure;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
+pub use bone::JointBone;
 pub use import_character::{Character, CharacterError};
 pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use pose::{Pose, PoseError};

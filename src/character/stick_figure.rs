@@ -8,6 +8,8 @@ use glam::{Mat4, Vec3};
 pub struct StickFigure {
     /// Position of each joint, in model space, by joint index.
     pub joints: Vec<Vec3>,
+    /// From each joint's frame to model space, by joint index.
+    pub model_from_joint: Vec<Mat4>,
     /// The bones, ordered by the joint at their far end.
     pub bones: Vec<Bone>,
 }
@@ -53,6 +55,10 @@ impl StickFigure {
                 })
             })
             .collect();
-        Self { joints, bones }
+        Self {
+            joints,
+            model_from_joint: model_from_joint.to_vec(),
+            bones,
+        }
     }
 }

@@ -1,4 +1,9 @@
-use glam::{EulerRot, Mat3, Mat4, Vec3};
+use glam::{DMat3, DVec3, EulerRot, Mat3, Mat4, Vec3};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Below this cosine of the angle about Y, the turns about X and Z are about one line: gimbal
+/// lock, to within what single precision can tell.
+const LOCKED: f64 = 1e-6;
 
 /// Three angles in radians about X, Y and Z, meaning the rotation `Rx · Ry · Rz` of column
 /// vectors: Z turns first, X last (assignment, "Sliders").
@@ -47,10 +52,60 @@ impl Euler {
         )
     }
 
+    /// The angles of `rotation` (without scale or mirroring) that are nearest to `to`, so that
+    /// what a panel shows does not jump. Of all angles that mean the same rotation these have
+    /// the smallest sum of squared changes; in gimbal lock too. `to` itself if `rotation` is not
+    /// finite.
+    pub fn nearest(rotation: Mat3, to: Self) -> Self {
+        if !rotation.is_finite() {
+            return to;
+        }
+        let from = to.radians.as_dvec3();
+        Self::from_radians(nearest_angles(rotation.as_dmat3(), from).as_vec3())
+    }
+
     /// The rotation `Rx · Ry · Rz` without translation.
     pub fn to_mat4(self) -> Mat4 {
         Mat4::from_mat3(self.to_mat3())
     }
+}
+
+fn nearest_angles(m: DMat3, to: DVec3) -> DVec3 {
+    let at = |row: usize, column: usize| m.col(column)[row];
+    let cos_y = at(0, 0).hypot(at(0, 1));
+    if cos_y < LOCKED {
+        return nearest_when_locked(at(0, 2) > 0.0, at(1, 0).atan2(at(1, 1)), to);
+    }
+    let x = (-at(1, 2)).atan2(at(2, 2));
+    let y = at(0, 2).atan2(cos_y);
+    // Close to gimbal lock x is not well known; z makes up for what it is off by.
+    let (sin, cos) = x.sin_cos();
+    let z = (cos * at(1, 0) + sin * at(2, 0)).atan2(cos * at(1, 1) + sin * at(2, 1));
+    let one = near(DVec3::new(x, y, z), to);
+    let other = near(DVec3::new(x + PI, PI - y, z + PI), to);
+    if one.distance_squared(to) <= other.distance_squared(to) {
+        one
+    } else {
+        other
+    }
+}
+
+/// At y = ±90° only the sum of the other two (at -90° z less x) matters: `together`.
+fn nearest_when_locked(upper: bool, together: f64, to: DVec3) -> DVec3 {
+    let sign = if upper { 1.0 } else { -1.0 };
+    let half = wrap_half(together - (to.z + sign * to.x)) * 0.5;
+    let y = to.y + wrap_half(sign * FRAC_PI_2 - to.y);
+    DVec3::new(to.x + sign * half, y, to.z + half)
+}
+
+/// `angles`, each by whole turns as near to `to` as can be.
+fn near(angles: DVec3, to: DVec3) -> DVec3 {
+    to + (angles - to).map(wrap_half)
+}
+
+/// Brings an angle into -π..π.
+fn wrap_half(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Brings an angle in degrees into 0..360; an angle that rounding would show as 360 becomes 0.
@@ -70,6 +125,89 @@ mod tests {
         let expected =
             Mat3::from_rotation_x(x) * Mat3::from_rotation_y(y) * Mat3::from_rotation_z(z);
         assert!(euler.to_mat3().abs_diff_eq(expected, 1e-6));
+    }
+
+    /// The smallest sum of squared changes that any of the equivalent angles on a fine grid of
+    /// lock-free candidates needs.
+    fn least_change(m: Mat3, to: Vec3) -> f32 {
+        let (x, y, z) = m.to_euler(EulerRot::XYZ);
+        let turns = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|turn: f32| turn * std::f32::consts::TAU);
+        let pi = std::f32::consts::PI;
+        let mut least = f32::INFINITY;
+        for base in [Vec3::new(x, y, z), Vec3::new(x + pi, pi - y, z + pi)] {
+            let change = base - to;
+            let best = |d: f32| {
+                turns
+                    .map(|turn| (d + turn).abs())
+                    .into_iter()
+                    .fold(9.0, f32::min)
+            };
+            least = least.min(change.map(best).length_squared());
+        }
+        least
+    }
+
+    #[test]
+    fn the_nearest_angles_mean_the_same_rotation_and_none_are_nearer() {
+        let mut state = 7_u32;
+        let mut random = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32 * 12.0 - 6.0
+        };
+        for _ in 0..2000 {
+            let angles = Vec3::new(random(), random(), random());
+            let shown = Euler::from_radians(Vec3::new(random(), random(), random()));
+            let rotation = Euler::from_radians(angles).to_mat3();
+            let found = Euler::nearest(rotation, shown);
+            assert!(
+                found.to_mat3().abs_diff_eq(rotation, 2e-6),
+                "{angles} {shown:?}"
+            );
+            let change = (found.radians - shown.radians).length_squared();
+            let least = least_change(rotation, shown.radians);
+            assert!(
+                change <= least + 1e-3,
+                "{angles} {shown:?}: {change} and not {least}"
+            );
+        }
+    }
+
+    #[test]
+    fn angles_that_already_mean_the_rotation_stay_as_they_are() {
+        for degrees in [
+            [350.0, 100.0, -200.0],
+            [12.0, 90.0, 40.0],
+            [12.0, -90.0, 40.0],
+        ] {
+            let shown = Euler::from_degrees(Vec3::from(degrees));
+            let found = Euler::nearest(shown.to_mat3(), shown);
+            assert!(
+                found.degrees().abs_diff_eq(shown.degrees(), 0.05),
+                "{degrees:?} {found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn in_gimbal_lock_the_change_is_shared_by_x_and_z() {
+        for y in [90.0, -90.0, 270.0] {
+            let rotation = Euler::from_degrees(Vec3::new(10.0, y, 70.0)).to_mat3();
+            let shown = Euler::from_degrees(Vec3::new(20.0, y, 70.0));
+            let found = Euler::nearest(rotation, shown);
+            assert!(
+                found.to_mat3().abs_diff_eq(rotation, 2e-6),
+                "{y}: {found:?}"
+            );
+            let change = found.degrees() - shown.degrees();
+            assert!((change.x + 5.0).abs() < 0.01, "{y}: {change}");
+            assert!((change.z.abs() - 5.0).abs() < 0.01, "{y}: {change}");
+        }
+    }
+
+    #[test]
+    fn a_rotation_that_is_not_finite_changes_no_angle() {
+        let shown = Euler::from_degrees(Vec3::ONE);
+        assert_eq!(Euler::nearest(Mat3::NAN, shown), shown);
     }
 
     #[test]

@@ -1,8 +1,9 @@
-//! Transforms and small geometry: the matrix stack, Euler angles, boxes and rays.
+//! Transforms and small geometry: the matrix stack, Euler angles, boxes, cylinders and rays.
 //!
 //! Right-handed, +Y up, column vectors (`world = world_from_model * model`), angles in radians.
 
 mod aabb;
+mod cylinder;
 mod euler;
 mod frame;
 mod matrix_stack;
@@ -10,6 +11,7 @@ mod ray;
 mod transform;
 
 pub use aabb::Aabb;
+pub use cylinder::Cylinder;
 pub use euler::Euler;
 pub use frame::{Frame, bone_frame};
 pub use matrix_stack::MatrixStack;

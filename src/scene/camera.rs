@@ -187,6 +187,18 @@ impl Camera {
         (self.near..=self.far).contains(&self.depth(world))
     }
 
+    /// Unit vector from the eye into the picture.
+    pub fn forward(&self) -> Vec3 {
+        -self.outward()
+    }
+
+    /// How long a pixel is, in the world, at the depth of `world`, in a picture `height` pixels
+    /// high; `None` for what is nearer than the near plane.
+    pub fn world_per_pixel(&self, world: Vec3, height: f32) -> Option<f32> {
+        let depth = self.depth(world);
+        (depth > self.near).then(|| 2.0 * (self.fovy * 0.5).tan() * depth / height)
+    }
+
     /// Drags the scene with the pointer, which moved by `delta` pixels (y down). The vertical
     /// part runs along the world's +Y, as in the course's editor.
     pub fn pan(&mut self, delta: Vec2) {

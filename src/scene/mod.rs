@@ -9,6 +9,7 @@ mod deformation;
 mod evaluate;
 mod evaluate_curves;
 mod import_curve;
+mod pick_bone;
 mod picking;
 mod shape;
 mod shape_manager;
@@ -22,6 +23,7 @@ pub use deformation::Deformation;
 pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
+pub use pick_bone::{BoneHit, bones_in_world, pick_bone};
 pub use picking::pick_shape;
 pub use shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, Placement, Shape,

@@ -1,0 +1,160 @@
+use super::{Attachments, SkeletalModel};
+use glam::{Mat4, Vec3};
+
+/// A vertex follows a joint rather than others if the joint has more than this share in it.
+const DOMINANT: f32 = 0.5;
+
+/// A bone that a hand can take: from a joint to a point that is fixed to the joint's frame.
+///
+/// Unlike the bones of a [`super::StickFigure`], which run from joint to joint, these reach to
+/// the ends of head, hands and feet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct JointBone {
+    /// The joint that turns the bone.
+    pub joint: usize,
+    /// Where it ends, in the joint's own frame; never zero.
+    pub tip: Vec3,
+}
+
+impl JointBone {
+    /// Both ends in model space where the joints stand at `model_from_joint`, one a joint.
+    pub fn ends(&self, model_from_joint: &[Mat4]) -> Option<(Vec3, Vec3)> {
+        let joint = model_from_joint.get(self.joint)?;
+        Some((joint.w_axis.truncate(), joint.transform_point3(self.tip)))
+    }
+}
+
+/// The bones of a character, ordered by joint: where the file says how long a joint's bone is,
+/// that one; else one to each child that lies elsewhere than the joint; and for a joint without
+/// children one as far as the vertices reach that follow it.
+pub(super) fn bones(
+    skeleton: &SkeletalModel,
+    attachments: &Attachments,
+    positions: &[Vec3],
+) -> Vec<JointBone> {
+    let reach = leaf_tips(skeleton, attachments, positions);
+    let mut bones = Vec::new();
+    for (joint, described) in skeleton.joints().iter().enumerate() {
+        let children = skeleton.children(joint);
+        let tips: Vec<Vec3> = match (described.tip, children.is_empty()) {
+            (Some(tip), _) => vec![tip],
+            (None, true) => vec![reach[joint]],
+            (None, false) => children
+                .iter()
+                .map(|&child| skeleton.joints()[child].offset)
+                .collect(),
+        };
+        let long = tips
+            .into_iter()
+            .filter(|tip| tip.is_finite() && *tip != Vec3::ZERO);
+        bones.extend(long.map(|tip| JointBone { joint, tip }));
+    }
+    bones
+}
+
+/// For every joint without children: the farthest extent of the vertices that it dominates,
+/// along their mean direction. Zero where it dominates none.
+fn leaf_tips(skeleton: &SkeletalModel, attachments: &Attachments, positions: &[Vec3]) -> Vec<Vec3> {
+    let at = skeleton.bind_positions();
+    let followers = || {
+        let vertices = attachments.vertices().zip(positions);
+        vertices.filter_map(|(influences, &position)| {
+            let most = influences.iter().find(|i| i.weight > DOMINANT)?;
+            let joint = most.joint as usize;
+            let is_leaf = joint < at.len() && skeleton.children(joint).is_empty();
+            is_leaf.then(|| (joint, position - at[joint]))
+        })
+    };
+    let mut sums = vec![Vec3::ZERO; at.len()];
+    for (joint, offset) in followers() {
+        sums[joint] += offset;
+    }
+    let directions: Vec<Vec3> = sums.iter().map(|sum| sum.normalize_or_zero()).collect();
+    let mut farthest = vec![0.0_f32; at.len()];
+    for (joint, offset) in followers() {
+        farthest[joint] = farthest[joint].max(offset.dot(directions[joint]));
+    }
+    let tips = directions.iter().zip(farthest);
+    tips.map(|(&direction, far)| direction * far).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::{Character, Influence, Joint};
+    use crate::geometry::Mesh;
+
+    fn joint(parent: Option<usize>, offset: [f32; 3], tip: Option<Vec3>) -> Joint {
+        Joint {
+            parent,
+            offset: offset.into(),
+            tip,
+            ..Joint::default()
+        }
+    }
+
+    fn character(joints: Vec<Joint>, vertices: &[([f32; 3], u32, f32)]) -> Character {
+        let mut attachments = Attachments::new();
+        for &(_, joint, weight) in vertices {
+            attachments.push_vertex([Influence { joint, weight }]);
+        }
+        let positions = vertices.iter().map(|(at, ..)| Vec3::from(*at)).collect();
+        let skeleton = SkeletalModel::new(joints).unwrap();
+        Character::new(skeleton, attachments, Mesh::new(positions, Vec::new())).unwrap()
+    }
+
+    #[test]
+    fn there_is_a_bone_to_every_child_that_lies_elsewhere() {
+        let joints = vec![
+            joint(None, [1.0, 0.0, 0.0], None),
+            joint(Some(0), [0.0, 0.0, 0.0], None),
+            joint(Some(0), [0.0, 2.0, 0.0], None),
+            joint(Some(0), [0.0, 0.0, 3.0], None),
+        ];
+        let bones = character(joints, &[]).bones().to_vec();
+        let tips: Vec<_> = bones.iter().map(|bone| (bone.joint, bone.tip)).collect();
+        assert_eq!(tips, [(0, Vec3::Y * 2.0), (0, Vec3::Z * 3.0)]);
+    }
+
+    #[test]
+    fn a_leafs_bone_reaches_as_far_as_the_vertices_that_follow_it() {
+        let joints = vec![
+            joint(None, [0.0, 1.0, 0.0], None),
+            joint(Some(0), [0.0, 1.0, 0.0], None),
+        ];
+        let vertices = [
+            ([-1.0, 3.0, 0.0], 1, 1.0),
+            ([1.0, 3.0, 0.0], 1, 0.6),
+            ([0.0, 4.5, 0.0], 1, 0.9),
+            ([0.0, 9.0, 0.0], 1, 0.5),
+            ([0.0, 9.0, 0.0], 0, 1.0),
+        ];
+        let bones = character(joints, &vertices).bones().to_vec();
+        assert_eq!(bones.len(), 2);
+        assert_eq!((bones[0].joint, bones[0].tip), (0, Vec3::Y));
+        assert_eq!(bones[1].joint, 1);
+        assert!(bones[1].tip.abs_diff_eq(Vec3::Y * 2.5, 1e-6), "{bones:?}");
+    }
+
+    #[test]
+    fn a_length_from_the_file_comes_before_children_and_vertices() {
+        let joints = vec![
+            joint(None, [0.0; 3], Some(Vec3::Y * 0.5)),
+            joint(Some(0), [0.0, 2.0, 0.0], Some(Vec3::X)),
+        ];
+        let bones = character(joints, &[([9.0, 9.0, 9.0], 1, 1.0)])
+            .bones()
+            .to_vec();
+        let tips: Vec<_> = bones.iter().map(|bone| (bone.joint, bone.tip)).collect();
+        assert_eq!(tips, [(0, Vec3::Y * 0.5), (1, Vec3::X)]);
+    }
+
+    #[test]
+    fn a_leaf_that_moves_nothing_has_no_bone() {
+        let joints = vec![
+            joint(None, [0.0; 3], None),
+            joint(Some(0), [0.0, 2.0, 0.0], None),
+        ];
+        assert_eq!(character(joints, &[]).bones().len(), 1);
+    }
+}

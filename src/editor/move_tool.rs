@@ -1,0 +1,217 @@
+use super::ring_drag::along_line;
+use super::{Edit, Session};
+use crate::character::Pose;
+use crate::math::{Ray, Transform};
+use crate::scene::ShapeId;
+use glam::{DMat3, DVec3, Vec3};
+
+/// Steps of a movement that snaps, in the world.
+const SNAP: f64 = 0.1;
+
+/// What a move gesture moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MoveTarget {
+    /// A whole shape.
+    Shape(ShapeId),
+    /// The root joint above `joint`, or that joint if it is a root itself.
+    Root {
+        /// The character.
+        shape: ShapeId,
+        /// Index of a joint below the root.
+        joint: usize,
+    },
+    /// Every root of a character, the same way; `joint` says which of them the cursor leads.
+    AllRoots {
+        /// The character.
+        shape: ShapeId,
+        /// Index of a joint below the leading root.
+        joint: usize,
+    },
+}
+
+/// Where a movement may lead. Directions are in the world, of any length but zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MoveAlong {
+    /// To and fro.
+    Line(Vec3),
+    /// Anywhere across this direction.
+    Plane(Vec3),
+}
+
+impl MoveTarget {
+    /// The shape that moves or whose roots do.
+    pub fn shape(self) -> ShapeId {
+        match self {
+            Self::Shape(shape) | Self::Root { shape, .. } | Self::AllRoots { shape, .. } => shape,
+        }
+    }
+
+    /// The point that a gesture moves, in the world: the shape's origin, or the leading root.
+    pub fn place(self, session: &Session) -> Option<Vec3> {
+        let evaluated = session.evaluated().shape(self.shape())?;
+        let in_model = match self {
+            Self::Shape(_) => Vec3::ZERO,
+            Self::Root { joint, .. } | Self::AllRoots { joint, .. } => {
+                let root = root_of(session, self.shape(), joint)?;
+                *evaluated.geometry.figure.as_ref()?.joints.get(root)?
+            }
+        };
+        Some(evaluated.world_from_model.transform_point3(in_model))
+    }
+}
+
+/// The root above `joint`.
+pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize> {
+    let joints = session
+        .scene()
+        .character(shape)?
+        .character
+        .skeleton()
+        .joints();
+    let mut joint = joint;
+    while let Some(parent) = joints.get(joint)?.parent {
+        joint = parent;
+    }
+    Some(joint)
+}
+
+/// A shape or roots held by the pointer. They move one to one: the point that they are held by
+/// stays where the cursor's ray meets the line or the plane through the joint.
+#[derive(Clone, Debug)]
+pub struct MoveDrag {
+    shape: ShapeId,
+    start: Start,
+    /// A point of the line or plane.
+    anchor: DVec3,
+    along: MoveAlong,
+    /// Where the cursor took hold.
+    from: DVec3,
+    moved: DVec3,
+}
+
+#[derive(Clone, Debug)]
+enum Start {
+    Shape(Transform),
+    Roots {
+        pose: Pose,
+        roots: Vec<usize>,
+        /// Directions of the world in the character's space.
+        model_from_world: DMat3,
+    },
+}
+
+impl MoveDrag {
+    /// Takes `target` with the cursor on `ray`. `None` if it does not exist, is scaled to
+    /// nothing, or the ray runs along the plane.
+    pub fn begin(
+        session: &Session,
+        target: MoveTarget,
+        along: MoveAlong,
+        ray: &Ray,
+    ) -> Option<Self> {
+        let shape = target.shape();
+        let anchor = target.place(session)?.as_dvec3();
+        let start = match target {
+            MoveTarget::Shape(_) => Start::Shape(session.scene().shape(shape)?.placement.transform),
+            MoveTarget::Root { joint, .. } => {
+                Start::roots(session, shape, vec![root_of(session, shape, joint)?])?
+            }
+            MoveTarget::AllRoots { .. } => {
+                let character = &session.scene().character(shape)?.character;
+                Start::roots(session, shape, character.skeleton().roots().to_vec())?
+            }
+        };
+        let from = meeting(ray, anchor, along)?;
+        Some(Self {
+            shape,
+            start,
+            anchor,
+            along,
+            from,
+            moved: DVec3::ZERO,
+        })
+    }
+
+    /// Everything moved for the cursor on `ray`; with `snap` in steps of 0.1 along the world's
+    /// axes or along the line.
+    pub fn update(&mut self, ray: &Ray, snap: bool) -> Edit {
+        if let Some(to) = meeting(ray, self.anchor, self.along) {
+            self.moved = to - self.from;
+            if snap {
+                self.snap();
+            }
+        }
+        match &self.start {
+            Start::Shape(transform) => {
+                let mut transform = *transform;
+                transform.position += self.moved.as_vec3();
+                Edit::SetTransform(self.shape, transform)
+            }
+            Start::Roots {
+                pose,
+                roots,
+                model_from_world,
+            } => {
+                let offset = (*model_from_world * self.moved).as_vec3();
+                let mut pose = pose.clone();
+                for &root in roots {
+                    pose.set_root_offset(root, pose.root_offset(root) + offset);
+                }
+                Edit::SetPose(self.shape, pose)
+            }
+        }
+    }
+
+    /// How far it has moved, in the world.
+    pub fn moved(&self) -> Vec3 {
+        self.moved.as_vec3()
+    }
+
+    /// Puts everything back to how it started.
+    pub fn cancel(&self) -> Edit {
+        match &self.start {
+            Start::Shape(transform) => Edit::SetTransform(self.shape, *transform),
+            Start::Roots { pose, .. } => Edit::SetPose(self.shape, pose.clone()),
+        }
+    }
+
+    fn snap(&mut self) {
+        let step = |length: f64| (length / SNAP).round() * SNAP;
+        self.moved = match self.along {
+            MoveAlong::Line(_) => {
+                let length = self.moved.length();
+                self.moved.normalize_or_zero() * step(length)
+            }
+            MoveAlong::Plane(_) => self.moved.map(step),
+        };
+    }
+}
+
+impl Start {
+    fn roots(session: &Session, shape: ShapeId, roots: Vec<usize>) -> Option<Self> {
+        let world_from_model = session.evaluated().shape(shape)?.world_from_model;
+        let model_from_world = DMat3::from_mat4(world_from_model.as_dmat4()).inverse();
+        let pose = session.scene().character(shape)?.pose().clone();
+        model_from_world.is_finite().then_some(Self::Roots {
+            pose,
+            roots,
+            model_from_world,
+        })
+    }
+}
+
+/// Where the ray meets the plane, or comes nearest to the line, through `anchor`.
+fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
+    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    match along {
+        MoveAlong::Line(line) => {
+            let line = line.as_dvec3().try_normalize()?;
+            Some(anchor + line * along_line((origin, direction), anchor, line)?)
+        }
+        MoveAlong::Plane(normal) => {
+            let normal = normal.as_dvec3();
+            let distance = (anchor - origin).dot(normal) / direction.dot(normal);
+            (distance > 0.0 && distance.is_finite()).then(|| origin + direction * distance)
+        }
+    }
+}

@@ -1,0 +1,150 @@
+use super::gizmo::{GizmoAxes, GizmoHit, Handle, Nearest, Screen};
+use super::{JointTurn, Session};
+use crate::scene::ShapeId;
+use glam::{Mat3, Vec2, Vec3};
+
+/// Pieces of a ring that is drawn and hit as a polygon.
+const PIECES: usize = 64;
+
+/// Three rings about the axes of a joint, and one about the line of sight.
+///
+/// A turn happens in the character's space, so where a shape is scaled unevenly a ring is the
+/// ellipse that a point of the joint would really run along.
+#[derive(Clone, Debug)]
+pub struct RotationGizmo {
+    screen: Screen,
+    center: Vec3,
+    center_pixel: Vec2,
+    rings: [Option<Ring>; 3],
+}
+
+#[derive(Clone, Debug)]
+struct Ring {
+    /// In the character's space, of unit length.
+    axis: Vec3,
+    points: Vec<RingPoint>,
+}
+
+/// A point of a ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RingPoint {
+    /// In the world.
+    pub world: Vec3,
+    /// In the picture, from the top left.
+    pub pixel: Vec2,
+    /// Whether it is on the half that faces the eye: the other half cannot be taken.
+    pub front: bool,
+}
+
+impl RotationGizmo {
+    /// Radius of the rings, in pixels.
+    pub const RADIUS: f32 = 72.0;
+    /// Radius of the ring about the line of sight.
+    pub const FREE_RADIUS: f32 = 88.0;
+
+    /// The gizmo of `joint`, in a picture of `size` pixels under the session's camera. `None` if
+    /// there is no such joint or it is not in front of the camera.
+    pub fn new(
+        session: &Session,
+        shape: ShapeId,
+        joint: usize,
+        axes: GizmoAxes,
+        size: Vec2,
+    ) -> Option<Self> {
+        let screen = Screen {
+            camera: session.view().camera,
+            size,
+        };
+        let turn = JointTurn::begin(session, shape, joint)?;
+        let evaluated = session.evaluated().shape(shape)?;
+        let figure = evaluated.geometry.figure.as_ref()?;
+        let frame = Mat3::from_mat4(*figure.model_from_joint.get(joint)?);
+        let stretch = Mat3::from_mat4(evaluated.world_from_model);
+        let center = turn.world_center().as_vec3();
+        let radius = Self::RADIUS * screen.camera.world_per_pixel(center, size.y)?;
+        let rings = [0, 1, 2].map(|axis| {
+            let axis = match axes {
+                GizmoAxes::Local => frame.col(axis),
+                // The plane across an axis of the world is this plane in the character's space.
+                GizmoAxes::World => stretch.transpose().col(axis),
+            };
+            ring(&screen, center, stretch, axis.try_normalize()?, radius)
+        });
+        Some(Self {
+            screen,
+            center,
+            center_pixel: screen.pixel(center)?,
+            rings,
+        })
+    }
+
+    /// The joint's place in the picture.
+    pub fn center_pixel(&self) -> Vec2 {
+        self.center_pixel
+    }
+
+    /// The ring about an axis, closed; empty where the shape is scaled to nothing.
+    pub fn ring(&self, axis: usize) -> &[RingPoint] {
+        self.rings[axis].as_ref().map_or(&[], |ring| &ring.points)
+    }
+
+    /// The axis of a ring, in the character's space.
+    pub fn axis(&self, axis: usize) -> Option<Vec3> {
+        self.rings[axis].as_ref().map(|ring| ring.axis)
+    }
+
+    /// The handle under `pixel`.
+    pub fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
+        let mut nearest = Nearest::new(pixel);
+        for axis in 0..3 {
+            for piece in self.ring(axis).windows(2) {
+                let (a, b) = (piece[0], piece[1]);
+                if a.front && b.front {
+                    let handle = Handle::Ring(axis);
+                    nearest.segment(handle, (a.pixel, b.pixel), (a.world, b.world));
+                }
+            }
+        }
+        let distance = pixel.distance(self.center_pixel);
+        let ray = self.screen.ray(pixel);
+        let hit = GizmoHit {
+            handle: Handle::FreeRing,
+            point: ray.at(self.center.distance(ray.origin)),
+        };
+        nearest.offer((distance - Self::FREE_RADIUS).abs(), hit);
+        nearest.found()
+    }
+}
+
+fn ring(screen: &Screen, center: Vec3, stretch: Mat3, axis: Vec3, radius: f32) -> Option<Ring> {
+    let (u, v) = axis.any_orthonormal_pair();
+    let (u, v) = (stretch * u, stretch * v);
+    let widest = longest_axis(u, v);
+    let share = radius / widest;
+    if !share.is_finite() {
+        return None;
+    }
+    let to_eye = screen.camera.eye() - center;
+    let slack = -0.02 * radius * to_eye.length();
+    let points = (0..=PIECES).map(|i| {
+        let angle = i as f32 / PIECES as f32 * std::f32::consts::TAU;
+        let (sin, cos) = angle.sin_cos();
+        let arm = (u * cos + v * sin) * share;
+        Some(RingPoint {
+            world: center + arm,
+            pixel: screen.pixel(center + arm)?,
+            front: arm.dot(to_eye) >= slack,
+        })
+    });
+    Some(Ring {
+        axis,
+        points: points.collect::<Option<_>>()?,
+    })
+}
+
+/// Half the longest diameter of the ellipse `u cos + v sin`.
+fn longest_axis(u: Vec3, v: Vec3) -> f32 {
+    let (a, b) = (u.length_squared(), v.length_squared());
+    let mean = (a + b) * 0.5;
+    (mean + ((a - b) * 0.5).hypot(u.dot(v))).sqrt()
+}
