@@ -99,7 +99,8 @@ pub fn apply_view(session: &mut Session, view: View) {
             session.selected = selected;
         }
         View::SelectJoint(joint) => session.selected_joint = joint,
-        View::HoverJoint(joint) => session.hovered_joint = joint,
+        View::HoverJoint(joint) => session.hovered_bone = session.selected.zip(joint),
+        View::HoverBone(bone) => session.hovered_bone = bone,
         View::HoverControlPoint(point) => session.hovered_control_point = point,
         View::DismissMessages => session.messages.dismiss(),
     }

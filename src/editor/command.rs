@@ -179,8 +179,10 @@ pub enum View {
     Select(Option<ShapeId>),
     /// Selects a joint of the selected shape, or none.
     SelectJoint(Option<usize>),
-    /// Marks the joint that the pointer is over, or none.
+    /// Marks the joint of the selected shape that the pointer is over, or none.
     HoverJoint(Option<usize>),
+    /// Marks the joint of any character that the pointer is over in the view, or none.
+    HoverBone(Option<(ShapeId, usize)>),
     /// Marks the control point of the selected shape that the pointer is over, by the indices of
     /// its curve and of the point in it; or none.
     HoverControlPoint(Option<(usize, usize)>),

@@ -15,6 +15,7 @@ mod pose_tool;
 mod ring_drag;
 mod rotation_gizmo;
 mod session;
+mod tool;
 
 pub use apply::{apply_edit, apply_view};
 pub use command::{Action, Ask, Edit, Screenshot, View};
@@ -29,3 +30,4 @@ pub use pose_tool::{BoneDrag, ROLL_STEP, roll};
 pub use ring_drag::RingDrag;
 pub use rotation_gizmo::{RingPoint, RotationGizmo};
 pub use session::Session;
+pub use tool::Tool;

@@ -9,7 +9,7 @@ pub struct Session {
     pub(super) scene: Scene,
     pub(super) selected: Option<ShapeId>,
     pub(super) selected_joint: Option<usize>,
-    pub(super) hovered_joint: Option<usize>,
+    pub(super) hovered_bone: Option<(ShapeId, usize)>,
     pub(super) hovered_control_point: Option<(usize, usize)>,
     pub(super) view: ViewSettings,
     /// What was told to the user.
@@ -25,7 +25,7 @@ impl Default for Session {
             scene: Scene::new(),
             selected: None,
             selected_joint: None,
-            hovered_joint: None,
+            hovered_bone: None,
             hovered_control_point: None,
             view: ViewSettings::default(),
             messages: Messages::default(),
@@ -72,7 +72,15 @@ impl Session {
 
     /// The joint of the selected shape that the pointer is over, in the view or in the panel.
     pub fn hovered_joint(&self) -> Option<usize> {
-        self.hovered_joint
+        self.hovered_bone
+            .filter(|&(shape, _)| Some(shape) == self.selected)
+            .map(|(_, joint)| joint)
+    }
+
+    /// The character and joint whose bone the pointer is over, in the view or in the panel;
+    /// always one that exists.
+    pub fn hovered_bone(&self) -> Option<(ShapeId, usize)> {
+        self.hovered_bone
     }
 
     /// The control point of the selected shape that the pointer is over, in the view or in the
@@ -100,7 +108,7 @@ impl Session {
     /// Forgets which part of the selected shape was selected or under the pointer.
     pub(super) fn forget_parts(&mut self) {
         self.selected_joint = None;
-        self.hovered_joint = None;
+        self.hovered_bone = None;
         self.hovered_control_point = None;
     }
 
@@ -109,12 +117,18 @@ impl Session {
         self.revision = Revision::new();
         self.evaluated = self.evaluator.evaluate(&self.scene);
         self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
-        let joints = self
-            .selected
-            .and_then(|id| self.scene.character(id))
-            .map_or(0, |character| character.character.skeleton().joints().len());
-        self.selected_joint = self.selected_joint.filter(|&joint| joint < joints);
-        self.hovered_joint = self.hovered_joint.filter(|&joint| joint < joints);
+        let scene = &self.scene;
+        let has = |shape: ShapeId, joint: usize| {
+            scene
+                .character(shape)
+                .is_some_and(|shape| joint < shape.character.skeleton().joints().len())
+        };
+        self.selected_joint = self
+            .selected_joint
+            .filter(|&joint| self.selected.is_some_and(|shape| has(shape, joint)));
+        self.hovered_bone = self
+            .hovered_bone
+            .filter(|&(shape, joint)| has(shape, joint));
         let curves = self
             .selected
             .and_then(|id| self.scene.curve(id))

@@ -1,0 +1,11 @@
+/// What a left drag in the view does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Moves the camera.
+    #[default]
+    Select,
+    /// Turns the bone under the pointer.
+    Pose,
+    /// Moves the root of the bone, or else the shape, under the pointer.
+    Move,
+}
