@@ -15,6 +15,16 @@ pub enum GizmoAxes {
     Local,
 }
 
+impl GizmoAxes {
+    /// The other choice.
+    pub fn other(self) -> Self {
+        match self {
+            Self::World => Self::Local,
+            Self::Local => Self::World,
+        }
+    }
+}
+
 /// A part of a gizmo that can be taken. Numbers are axes: 0 for x, 1 for y, 2 for z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Handle {

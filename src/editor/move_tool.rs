@@ -46,6 +46,22 @@ impl MoveTarget {
         }
     }
 
+    /// The joint whose root moves, or leads.
+    pub fn joint(self) -> Option<usize> {
+        match self {
+            Self::Shape(_) => None,
+            Self::Root { joint, .. } | Self::AllRoots { joint, .. } => Some(joint),
+        }
+    }
+
+    /// The same for every root of the character; a shape stays a shape.
+    pub fn all_roots(self) -> Self {
+        match self {
+            Self::Root { shape, joint } => Self::AllRoots { shape, joint },
+            other => other,
+        }
+    }
+
     /// The point that a gesture moves, in the world: the shape's origin, or the leading root.
     pub fn place(self, session: &Session) -> Option<Vec3> {
         let evaluated = session.evaluated().shape(self.shape())?;
@@ -79,7 +95,7 @@ pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize>
 /// stays where the cursor's ray meets the line or the plane through the joint.
 #[derive(Clone, Debug)]
 pub struct MoveDrag {
-    shape: ShapeId,
+    target: MoveTarget,
     start: Start,
     /// A point of the line or plane.
     anchor: DVec3,
@@ -123,7 +139,7 @@ impl MoveDrag {
         };
         let from = meeting(ray, anchor, along)?;
         Some(Self {
-            shape,
+            target,
             start,
             anchor,
             along,
@@ -145,7 +161,7 @@ impl MoveDrag {
             Start::Shape(transform) => {
                 let mut transform = *transform;
                 transform.position += self.moved.as_vec3();
-                Edit::SetTransform(self.shape, transform)
+                Edit::SetTransform(self.target.shape(), transform)
             }
             Start::Roots {
                 pose,
@@ -157,9 +173,14 @@ impl MoveDrag {
                 for &root in roots {
                     pose.set_root_offset(root, pose.root_offset(root) + offset);
                 }
-                Edit::SetPose(self.shape, pose)
+                Edit::SetPose(self.target.shape(), pose)
             }
         }
+    }
+
+    /// What is moved.
+    pub fn target(&self) -> MoveTarget {
+        self.target
     }
 
     /// How far it has moved, in the world.
@@ -170,8 +191,8 @@ impl MoveDrag {
     /// Puts everything back to how it started.
     pub fn cancel(&self) -> Edit {
         match &self.start {
-            Start::Shape(transform) => Edit::SetTransform(self.shape, *transform),
-            Start::Roots { pose, .. } => Edit::SetPose(self.shape, pose.clone()),
+            Start::Shape(transform) => Edit::SetTransform(self.target.shape(), *transform),
+            Start::Roots { pose, .. } => Edit::SetPose(self.target.shape(), pose.clone()),
         }
     }
 

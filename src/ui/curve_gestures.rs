@@ -1,4 +1,5 @@
 use super::ScenePlaces;
+use super::pointer_use::PointerUse;
 use super::state::CurveState;
 use crate::editor::{Action, ControlPointDrag, Session, View, control_point_at};
 use egui::{CursorIcon, Key, PointerButton, Response};
@@ -12,17 +13,6 @@ pub(super) struct PointGesture {
     /// Once it is cancelled it only waits for the buttons to be released, so that what is left of
     /// the drag does not become another gesture.
     cancelled: bool,
-}
-
-/// What control points have to do with the pointer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum PointerUse {
-    /// Nothing.
-    Free,
-    /// One is under it, and takes its clicks and left drags.
-    Over,
-    /// One follows it, and nothing else does.
-    Holding,
 }
 
 /// Drags control points of the selected curves in the view, and marks the one under the pointer.

@@ -1,3 +1,4 @@
+use super::posing::BAR_HEIGHT;
 use super::theme::Palette;
 use super::widgets::named;
 use egui::{Align, Button, Frame, Grid, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2};
@@ -8,17 +9,20 @@ const LINES: [(&str, &str); 3] = [
         "Look around",
         "right drag turns · left drag moves · wheel zooms",
     ),
-    ("Pose", "drag or type the numbers of a joint at the right"),
+    (
+        "Pose",
+        "press B and drag a bone, or drag a number at the right",
+    ),
     ("More", "Insert adds shapes · ? shows every key"),
 ];
 const SIZE: egui::Vec2 = vec2(380.0, 88.0);
 
 /// Three lines for newcomers in the view's upper left corner; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
-    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 24.0 {
+    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + BAR_HEIGHT + 20.0 {
         return false;
     }
-    let corner = pos2(view.left() + 12.0, view.top() + 12.0);
+    let corner = pos2(view.left() + 12.0, view.top() + BAR_HEIGHT + 8.0);
     let builder = UiBuilder::new()
         .id_salt("first help")
         .max_rect(Rect::from_min_size(corner, SIZE));

@@ -13,7 +13,7 @@ pub(super) fn show(ui: &mut Ui) {
                 ui.end_row();
             }
         });
-        for menu in Menu::ALL {
+        for &menu in Menu::ALL {
             let mut entries = entries(menu)
                 .filter(|entry| !entry.shortcuts.is_empty())
                 .peekable();
@@ -53,6 +53,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Compare => "View ⏵ Compare",
         Menu::Theme => "View ⏵ Theme",
         Menu::Skinning => "View ⏵ Skinning",
+        Menu::Tools => "Pose",
         Menu::Help => "Help",
     }
 }

@@ -1,4 +1,5 @@
 use crate::character::Skinning;
+use crate::editor::Tool;
 use crate::geometry::Basis;
 use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, ViewDirection};
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -50,6 +51,10 @@ pub enum Command {
     Compare,
     /// Chooses what deforms characters; whatever suits the driver if `None`.
     SetSkinning(Option<Skinning>),
+    /// Chooses what a left drag in the view does.
+    SetTool(Tool),
+    /// Shows gizmos along the axes of the joint or shape, or of the world.
+    ToggleLocalAxes,
     /// Opens the list of keys and gestures.
     Keys,
     /// Opens the history of messages.
@@ -127,6 +132,8 @@ pub enum Menu {
     Theme,
     /// View ▸ Skinning.
     Skinning,
+    /// Pose, the tools.
+    Tools,
     /// Help.
     Help,
     /// The shape panel's buttons.
@@ -135,7 +142,7 @@ pub enum Menu {
 
 impl Menu {
     /// All, in the order of the window about the keys.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: &[Self] = &[
         Self::File,
         Self::Insert,
         Self::Curves,
@@ -148,6 +155,7 @@ impl Menu {
         Self::Compare,
         Self::Theme,
         Self::Skinning,
+        Self::Tools,
         Self::Help,
     ];
 }
@@ -240,6 +248,11 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and hands their vertices over", &[]),
     entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
 
+    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, left drag moves the scene", &[key(NONE, Key::V)]),
+    entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
+    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
+    entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
+
     entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
     entry(Command::Messages, Menu::Help, "Messages", "Everything the program has told since it started", &[key(NONE, Key::F9)]),
     entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),
@@ -268,6 +281,12 @@ pub const GESTURES: &[Gesture] = &[
         "Move it; Esc or right click cancels",
     ),
     gesture("Wheel in the view", "Move the camera closer or away"),
+    gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),
+    gesture("Pose: Left, Right", "Roll the bone under the pointer"),
+    gesture("Pose: click a bone", "Show rings that turn it"),
+    gesture("Move: drag a bone", "Move its root, with Shift every root"),
+    gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
+    gesture("Esc, right click in a drag", "Put everything back"),
     gesture("Click the axis ball", "Look from the side that was clicked"),
     gesture(
         "Drag a number",

@@ -42,6 +42,7 @@ pub(super) fn show(
             ui.menu_button("File", |ui| items.all(ui, Menu::File));
             ui.menu_button("Insert", |ui| items.insert(ui));
             ui.menu_button("View", |ui| items.view(ui));
+            ui.menu_button("Pose", |ui| items.all(ui, Menu::Tools));
             ui.menu_button("Help", |ui| items.all(ui, Menu::Help));
             title(ui, items.input.title);
         });

@@ -26,6 +26,8 @@ mod messages;
 mod notices;
 mod number_field;
 mod number_text;
+mod pointer_use;
+mod posing;
 mod properties;
 mod run_command;
 mod scene_places;
@@ -121,10 +123,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         || state.gesture_under_way()
         || takes_keys(&ctx);
 
+    if !keys_taken {
+        posing::roll_by_keys(&ctx, session, &state.pose, &mut actions);
+    }
     let last_view = state.view_rect;
     menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
     shape_panel::show(root, session, state, &mut actions);
-    status_line::show(root, session, input);
+    posing::notice_selection(&mut state.pose, &actions);
+    status_line::show(root, session, state, input);
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
         let look_is_course = session.view().look == Look::Course;

@@ -1,7 +1,7 @@
 use super::curve_commands;
 use super::keys::{self, Command, Primitive};
 use super::state::{Dialog, UiState};
-use crate::editor::{Action, Ask, CompareAction, Edit, Session, View};
+use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, View};
 use crate::scene::Look;
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
@@ -23,6 +23,8 @@ pub(super) fn run(
         Command::About => state.open(Dialog::About),
         Command::SetTheme(theme) => state.theme = theme,
         Command::SetSkinning(skinning) => state.skinning = skinning,
+        Command::SetTool(tool) => state.pose.tool = tool,
+        Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive)),
         Command::MakeSurfaceOfRevolution => return curve_commands::revolution(session),
@@ -65,6 +67,8 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),
         Command::SetSkinning(skinning) => Some(state.skinning == skinning),
+        Command::SetTool(tool) => Some(state.pose.tool == tool),
+        Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),
         _ => None,
     }
 }

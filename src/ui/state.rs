@@ -1,4 +1,5 @@
 use super::curve_gestures::PointGesture;
+use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
 use crate::character::Skinning;
 use crate::scene::ShapeId;
@@ -22,6 +23,7 @@ pub struct UiState {
     pub(super) screenshot: ScreenshotForm,
     pub(super) joints: JointListState,
     pub(super) curves: CurveState,
+    pub(super) pose: PoseState,
     pub(super) notices: NoticeState,
     /// Whether a text field or a popup had the keyboard at the end of the last frame. egui takes
     /// the keyboard away from them at the start of the frame in which Esc is pressed.
@@ -86,6 +88,7 @@ impl Default for UiState {
             screenshot: ScreenshotForm::default(),
             joints: JointListState::default(),
             curves: CurveState::default(),
+            pose: PoseState::default(),
             notices: NoticeState::default(),
             keys_were_taken: false,
             styled: false,
@@ -102,7 +105,7 @@ impl UiState {
 
     /// Whether a gesture in the view is under way, so that Esc cancels it and does nothing else.
     pub fn gesture_under_way(&self) -> bool {
-        self.curves.gesture.is_some()
+        self.curves.gesture.is_some() || self.pose.gesture.is_some()
     }
 
     /// Brings a window up, or to the end of the row for Esc if it is up already.

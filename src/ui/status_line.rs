@@ -1,11 +1,12 @@
-use super::ViewInput;
+use super::state::UiState;
 use super::theme::Palette;
+use super::{ViewInput, posing};
 use crate::editor::Session;
 use egui::{Align, Frame, Label, Layout, Margin, Panel, RichText, Ui};
 
 /// The line below the view: what the pointer is over and what the next gesture would do; at the
 /// right, how fast and by what pictures are drawn.
-pub(super) fn show(root: &mut Ui, session: &Session, input: &ViewInput) {
+pub(super) fn show(root: &mut Ui, session: &Session, state: &UiState, input: &ViewInput) {
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
     Panel::bottom("status line").frame(frame).show(root, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -15,7 +16,7 @@ pub(super) fn show(root: &mut Ui, session: &Session, input: &ViewInput) {
                 ui.label(RichText::new(machine).small().color(weak));
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let (over, next) = sentence(session, input);
+                let (over, next) = sentence(session, state, input);
                 if let Some(over) = over {
                     let color = Palette::of(ui.visuals()).strong;
                     ui.add(Label::new(RichText::new(over).small().color(color)).truncate());
@@ -34,11 +35,18 @@ fn machine(input: &ViewInput) -> String {
 }
 
 /// What the pointer is over, if anything, and what gestures do there.
-fn sentence(session: &Session, input: &ViewInput) -> (Option<String>, &'static str) {
+fn sentence(
+    session: &Session,
+    state: &UiState,
+    input: &ViewInput,
+) -> (Option<String>, &'static str) {
     const CAMERA: &str = "Left drag moves the scene · right drag turns it · wheel zooms";
     if let Some(point) = hovered_control_point(session) {
         let next = "Drag to move it · Esc or right click cancels";
         return (Some(point), next);
+    }
+    if let Some((over, next)) = posing::sentence(session, &state.pose) {
+        return (over, next);
     }
     if let Some(joint) = hovered_joint(session) {
         let next = "Click to select the joint · drag its numbers to turn it";

@@ -1,6 +1,8 @@
-use super::curve_gestures::{self, PointerUse};
+use super::curve_gestures;
+use super::pointer_use::PointerUse;
+use super::posing;
 use super::{ScenePlaces, UiState};
-use crate::editor::{Action, Session, View};
+use crate::editor::{Action, Session, Tool, View};
 use crate::scene::{ShapeId, pick_shape};
 use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Response};
 use glam::Vec2;
@@ -10,7 +12,8 @@ const POINTS_PER_NOTCH: f32 = 50.0;
 
 /// What the pointer does to the scene, as in the course's editor: a left drag pans, a right drag
 /// turns, the wheel zooms, a click selects the shape under the pointer. Control points of the
-/// selected curves come first: a left drag moves the one under the pointer.
+/// selected curves come first, then gizmos and bones, and with the Move tool shapes: a left drag
+/// takes what is under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
 /// to themselves. `places` are where the scene is shown in it. Returns the shape that the pointer
@@ -22,7 +25,14 @@ pub fn view_gestures(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
-    let pointer = curve_gestures::control_points(view, places, session, &mut state.curves, actions);
+    let mut pointer = PointerUse::Free;
+    if state.pose.gesture.is_none() {
+        pointer = curve_gestures::control_points(view, places, session, &mut state.curves, actions);
+    }
+    if pointer == PointerUse::Free {
+        let list = state.joints.hovered;
+        pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
+    }
     if pointer == PointerUse::Holding {
         return None;
     }
@@ -48,6 +58,9 @@ pub fn view_gestures(
         let clicked = view.interact_pointer_pos();
         let shape = clicked.and_then(|position| shape_at(session, places, position));
         actions.push(Action::View(View::Select(shape)));
+        if state.pose.tool != Tool::Select {
+            actions.push(Action::View(View::SelectJoint(None)));
+        }
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
     shape_at(session, places, position)

@@ -1,5 +1,5 @@
 use super::state::UiState;
-use super::{ScenePlaces, ViewInput, axis_ball, compare, first_help, notices};
+use super::{ScenePlaces, ViewInput, axis_ball, compare, first_help, notices, posing};
 use crate::editor::{Action, CompareSettings, Session};
 use egui::{Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
 
@@ -37,6 +37,7 @@ pub(super) fn show(
         }
         _ => ScenePlaces::whole(rect),
     };
+    posing::show(&mut over, &places, &response, session, state);
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
     notices::show(&mut over, rect, session, &mut state.notices, actions);
     if state.first_help {

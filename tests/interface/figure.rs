@@ -75,3 +75,16 @@ pub fn chain(count: usize) -> Arc<Character> {
     let mesh = Mesh::new(Vec::new(), Vec::new());
     Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
 }
+
+/// A character of two bones side by side, each a root.
+pub fn forest() -> Arc<Character> {
+    let roots = [-0.5, 0.5].map(|x| Joint {
+        name: format!("Root at {x}"),
+        offset: Vec3::X * x,
+        tip: Some(Vec3::Y * 0.6),
+        ..Joint::default()
+    });
+    let skeleton = SkeletalModel::new(roots.to_vec()).expect("a forest");
+    let mesh = Mesh::new(Vec::new(), Vec::new());
+    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+}

@@ -1,0 +1,204 @@
+use super::gesture::{Held, PoseGesture};
+use super::{Place, PoseState, gizmos};
+use crate::editor::{
+    Action, BoneDrag, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
+};
+use crate::math::Ray;
+use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
+use crate::ui::ScenePlaces;
+use crate::ui::pointer_use::PointerUse;
+use egui::{CursorIcon, PointerButton, Pos2, Response};
+use glam::Vec2;
+
+/// What the pointer does to gizmos, bones and, with the Move tool, shapes, in this order: marks
+/// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
+/// selected character whose row the pointer is over.
+pub(in crate::ui) fn pointer(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut PoseState,
+    list: Option<usize>,
+    actions: &mut Vec<Action>,
+) -> PointerUse {
+    state.over_view = view.hovered();
+    if view.drag_started_by(PointerButton::Primary) && state.gesture.is_none() {
+        state.gesture = begin(view, places, session, state, actions);
+    }
+    if let Some(gesture) = &mut state.gesture {
+        let held = gesture.joint().map(|joint| (gesture.shape(), joint));
+        if !gesture.go_on(view, places, session, actions) {
+            state.gesture = None;
+        }
+        view.ctx.set_cursor_icon(CursorIcon::Grabbing);
+        mark(session, held, actions);
+        return PointerUse::Holding;
+    }
+    let under = view
+        .hover_pos()
+        .filter(|_| !view.dragged())
+        .map_or(Under::Nothing, |at| under(session, state, places, at));
+    state.hovered = match under {
+        Under::Bone(hit) => Some(hit),
+        _ => None,
+    };
+    let in_list = session.selected().zip(list);
+    let in_view = state.hovered.map(|hit| (hit.shape, hit.joint));
+    mark(session, in_view.or(in_list), actions);
+    match under {
+        Under::Nothing => return PointerUse::Free,
+        Under::Shape => {
+            view.ctx.set_cursor_icon(CursorIcon::Grab);
+            return PointerUse::Free;
+        }
+        Under::Handle => {}
+        Under::Bone(hit) if view.clicked() => {
+            let joint = target_joint(session, state.tool, hit);
+            state.taken = Some(hit);
+            state.without_gizmo = None;
+            select(session, hit.shape, Some(joint), actions);
+        }
+        Under::Bone(_) => {}
+    }
+    if state.tool != Tool::Select {
+        view.ctx.set_cursor_icon(CursorIcon::Grab);
+    }
+    PointerUse::Over
+}
+
+/// What a gesture would take.
+enum Under {
+    Nothing,
+    Handle,
+    Bone(BoneHit),
+    /// With the Move tool alone.
+    Shape,
+}
+
+fn under(session: &Session, state: &PoseState, places: &ScenePlaces, at: Pos2) -> Under {
+    let Some(place) = Place::at(places, at) else {
+        return Under::Nothing;
+    };
+    let pixel = place.pixel(at);
+    let gizmo = gizmos::shown(session, state, place);
+    if gizmo.and_then(|gizmo| gizmo.hit(pixel)).is_some() {
+        return Under::Handle;
+    }
+    if let Some(hit) = bone_at(session, state.tool, place, pixel) {
+        return Under::Bone(hit);
+    }
+    if state.tool == Tool::Move && shape_at(session, place, pixel).is_some() {
+        return Under::Shape;
+    }
+    Under::Nothing
+}
+
+/// The bone under the pointer. Without a tool for them only those that show can be clicked.
+fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<BoneHit> {
+    let camera = &session.view().camera;
+    let hit = pick_bone(
+        session.scene(),
+        session.evaluated(),
+        camera,
+        pixel,
+        place.size(),
+    )?;
+    let display = session.scene().character(hit.shape)?.display;
+    (tool != Tool::Select || display.mode != ModelDisplay::Mesh).then_some(hit)
+}
+
+fn shape_at(session: &Session, place: Place, pixel: Vec2) -> Option<ShapeId> {
+    let ray = place.screen(session).ray(pixel);
+    pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape)
+}
+
+/// The joint that a tool means by a bone.
+fn target_joint(session: &Session, tool: Tool, hit: BoneHit) -> usize {
+    let root = root_of(session, hit.shape, hit.joint).filter(|_| tool == Tool::Move);
+    root.unwrap_or(hit.joint)
+}
+
+/// egui only takes a press for a drag once the pointer has moved; what was grabbed lies where the
+/// button went down.
+fn begin(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut PoseState,
+    actions: &mut Vec<Action>,
+) -> Option<PoseGesture> {
+    if state.tool == Tool::Select {
+        return None;
+    }
+    let (pressed, all) = view
+        .ctx
+        .input(|input| (input.pointer.press_origin(), input.modifiers.shift));
+    let index = places.index_at(pressed?)?;
+    let place = Place::of(places, index)?;
+    let pixel = place.pixel(pressed?);
+    let ray = place.screen(session).ray(pixel);
+    if let Some(gizmo) = gizmos::shown(session, state, place)
+        && let Some(hit) = gizmo.hit(pixel)
+    {
+        return gizmo.take(session, hit, &ray, all, index);
+    }
+    if let Some(hit) = bone_at(session, state.tool, place, pixel) {
+        let held = match state.tool {
+            Tool::Pose => turn_bone(session, state, hit)?,
+            _ => move_root(session, hit, &ray, all)?,
+        };
+        state.taken = Some(hit);
+        let joint = target_joint(session, state.tool, hit);
+        select(session, hit.shape, Some(joint), actions);
+        return Some(PoseGesture::new(held, None, index));
+    }
+    if state.tool != Tool::Move {
+        return None;
+    }
+    let shape = shape_at(session, place, pixel)?;
+    let drag = MoveDrag::begin(
+        session,
+        MoveTarget::Shape(shape),
+        across_view(session),
+        &ray,
+    )?;
+    select(session, shape, None, actions);
+    Some(PoseGesture::new(Held::Moved(drag), None, index))
+}
+
+fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Held> {
+    let eye = session.view().camera.eye();
+    let drag = BoneDrag::begin(session, hit.shape, hit.joint, eye, hit.point)?;
+    state.without_gizmo = Some((hit.shape, hit.joint));
+    Some(Held::Bone(drag))
+}
+
+fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Held> {
+    let root = MoveTarget::Root {
+        shape: hit.shape,
+        joint: hit.joint,
+    };
+    let target = if all { root.all_roots() } else { root };
+    let drag = MoveDrag::begin(session, target, across_view(session), ray)?;
+    Some(Held::Moved(drag))
+}
+
+fn across_view(session: &Session) -> MoveAlong {
+    MoveAlong::Plane(session.view().camera.forward())
+}
+
+fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut Vec<Action>) {
+    if session.selected() != Some(shape) {
+        actions.push(Action::View(View::Select(Some(shape))));
+    }
+    if session.selected() != Some(shape) || session.selected_joint() != joint {
+        actions.push(Action::View(View::SelectJoint(joint)));
+    }
+}
+
+/// Tells the session which bone is under the pointer, if that has changed.
+fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Action>) {
+    if bone != session.hovered_bone() {
+        actions.push(Action::View(View::HoverBone(bone)));
+    }
+}

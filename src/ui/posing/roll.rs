@@ -1,0 +1,45 @@
+use super::PoseState;
+use crate::editor::{Action, ROLL_STEP, Session, Tool, roll};
+use crate::scene::ShapeId;
+use egui::{Context, Key, Modifiers};
+
+/// Left and Right over the view roll the bone under the pointer, or else one of the selected
+/// joint, about its own axis. Called before the panels, which know these keys too.
+pub(in crate::ui) fn roll_by_keys(
+    ctx: &Context,
+    session: &Session,
+    state: &PoseState,
+    actions: &mut Vec<Action>,
+) {
+    if state.tool != Tool::Pose || !state.over_view {
+        return;
+    }
+    let Some((shape, bone)) = bone_to_roll(session, state) else {
+        return;
+    };
+    let steps = ctx.input_mut(|input| {
+        let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
+        right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
+    });
+    if steps != 0.0 {
+        let edit = roll(session, shape, bone, steps * ROLL_STEP);
+        actions.extend(edit.map(Action::Edit));
+    }
+}
+
+/// A character and the index of a bone of it.
+fn bone_to_roll(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
+    if let Some(hit) = state.hovered {
+        return Some((hit.shape, hit.bone));
+    }
+    let (shape, joint) = (session.selected()?, session.selected_joint()?);
+    let taken = state
+        .taken
+        .filter(|hit| (hit.shape, hit.joint) == (shape, joint));
+    if let Some(hit) = taken {
+        return Some((shape, hit.bone));
+    }
+    let bones = session.scene().character(shape)?.character.bones();
+    let first = bones.iter().position(|bone| bone.joint == joint)?;
+    Some((shape, first))
+}

@@ -1,0 +1,54 @@
+use crate::editor::{GizmoAxes, Tool};
+use crate::ui::keys::{self, Command};
+use crate::ui::state::UiState;
+use crate::ui::theme::Palette;
+use crate::ui::widgets::named;
+use egui::{Button, Frame, Margin, Rect, Ui, UiBuilder, vec2};
+
+/// From the view's top to what may lie below the bar.
+pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
+
+/// The tools, with their words in the bar.
+const TOOLS: [(Tool, &str); 3] = [
+    (Tool::Select, "Select"),
+    (Tool::Pose, "Pose"),
+    (Tool::Move, "Move"),
+];
+
+/// The bar of tools in the view's upper left corner.
+pub(super) fn show(ui: &mut Ui, view: Rect, state: &mut UiState) {
+    let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(320.0, 24.0));
+    let builder = UiBuilder::new().id_salt("tools").max_rect(place);
+    let mut inner = ui.new_child(builder);
+    let fill = Palette::of(ui.visuals()).panel;
+    let frame = Frame::new()
+        .fill(fill)
+        .corner_radius(4)
+        .inner_margin(Margin::same(2));
+    frame.show(&mut inner, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            for (tool, word) in TOOLS {
+                let command = Command::SetTool(tool);
+                if button(ui, word, state.pose.tool == tool, command) {
+                    state.pose.tool = tool;
+                }
+            }
+            if state.pose.tool != Tool::Select {
+                ui.separator();
+                let local = state.pose.axes == GizmoAxes::Local;
+                if button(ui, "Local", local, Command::ToggleLocalAxes) {
+                    state.pose.axes = state.pose.axes.other();
+                }
+            }
+        });
+    });
+}
+
+fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
+    let button = ui.add(Button::selectable(on, word));
+    let button = named(button, keys::label(command));
+    button
+        .on_hover_text(keys::tooltip(ui.ctx(), command))
+        .clicked()
+}

@@ -1,0 +1,435 @@
+//! Bones, roots and shapes turned and moved by hand in the view.
+
+use crate::{Editor, figure};
+use editor_core::editor::{Edit, View};
+use editor_core::math::Transform;
+use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeKind, bones_in_world};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use glam::Vec3;
+
+const ROOT: usize = 0;
+const NECK: usize = 3;
+const LEFT_SHOULDER: usize = 16;
+const LEFT_ELBOW: usize = 17;
+
+impl Editor {
+    /// A character in a view whose pointer counts, with the tool of a key.
+    fn with_hands(tool: Key) -> Self {
+        let mut editor = Self::with_figure();
+        editor.harness.state_mut().gestures = true;
+        editor.key(tool);
+        editor
+    }
+
+    /// Where a point of the world is in the window.
+    fn place(&self, world: Vec3) -> Pos2 {
+        let view = self.harness.state().view;
+        let size = glam::vec2(view.width(), view.height());
+        let camera = self.session().view().camera;
+        let pixel = camera.pixel(world, size).expect("before the eye");
+        view.min + vec2(pixel.x, pixel.y)
+    }
+
+    /// Both ends in the world of the first bone of a joint of the selected character.
+    fn bone(&self, joint: usize) -> (Vec3, Vec3) {
+        let session = self.session();
+        let shape = self.shape().id;
+        let evaluated = session.evaluated().shape(shape).expect("it is evaluated");
+        let mut bones = bones_in_world(session.scene(), evaluated);
+        let found = bones.find(|bone| bone.0 == joint);
+        let (_, start, end) = found.expect("the joint has a bone");
+        (start, end)
+    }
+
+    /// A point of the window on the first bone of a joint, near its end.
+    fn on_bone(&self, joint: usize) -> Pos2 {
+        let (start, end) = self.bone(joint);
+        self.place(start.lerp(end, 0.7))
+    }
+
+    fn point(&mut self, at: Pos2) {
+        self.harness.hover_at(at);
+        self.settle();
+    }
+
+    fn take(&mut self, at: Pos2) {
+        self.point(at);
+        self.harness.drag_at(at);
+        self.settle();
+    }
+
+    fn let_go(&mut self, at: Pos2) {
+        self.harness.drop_at(at);
+        self.settle();
+    }
+
+    fn hand(&mut self, from: Pos2, to: Pos2) {
+        self.take(from);
+        self.point(from + (to - from) * 0.5);
+        self.point(to);
+        self.let_go(to);
+    }
+
+    fn mouse(&mut self, button: PointerButton, pressed: bool, at: Pos2) {
+        self.harness.event(Event::PointerButton {
+            pos: at,
+            button,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        self.settle();
+    }
+
+    fn click_at(&mut self, at: Pos2) {
+        self.point(at);
+        // A press that lasts long is no click.
+        self.harness.drag_at(at);
+        self.harness.step();
+        self.let_go(at);
+    }
+
+    fn root_offset(&self, root: usize) -> Vec3 {
+        self.character().pose().root_offset(root)
+    }
+}
+
+/// How far `at` is from the half-line from `from` through `through`.
+fn beside_half_line(at: Pos2, from: Pos2, through: Pos2) -> f32 {
+    let along = (through - from).normalized();
+    let offset = at - from;
+    let beside = offset - along * offset.dot(along).max(0.0);
+    beside.length()
+}
+
+#[test]
+fn dragging_a_bone_keeps_the_grabbed_point_in_line_with_the_pointer_and_the_sliders_follow() {
+    let mut editor = Editor::with_hands(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    let to = from + vec2(-20.0, 60.0);
+    editor.hand(from, to);
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_ELBOW));
+    let (start, end) = editor.bone(LEFT_ELBOW);
+    let (start, end) = (editor.place(start), editor.place(end));
+    let off = beside_half_line(end, start, to);
+    assert!(off < 1.5, "the bone is {off} points beside the pointer");
+    let shown = editor.value("Left elbow Z");
+    let degrees: f32 = shown.trim_end_matches('°').parse().expect("a number");
+    let turned = editor.joint(LEFT_ELBOW);
+    assert!(
+        turned.length() > 1.0 && (degrees - turned.z).abs() < 0.06,
+        "{shown} {turned}"
+    );
+}
+
+#[test]
+fn the_way_of_the_pointer_between_start_and_end_does_not_matter() {
+    let mut one = Editor::with_hands(Key::B);
+    let from = one.on_bone(NECK);
+    let to = from + vec2(50.0, 10.0);
+    one.hand(from, to);
+    let mut other = Editor::with_hands(Key::B);
+    other.take(from);
+    for at in [vec2(-80.0, 0.0), vec2(0.0, 130.0), vec2(90.0, 90.0)] {
+        other.point(from + at);
+    }
+    other.point(to);
+    other.let_go(to);
+    let (one, other) = (one.character().pose(), other.character().pose());
+    let (a, b) = (one.rotation(NECK).to_mat3(), other.rotation(NECK).to_mat3());
+    assert!(a.abs_diff_eq(b, 1e-5), "{a} {b}");
+}
+
+#[test]
+fn esc_or_a_right_click_puts_everything_back_and_nothing_moves_until_all_buttons_are_up() {
+    for right in [false, true] {
+        let mut editor = Editor::with_hands(Key::B);
+        editor.type_into("Left elbow Z", "30");
+        let before = editor.character().pose().clone();
+        let camera = editor.session().view().camera;
+        let from = editor.on_bone(LEFT_ELBOW);
+        let to = from + vec2(10.0, 70.0);
+        editor.take(from);
+        editor.point(to);
+        assert_ne!(editor.character().pose(), &before);
+        if right {
+            editor.mouse(PointerButton::Secondary, true, to);
+            editor.mouse(PointerButton::Secondary, false, to);
+        } else {
+            editor.key(Key::Escape);
+        }
+        assert_eq!(editor.character().pose(), &before);
+        editor.point(to + vec2(30.0, 30.0));
+        editor.let_go(to);
+        assert_eq!(editor.character().pose(), &before);
+        assert_eq!(editor.session().view().camera, camera);
+        assert!(editor.asked().is_empty(), "Esc ends more than the gesture");
+        editor.hand(from, to);
+        assert_ne!(editor.character().pose(), &before, "the next gesture works");
+    }
+}
+
+#[test]
+fn ctrl_turns_a_bone_in_steps_of_15_degrees() {
+    let mut editor = Editor::with_hands(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.take(from);
+    editor
+        .harness
+        .event(Event::ModifiersChanged(Modifiers::COMMAND));
+    editor.point(from + vec2(-15.0, 45.0));
+    let (axis, angle) =
+        glam::Quat::from_mat3(&editor.character().pose().rotation(LEFT_ELBOW).to_mat3())
+            .to_axis_angle();
+    let steps = angle.to_degrees() / 15.0;
+    assert!(
+        steps > 0.5 && (steps - steps.round()).abs() < 1e-3,
+        "{axis} {angle}"
+    );
+}
+
+#[test]
+fn the_bone_under_the_pointer_is_marked_in_the_list_and_a_row_marks_its_bone() {
+    let mut editor = Editor::with_hands(Key::B);
+    let at = editor.on_bone(LEFT_ELBOW);
+    editor.point(at);
+    assert_eq!(editor.session().hovered_joint(), Some(LEFT_ELBOW));
+    let empty = editor.harness.state().view.left_bottom() + vec2(20.0, -20.0);
+    editor.point(empty);
+    assert_eq!(editor.session().hovered_bone(), None);
+    editor.reveal("Neck");
+    editor.widget("Neck").hover();
+    editor.settle();
+    assert_eq!(editor.session().hovered_joint(), Some(NECK));
+    editor.point(empty);
+    assert_eq!(editor.session().hovered_joint(), None);
+}
+
+#[test]
+fn the_marked_bone_stays_marked_while_it_is_dragged_over_others() {
+    let mut editor = Editor::with_hands(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.take(from);
+    let over = editor.on_bone(NECK);
+    editor.point(over);
+    assert_eq!(editor.session().hovered_joint(), Some(LEFT_ELBOW));
+}
+
+#[test]
+fn left_and_right_roll_the_bone_under_the_pointer_about_itself() {
+    let mut editor = Editor::with_hands(Key::B);
+    let before = editor.bone(LEFT_ELBOW);
+    let at = editor.on_bone(LEFT_ELBOW);
+    editor.point(at);
+    for _ in 0..3 {
+        editor.key(Key::ArrowRight);
+    }
+    editor.key(Key::ArrowLeft);
+    let rotation = editor.character().pose().rotation(LEFT_ELBOW).to_mat3();
+    let (axis, angle) = glam::Quat::from_mat3(&rotation).to_axis_angle();
+    assert!((angle - 0.2).abs() < 1e-5, "{angle}");
+    let along = (before.1 - before.0).normalize_or(Vec3::X);
+    assert!(axis.abs_diff_eq(along, 1e-4), "{axis} {along}");
+    let after = editor.bone(LEFT_ELBOW);
+    assert!(after.1.abs_diff_eq(before.1, 1e-5));
+}
+
+#[test]
+fn arrow_keys_elsewhere_do_not_roll() {
+    let mut editor = Editor::with_hands(Key::B);
+    editor.click("Left elbow");
+    editor.key(Key::ArrowRight);
+    assert!(
+        editor.character().pose().is_bind(),
+        "the pointer is over the list"
+    );
+    let at = editor.on_bone(NECK);
+    editor.key(Key::V);
+    editor.point(at);
+    editor.key(Key::ArrowRight);
+    assert!(
+        editor.character().pose().is_bind(),
+        "the Select tool does not pose"
+    );
+}
+
+#[test]
+fn a_left_drag_beside_bones_still_moves_the_camera() {
+    let mut editor = Editor::with_hands(Key::B);
+    let camera = editor.session().view().camera;
+    let from = editor.harness.state().view.left_bottom() + vec2(30.0, -30.0);
+    editor.hand(from, from + vec2(40.0, 0.0));
+    assert_ne!(editor.session().view().camera, camera);
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn the_select_tool_moves_the_camera_on_bones_too_and_clicks_those_that_show() {
+    let mut editor = Editor::with_hands(Key::V);
+    let at = editor.on_bone(LEFT_ELBOW);
+    editor.click_at(at);
+    assert_eq!(
+        editor.session().selected_joint(),
+        None,
+        "bones in a mesh do not show"
+    );
+    let id = editor.shape().id;
+    let display = CharacterDisplay {
+        mode: ModelDisplay::Skeleton,
+        ..editor.character().display
+    };
+    editor.edit(Edit::SetDisplay(id, display));
+    editor.click_at(at);
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_ELBOW));
+    let camera = editor.session().view().camera;
+    editor.hand(at, at + vec2(40.0, 20.0));
+    assert!(editor.character().pose().is_bind());
+    assert_ne!(editor.session().view().camera, camera);
+}
+
+#[test]
+fn the_move_tool_moves_a_root_one_to_one_under_the_pointer() {
+    let mut editor = Editor::with_hands(Key::G);
+    let before = editor.bone(NECK).0;
+    let from = editor.on_bone(NECK);
+    let by = vec2(37.0, -21.0);
+    // A gizmo that is nearer than the bone would be taken instead.
+    editor.view(View::Select(None));
+    editor.hand(from, from + by);
+    assert_eq!(editor.session().selected_joint(), Some(ROOT));
+    assert_ne!(editor.root_offset(ROOT), Vec3::ZERO);
+    let after = editor.bone(NECK).0;
+    assert!(
+        (before.z - after.z).abs() < 1e-6,
+        "in the plane of the view"
+    );
+    let moved = editor.place(after) - editor.place(before);
+    assert!((moved - by).length() < 0.05, "{moved:?}");
+    assert_eq!(editor.shape().placement.transform, Transform::default());
+}
+
+#[test]
+fn the_move_tool_moves_a_shape_one_to_one_and_esc_brings_it_back() {
+    let mut editor = Editor::with_hands(Key::G);
+    editor.edit(Edit::Insert {
+        name: "Cube".into(),
+        kind: ShapeKind::Cube,
+        source: None,
+    });
+    let id = editor.shape().id;
+    let far = Transform {
+        position: Vec3::new(-1.0, -0.8, 0.0),
+        ..Transform::default()
+    };
+    editor.edit(Edit::SetTransform(id, far));
+    editor.view(View::Select(None));
+    let from = editor.place(far.position + Vec3::new(0.3, -0.3, 0.5));
+    let by = vec2(-25.0, -40.0);
+    editor.hand(from, from + by);
+    assert_eq!(editor.session().selected(), Some(id));
+    let position = editor.shape().placement.transform.position;
+    let moved = editor.place(position) - editor.place(far.position);
+    assert!((moved - by).length() < 0.05, "{moved:?}");
+    let here = from + by;
+    editor.take(here);
+    editor.point(here + vec2(0.0, 60.0));
+    assert_ne!(editor.shape().placement.transform.position, position);
+    editor.key(Key::Escape);
+    assert_eq!(editor.shape().placement.transform.position, position);
+    editor.let_go(here);
+}
+
+#[test]
+fn of_several_roots_one_moves_or_with_shift_all() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::forest());
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::G);
+    let by = vec2(0.0, -30.0);
+    editor.view(View::Select(None));
+    let from = editor.on_first_bone(1);
+    editor.hand(from, from + by);
+    let one = editor.root_offset(1);
+    assert!(one.y > 0.0);
+    assert_eq!(editor.root_offset(0), Vec3::ZERO, "the other stays");
+    editor
+        .harness
+        .event(Event::ModifiersChanged(Modifiers::SHIFT));
+    editor.view(View::Select(None));
+    let from = editor.on_first_bone(1);
+    editor.hand(from, from + by);
+    let all = (editor.root_offset(0), editor.root_offset(1) - one);
+    assert!(all.0.y > 0.0 && all.0.abs_diff_eq(all.1, 1e-6), "{all:?}");
+}
+
+#[test]
+fn a_bone_of_a_character_that_is_not_selected_can_be_dragged_at_once() {
+    let mut editor = Editor::with_hands(Key::B);
+    let id = editor.shape().id;
+    let from = editor.on_bone(LEFT_SHOULDER);
+    editor.view(View::Select(None));
+    editor.point(from);
+    assert_eq!(editor.session().hovered_bone(), Some((id, LEFT_SHOULDER)));
+    editor.hand(from, from + vec2(0.0, 50.0));
+    assert_eq!(editor.session().selected(), Some(id));
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_SHOULDER));
+    assert!(!editor.character().pose().is_bind());
+}
+
+impl Editor {
+    /// On the bone of `joint`, of the only character, selected or not.
+    fn on_first_bone(&self, joint: usize) -> Pos2 {
+        let session = self.session();
+        let evaluated = &session.evaluated().shapes[0];
+        let mut bones = bones_in_world(session.scene(), evaluated);
+        let found = bones.find(|bone| bone.0 == joint);
+        let (_, start, end) = found.expect("the joint has a bone");
+        self.place(start.lerp(end, 0.7))
+    }
+}
+
+#[test]
+fn a_click_on_a_bone_shows_rings_that_turn_it_about_one_axis() {
+    let mut editor = Editor::with_hands(Key::B);
+    let at = editor.on_bone(LEFT_ELBOW);
+    editor.click_at(at);
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_ELBOW));
+    let middle = editor.place(editor.bone(LEFT_ELBOW).0);
+    // Seen from +Z the ring about Z is a circle about the joint.
+    let on_ring = |degrees: f32| middle + 72.0 * Vec2::angled(-degrees.to_radians());
+    editor.hand(on_ring(80.0), on_ring(110.0));
+    let turned = editor.joint(LEFT_ELBOW);
+    assert!(
+        turned.abs_diff_eq(Vec3::new(0.0, 0.0, 30.0), 1.5),
+        "{turned}"
+    );
+}
+
+#[test]
+fn arrows_move_a_shape_along_one_axis() {
+    let mut editor = Editor::with_hands(Key::G);
+    editor.edit(Edit::Insert {
+        name: "Cube".into(),
+        kind: ShapeKind::Cube,
+        source: None,
+    });
+    let middle = editor.place(Vec3::ZERO);
+    editor.hand(middle + vec2(60.0, 0.0), middle + vec2(110.0, 0.0));
+    let position = editor.shape().placement.transform.position;
+    assert_eq!((position.y, position.z), (0.0, 0.0));
+    let moved = editor.place(position) - middle;
+    assert!((moved.x - 50.0).abs() < 0.05, "{moved:?}");
+}
+
+#[test]
+fn the_tools_have_buttons_keys_and_a_menu() {
+    let mut editor = Editor::with_figure();
+    for (key, label) in [
+        (Key::B, "Pose tool"),
+        (Key::G, "Move tool"),
+        (Key::V, "Select tool"),
+    ] {
+        editor.key(key);
+        editor.click(label);
+        editor.choose(&["Pose", label]);
+    }
+}
