@@ -5,6 +5,8 @@ use glam::{Mat3, Vec2, Vec3};
 
 /// Pieces of a ring that is drawn and hit as a polygon.
 const PIECES: usize = 64;
+/// Cosine of the angle up to which a ring is seen from the front.
+const FACING: f32 = 0.9;
 
 /// Three rings about the axes of a joint, and one about the line of sight.
 ///
@@ -124,8 +126,10 @@ fn ring(screen: &Screen, center: Vec3, stretch: Mat3, axis: Vec3, radius: f32) -
     if !share.is_finite() {
         return None;
     }
-    let to_eye = screen.camera.eye() - center;
-    let slack = -0.02 * radius * to_eye.length();
+    let to_eye = (screen.camera.eye() - center).try_normalize()?;
+    let facing = u.cross(v).normalize_or_zero().dot(to_eye).abs();
+    // Of a ring that faces the eye no part is behind the joint.
+    let slack = if facing > FACING { -1.0 } else { -0.02 };
     let points = (0..=PIECES).map(|i| {
         let angle = i as f32 / PIECES as f32 * std::f32::consts::TAU;
         let (sin, cos) = angle.sin_cos();
@@ -133,7 +137,7 @@ fn ring(screen: &Screen, center: Vec3, stretch: Mat3, axis: Vec3, radius: f32) -
         Some(RingPoint {
             world: center + arm,
             pixel: screen.pixel(center + arm)?,
-            front: arm.dot(to_eye) >= slack,
+            front: arm.dot(to_eye) >= slack * radius,
         })
     });
     Some(Ring {
