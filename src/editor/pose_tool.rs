@@ -28,8 +28,10 @@ pub struct BoneDrag {
     /// From the axis to the grabbed point, of unit length; unknown until the cursor has left the
     /// joint if it grabbed the joint itself.
     from: Option<DVec3>,
+    /// As the cursor has it, in radians.
+    wanted: f64,
+    /// The same in steps if it snaps.
     angle: f64,
-    shown: f64,
 }
 
 impl BoneDrag {
@@ -50,8 +52,8 @@ impl BoneDrag {
             to_joint,
             axis,
             from: None,
+            wanted: 0.0,
             angle: 0.0,
-            shown: 0.0,
         };
         drag.from = drag.side(&Ray {
             origin: eye,
@@ -66,15 +68,15 @@ impl BoneDrag {
         if let Some(to) = self.side(ray) {
             let from = *self.from.get_or_insert(to);
             let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
-            self.angle = unwound(angle, self.angle);
+            self.wanted = unwound(angle, self.wanted);
         }
-        self.shown = snapped(self.angle, snap);
-        self.turn.turned(session, self.axis, self.shown)
+        self.angle = snapped(self.wanted, snap);
+        self.turn.turned(session, self.axis, self.angle)
     }
 
     /// How far it has turned, in radians.
     pub fn angle(&self) -> f64 {
-        self.shown
+        self.angle
     }
 
     /// What is turned.

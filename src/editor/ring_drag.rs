@@ -15,8 +15,10 @@ pub struct RingDrag {
     /// In the character's space, of unit length.
     axis: DVec3,
     how: How,
+    /// As the cursor has it, in radians.
+    wanted: f64,
+    /// The same in steps if it snaps.
     angle: f64,
-    shown: f64,
 }
 
 /// How an angle follows from the cursor. Vectors are in the character's space.
@@ -70,23 +72,23 @@ impl RingDrag {
             turn,
             axis,
             how,
+            wanted: 0.0,
             angle: 0.0,
-            shown: 0.0,
         })
     }
 
     /// The joint turned for the cursor on `ray`; with `snap` in steps of 15° from the start.
     pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
         if let Some(angle) = self.angle_at(ray) {
-            self.angle = angle;
+            self.wanted = angle;
         }
-        self.shown = snapped(self.angle, snap);
-        self.turn.turned(session, self.axis, self.shown)
+        self.angle = snapped(self.wanted, snap);
+        self.turn.turned(session, self.axis, self.angle)
     }
 
     /// How far it has turned, in radians.
     pub fn angle(&self) -> f64 {
-        self.shown
+        self.angle
     }
 
     /// What is turned.
@@ -99,7 +101,7 @@ impl RingDrag {
             How::Plane { from } => {
                 let to = in_plane(&self.turn, self.axis, ray)?;
                 let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
-                Some(unwound(angle, self.angle))
+                Some(unwound(angle, self.wanted))
             }
             How::Tangent {
                 grabbed,

@@ -20,6 +20,9 @@ impl Cylinder {
         let length = start.distance(end);
         let along = (end - start).try_normalize()?;
         let radius = f64::from(self.radius);
+        if radius.is_nan() || radius <= 0.0 {
+            return None;
+        }
         let origin = ray.origin.as_dvec3() - start;
         let direction = ray.direction.as_dvec3();
         let (near, far) = within_side(along, radius, origin, direction)?;
@@ -31,9 +34,6 @@ impl Cylinder {
 
 /// Where a line is within the round side of an endless cylinder about `along` through the origin.
 fn within_side(along: DVec3, radius: f64, origin: DVec3, direction: DVec3) -> Option<(f64, f64)> {
-    if !(radius > 0.0) {
-        return None;
-    }
     let across = direction.reject_from_normalized(along);
     let beside = origin.reject_from_normalized(along);
     let a = across.length_squared();

@@ -140,6 +140,25 @@ fn the_way_of_the_pointer_between_start_and_end_does_not_matter() {
 }
 
 #[test]
+fn the_bone_stays_where_the_button_went_up_however_fast_the_pointer_goes_on() {
+    let mut one = Editor::with_hands(Key::B);
+    let from = one.on_bone(NECK);
+    let to = from + vec2(50.0, 10.0);
+    one.hand(from, to);
+    let mut other = Editor::with_hands(Key::B);
+    other.take(from);
+    other.point(to);
+    // All in one frame.
+    other.harness.drop_at(to);
+    other
+        .harness
+        .event(Event::PointerMoved(from - vec2(90.0, 0.0)));
+    other.settle();
+    let (one, other) = (one.character().pose(), other.character().pose());
+    assert_eq!(one, other);
+}
+
+#[test]
 fn esc_or_a_right_click_puts_everything_back_and_nothing_moves_until_all_buttons_are_up() {
     for right in [false, true] {
         let mut editor = Editor::with_hands(Key::B);

@@ -2,7 +2,7 @@ use super::Place;
 use crate::editor::{Action, BoneDrag, Edit, Handle, MoveDrag, RingDrag, Session};
 use crate::scene::ShapeId;
 use crate::ui::ScenePlaces;
-use egui::{Key, Modifiers, PointerButton, Pos2, Response};
+use egui::{Event, InputState, Key, Modifiers, PointerButton, Pos2, Response};
 
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.
 #[derive(Clone, Debug)]
@@ -133,7 +133,7 @@ impl Hand {
             let escape = input.consume_key(Modifiers::NONE, Key::Escape);
             let pointer = &input.pointer;
             Self {
-                position,
+                position: released_at(input).or(position),
                 cancel: escape || pointer.button_pressed(PointerButton::Secondary),
                 left_down: pointer.primary_down(),
                 any_down: pointer.any_down(),
@@ -141,4 +141,17 @@ impl Hand {
             }
         })
     }
+}
+
+/// Where the left button went up in this frame: the pointer may have gone on since.
+fn released_at(input: &InputState) -> Option<Pos2> {
+    input.events.iter().find_map(|event| match event {
+        Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed: false,
+            ..
+        } => Some(*pos),
+        _ => None,
+    })
 }

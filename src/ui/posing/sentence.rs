@@ -14,7 +14,7 @@ pub(in crate::ui) fn sentence(
     let hit = state.hovered?;
     let next = match state.tool {
         Tool::Select => "Click to select the joint · B turns bones by hand",
-        Tool::Pose => "Drag to turn it · ←→ roll · Ctrl snaps · click for rings",
+        Tool::Pose => "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
         Tool::Move => "Drag to move its root · Shift: all roots · Ctrl snaps",
     };
     Some((joint_name(session, hit.shape, Some(hit.joint)), next))

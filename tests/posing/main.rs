@@ -1,0 +1,6 @@
+//! Posing by hand as data: what a drag makes of a character, whatever the view and the placement.
+
+mod dragging;
+mod moving;
+mod picking;
+mod support;
