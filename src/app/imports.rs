@@ -26,6 +26,21 @@ impl Workspace {
         }
     }
 
+    /// Puts the scene of `path` in the place of the one that is open; one that cannot be read
+    /// leaves it untouched.
+    pub(super) fn open(&mut self, path: &Path) {
+        let mut loaded = Loaded::default();
+        match loaded.add(&files(), path) {
+            Ok(()) => {
+                let view = loaded.view.unwrap_or(*self.session.view());
+                self.session.open(loaded.scene, view);
+                self.tell(Severity::Warning, loaded.warnings);
+            }
+            Err(error) => self.tell(Severity::Error, vec![error]),
+        }
+        self.request_redraw();
+    }
+
     /// Uses a file that was dropped on the window: a picture to compare the view with, all else as
     /// an import.
     pub(super) fn use_dropped(&mut self, path: &Path) {

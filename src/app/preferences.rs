@@ -1,5 +1,6 @@
 use crate::character::Skinning;
 use crate::disk;
+use crate::ui::Navigation;
 use egui::ThemePreference;
 use std::path::PathBuf;
 
@@ -13,6 +14,8 @@ pub(super) struct Preferences {
     pub theme: ThemePreference,
     /// What deforms characters; whatever suits the driver if `None`.
     pub skinning: Option<Skinning>,
+    /// How mouse and keys move the camera.
+    pub navigation: Navigation,
     /// Whether the program has been started before.
     pub started_before: bool,
 }
@@ -23,6 +26,7 @@ impl Default for Preferences {
             last_folder: None,
             theme: ThemePreference::System,
             skinning: None,
+            navigation: Navigation::default(),
             started_before: false,
         }
     }

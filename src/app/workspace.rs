@@ -101,6 +101,7 @@ impl Workspace {
             quit: false,
         };
         workspace.ui.theme = workspace.preferences.theme;
+        workspace.ui.navigation = workspace.preferences.navigation;
         workspace.ui.skinning = options.skinning.or(workspace.preferences.skinning);
         workspace.skinning_at_start = workspace.ui.skinning;
         workspace.open_first_files(&options.files);
@@ -196,6 +197,7 @@ impl Workspace {
                 self.dialogs.open_to_save(purpose, folder, "screenshot.png");
             }
             Ask::InsertBuiltin(name) => self.import_any(Path::new(&format!("builtin:{name}"))),
+            Ask::OpenBuiltin(name) => self.open(Path::new(&format!("builtin:{name}"))),
             Ask::Compare(action) => self.compare(action),
             Ask::Quit => self.quit = true,
         }
@@ -221,6 +223,7 @@ impl Workspace {
 
     pub fn save_preferences(mut self) {
         self.preferences.theme = self.ui.theme;
+        self.preferences.navigation = self.ui.navigation;
         // One that was asked for on the command line, and left so, is for that time only.
         if self.ui.skinning != self.skinning_at_start {
             self.preferences.skinning = self.ui.skinning;

@@ -201,6 +201,8 @@ pub enum Ask {
     ImportCurve,
     /// A built-in character or curve by its name.
     InsertBuiltin(&'static str),
+    /// A built-in scene by its name, in the place of the one that is open.
+    OpenBuiltin(&'static str),
     /// Write the curves of a shape as `.swp`: choose a file.
     ExportCurve(ShapeId),
     /// Write the geometry of the scene as `.obj`: choose a file.

@@ -1,6 +1,6 @@
 use super::Messages;
 use crate::geometry::Revision;
-use crate::scene::{Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
+use crate::scene::{Camera, Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
 
 /// One running editor: the scene and all that concerns its user rather than the scene.
 #[derive(Debug)]
@@ -12,6 +12,8 @@ pub struct Session {
     pub(super) hovered_bone: Option<(ShapeId, usize)>,
     pub(super) hovered_control_point: Option<(usize, usize)>,
     pub(super) view: ViewSettings,
+    /// How the scene was looked at when it was opened.
+    start_camera: Camera,
     /// What was told to the user.
     pub messages: Messages,
     evaluator: Evaluator,
@@ -28,6 +30,7 @@ impl Default for Session {
             hovered_bone: None,
             hovered_control_point: None,
             view: ViewSettings::default(),
+            start_camera: Camera::default(),
             messages: Messages::default(),
             evaluator: Evaluator::new(),
             evaluated: Evaluated::default(),
@@ -44,15 +47,20 @@ impl Session {
 
     /// A session that starts with `scene` seen through `view`; its last shape is selected.
     pub fn with_scene(scene: Scene, view: ViewSettings) -> Self {
-        let selected = scene.shapes().last().map(|shape| shape.id);
-        let mut session = Self {
-            scene,
-            view,
-            selected,
-            ..Self::default()
-        };
-        session.refresh();
+        let mut session = Self::default();
+        session.open(scene, view);
         session
+    }
+
+    /// Puts `scene`, seen through `view`, in the place of what was there; its last shape is
+    /// selected. What was told to the user stays.
+    pub fn open(&mut self, scene: Scene, view: ViewSettings) {
+        self.selected = scene.shapes().last().map(|shape| shape.id);
+        self.scene = scene;
+        self.view = view;
+        self.start_camera = view.camera;
+        self.forget_parts();
+        self.refresh();
     }
 
     /// What is edited.
@@ -93,6 +101,11 @@ impl Session {
     /// How the scene is looked at.
     pub fn view(&self) -> &ViewSettings {
         &self.view
+    }
+
+    /// Where the camera stood when the scene was opened.
+    pub fn start_camera(&self) -> &Camera {
+        &self.start_camera
     }
 
     /// All that follows from the scene as it is now.

@@ -213,6 +213,31 @@ impl Camera {
         self.phi = (self.phi - TURN_PER_PIXEL * delta.y).clamp(-limit, limit);
     }
 
+    /// Drags the scene with the pointer, which moved by `delta` pixels (y down) of a picture
+    /// `height` pixels high: what lies as far away as the target stays under it.
+    pub fn pan_with_pointer(&mut self, delta: Vec2, height: f32) {
+        let world_per_pixel = 2.0 * self.radius * (self.fovy * 0.5).tan() / height;
+        self.target += (self.up() * delta.y - self.right() * delta.x) * world_per_pixel;
+    }
+
+    /// Turns the scene with the pointer about the target, by radians to the right and down; as
+    /// far as straight above and below.
+    pub fn orbit(&mut self, angles: Vec2) {
+        self.theta += angles.x;
+        self.phi = (self.phi + angles.y).clamp(-FRAC_PI_2, FRAC_PI_2);
+    }
+
+    /// Moves the eye away from the target, or towards it for negative values, to `exp(away)`
+    /// times its distance.
+    pub fn dolly(&mut self, away: f32) {
+        self.radius = (self.radius * away.exp()).clamp(2.0 * self.near, self.far * 10.0);
+    }
+
+    /// Moves eye and target by `by`: along the picture's right, the world's up, and forwards.
+    pub fn walk(&mut self, by: Vec3) {
+        self.target += self.right() * by.x + Vec3::Y * by.y - self.outward() * by.z;
+    }
+
     /// Moves the eye towards the target by `notches` of the wheel.
     pub fn zoom(&mut self, notches: f32) {
         self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(NEAREST);
@@ -292,6 +317,51 @@ mod tests {
         camera.pan(Vec2::new(50.0, 40.0));
         let after = camera.pixel(Vec3::ZERO, size).unwrap();
         assert!(after.x > before.x && after.y > before.y);
+    }
+
+    #[test]
+    fn what_is_dragged_stays_under_the_pointer() {
+        let size = Vec2::new(800.0, 600.0);
+        let mut camera = Camera {
+            phi: 0.7,
+            theta: -2.0,
+            target: Vec3::new(1.0, 2.0, 3.0),
+            ..Camera::default()
+        };
+        let held = camera.target;
+        camera.pan_with_pointer(Vec2::new(50.0, -40.0), size.y);
+        let now = camera.pixel(held, size).unwrap();
+        assert!(now.distance(Vec2::new(450.0, 260.0)) < 1e-2, "{now}");
+    }
+
+    #[test]
+    fn orbiting_turns_the_near_side_with_the_pointer() {
+        let size = Vec2::new(800.0, 600.0);
+        let mut camera = Camera::default();
+        camera.orbit(Vec2::new(0.2, 0.1));
+        // A point before the target, as seen at first, went to the right and down.
+        let near = camera.pixel(Vec3::Z, size).unwrap();
+        assert!(near.x > 410.0 && near.y > 310.0, "{near}");
+        camera.orbit(Vec2::new(0.0, 100.0));
+        assert_eq!(camera.phi, FRAC_PI_2);
+    }
+
+    #[test]
+    fn a_dolly_goes_there_and_back_and_never_through_the_target() {
+        let mut camera = Camera::default();
+        camera.dolly(0.7);
+        camera.dolly(-0.7);
+        assert!((camera.radius - 5.0).abs() < 1e-5);
+        camera.dolly(-1000.0);
+        assert_eq!(camera.radius, 0.2);
+    }
+
+    #[test]
+    fn walking_takes_the_target_along() {
+        let mut camera = Camera::default();
+        camera.walk(Vec3::new(1.0, 2.0, 3.0));
+        assert!(camera.target.distance(Vec3::new(1.0, 2.0, -3.0)) < 1e-6);
+        assert_eq!(camera.radius, 5.0);
     }
 
     #[test]

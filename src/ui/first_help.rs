@@ -4,11 +4,7 @@ use super::widgets::named;
 use egui::{Align, Button, Frame, Grid, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 
 /// What a newcomer needs to know.
-const LINES: [(&str, &str); 3] = [
-    (
-        "Look around",
-        "right drag turns · left drag moves · wheel zooms",
-    ),
+const LINES: [(&str, &str); 2] = [
     (
         "Pose",
         "press B and drag a bone, or drag a number at the right",
@@ -18,7 +14,7 @@ const LINES: [(&str, &str); 3] = [
 const SIZE: egui::Vec2 = vec2(380.0, 88.0);
 
 /// Three lines for newcomers in the view's upper left corner; whether their × was clicked.
-pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
+pub(super) fn show(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
     if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + BAR_HEIGHT + 20.0 {
         return false;
     }
@@ -33,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect) -> bool {
         .show(&mut inner, |ui| {
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
                 Grid::new("first help").num_columns(2).show(ui, |ui| {
-                    for (what, how) in LINES {
+                    for (what, how) in [("Look around", look_around)].into_iter().chain(LINES) {
                         let strong = Palette::of(ui.visuals()).strong;
                         ui.label(RichText::new(what).color(strong));
                         ui.label(RichText::new(how).small());

@@ -1,13 +1,14 @@
+use super::Navigation;
 use super::keys::{GESTURES, Menu, entries};
 use super::theme::Palette;
 use egui::{Grid, RichText, ScrollArea, Ui};
 
 /// Help ▸ Keys and Mouse, straight from the table of commands.
-pub(super) fn show(ui: &mut Ui) {
+pub(super) fn show(ui: &mut Ui, navigation: Navigation) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         heading(ui, "Mouse");
         table("gestures").show(ui, |ui| {
-            for gesture in GESTURES {
+            for gesture in navigation.gestures().chain(GESTURES) {
                 ui.label(key(ui, gesture.gesture));
                 ui.label(gesture.does);
                 ui.end_row();
@@ -16,6 +17,7 @@ pub(super) fn show(ui: &mut Ui) {
         for &menu in Menu::ALL {
             let mut entries = entries(menu)
                 .filter(|entry| !entry.shortcuts.is_empty())
+                .filter(|entry| entry.only_in.is_none_or(|only| only == navigation))
                 .peekable();
             if entries.peek().is_none() {
                 continue;
@@ -42,6 +44,7 @@ fn table(id: &str) -> Grid {
 fn title(menu: Menu) -> &'static str {
     match menu {
         Menu::File => "File",
+        Menu::Scenes => "File ⏵ Built-in Scene",
         Menu::Insert => "Insert",
         Menu::Curves => "Insert, curves",
         Menu::Import => "Insert ⏵ Import",
@@ -51,6 +54,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Shading => "View ⏵ Shading",
         Menu::Ground => "View ⏵ Ground",
         Menu::Compare => "View ⏵ Compare",
+        Menu::Navigation => "View ⏵ Navigation",
         Menu::Theme => "View ⏵ Theme",
         Menu::Skinning => "View ⏵ Skinning",
         Menu::Tools => "Pose",

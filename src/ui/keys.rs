@@ -1,3 +1,4 @@
+use super::Navigation;
 use crate::character::Skinning;
 use crate::editor::Tool;
 use crate::geometry::Basis;
@@ -47,6 +48,12 @@ pub enum Command {
     SetShading(Shading),
     /// Chooses the colors of the panels.
     SetTheme(ThemePreference),
+    /// Chooses how mouse and keys move the camera.
+    SetNavigation(Navigation),
+    /// Puts a scene from inside the program in the place of the one that is open.
+    OpenScene(&'static str),
+    /// Puts the camera and all poses back to where they started.
+    ResetViewAndPose,
     /// Chooses a picture to compare the view with.
     Compare,
     /// Chooses what deforms characters; whatever suits the driver if `None`.
@@ -112,6 +119,8 @@ fn curve(set: CurveSet) -> ShapeKind {
 pub enum Menu {
     /// File.
     File,
+    /// File ▸ Built-in Scene.
+    Scenes,
     /// Insert, first part.
     Insert,
     /// Insert, the part with curves.
@@ -128,6 +137,8 @@ pub enum Menu {
     Ground,
     /// View, the line about comparing.
     Compare,
+    /// View ▸ Navigation.
+    Navigation,
     /// View ▸ Theme.
     Theme,
     /// View ▸ Skinning.
@@ -144,6 +155,7 @@ impl Menu {
     /// All, in the order of the window about the keys.
     pub const ALL: &[Self] = &[
         Self::File,
+        Self::Scenes,
         Self::Insert,
         Self::Curves,
         Self::Import,
@@ -153,6 +165,7 @@ impl Menu {
         Self::Shading,
         Self::Ground,
         Self::Compare,
+        Self::Navigation,
         Self::Theme,
         Self::Skinning,
         Self::Tools,
@@ -173,6 +186,8 @@ pub struct Entry {
     pub tooltip: &'static str,
     /// Keys that start it; menus show the first.
     pub shortcuts: &'static [KeyboardShortcut],
+    /// The one way of navigation in which its keys are those; they come before the others' then.
+    pub only_in: Option<Navigation>,
 }
 
 const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
@@ -196,6 +211,15 @@ const fn entry(
         label,
         tooltip,
         shortcuts,
+        only_in: None,
+    }
+}
+
+/// A command with keys that it has in one way of navigation alone.
+const fn only_in(navigation: Navigation, entry: Entry) -> Entry {
+    Entry {
+        only_in: Some(navigation),
+        ..entry
     }
 }
 
@@ -205,6 +229,8 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
     entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]),
     entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
+    entry(Command::OpenScene("showcase"), Menu::Scenes, "Showcase", "A man, a robot and a dog", &[]),
+    entry(Command::OpenScene("turned"), Menu::Scenes, "Turned", "A vase, a goblet, a pawn and a knot, swept from curves", &[]),
     entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else end the program", &[key(NONE, Key::Escape)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
@@ -232,6 +258,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ViewFrom(ViewDirection::PlusZ), Menu::View, "View from +Z", "Look at the origin from +Z", &[key(NONE, Key::Num1)]),
     entry(Command::ViewFrom(ViewDirection::MinusZ), Menu::View, "View from -Z", "Look at the origin from -Z", &[key(CTRL, Key::Num1)]),
     entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]),
+    only_in(Navigation::Mannequin, entry(Command::ResetViewAndPose, Menu::View, "Reset View and Pose", "Put the camera back to where it started, and every character to rest", &[key(NONE, Key::R)])),
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
     entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences", &[key(NONE, Key::F8)]),
@@ -241,6 +268,10 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
     entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
     entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
+    entry(Command::SetNavigation(Navigation::Course), Menu::Navigation, "As the course's editor", "Left drag moves the scene, right drag turns it", &[]),
+    entry(Command::SetNavigation(Navigation::Orbit), Menu::Navigation, "Orbit", "As three.js has it: left drag turns the scene, right or middle drag moves it", &[]),
+    entry(Command::SetNavigation(Navigation::Mannequin), Menu::Navigation, "Mannequin", "As in the Virtual Mannequin: left drag turns, right drag zooms, W S A D and arrows walk, 1 to 7 open its scenes", &[]),
+    entry(Command::SetNavigation(Navigation::Blender), Menu::Navigation, "Blender", "Middle drag turns the scene, with Shift it moves it, with Ctrl it zooms", &[]),
     entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop has it", &[]),
     entry(Command::SetTheme(ThemePreference::Dark), Menu::Theme, "Dark", "Light text on dark panels", &[]),
     entry(Command::SetTheme(ThemePreference::Light), Menu::Theme, "Light", "Dark text on light panels", &[]),
@@ -267,15 +298,14 @@ pub struct Gesture {
     pub does: &'static str,
 }
 
-const fn gesture(gesture: &'static str, does: &'static str) -> Gesture {
+pub(super) const fn gesture(gesture: &'static str, does: &'static str) -> Gesture {
     Gesture { gesture, does }
 }
 
-/// Gestures in the view, then in the panels.
+/// Gestures in the view other than those that move the camera ([`Navigation`]'s), then in the
+/// panels.
 pub const GESTURES: &[Gesture] = &[
     gesture("Click in the view", "Select the shape under the pointer"),
-    gesture("Left drag in the view", "Move the scene with the pointer"),
-    gesture("Right drag in the view", "Turn the camera about its target"),
     gesture(
         "Drag a control point",
         "Move it; Esc or right click cancels",
@@ -350,7 +380,7 @@ pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
 }
 
 /// Takes the pressed keys of the table out of this frame's input and returns what they start.
-pub(super) fn pressed(ctx: &Context) -> Vec<Command> {
+pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         input.events.retain(|event| {
@@ -363,7 +393,7 @@ pub(super) fn pressed(ctx: &Context) -> Vec<Command> {
             else {
                 return true;
             };
-            let hit = command_of(*modifiers, *key);
+            let hit = command_of(*modifiers, *key, navigation);
             commands.extend(hit);
             hit.is_none()
         });
@@ -371,20 +401,22 @@ pub(super) fn pressed(ctx: &Context) -> Vec<Command> {
     })
 }
 
-fn command_of(modifiers: Modifiers, key: Key) -> Option<Command> {
+fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<Command> {
     // Where the question mark lies, and with which modifiers, differs between keyboards.
     let modifiers = if key == Key::Questionmark {
         Modifiers::NONE
     } else {
         modifiers
     };
-    COMMANDS
-        .iter()
-        .find(|entry| {
-            entry.shortcuts.iter().any(|shortcut| {
-                shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
-            })
+    let has_key = |entry: &&Entry| {
+        entry.shortcuts.iter().any(|shortcut| {
+            shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
         })
+    };
+    let special = |entry: &&Entry| entry.only_in == Some(navigation);
+    let mut entries = COMMANDS.iter().filter(has_key);
+    let own = entries.clone().find(special);
+    own.or_else(|| entries.find(|entry| entry.only_in.is_none()))
         .map(|entry| entry.command)
 }
 
@@ -397,6 +429,9 @@ mod tests {
         for (i, one) in COMMANDS.iter().enumerate() {
             for other in &COMMANDS[i + 1..] {
                 assert_ne!(one.label, other.label);
+                if one.only_in != other.only_in {
+                    continue;
+                }
                 for shortcut in one.shortcuts {
                     assert!(
                         !other.shortcuts.contains(shortcut),
@@ -411,18 +446,30 @@ mod tests {
 
     #[test]
     fn a_key_means_another_command_with_shift() {
-        assert_eq!(command_of(NONE, Key::T), Some(Command::ToggleAxis));
         assert_eq!(
-            command_of(SHIFT, Key::T),
+            command_of(NONE, Key::T, Navigation::Course),
+            Some(Command::ToggleAxis)
+        );
+        assert_eq!(
+            command_of(SHIFT, Key::T, Navigation::Blender),
             Some(Command::Insert(Primitive::Teapot))
         );
-        assert_eq!(command_of(Modifiers::CTRL, Key::T), None);
+        assert_eq!(
+            command_of(Modifiers::CTRL, Key::T, Navigation::Course),
+            None
+        );
     }
 
     #[test]
     fn the_question_mark_counts_wherever_a_keyboard_has_it() {
-        assert_eq!(command_of(SHIFT, Key::Questionmark), Some(Command::Keys));
-        assert_eq!(command_of(NONE, Key::Questionmark), Some(Command::Keys));
+        assert_eq!(
+            command_of(SHIFT, Key::Questionmark, Navigation::Orbit),
+            Some(Command::Keys)
+        );
+        assert_eq!(
+            command_of(NONE, Key::Questionmark, Navigation::Orbit),
+            Some(Command::Keys)
+        );
     }
 
     #[test]

@@ -39,7 +39,7 @@ pub(super) fn show(
         let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClick);
         MenuBar::new().config(config).ui(ui, |ui| {
             ui.spacing_mut().button_padding = egui::vec2(8.0, 2.0);
-            ui.menu_button("File", |ui| items.all(ui, Menu::File));
+            ui.menu_button("File", |ui| items.file(ui));
             ui.menu_button("Insert", |ui| items.insert(ui));
             ui.menu_button("View", |ui| items.view(ui));
             ui.menu_button("Pose", |ui| items.all(ui, Menu::Tools));
@@ -57,6 +57,12 @@ fn title(ui: &mut Ui, title: &str) {
 }
 
 impl Items<'_> {
+    fn file(&mut self, ui: &mut Ui) {
+        submenu(ui, "Built-in Scene", |ui| self.all(ui, Menu::Scenes));
+        ui.separator();
+        self.all(ui, Menu::File);
+    }
+
     fn insert(&mut self, ui: &mut Ui) {
         self.all(ui, Menu::Insert);
         ui.separator();
@@ -94,6 +100,7 @@ impl Items<'_> {
         ui.separator();
         self.all(ui, Menu::Compare);
         ui.separator();
+        submenu(ui, "Navigation", |ui| self.all(ui, Menu::Navigation));
         submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
         submenu(ui, "Skinning", |ui| self.all(ui, Menu::Skinning));
     }

@@ -23,6 +23,7 @@ mod joint_tree;
 mod keys;
 mod menu_bar;
 mod messages;
+mod navigation;
 mod notices;
 mod number_field;
 mod number_text;
@@ -47,12 +48,13 @@ pub use compare::{
 };
 pub use expression::evaluate;
 pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
+pub use navigation::Navigation;
 pub use scene_places::ScenePlaces;
 pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette};
 pub use view_gestures::view_gestures;
 
-use crate::editor::{Action, Ask, CompareAction, Session};
+use crate::editor::{Action, Ask, CompareAction, Session, View};
 use crate::scene::{Look, ShapeId};
 use egui::{Rect, Response, Ui};
 
@@ -148,7 +150,11 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
 
     // Last, so that a list or a field that has the keyboard comes first.
     if !keys_taken {
-        for command in keys::pressed(&ctx) {
+        let camera = state.navigation.walked(session.view().camera, &ctx);
+        if camera != session.view().camera {
+            actions.push(Action::View(View::SetCamera(camera)));
+        }
+        for command in keys::pressed(&ctx, state.navigation) {
             let comparing = input.compare.is_some();
             press(
                 command,

@@ -1,8 +1,9 @@
-use super::curve_commands;
 use super::keys::{self, Command, Primitive};
 use super::state::{Dialog, UiState};
-use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, View};
-use crate::scene::Look;
+use super::{Navigation, curve_commands};
+use crate::character::Pose;
+use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, Tool, View};
+use crate::scene::{Look, ShapeKind};
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
 /// actions. `aspect` is width over height of the view.
@@ -11,7 +12,18 @@ pub(super) fn run(
     session: &Session,
     state: &mut UiState,
     aspect: f32,
-) -> Option<Action> {
+) -> Vec<Action> {
+    let action = action(command, session, state, aspect);
+    if command == Command::ResetViewAndPose {
+        let shapes = session.scene().shapes().iter();
+        let characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
+        let to_rest = characters.map(|shape| Edit::SetPose(shape.id, Pose::default()));
+        return to_rest.map(Action::Edit).chain(action).collect();
+    }
+    action.into_iter().collect()
+}
+
+fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
     if why_disabled(command, session).is_some() {
         return None;
     }
@@ -22,6 +34,17 @@ pub(super) fn run(
         Command::Messages => state.open(Dialog::Messages),
         Command::About => state.open(Dialog::About),
         Command::SetTheme(theme) => state.theme = theme,
+        Command::SetNavigation(navigation) => {
+            state.navigation = navigation;
+            // There, a left drag turns bones.
+            if navigation == Navigation::Mannequin {
+                state.pose.tool = Tool::Pose;
+            }
+        }
+        Command::OpenScene(name) => return Some(Action::Ask(Ask::OpenBuiltin(name))),
+        Command::ResetViewAndPose => {
+            return Some(Action::View(View::SetCamera(*session.start_camera())));
+        }
         Command::SetSkinning(skinning) => state.skinning = skinning,
         Command::SetTool(tool) => state.pose.tool = tool,
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
@@ -66,6 +89,7 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
         Command::SetLook(look) => Some(view.look == look),
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),
+        Command::SetNavigation(navigation) => Some(state.navigation == navigation),
         Command::SetSkinning(skinning) => Some(state.skinning == skinning),
         Command::SetTool(tool) => Some(state.pose.tool == tool),
         Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),

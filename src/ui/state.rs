@@ -1,3 +1,4 @@
+use super::Navigation;
 use super::curve_gestures::PointGesture;
 use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
@@ -12,6 +13,8 @@ use std::collections::{BTreeSet, HashMap};
 pub struct UiState {
     /// Colors of the panels. Public because the program keeps it from one run to the next.
     pub theme: ThemePreference,
+    /// How mouse and keys move the camera. Kept by the program, too.
+    pub navigation: Navigation,
     /// What deforms characters; whatever suits the driver if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
     /// Whether the three lines for newcomers are shown.
@@ -81,6 +84,7 @@ impl Default for UiState {
     fn default() -> Self {
         Self {
             theme: ThemePreference::System,
+            navigation: Navigation::default(),
             skinning: None,
             first_help: false,
             open: Vec::new(),

@@ -40,7 +40,7 @@ fn sentence(
     state: &UiState,
     input: &ViewInput,
 ) -> (Option<String>, &'static str) {
-    const CAMERA: &str = "Left drag moves the scene · right drag turns it · wheel zooms";
+    let camera = state.navigation.summary();
     if let Some(point) = hovered_control_point(session) {
         let next = "Drag to move it · Esc or right click cancels";
         return (Some(point), next);
@@ -57,12 +57,12 @@ fn sentence(
         .and_then(|id| session.scene().shape(id))
         .map(|shape| (shape.id, format!("{} (ID: {})", shape.name, shape.id)));
     match over {
-        Some((id, name)) if session.selected() == Some(id) => (Some(name), CAMERA),
+        Some((id, name)) if session.selected() == Some(id) => (Some(name), camera),
         Some((_, name)) => (
             Some(name),
             "Click to select it · right drag turns the camera",
         ),
-        None => (None, CAMERA),
+        None => (None, camera),
     }
 }
 

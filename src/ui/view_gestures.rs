@@ -4,16 +4,16 @@ use super::posing;
 use super::{ScenePlaces, UiState};
 use crate::editor::{Action, Session, Tool, View};
 use crate::scene::{ShapeId, pick_shape};
-use egui::{Event, MouseWheelUnit, PointerButton, Pos2, Response};
+use egui::{Event, MouseWheelUnit, Pos2, Rect, Response};
 use glam::Vec2;
 
 /// Points of a touchpad's scrolling that count as one notch of a wheel.
 const POINTS_PER_NOTCH: f32 = 50.0;
 
-/// What the pointer does to the scene, as in the course's editor: a left drag pans, a right drag
-/// turns, the wheel zooms, a click selects the shape under the pointer. Control points of the
-/// selected curves come first, then gizmos and bones, and with the Move tool shapes: a left drag
-/// takes what is under the pointer.
+/// What the pointer does to the scene: drags and the wheel move the camera as the chosen
+/// [`super::Navigation`] has it, a click selects the shape under the pointer. Control points of
+/// the selected curves come first, then gizmos and bones, and with the Move tool shapes: a left
+/// drag takes what is under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
 /// to themselves. `places` are where the scene is shown in it. Returns the shape that the pointer
@@ -36,18 +36,18 @@ pub fn view_gestures(
     if pointer == PointerUse::Holding {
         return None;
     }
-    let mut camera = session.view().camera;
     let delta = view.drag_delta() / places.points_per_pixel;
+    let notches = if view.hovered() {
+        notches(&view.ctx)
+    } else {
+        0.0
+    };
+    let height = places.rects.first().map_or(1.0, Rect::height) / places.points_per_pixel;
     let delta = Vec2::new(delta.x, delta.y);
-    if view.dragged_by(PointerButton::Primary) {
-        camera.pan(delta);
-    }
-    if view.dragged_by(PointerButton::Secondary) {
-        camera.turn(delta);
-    }
-    if view.hovered() {
-        camera.zoom(notches(&view.ctx));
-    }
+    let camera = session.view().camera;
+    let camera = state
+        .navigation
+        .moved(camera, view, delta, height.max(1.0), notches);
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));
     }

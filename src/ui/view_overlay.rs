@@ -42,7 +42,7 @@ pub(super) fn show(
     notices::show(&mut over, rect, session, &mut state.notices, actions);
     if state.first_help {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
-        let closed = first_help::show(&mut over, rect);
+        let closed = first_help::show(&mut over, rect, state.navigation.summary());
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)

@@ -11,7 +11,10 @@ pub(super) fn show(
     input: &ViewInput,
     actions: &mut Vec<Action>,
 ) {
-    window(root, state, Dialog::Keys, "Keys and Mouse", help::show);
+    let navigation = state.navigation;
+    window(root, state, Dialog::Keys, "Keys and Mouse", |ui| {
+        help::show(ui, navigation);
+    });
     window(root, state, Dialog::Messages, "Messages", |ui| {
         messages::show(ui, &session.messages);
     });

@@ -9,6 +9,7 @@ mod joints;
 mod layout;
 mod menus;
 mod messages;
+mod navigation;
 mod shapes;
 mod view;
 

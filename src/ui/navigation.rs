@@ -1,0 +1,236 @@
+use super::keys::{Gesture, gesture};
+use crate::scene::Camera;
+use egui::{Context, Key, Modifiers, PointerButton, Response};
+use glam::{Vec2, Vec3};
+
+/// What a hand brings along from another program: how mouse and keys move the camera.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Navigation {
+    /// As in the course's editor: left moves the scene, right turns the camera.
+    #[default]
+    Course,
+    /// As three.js's OrbitControls have it: left turns the scene, right or middle moves it.
+    Orbit,
+    /// As in the Virtual Mannequin: left turns, right zooms, keys walk, digits open its scenes.
+    Mannequin,
+    /// As in Blender: the middle button turns, with Shift it moves, with Ctrl it zooms.
+    Blender,
+}
+
+/// What a drag does to the camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Motion {
+    /// [`Camera::pan`], the course's.
+    Pan,
+    /// [`Camera::turn`], the course's.
+    Turn,
+    /// [`Camera::pan_with_pointer`].
+    Follow,
+    /// [`Camera::orbit`] by half a turn for every picture's height.
+    Orbit,
+    /// [`Camera::dolly`], down = away.
+    Dolly,
+}
+
+/// A button held with modifiers, what its drags do, and how the window about the keys puts it.
+struct Drag {
+    button: PointerButton,
+    modifiers: Modifiers,
+    motion: Motion,
+    told: Gesture,
+}
+
+const fn drag(
+    button: PointerButton,
+    modifiers: Modifiers,
+    motion: Motion,
+    hand: &'static str,
+    does: &'static str,
+) -> Drag {
+    Drag {
+        button,
+        modifiers,
+        motion,
+        told: gesture(hand, does),
+    }
+}
+
+const NONE: Modifiers = Modifiers::NONE;
+const LEFT: PointerButton = PointerButton::Primary;
+const RIGHT: PointerButton = PointerButton::Secondary;
+const MIDDLE: PointerButton = PointerButton::Middle;
+
+/// The first row whose button and modifiers are held counts; rows without modifiers allow any.
+#[rustfmt::skip]
+const COURSE: &[Drag] = &[
+    drag(LEFT, NONE, Motion::Pan, "Left drag in the view", "Move the scene with the pointer"),
+    drag(RIGHT, NONE, Motion::Turn, "Right drag in the view", "Turn the camera about its target"),
+];
+#[rustfmt::skip]
+const ORBIT: &[Drag] = &[
+    drag(LEFT, Modifiers::SHIFT, Motion::Follow, "Shift and left drag", "Move the scene with the pointer"),
+    drag(LEFT, NONE, Motion::Orbit, "Left drag in the view", "Turn the scene with the pointer"),
+    drag(RIGHT, NONE, Motion::Follow, "Right drag in the view", "Move the scene with the pointer"),
+    drag(MIDDLE, NONE, Motion::Follow, "Middle drag in the view", "Move the scene with the pointer"),
+];
+#[rustfmt::skip]
+const MANNEQUIN: &[Drag] = &[
+    drag(LEFT, NONE, Motion::Orbit, "Left drag in the view", "Turn the scene with the pointer"),
+    drag(RIGHT, NONE, Motion::Dolly, "Right drag in the view", "Move the camera, down is away"),
+    drag(MIDDLE, NONE, Motion::Follow, "Middle drag in the view", "Move the scene with the pointer"),
+];
+#[rustfmt::skip]
+const BLENDER: &[Drag] = &[
+    drag(MIDDLE, Modifiers::SHIFT, Motion::Follow, "Shift and middle drag", "Move the scene with the pointer"),
+    drag(MIDDLE, Modifiers::CTRL, Motion::Dolly, "Ctrl and middle drag", "Move the camera, down is away"),
+    drag(MIDDLE, NONE, Motion::Orbit, "Middle drag in the view", "Turn the scene with the pointer"),
+    drag(LEFT, Modifiers::ALT, Motion::Orbit, "Alt and left drag", "Turn the scene, without a middle button"),
+];
+
+/// A key that moves the eye while it is held: along the picture's right, the world's up, and the
+/// direction of view; or turns about the target.
+struct Step {
+    key: Key,
+    along: Vec3,
+    turn: f32,
+}
+
+const fn step(key: Key, along: Vec3) -> Step {
+    Step {
+        key,
+        along,
+        turn: 0.0,
+    }
+}
+
+const fn turn(key: Key, turn: f32) -> Step {
+    Step {
+        key,
+        along: Vec3::ZERO,
+        turn,
+    }
+}
+
+const STEPS: &[Step] = &[
+    step(Key::D, Vec3::X),
+    step(Key::A, Vec3::NEG_X),
+    step(Key::ArrowUp, Vec3::Y),
+    step(Key::ArrowDown, Vec3::NEG_Y),
+    step(Key::W, Vec3::Z),
+    step(Key::S, Vec3::NEG_Z),
+    turn(Key::ArrowRight, 1.0),
+    turn(Key::ArrowLeft, -1.0),
+];
+const STEP_GESTURES: &[Gesture] = &[
+    gesture("W, S", "Move the camera forwards, backwards"),
+    gesture("A, D", "Move the camera to the left, to the right"),
+    gesture("Up, Down over the view", "Move the camera up, down"),
+    gesture(
+        "Left, Right over the view",
+        "Turn the camera, where no bone is to be rolled",
+    ),
+];
+
+/// A tap moves by this much, in the world's units or radians.
+const STEP: f32 = 0.1;
+/// Taps in a second while a key is held: what the repetition of keys usually makes of it.
+const STEPS_PER_SECOND: f32 = 30.0;
+/// The longest frame that a held key walks on in, in seconds, so that a halt is no leap.
+const LONGEST_FRAME: f32 = 0.1;
+const DOLLY_PER_NOTCH: f32 = 0.1;
+const DOLLY_PER_PIXEL: f32 = 0.005;
+
+impl Navigation {
+    /// All, in the order of the menu.
+    pub const ALL: [Self; 4] = [Self::Course, Self::Orbit, Self::Mannequin, Self::Blender];
+
+    fn drags(self) -> &'static [Drag] {
+        match self {
+            Self::Course => COURSE,
+            Self::Orbit => ORBIT,
+            Self::Mannequin => MANNEQUIN,
+            Self::Blender => BLENDER,
+        }
+    }
+
+    /// What moves the camera, for the window about the keys.
+    pub(super) fn gestures(self) -> impl Iterator<Item = &'static Gesture> {
+        let steps = match self {
+            Self::Mannequin => STEP_GESTURES,
+            _ => &[],
+        };
+        self.drags().iter().map(|drag| &drag.told).chain(steps)
+    }
+
+    /// The same in a few words.
+    pub(super) fn summary(self) -> &'static str {
+        match self {
+            Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
+            Self::Orbit => "Left drag turns the scene · right drag moves it · wheel zooms",
+            Self::Mannequin => "Left drag turns the scene · right drag zooms · W, S, A, D walk",
+            Self::Blender => "Middle drag turns the scene · with Shift moves it · wheel zooms",
+        }
+    }
+
+    /// `camera` after this frame's drag over `view`, by `delta` pixels of a picture that is
+    /// `height` pixels high, and after `notches` of the wheel.
+    pub(super) fn moved(
+        self,
+        mut camera: Camera,
+        view: &Response,
+        delta: Vec2,
+        height: f32,
+        notches: f32,
+    ) -> Camera {
+        let held = view.ctx.input(|input| input.modifiers);
+        let row = self.drags().iter().find(|row| {
+            view.dragged_by(row.button) && (row.modifiers.is_none() || held.contains(row.modifiers))
+        });
+        match row.map(|row| row.motion) {
+            Some(Motion::Pan) => camera.pan(delta),
+            Some(Motion::Turn) => camera.turn(delta),
+            Some(Motion::Follow) => camera.pan_with_pointer(delta, height),
+            Some(Motion::Orbit) => camera.orbit(delta * (std::f32::consts::TAU / height)),
+            Some(Motion::Dolly) => camera.dolly(delta.y * DOLLY_PER_PIXEL),
+            None => {}
+        }
+        if notches != 0.0 {
+            match self {
+                Self::Course => camera.zoom(notches),
+                _ => camera.dolly(-notches * DOLLY_PER_NOTCH),
+            }
+        }
+        camera
+    }
+
+    /// `camera` after the keys that are held in this frame.
+    pub(super) fn walked(self, mut camera: Camera, ctx: &Context) -> Camera {
+        if self != Self::Mannequin {
+            return camera;
+        }
+        let mut walks = false;
+        for step in STEPS {
+            let amount = ctx.input(|input| {
+                if input.modifiers.any() {
+                    0.0
+                } else if input.key_pressed(step.key) {
+                    STEP
+                } else if input.key_down(step.key) {
+                    STEP * STEPS_PER_SECOND * input.stable_dt.min(LONGEST_FRAME)
+                } else {
+                    0.0
+                }
+            });
+            if amount != 0.0 {
+                walks = true;
+                camera.walk(step.along * amount);
+                camera.orbit(Vec2::new(-step.turn * amount, 0.0));
+            }
+        }
+        if walks {
+            ctx.request_repaint();
+        }
+        camera
+    }
+}

@@ -1,0 +1,165 @@
+//! Ways of moving the camera that hands bring along from other programs.
+
+use crate::Editor;
+use editor_core::editor::Ask;
+use editor_core::scene::Camera;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
+use glam::{Vec3, vec2};
+
+const FROM: Pos2 = pos2(200.0, 300.0);
+
+fn empty(navigation: &str) -> Editor {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().gestures = true;
+    editor.choose(&["View", "Navigation", navigation]);
+    editor
+}
+
+/// Drags with a button over empty ground and returns the camera from before and after.
+fn drag(
+    editor: &mut Editor,
+    button: PointerButton,
+    modifiers: Modifiers,
+    by: egui::Vec2,
+) -> [Camera; 2] {
+    let before = editor.session().view().camera;
+    let press = |editor: &mut Editor, pressed, pos| {
+        editor.harness.event(Event::PointerButton {
+            pos,
+            button,
+            pressed,
+            modifiers,
+        });
+        editor.settle();
+    };
+    editor.harness.event(Event::ModifiersChanged(modifiers));
+    editor.harness.hover_at(FROM);
+    editor.settle();
+    press(editor, true, FROM);
+    editor.harness.hover_at(FROM + by * 0.5);
+    editor.settle();
+    editor.harness.hover_at(FROM + by);
+    editor.settle();
+    press(editor, false, FROM + by);
+    editor
+        .harness
+        .event(Event::ModifiersChanged(Modifiers::NONE));
+    editor.settle();
+    [before, editor.session().view().camera]
+}
+
+fn wheel(editor: &mut Editor, notches: f32) {
+    editor.harness.hover_at(FROM);
+    editor.harness.event(Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Line,
+        delta: egui::vec2(0.0, notches),
+        modifiers: Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+    });
+    editor.settle();
+}
+
+#[test]
+fn in_the_course_left_moves_and_right_turns() {
+    let mut editor = empty("As the course's editor");
+    let by = egui::vec2(40.0, 20.0);
+    let [mut before, after] = drag(&mut editor, PointerButton::Primary, Modifiers::NONE, by);
+    before.pan(vec2(40.0, 20.0));
+    assert!(after.target.distance(before.target) < 1e-5, "{after:?}");
+    let [mut before, after] = drag(&mut editor, PointerButton::Secondary, Modifiers::NONE, by);
+    before.turn(vec2(40.0, 20.0));
+    assert!((after.theta - before.theta).abs() + (after.phi - before.phi).abs() < 1e-5);
+    wheel(&mut editor, 2.0);
+    assert_eq!(editor.session().view().camera.radius, 4.0);
+}
+
+#[test]
+fn as_in_three_js_left_turns_the_scene_and_right_or_middle_moves_it() {
+    let mut editor = empty("Orbit");
+    let by = egui::vec2(40.0, 20.0);
+    let [before, after] = drag(&mut editor, PointerButton::Primary, Modifiers::NONE, by);
+    assert!(after.theta > before.theta && after.phi > before.phi);
+    assert_eq!(after.target, before.target);
+    for (button, modifiers) in [
+        (PointerButton::Secondary, Modifiers::NONE),
+        (PointerButton::Middle, Modifiers::NONE),
+        (PointerButton::Primary, Modifiers::SHIFT),
+    ] {
+        let [before, after] = drag(&mut editor, button, modifiers, by);
+        let height = editor.harness.state().view.height();
+        let size = vec2(520.0, height);
+        let moved = after.pixel(before.target, size).unwrap() - size * 0.5;
+        assert!(moved.distance(vec2(40.0, 20.0)) < 0.1, "{button:?} {moved}");
+        assert_eq!(after.theta, before.theta);
+    }
+    wheel(&mut editor, 1.0);
+    wheel(&mut editor, -1.0);
+    let radius = editor.session().view().camera.radius;
+    assert!((radius - 5.0).abs() < 1e-4, "there and back: {radius}");
+}
+
+#[test]
+fn as_in_blender_the_middle_button_does_it_all() {
+    let mut editor = empty("Blender");
+    let by = egui::vec2(30.0, 20.0);
+    let [before, after] = drag(&mut editor, PointerButton::Primary, Modifiers::NONE, by);
+    assert_eq!(after, before);
+    let [before, after] = drag(&mut editor, PointerButton::Middle, Modifiers::NONE, by);
+    assert!(after.theta > before.theta && after.target == before.target);
+    let [before, after] = drag(&mut editor, PointerButton::Middle, Modifiers::SHIFT, by);
+    assert!(after.theta == before.theta && after.target != before.target);
+    let [before, after] = drag(&mut editor, PointerButton::Middle, Modifiers::CTRL, by);
+    assert!(after.radius > before.radius && after.target == before.target);
+    let [before, after] = drag(&mut editor, PointerButton::Primary, Modifiers::ALT, by);
+    assert!(after.theta > before.theta);
+}
+
+#[test]
+fn in_the_mannequin_keys_walk_and_r_puts_view_and_pose_back() {
+    let mut editor = empty("Mannequin");
+    let by = egui::vec2(0.0, 30.0);
+    let [before, after] = drag(&mut editor, PointerButton::Secondary, Modifiers::NONE, by);
+    assert!(after.radius > before.radius, "down is away");
+    for (key, along) in [
+        (Key::W, Vec3::NEG_Z),
+        (Key::S, Vec3::Z),
+        (Key::A, Vec3::NEG_X),
+        (Key::D, Vec3::X),
+        (Key::ArrowUp, Vec3::Y),
+        (Key::ArrowDown, Vec3::NEG_Y),
+    ] {
+        let before = editor.session().view().camera.target;
+        editor.key(key);
+        let moved = editor.session().view().camera.target - before;
+        let off = (moved.normalize() - along).length();
+        assert!(moved.length() >= 0.0999 && off < 1e-4, "{key:?} {moved}");
+    }
+    editor.add_character(crate::figure::figure());
+    editor.type_into("Neck X", "30");
+    assert!(!editor.character().pose().is_bind());
+    editor.key(Key::R);
+    assert_eq!(editor.session().view().camera, Camera::default());
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn the_keys_of_one_way_mean_nothing_in_the_others() {
+    let mut editor = empty("Orbit");
+    for key in [Key::W, Key::R, Key::D] {
+        editor.key(key);
+    }
+    assert_eq!(editor.session().view().camera, Camera::default());
+    editor.choose(&["File", "Built-in Scene", "Showcase"]);
+    assert_eq!(editor.asked(), [Ask::OpenBuiltin("showcase")]);
+}
+
+#[test]
+fn the_window_about_the_keys_tells_the_gestures_of_the_chosen_way() {
+    let mut editor = empty("Blender");
+    editor.key(Key::F1);
+    assert!(editor.has("Middle drag in the view") && !editor.has("W, S"));
+    editor.key(Key::Escape);
+    editor.choose(&["View", "Navigation", "Mannequin"]);
+    editor.key(Key::F1);
+    assert!(editor.has("W, S") && editor.has("Reset View and Pose"));
+}
