@@ -21,7 +21,7 @@ fn load(name: &str) -> Loaded {
 #[test]
 fn every_file_made_for_it_is_inside_the_program() {
     let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
-    for folder in ["characters", "curves", "poses", "scenes", "shapes"] {
+    for folder in ["characters", "curves", "poses", "rigs", "scenes", "shapes"] {
         for entry in std::fs::read_dir(assets.join(folder)).unwrap() {
             let path = entry.unwrap().path();
             let inside = path.strip_prefix(&assets).unwrap().to_str().unwrap();

@@ -1,6 +1,6 @@
 //! Writes everything under `assets/` anew: `cargo run --release --example make_assets [FOLDER]`.
 //!
-//! The characters, shapes and poses that the program brings along are made by this code alone, and
+//! The characters, rigs, shapes and poses that the program brings along are made by this code alone, and
 //! come out the same bit for bit each time.
 mod catalog;
 
@@ -16,8 +16,8 @@ fn main() -> std::io::Result<()> {
         if let Some(parent) = path.parent() {
             std::fs::create_dir_all(parent)?;
         }
-        std::fs::write(&path, &file.text)?;
-        println!("{} ({} bytes)", path.display(), file.text.len());
+        std::fs::write(&path, &file.content)?;
+        println!("{} ({} bytes)", path.display(), file.content.len());
     }
     Ok(())
 }

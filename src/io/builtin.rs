@@ -57,6 +57,12 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "shapes/gem.obj",
     "shapes/plant.mtl",
     "shapes/plant.obj",
+    "rigs/chain.dae",
+    "rigs/column.dae",
+    "rigs/crate.dae",
+    "rigs/crate.png",
+    "rigs/lizard.dae",
+    "rigs/tentacle.dae",
     "scenes/showcase.scene",
     "scenes/turned.scene",
     "poses/adult-sit.json",
@@ -72,6 +78,7 @@ static ASSETS: &[(&str, &[u8])] = assets![
 pub fn catalogue() -> Vec<Builtin> {
     [
         ("characters/", ".obj", BuiltinKind::Character),
+        ("rigs/", ".dae", BuiltinKind::Character),
         ("shapes/", ".obj", BuiltinKind::Shape),
         ("curves/", ".swp", BuiltinKind::Curve),
         ("scenes/", ".scene", BuiltinKind::Scene),
@@ -98,7 +105,7 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
         return Ok(path.to_owned());
     };
     let primary =
-        |asset: &Path| ["obj", "swp", "scene", "json"].contains(&&*files::extension(asset));
+        |asset: &Path| ["obj", "dae", "swp", "scene", "json"].contains(&&*files::extension(asset));
     let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
     paths()
         .find(|asset| *asset == Path::new(name))

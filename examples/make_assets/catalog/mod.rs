@@ -1,4 +1,4 @@
-//! Everything that lies in `assets/`, as texts by path.
+//! Everything that the generator puts into `assets/`, by path.
 mod adult;
 mod curves;
 mod dog;
@@ -8,6 +8,7 @@ mod polygonize;
 mod poses;
 mod remesh;
 mod rig;
+mod rigs;
 mod robot;
 mod shapes;
 mod skin;
@@ -16,14 +17,14 @@ mod text;
 
 use rig::Character;
 
-/// A file: its path below `assets/` and its text.
+/// A file: its path below `assets/` and its content.
 pub struct File {
     pub path: &'static str,
-    pub text: String,
+    pub content: Vec<u8>,
 }
 
 /// The paths of all files, in the order in which they are made.
-pub const PATHS: [&str; 26] = [
+pub const PATHS: [&str; 31] = [
     "characters/adult.skel",
     "characters/adult.attach",
     "characters/adult.obj",
@@ -50,6 +51,11 @@ pub const PATHS: [&str; 26] = [
     "curves/knot.swp",
     "curves/seam.swp",
     "curves/spring.swp",
+    "rigs/column.dae",
+    "rigs/chain.dae",
+    "rigs/crate.dae",
+    "rigs/tentacle.dae",
+    "rigs/crate.png",
 ];
 
 /// All files, made anew.
@@ -71,8 +77,12 @@ pub fn files() -> Vec<File> {
     texts.extend(poses::texts());
     texts.extend([curves::vase(), curves::goblet(), curves::pawn()]);
     texts.extend([curves::knot(), curves::seam(), curves::spring()]);
-    let named = PATHS.into_iter().zip(texts);
-    named.map(|(path, text)| File { path, text }).collect()
+    let contents = texts.into_iter().map(String::into_bytes);
+    PATHS
+        .into_iter()
+        .zip(contents.chain(rigs::contents()))
+        .map(|(path, content)| File { path, content })
+        .collect()
 }
 
 /// Skeleton, attachments and mesh.
