@@ -8,7 +8,9 @@ use glam::{Mat4, Vec3};
 use std::path::Path;
 
 /// All of them; the lizard is Blender's work, the others are the generator's.
-const NAMES: [&str; 5] = ["chain", "column", "crate", "lizard", "tentacle"];
+const NAMES: [&str; 8] = [
+    "chain", "column", "crate", "creature", "face", "humanoid", "lizard", "tentacle",
+];
 
 fn read(name: &str) -> DaeScene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/rigs");
@@ -178,4 +180,139 @@ fn blenders_file_is_the_exporters_own_and_has_two_skins_on_one_skeleton() {
         .fold(f32::MAX, |low, p| low.min(p.y));
     assert!((-0.01..0.02).contains(&low), "stands at {low}");
     assert!(influences(lizard).iter().max() >= Some(&4));
+}
+
+#[test]
+fn the_creature_has_three_roots_each_of_which_moves_its_own_part_alone() {
+    let creature = character("creature");
+    let skeleton = creature.skeleton();
+    let names: Vec<&str> = skeleton
+        .roots()
+        .iter()
+        .map(|&root| &*skeleton.joints()[root].name)
+        .collect();
+    assert_eq!(names, ["Body", "Left hand", "Right hand"]);
+    let rest = &creature.bind_mesh().positions;
+    let mut moved_by = vec![0; rest.len()];
+    for &root in skeleton.roots() {
+        let mut pose = Pose::new();
+        pose.set_root_offset(root, Vec3::new(0.1, 0.2, 0.3));
+        for (count, (now, then)) in moved_by
+            .iter_mut()
+            .zip(creature.skin_pose(&pose).iter().zip(rest))
+        {
+            let distance = (*now - *then).length();
+            let whole = Vec3::new(0.1, 0.2, 0.3).length();
+            assert!(distance < 1e-5 || (distance - whole).abs() < 1e-5);
+            *count += usize::from(distance > 1e-5);
+        }
+    }
+    assert!(moved_by.iter().all(|&count| count == 1));
+    let report = read("creature").report;
+    assert!(
+        (report.space.meters - 0.01).abs() < 1e-9,
+        "its file is in centimeters"
+    );
+}
+
+#[test]
+fn the_humanoid_has_fingers_of_three_bones_that_bend_alone() {
+    let humanoid = character("humanoid");
+    let skeleton = humanoid.skeleton();
+    let rest = &humanoid.bind_mesh().positions;
+    let places = skeleton.bind_positions();
+    for side in ["Left", "Right"] {
+        for finger in ["thumb", "index", "middle", "ring", "little"] {
+            let bones = [1, 2, 3].map(|part| joint(&humanoid, &format!("{side} {finger} {part}")));
+            assert_eq!(skeleton.joints()[bones[1]].parent, Some(bones[0]));
+            assert_eq!(skeleton.joints()[bones[2]].parent, Some(bones[1]));
+            let mut pose = Pose::new();
+            pose.set_joint_transform(bones[0], Euler::from_degrees(Vec3::new(40.0, 0.0, 0.0)));
+            let posed = humanoid.skin_pose(&pose);
+            let moved: Vec<usize> = (0..rest.len())
+                .filter(|&v| posed[v].distance(rest[v]) > 0.004)
+                .collect();
+            assert!(moved.len() > 60, "{side} {finger}: {}", moved.len());
+            let far = moved
+                .iter()
+                .filter(|&&v| rest[v].distance(places[bones[0]]) > 0.14)
+                .count();
+            assert_eq!(far, 0, "{side} {finger} moves what is far from it");
+            // A vertex that the last bone all but owns is no other finger's.
+            let tip = joint(&humanoid, &format!("{side} {finger} 3")) as u32;
+            let owned = humanoid.attachments().vertices();
+            let own = owned
+                .filter(|v| v.iter().any(|i| i.joint == tip && i.weight > 0.8))
+                .count();
+            assert!(own >= 5, "{side} {finger}: {own}");
+        }
+    }
+}
+
+#[test]
+fn the_face_opens_its_mouth_by_the_jaw_and_looks_about_by_its_eyes() {
+    let face = character("face");
+    let rest = &face.bind_mesh().positions;
+    let moved = |name: &str, degrees: Vec3| {
+        let mut pose = Pose::new();
+        pose.set_joint_transform(joint(&face, name), Euler::from_degrees(degrees));
+        let posed = face.skin_pose(&pose);
+        (0..rest.len())
+            .filter(|&v| posed[v].distance(rest[v]) > 0.01)
+            .map(|v| rest[v])
+            .collect::<Vec<_>>()
+    };
+    let jaw = moved("Jaw", Vec3::new(20.0, 0.0, 0.0));
+    let eyes = face.skeleton().bind_positions()[joint(&face, "Left eye")];
+    assert!(jaw.len() > 1000, "{}", jaw.len());
+    assert!(
+        jaw.iter().all(|p| p.y < eyes.y - 0.05),
+        "the upper face stays"
+    );
+    let ball = moved("Left eye", Vec3::new(0.0, 30.0, 0.0));
+    assert!(ball.len() > 100);
+    assert!(
+        ball.iter()
+            .all(|p| (p.distance(eyes) - 0.0755).abs() < 0.002),
+        "a ball"
+    );
+    let names: Vec<&str> = face
+        .bind_mesh()
+        .groups
+        .iter()
+        .map(|group| &*group.material.name)
+        .collect();
+    for name in [
+        "Skin",
+        "Hair",
+        "Lips",
+        "Teeth",
+        "Tongue",
+        "Eye white",
+        "Iris",
+        "Pupil",
+    ] {
+        assert!(names.contains(&name), "{names:?}");
+    }
+}
+
+#[test]
+fn joints_of_the_left_mirror_those_of_the_right() {
+    for name in ["creature", "face", "humanoid", "lizard"] {
+        let character = character(name);
+        let joints = character.skeleton().joints();
+        let places = character.skeleton().bind_positions();
+        let lefts = joints
+            .iter()
+            .filter(|joint| joint.name.starts_with("Left "));
+        assert!(lefts.clone().count() >= 5, "{name}");
+        for left in lefts {
+            let right = left.name.replacen("Left", "Right", 1);
+            let [l, r] = [&left.name, &right].map(|name| places[joint(&character, name)]);
+            assert!(
+                l.x > 0.0 && l.distance(Vec3::new(-r.x, r.y, r.z)) < 1e-4,
+                "{name}: {right}"
+            );
+        }
+    }
 }

@@ -24,7 +24,7 @@ pub struct File {
 }
 
 /// The paths of all files, in the order in which they are made.
-pub const PATHS: [&str; 31] = [
+pub const PATHS: [&str; 34] = [
     "characters/adult.skel",
     "characters/adult.attach",
     "characters/adult.obj",
@@ -55,17 +55,20 @@ pub const PATHS: [&str; 31] = [
     "rigs/chain.dae",
     "rigs/crate.dae",
     "rigs/tentacle.dae",
+    "rigs/creature.dae",
+    "rigs/humanoid.dae",
+    "rigs/face.dae",
     "rigs/crate.png",
 ];
 
 /// All files, made anew.
 pub fn files() -> Vec<File> {
     // The two grown bodies take nearly all the time: side by side, where there are two cores.
-    let (adult, dog) = std::thread::scope(|scope| {
+    let (body, dog) = std::thread::scope(|scope| {
         let dog = scope.spawn(dog::character);
-        (adult::character(), dog.join())
+        (adult::body(), dog.join())
     });
-    let mut texts = character(&adult).to_vec();
+    let mut texts = character(&adult::character(&body)).to_vec();
     texts.extend(character(&robot::character()));
     texts.extend(dog.iter().flat_map(character));
     texts.extend([
@@ -80,7 +83,7 @@ pub fn files() -> Vec<File> {
     let contents = texts.into_iter().map(String::into_bytes);
     PATHS
         .into_iter()
-        .zip(contents.chain(rigs::contents()))
+        .zip(contents.chain(rigs::contents(&body)))
         .map(|(path, content)| File { path, content })
         .collect()
 }

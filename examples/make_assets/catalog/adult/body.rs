@@ -30,17 +30,26 @@ fn neck_and_head(p: DVec3) -> f64 {
     if rough > 0.12 {
         return rough;
     }
-    let neck = round_cone(
+    let neck = neck(p);
+    let mut d = blend(neck, face::surface(p), 0.022);
+    d = blend(d, hair::surface(p), 0.003);
+    blend(d, collar(p, neck), 0.009)
+}
+
+/// The neck alone.
+pub fn neck(p: DVec3) -> f64 {
+    round_cone(
         p,
         (DVec3::new(0.0, 1.46, -0.030), 0.058),
         (DVec3::new(0.0, 1.63, -0.002), 0.050),
-    );
-    let mut d = blend(neck, face::surface(p), 0.022);
-    d = blend(d, hair::surface(p), 0.003);
-    // A stand-up collar, higher at the nape, open in a V at the throat; its rim falls toward the
-    // neck like a funnel.
+    )
+}
+
+/// A stand-up collar round a neck at this distance, higher at the nape, open in a V at the throat;
+/// its rim falls toward the neck like a funnel.
+pub fn collar(p: DVec3, neck: f64) -> f64 {
     let ring = neck - 0.026;
     let rim = p.y - 1.549 + 0.42 * p.z - 0.45 * ring.clamp(-0.03, 0.01);
     let opening = (p.x - 0.006 - 0.60 * (p.y - 1.478)).max(0.01 - p.z);
-    blend(d, carve(clip(ring, rim, 0.020), opening, 0.016), 0.009)
+    carve(clip(ring, rim, 0.020), opening, 0.016)
 }

@@ -29,6 +29,15 @@ pub fn surface(p: DVec3) -> f64 {
     if rough > 0.06 {
         return rough;
     }
+    let mut d = features(p);
+    d = mouth(p, d);
+    d = lids(p, d);
+    d = blend(d, eyeball(p), 0.0008);
+    ear(p, d)
+}
+
+/// Skull, brow and nose.
+pub fn features(p: DVec3) -> f64 {
     let mut d = ellipsoid(
         p,
         DVec3::new(0.0, 1.705, -0.008),
@@ -43,10 +52,7 @@ pub fn surface(p: DVec3) -> f64 {
     d = blend(d, cheekbone, 0.03);
     d = blend(d, sphere(p, DVec3::new(0.0, 1.580, 0.082), 0.016), 0.02);
     d = sockets_and_brow(p, d);
-    d = nose(p, d);
-    d = mouth(p, d);
-    d = eye(p, d);
-    ear(p, d)
+    nose(p, d)
 }
 
 fn sockets_and_brow(p: DVec3, d: f64) -> f64 {
@@ -94,7 +100,7 @@ fn nose(p: DVec3, d: f64) -> f64 {
     carve(d, nostril, 0.003)
 }
 
-fn mouth(p: DVec3, d: f64) -> f64 {
+pub fn mouth(p: DVec3, d: f64) -> f64 {
     // The lips follow the curve of the teeth behind them.
     let back = 5.0 * p.x * p.x;
     let q = DVec3::new(p.x, p.y - 4.0 * p.x * p.x, p.z + back);
@@ -128,9 +134,9 @@ fn mouth(p: DVec3, d: f64) -> f64 {
     carve(carve(d, line, 0.003), philtrum, 0.005)
 }
 
-fn eye(p: DVec3, d: f64) -> f64 {
+/// The lids: a shell over the ball, open between two arcs that meet in the corners.
+pub fn lids(p: DVec3, d: f64) -> f64 {
     let from = p - EYE;
-    // The lids are a shell over the ball, open between two arcs that meet in the corners.
     let half_width = 0.0165;
     let arc = 1.0 - (from.x / half_width).powi(2);
     let upper = from.y - (0.0014 + 0.0062 * arc);
@@ -138,13 +144,16 @@ fn eye(p: DVec3, d: f64) -> f64 {
     let open = clip(clip(upper, lower, 0.001), 0.004 - from.z, 0.001);
     let fold = sphere(p, EYE + DVec3::new(0.0, 0.0022, 0.0008), 0.0178);
     let lid = blend(sphere(p, EYE, 0.0175), fold, 0.001);
-    let d = carve(blend(d, lid, 0.005), open, 0.0014);
-    let ball = sphere(p, EYE, 0.0148);
-    let iris = sphere(p, EYE + DVec3::new(-0.0004, 0.0012, 0.0166), 0.0056);
-    blend(d, carve(ball, iris, 0.001), 0.0008)
+    carve(blend(d, lid, 0.005), open, 0.0014)
 }
 
-fn ear(p: DVec3, d: f64) -> f64 {
+fn eyeball(p: DVec3) -> f64 {
+    let ball = sphere(p, EYE, 0.0148);
+    let iris = sphere(p, EYE + DVec3::new(-0.0004, 0.0012, 0.0166), 0.0056);
+    carve(ball, iris, 0.001)
+}
+
+pub fn ear(p: DVec3, d: f64) -> f64 {
     let center = DVec3::new(0.0775, 1.6740, -0.0080);
     // In the ear's own frame: turned out a little at the back, leaning back at the top.
     let q = p - center;

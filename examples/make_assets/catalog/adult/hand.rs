@@ -3,8 +3,10 @@ use super::super::field::{blend, chain, ellipsoid, round_cone};
 use super::body::{ELBOW, WRIST};
 use glam::DVec3;
 
-/// Fingers as (knuckle across the palm, along, spread, lengths, radius).
-const FINGERS: [(f64, f64, f64, [f64; 3], f64); 4] = [
+/// A finger as (knuckle across the palm, along, spread, lengths, radius).
+type Finger = (f64, f64, f64, [f64; 3], f64);
+
+const FINGERS: [Finger; 4] = [
     (0.0345, 0.088, 0.11, [0.042, 0.026, 0.018], 0.0104),
     (0.0112, 0.092, 0.02, [0.046, 0.030, 0.020], 0.0107),
     (-0.0122, 0.088, -0.07, [0.043, 0.028, 0.019], 0.0102),
@@ -98,32 +100,51 @@ fn chain_flat(q: DVec3, spheres: &[(DVec3, f64)], flat: f64) -> f64 {
 }
 
 /// A finger, bent a little more at each joint.
-fn finger(
-    q: DVec3,
-    (across, along, spread, lengths, radius): (f64, f64, f64, [f64; 3], f64),
-) -> f64 {
-    let mut at = DVec3::new(along, 0.0005, across);
+fn finger(q: DVec3, finger: Finger) -> f64 {
+    let points = joints_of(finger);
+    let radius = finger.4;
     let mut d = f64::INFINITY;
-    // The slope toward the palm, in steps: relaxed fingers are never straight.
-    for (i, (length, slope)) in lengths.into_iter().zip([0.16, 0.42, 0.62]).enumerate() {
-        let direction = DVec3::new(1.0, -slope, spread).normalize_or_zero();
-        let to = at + direction * length;
+    for i in 0..3 {
         let (from, end) = (
             radius * (1.0 - 0.05 * i as f64),
             radius * (0.95 - 0.06 * i as f64),
         );
-        d = blend(d, round_cone(q, (at, from), (to, end)), 0.002);
-        at = to;
+        let bone = round_cone(q, (points[i], from), (points[i + 1], end));
+        d = blend(d, bone, 0.002);
     }
     d
 }
 
+/// The knuckle, two joints and the end of a finger.
+fn joints_of((across, along, spread, lengths, _): Finger) -> [DVec3; 4] {
+    let mut at = DVec3::new(along, 0.0005, across);
+    let mut points = [at; 4];
+    // The slope toward the palm, in steps: relaxed fingers are never straight.
+    for (i, (length, slope)) in lengths.into_iter().zip([0.16, 0.42, 0.62]).enumerate() {
+        let direction = DVec3::new(1.0, -slope, spread).normalize_or_zero();
+        at += direction * length;
+        points[i + 1] = at;
+    }
+    points
+}
+
+/// The thumb's joints and end, with their radii.
+const THUMB: [(DVec3, f64); 4] = [
+    (DVec3::new(0.018, -0.006, 0.026), 0.0150),
+    (DVec3::new(0.058, -0.014, 0.054), 0.0115),
+    (DVec3::new(0.086, -0.018, 0.066), 0.0102),
+    (DVec3::new(0.108, -0.022, 0.069), 0.0082),
+];
+
 fn thumb_surface(q: DVec3) -> f64 {
-    let points = [
-        (DVec3::new(0.018, -0.006, 0.026), 0.0150),
-        (DVec3::new(0.058, -0.014, 0.054), 0.0115),
-        (DVec3::new(0.086, -0.018, 0.066), 0.0102),
-        (DVec3::new(0.108, -0.022, 0.069), 0.0082),
-    ];
-    chain(q, &points)
+    chain(q, &THUMB)
+}
+
+/// The joints and the end of each finger of the left hand, the thumb first.
+pub fn fingers() -> [[DVec3; 4]; 5] {
+    let [along, back, thumb] = frame();
+    let place = |q: DVec3| WRIST + along * q.x + back * q.y + thumb * q.z;
+    let [index, middle, ring, little] = FINGERS.map(joints_of);
+    let thumb = THUMB.map(|sphere| sphere.0);
+    [thumb, index, middle, ring, little].map(|points| points.map(place))
 }

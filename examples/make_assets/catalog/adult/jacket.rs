@@ -79,7 +79,7 @@ fn details(p: DVec3) -> f64 {
 }
 
 /// The sleeve with its cuff.
-fn sleeve(p: DVec3) -> f64 {
+pub fn sleeve(p: DVec3) -> f64 {
     let upper = round_cone(p, (SHOULDER, 0.058), (ELBOW, 0.049));
     let lower = round_cone(p, (ELBOW, 0.049), (WRIST.lerp(ELBOW, 0.12), 0.0365));
     let mut d = blend(upper, lower, 0.03);

@@ -1,15 +1,15 @@
 //! A grown person in a short jacket, trousers and shoes, 1.8 high, with the course's 18 joints.
 //! Modeled in meters above the ground for a height of 1.8 m, left half (x ≥ 0) only.
-mod binding;
-mod body;
-mod face;
-mod hair;
-mod hand;
-mod jacket;
-mod shoe;
-mod trousers;
+pub mod binding;
+pub mod body;
+pub mod face;
+pub mod hair;
+pub mod hand;
+pub mod jacket;
+pub mod shoe;
+pub mod trousers;
 
-use super::mesh::mirror;
+use super::mesh::{Mirrored, mirror};
 use super::polygonize::{Grid, polygonize};
 use super::remesh::{Target, remesh};
 use super::rig::Character;
@@ -17,10 +17,10 @@ use super::skin;
 use glam::DVec3;
 
 /// The ground lies this far below the origin.
-const GROUND: f64 = 0.9;
+pub const GROUND: f64 = 0.9;
 
-/// The whole character, its middle at the origin, facing +Z.
-pub fn character() -> Character {
+/// The whole body, standing on the ground and facing +Z.
+pub fn body() -> Mirrored {
     let grid = Grid {
         low: DVec3::new(0.0, -0.02, -0.2),
         high: DVec3::new(0.78, 1.84, 0.26),
@@ -33,15 +33,20 @@ pub fn character() -> Character {
         size: &size,
         rounds: 10,
     };
-    let mut body = mirror(&remesh(&rough, &target));
+    mirror(&remesh(&rough, &target))
+}
+
+/// The whole character, its middle at the origin, facing +Z.
+pub fn character(body: &Mirrored) -> Character {
     let joints = binding::joints();
-    let weights = skin::weights(&body, &joints, &binding::owner, &binding::reach);
-    for p in &mut body.mesh.positions {
+    let weights = skin::weights(body, &joints, &binding::owner, &binding::reach);
+    let mut mesh = body.mesh.clone();
+    for p in &mut mesh.positions {
         p.y -= GROUND;
     }
     Character {
         joints,
-        mesh: body.mesh,
+        mesh,
         weights,
     }
 }

@@ -6,8 +6,6 @@ use glam::{DMat3, DMat4, DVec3};
 use std::collections::HashMap;
 use std::fmt::{Display, Write};
 
-/// Below this angle faces are one smooth surface.
-const CREASE: f64 = 0.62;
 /// Where lists of numbers are broken into lines.
 const LINE: usize = 110;
 
@@ -63,9 +61,9 @@ impl Rig {
         }
     }
 
-    /// Decimals that carry hundredths of a millimeter.
+    /// Decimals that carry tenths of a millimeter.
     fn decimals(&self) -> usize {
-        if self.unit < 0.1 { 3 } else { 5 }
+        if self.unit < 0.1 { 2 } else { 4 }
     }
 
     /// Where a bone's joint lies in the file, its +Y along the bone.
@@ -213,7 +211,7 @@ fn geometry(out: &mut String, rig: &Rig, skin: &Skin) {
     let (mut normals, mut pictures) = (Distinct::default(), Distinct::default());
     let has_picture = skin.faces.iter().any(|face| face.picture.is_some());
     let mut indices: Vec<Vec<String>> = rig.materials.iter().map(|_| Vec::new()).collect();
-    for (face, normal) in skin.faces.iter().zip(skin.normals(CREASE)) {
+    for (face, normal) in skin.faces.iter().zip(skin.normals()) {
         for corner in 0..3 {
             let direction = rig.to_file(normal[corner]).normalize_or(DVec3::Y);
             let n = normals.index(vector(direction, 3));
@@ -272,12 +270,12 @@ fn controller(out: &mut String, rig: &Rig, skin: &Skin) {
     let mut weights = Distinct::default();
     let mut pairs = Vec::new();
     for row in &skin.weights {
-        for (joint, weight) in ten_thousandths(row) {
-            let weight = weights.index(number(f64::from(weight) / 1e4, 4));
+        for (joint, weight) in thousandths(row) {
+            let weight = weights.index(number(f64::from(weight) / 1e3, 3));
             pairs.push(format!("{joint} {weight}"));
         }
     }
-    let counts = skin.weights.iter().map(|row| ten_thousandths(row).len());
+    let counts = skin.weights.iter().map(|row| thousandths(row).len());
     let _ = writeln!(
         out,
         r##"<controller id="{id}-skin" name="{}"><skin source="#{id}-mesh">
@@ -307,11 +305,11 @@ fn controller(out: &mut String, rig: &Rig, skin: &Skin) {
     );
 }
 
-/// Weights as whole ten-thousandths that sum to exactly 1; what is missing goes to the largest.
-fn ten_thousandths(row: &[(usize, f64)]) -> Vec<(usize, i32)> {
-    let round = |&(joint, weight): &(usize, f64)| (joint, (weight * 1e4).round() as i32);
+/// Weights as whole thousandths that sum to exactly 1; what is missing goes to the largest.
+fn thousandths(row: &[(usize, f64)]) -> Vec<(usize, i32)> {
+    let round = |&(joint, weight): &(usize, f64)| (joint, (weight * 1e3).round() as i32);
     let mut rounded: Vec<(usize, i32)> = row.iter().map(round).filter(|w| w.1 > 0).collect();
-    let missing = 10_000 - rounded.iter().map(|w| w.1).sum::<i32>();
+    let missing = 1000 - rounded.iter().map(|w| w.1).sum::<i32>();
     if let Some(largest) = rounded.iter_mut().max_by_key(|w| w.1) {
         largest.1 += missing;
     }

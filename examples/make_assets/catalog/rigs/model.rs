@@ -1,5 +1,6 @@
 //! What a Collada file is written from: bones, and skins made of colored faces.
 use super::super::mesh::Mesh;
+use super::paint::Painted;
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -39,9 +40,10 @@ pub struct Face {
 pub type Weights = Vec<(usize, f64)>;
 
 /// A mesh bound to the bones.
-#[derive(Default)]
 pub struct Skin {
     pub name: &'static str,
+    /// Faces that meet at less than this angle, in radians, are one smooth surface.
+    pub crease: f64,
     pub positions: Vec<DVec3>,
     pub faces: Vec<Face>,
     pub weights: Vec<Weights>,
@@ -97,10 +99,14 @@ impl Rig {
 }
 
 impl Skin {
+    /// Nothing yet; beveled edges will look sharp, and what is grown from a field smooth.
     pub fn new(name: &'static str) -> Self {
         Self {
             name,
-            ..Self::default()
+            crease: 0.62,
+            positions: Vec::new(),
+            faces: Vec::new(),
+            weights: Vec::new(),
         }
     }
 
@@ -117,14 +123,28 @@ impl Skin {
         }));
     }
 
+    /// Adds a mesh whose materials and weights are given.
+    pub fn add_painted(&mut self, painted: Painted) {
+        self.crease = 1.2;
+        let base = self.positions.len() as u32;
+        self.positions.extend(painted.mesh.positions);
+        self.weights.extend(painted.weights);
+        let triangles = painted.mesh.triangles.into_iter().zip(painted.materials);
+        self.faces.extend(triangles.map(|(t, material)| Face {
+            corners: t.map(|v| v + base),
+            material,
+            picture: None,
+        }));
+    }
+
     /// Adds a mesh that follows one bone alone.
     pub fn add_rigid(&mut self, mesh: &Mesh, material: usize, bone: usize) {
         self.add(mesh, material, |_| vec![(bone, 1.0)]);
     }
 
     /// A normal for each corner of each face: the mean over the faces round the corner's place
-    /// that meet this one at less than `crease` radians, by their angles there.
-    pub fn normals(&self, crease: f64) -> Vec<[DVec3; 3]> {
+    /// that meet this one at less than the crease's angle, by their angles there.
+    pub fn normals(&self) -> Vec<[DVec3; 3]> {
         let mut around: HashMap<u32, Vec<(DVec3, f64)>> = HashMap::new();
         let own: Vec<DVec3> = self.faces.iter().map(|f| self.face_normal(f)).collect();
         for (face, &normal) in self.faces.iter().zip(&own) {
@@ -138,7 +158,7 @@ impl Skin {
                     .push((normal, angle));
             }
         }
-        let least = crease.cos();
+        let least = self.crease.cos();
         self.faces
             .iter()
             .zip(&own)
