@@ -1,10 +1,12 @@
 //! The files inside the program: all that is made for it is there, and works.
 
 use editor_core::disk::Disk;
-use editor_core::io::builtin::{BuiltinKind, PREFIX, WithBuiltin, catalogue, resolve};
+use editor_core::io::builtin::{
+    BuiltinKind, MANNEQUIN_SCENES, PREFIX, WithBuiltin, catalogue, resolve,
+};
 use editor_core::io::{Files, Loaded, PoseFile};
 use editor_core::scene::{CurveVisibility, Evaluator, ShapeKind, SurfaceVisibility};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 fn named(name: &str) -> PathBuf {
@@ -105,6 +107,47 @@ fn the_showcase_has_posed_characters_that_stand_on_its_floor() {
         assert!(lowest.abs() < 0.01, "{} stands at {lowest}", shape.name);
     }
     assert!(posed >= 2);
+}
+
+#[test]
+fn the_mannequins_scenes_stand_on_its_floor_within_its_view_and_show_every_rig() {
+    const FLOOR: f32 = -2.0;
+    let mut shown = HashSet::new();
+    for scene in MANNEQUIN_SCENES {
+        let loaded = load(scene.strip_prefix(PREFIX).unwrap());
+        let camera = loaded.view.unwrap().camera;
+        assert!(
+            camera.eye().z < -4.0,
+            "{scene} is seen from the mannequin's side"
+        );
+        let evaluated = Evaluator::new().evaluate(&loaded.scene);
+        let clip_from_world = camera.clip_from_world(1.0);
+        let mut lowest = f32::INFINITY;
+        for (shape, evaluated) in loaded.scene.shapes().iter().zip(&evaluated.shapes) {
+            assert!(matches!(shape.kind, ShapeKind::Character(_)), "{scene}");
+            shown.insert(shape.name.to_lowercase());
+            for &p in evaluated.geometry.positions().iter() {
+                let world = evaluated.world_from_model.transform_point3(p);
+                let seen = clip_from_world.project_point3(world);
+                assert!(
+                    seen.truncate().abs().max_element() < 1.0,
+                    "{scene}: {}",
+                    shape.name
+                );
+                lowest = lowest.min(world.y);
+            }
+        }
+        // The creature floats.
+        let most = if scene.ends_with('7') { 0.4 } else { 0.01 };
+        assert!(
+            (-0.01..most).contains(&(lowest - FLOOR)),
+            "{scene} stands at {lowest}"
+        );
+    }
+    let is_rig = |name: &str| resolve(&named(&format!("rigs/{name}"))).is_ok();
+    for rig in catalogue().iter().filter(|builtin| is_rig(builtin.name)) {
+        assert!(shown.contains(rig.name), "{} is in no scene", rig.name);
+    }
 }
 
 #[test]

@@ -66,6 +66,13 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "rigs/humanoid.dae",
     "rigs/lizard.dae",
     "rigs/tentacle.dae",
+    "scenes/mannequin-1.scene",
+    "scenes/mannequin-2.scene",
+    "scenes/mannequin-3.scene",
+    "scenes/mannequin-4.scene",
+    "scenes/mannequin-5.scene",
+    "scenes/mannequin-6.scene",
+    "scenes/mannequin-7.scene",
     "scenes/showcase.scene",
     "scenes/turned.scene",
     "poses/adult-sit.json",
@@ -75,6 +82,18 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "poses/dog-trot.json",
     "poses/robot-greet.json",
     "poses/robot-march.json",
+];
+
+/// The scenes of the Virtual Mannequin, one rig or two in each: what the keys 1 to 7 open, in their
+/// order. They stand on its floor, at a height of −2, and look along −Z at its eye.
+pub const MANNEQUIN_SCENES: [&str; 7] = [
+    "builtin:mannequin-1",
+    "builtin:mannequin-2",
+    "builtin:mannequin-3",
+    "builtin:mannequin-4",
+    "builtin:mannequin-5",
+    "builtin:mannequin-6",
+    "builtin:mannequin-7",
 ];
 
 /// Everything that has a name of its own, in the order of the kinds and then of the names.

@@ -136,14 +136,13 @@ fn arm(skin: &mut Skin, spine: &Spine) {
                 .collect(),
         );
     }
-    for (ring, pair) in rings.windows(2).enumerate() {
+    for pair in rings.windows(2) {
         for side in 0..SIDES {
             let next = (side + 1) % SIDES;
             let from_belly = side.min(SIDES - 1 - side);
             let material = match from_belly {
                 0..5 => BELLY,
                 5..7 => STRIPE,
-                11.. if ring % 8 < 3 => STRIPE,
                 _ => BACK,
             };
             let [a, b, c, d] = [pair[0][side], pair[0][next], pair[1][next], pair[1][side]];

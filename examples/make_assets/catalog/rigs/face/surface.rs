@@ -21,7 +21,7 @@ pub fn surface(p: DVec3) -> f64 {
     d = blend(body::neck(p), d, 0.022);
     d = blend(d, shirt(p), 0.004);
     // The bust ends in a rounded edge.
-    clip(d, 1.452 - p.y, 0.012)
+    clip(d, 1.452 - p.y, 0.018)
 }
 
 fn head_surface(p: DVec3) -> f64 {
@@ -75,6 +75,7 @@ pub fn size(p: DVec3) -> f64 {
     size = size.min(near(face::EYE, 0.018, 0.0023));
     size = size.min(near(DVec3::new(0.036, 1.712, 0.086), 0.022, 0.0036));
     size = size.min(near(DVec3::new(0.08, 1.675, -0.005), 0.025, 0.0042));
+    size = size.min(near(DVec3::new(0.025, 1.578, 0.050), 0.035, 0.0078));
     // The neckline, the bust's edge, and the hairline of the forehead.
     let band = |off: f64, fine: f64| fine + 0.25 * (off.abs() - 0.006).max(0.0);
     if body::neck(p) < 0.03 {
