@@ -6,6 +6,8 @@ use editor_core::io::builtin::{
 };
 use editor_core::io::{Files, Loaded, PoseFile};
 use editor_core::scene::{CurveVisibility, Evaluator, ShapeKind, SurfaceVisibility};
+use editor_core::ui::{COMMANDS, Command, Entry, Navigation};
+use egui::Key;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -54,6 +56,32 @@ fn everything_in_the_catalogue_opens_by_its_name() {
             shape.source.as_ref().unwrap().0,
             format!("builtin:{}", builtin.name)
         );
+    }
+}
+
+#[test]
+fn the_menu_opens_every_scene_and_digits_those_of_the_mannequin() {
+    let in_menu = |name: &str| {
+        let opens = |entry: &&Entry| matches!(entry.command, Command::OpenScene(it) if it == name);
+        COMMANDS.iter().find(opens)
+    };
+    for builtin in catalogue() {
+        if builtin.kind == BuiltinKind::Scene {
+            assert!(in_menu(builtin.name).is_some(), "{}", builtin.name);
+        }
+    }
+    for (scene, key) in MANNEQUIN_SCENES.iter().zip([
+        Key::Num1,
+        Key::Num2,
+        Key::Num3,
+        Key::Num4,
+        Key::Num5,
+        Key::Num6,
+        Key::Num7,
+    ]) {
+        let entry = in_menu(scene.strip_prefix(PREFIX).unwrap()).unwrap();
+        assert_eq!(entry.only_in, Some(Navigation::Mannequin));
+        assert_eq!(entry.shortcuts[0].logical_key, key, "{scene}");
     }
 }
 

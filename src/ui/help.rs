@@ -5,6 +5,7 @@ use egui::{Grid, RichText, ScrollArea, Ui};
 
 /// Help ▸ Keys and Mouse, straight from the table of commands.
 pub(super) fn show(ui: &mut Ui, navigation: Navigation) {
+    let context = ui.ctx().clone();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         heading(ui, "Mouse");
         table("gestures").show(ui, |ui| {
@@ -16,16 +17,16 @@ pub(super) fn show(ui: &mut Ui, navigation: Navigation) {
         });
         for &menu in Menu::ALL {
             let mut entries = entries(menu)
-                .filter(|entry| !entry.shortcuts.is_empty())
-                .filter(|entry| entry.only_in.is_none_or(|only| only == navigation))
+                .map(|entry| (entry.keys(&context, navigation), entry))
+                .filter(|(keys, _)| !keys.is_empty())
                 .peekable();
             if entries.peek().is_none() {
                 continue;
             }
             heading(ui, title(menu));
             table(title(menu)).show(ui, |ui| {
-                for entry in entries {
-                    ui.label(key(ui, &entry.keys(ui.ctx())));
+                for (keys, entry) in entries {
+                    ui.label(key(ui, &keys));
                     ui.label(entry.label).on_hover_text(entry.tooltip);
                     ui.end_row();
                 }

@@ -231,6 +231,13 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
     entry(Command::OpenScene("showcase"), Menu::Scenes, "Showcase", "A man, a robot and a dog", &[]),
     entry(Command::OpenScene("turned"), Menu::Scenes, "Turned", "A vase, a goblet, a pawn and a knot, swept from curves", &[]),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-1"), Menu::Scenes, "Column", "Two bones in a column of cubes", &[key(NONE, Key::Num1)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-2"), Menu::Scenes, "Chain", "Boxes in a row, joined by springs", &[key(NONE, Key::Num2)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-3"), Menu::Scenes, "Tentacle", "Bends softly: five and more joints move each point", &[key(NONE, Key::Num3)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-4"), Menu::Scenes, "Crate and Lizard", "A chest with a picture on it, and a lizard that Blender wrote", &[key(NONE, Key::Num4)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-5"), Menu::Scenes, "Humanoid", "A man with all his fingers", &[key(NONE, Key::Num5)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
     entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else end the program", &[key(NONE, Key::Escape)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
@@ -335,20 +342,35 @@ pub(super) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry> {
 }
 
 impl Entry {
-    /// All its keys, as menus and the window about the keys show them.
-    pub(super) fn keys(&self, ctx: &Context) -> String {
-        let keys: Vec<String> = self
-            .shortcuts
+    /// The keys that start it in a way of navigation, whose own come before the others'.
+    fn shortcuts_in(
+        &self,
+        navigation: Navigation,
+    ) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        let means_another = move |shortcut: &&KeyboardShortcut| match self.only_in {
+            Some(only) => only != navigation,
+            None => COMMANDS.iter().any(|other| {
+                other.only_in == Some(navigation) && other.shortcuts.contains(shortcut)
+            }),
+        };
+        self.shortcuts
             .iter()
+            .filter(move |shortcut| !means_another(shortcut))
+    }
+
+    /// All those keys, as the window about the keys shows them; empty where there are none.
+    pub(super) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
+        let keys: Vec<String> = self
+            .shortcuts_in(navigation)
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .collect();
         keys.join(", ")
     }
 
-    /// Its first key, for a menu.
-    pub(super) fn first_key(&self, ctx: &Context) -> String {
-        self.shortcuts
-            .first()
+    /// The first of them, for a menu.
+    pub(super) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
+        self.shortcuts_in(navigation)
+            .next()
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .unwrap_or_default()
     }
@@ -367,12 +389,12 @@ pub(super) fn label(command: Command) -> &'static str {
         .map_or("", |entry| entry.label)
 }
 
-/// The tooltip of `command`, with its key.
+/// The tooltip of `command`, with its key, one that no way of navigation uses otherwise.
 pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
     COMMANDS
         .iter()
         .find(|entry| entry.command == command)
-        .map(|entry| match entry.first_key(ctx) {
+        .map(|entry| match entry.first_key(ctx, Navigation::default()) {
             key if key.is_empty() => entry.tooltip.to_owned(),
             key => format!("{} ({key})", entry.tooltip),
         })
@@ -409,15 +431,12 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
         modifiers
     };
     let has_key = |entry: &&Entry| {
-        entry.shortcuts.iter().any(|shortcut| {
+        entry.shortcuts_in(navigation).any(|shortcut| {
             shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
         })
     };
-    let special = |entry: &&Entry| entry.only_in == Some(navigation);
-    let mut entries = COMMANDS.iter().filter(has_key);
-    let own = entries.clone().find(special);
-    own.or_else(|| entries.find(|entry| entry.only_in.is_none()))
-        .map(|entry| entry.command)
+    let entry = COMMANDS.iter().find(has_key);
+    entry.map(|entry| entry.command)
 }
 
 #[cfg(test)]
@@ -492,7 +511,7 @@ mod tests {
             for entry in COMMANDS {
                 shown += entry.label;
                 shown += entry.tooltip;
-                shown += &entry.keys(ui.ctx());
+                shown += &entry.keys(ui.ctx(), Navigation::Course);
             }
             let drawn = |sign: char| {
                 let font = egui::FontId::proportional(14.0);

@@ -121,7 +121,7 @@ impl Items<'_> {
             None => entry.label.to_owned(),
         };
         let button = Button::new(mark)
-            .shortcut_text(entry.first_key(ui.ctx()))
+            .shortcut_text(entry.first_key(ui.ctx(), self.state.navigation))
             .wrap_mode(egui::TextWrapMode::Extend);
         let item = named(ui.add_enabled(why.is_none(), button), entry.label);
         if let Some(on) = on {

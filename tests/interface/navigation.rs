@@ -131,7 +131,7 @@ fn in_the_mannequin_keys_walk_and_r_puts_view_and_pose_back() {
         let before = editor.session().view().camera.target;
         editor.key(key);
         let moved = editor.session().view().camera.target - before;
-        let off = (moved.normalize() - along).length();
+        let off = (moved.normalize_or_zero() - along).length();
         assert!(moved.length() >= 0.0999 && off < 1e-4, "{key:?} {moved}");
     }
     editor.add_character(crate::figure::figure());
@@ -162,4 +162,8 @@ fn the_window_about_the_keys_tells_the_gestures_of_the_chosen_way() {
     editor.choose(&["View", "Navigation", "Mannequin"]);
     editor.key(Key::F1);
     assert!(editor.has("W, S") && editor.has("Reset View and Pose"));
+    assert!(
+        editor.has("Chain") && !editor.has("View from +Z"),
+        "1 and 2 open scenes"
+    );
 }
