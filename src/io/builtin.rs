@@ -78,10 +78,16 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "poses/adult-sit.json",
     "poses/adult-walk.json",
     "poses/adult-wave.json",
+    "poses/chain-snake.json",
+    "poses/creature-wave.json",
     "poses/dog-sit.json",
     "poses/dog-trot.json",
+    "poses/face-wink.json",
+    "poses/humanoid-point.json",
+    "poses/lizard-turn.json",
     "poses/robot-greet.json",
     "poses/robot-march.json",
+    "poses/tentacle-curl.json",
 ];
 
 /// The scenes of the Virtual Mannequin, one rig or two in each: what the keys 1 to 7 open, in their

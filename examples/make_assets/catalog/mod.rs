@@ -24,7 +24,7 @@ pub struct File {
 }
 
 /// The paths of all files, in the order in which they are made.
-pub const PATHS: [&str; 34] = [
+pub const PATHS: [&str; 40] = [
     "characters/adult.skel",
     "characters/adult.attach",
     "characters/adult.obj",
@@ -45,6 +45,12 @@ pub const PATHS: [&str; 34] = [
     "poses/robot-march.json",
     "poses/dog-trot.json",
     "poses/dog-sit.json",
+    "poses/humanoid-point.json",
+    "poses/face-wink.json",
+    "poses/creature-wave.json",
+    "poses/tentacle-curl.json",
+    "poses/lizard-turn.json",
+    "poses/chain-snake.json",
     "curves/vase.swp",
     "curves/goblet.swp",
     "curves/pawn.swp",

@@ -2,9 +2,9 @@
 use std::fmt::Write;
 
 /// A pose: joints by name with their Euler angles in degrees (Rx · Ry · Rz, about the axes of the
-/// world at rest), and how far the root moves.
+/// world at rest), and how far roots move.
 struct Pose {
-    root: [f64; 3],
+    roots: &'static [(&'static str, [f64; 3])],
     joints: &'static [(&'static str, [f64; 3])],
 }
 
@@ -19,18 +19,17 @@ fn text(pose: &Pose) -> String {
         let comma = if i + 1 < pose.joints.len() { "," } else { "" };
         let _ = writeln!(text, "    \"{name}\": [{x}, {y}, {z}]{comma}");
     }
-    let [x, y, z] = pose.root;
-    let _ = writeln!(
-        text,
-        "  }},\n  \"roots\": {{ \"Root\": [{x}, {y}, {z}] }}\n}}"
-    );
+    let roots = pose.roots.iter();
+    let roots = roots.map(|(name, [x, y, z])| format!("\"{name}\": [{x}, {y}, {z}]"));
+    let roots: Vec<String> = roots.collect();
+    let _ = writeln!(text, "  }},\n  \"roots\": {{ {} }}\n}}", roots.join(", "));
     text
 }
 
 const POSES: &[Pose] = &[
     // adult-walk
     Pose {
-        root: [0.0, -0.053, 0.0],
+        roots: &[("Root", [0.0, -0.053, 0.0])],
         joints: &[
             ("Root", [3.0, 4.0, 0.0]),
             ("Waist", [-2.0, -9.0, 0.0]),
@@ -49,7 +48,7 @@ const POSES: &[Pose] = &[
     },
     // adult-wave
     Pose {
-        root: [0.0, 0.007, 0.0],
+        roots: &[("Root", [0.0, 0.007, 0.0])],
         joints: &[
             ("Waist", [0.0, -6.0, -2.0]),
             ("Neck", [-4.0, -10.0, 6.0]),
@@ -65,7 +64,7 @@ const POSES: &[Pose] = &[
     },
     // adult-sit
     Pose {
-        root: [0.0, -0.402, 0.0],
+        roots: &[("Root", [0.0, -0.402, 0.0])],
         joints: &[
             ("Root", [6.0, 0.0, 0.0]),
             ("Waist", [-8.0, 0.0, 0.0]),
@@ -84,7 +83,7 @@ const POSES: &[Pose] = &[
     },
     // robot-greet
     Pose {
-        root: [0.0, 0.0, 0.0],
+        roots: &[("Root", [0.0, 0.0, 0.0])],
         joints: &[
             ("Torso", [0.0, -8.0, 0.0]),
             ("Neck", [0.0, -8.0, 0.0]),
@@ -100,7 +99,7 @@ const POSES: &[Pose] = &[
     },
     // robot-march
     Pose {
-        root: [0.0, -0.026, 0.0],
+        roots: &[("Root", [0.0, -0.026, 0.0])],
         joints: &[
             ("Torso", [4.0, 6.0, 0.0]),
             ("Head", [0.0, -6.0, 0.0]),
@@ -118,7 +117,7 @@ const POSES: &[Pose] = &[
     },
     // dog-trot
     Pose {
-        root: [0.0, -0.008, 0.0],
+        roots: &[("Root", [0.0, -0.008, 0.0])],
         joints: &[
             ("Neck", [6.0, 0.0, 0.0]),
             ("Head", [-4.0, 0.0, 0.0]),
@@ -145,7 +144,7 @@ const POSES: &[Pose] = &[
     },
     // dog-sit
     Pose {
-        root: [0.0, -0.129, 0.0],
+        roots: &[("Root", [0.0, -0.129, 0.0])],
         joints: &[
             ("Root", [-30.0, 0.0, 0.0]),
             ("Hips", [-14.0, 0.0, 0.0]),
@@ -167,6 +166,110 @@ const POSES: &[Pose] = &[
             ("Right knee", [48.0, 0.0, 0.0]),
             ("Right hock", [-58.0, 0.0, 0.0]),
             ("Right hind paw", [66.0, 0.0, 0.0]),
+        ],
+    },
+    // humanoid-point
+    Pose {
+        roots: &[("Hips", [0.0, 0.0, 0.0])],
+        joints: &[
+            ("Spine", [0.0, 6.0, -2.0]),
+            ("Chest", [0.0, 6.0, 0.0]),
+            ("Neck", [0.0, 10.0, 0.0]),
+            ("Head", [-4.0, 14.0, -3.0]),
+            ("Left arm", [0.0, -46.0, 50.0]),
+            ("Left forearm", [0.0, 8.0, 2.0]),
+            ("Left hand", [0.0, 0.0, 8.0]),
+            ("Left thumb 1", [0.0, 20.0, -20.0]),
+            ("Left thumb 2", [0.0, 30.0, -20.0]),
+            ("Left index 1", [0.0, 0.0, 6.0]),
+            ("Left index 2", [0.0, 0.0, 16.0]),
+            ("Left middle 1", [0.0, 0.0, -72.0]),
+            ("Left middle 2", [0.0, 0.0, -84.0]),
+            ("Left ring 1", [0.0, 0.0, -76.0]),
+            ("Left ring 2", [0.0, 0.0, -84.0]),
+            ("Left little 1", [0.0, 0.0, -78.0]),
+            ("Left little 2", [0.0, 0.0, -84.0]),
+            ("Right arm", [6.0, 0.0, 32.0]),
+            ("Right forearm", [-24.0, 0.0, 6.0]),
+        ],
+    },
+    // face-wink
+    Pose {
+        roots: &[("Shoulders", [0.0, 0.0, 0.0])],
+        joints: &[
+            ("Neck", [0.0, 8.0, -4.0]),
+            ("Head", [4.0, 10.0, -6.0]),
+            ("Jaw", [7.0, 0.0, 0.0]),
+            ("Left mouth corner", [0.0, 0.0, 20.0]),
+            ("Right mouth corner", [0.0, 0.0, -20.0]),
+            ("Left eye", [0.0, -14.0, 0.0]),
+            ("Right eye", [0.0, -14.0, 0.0]),
+            ("Right upper lid", [38.0, 0.0, 0.0]),
+            ("Right lower lid", [-10.0, 0.0, 0.0]),
+            ("Left brow", [0.0, 0.0, 12.0]),
+        ],
+    },
+    // creature-wave
+    Pose {
+        roots: &[
+            ("Left hand", [0.02, 0.42, 0.1]),
+            ("Right hand", [0.1, -0.06, 0.06]),
+        ],
+        joints: &[
+            ("Head", [0.0, 14.0, -9.0]),
+            ("Left ear", [0.0, 0.0, -16.0]),
+            ("Right ear", [0.0, 0.0, -10.0]),
+            ("Left eye", [-6.0, 12.0, 0.0]),
+            ("Right eye", [-6.0, 12.0, 0.0]),
+            ("Tail 1", [10.0, 0.0, 10.0]),
+            ("Tail 2", [6.0, 0.0, 16.0]),
+            ("Tail 3", [10.0, 0.0, 22.0]),
+            ("Tail 4", [10.0, 0.0, 30.0]),
+            ("Left hand", [-96.0, 20.0, 10.0]),
+            ("Right hand", [24.0, 10.0, 0.0]),
+        ],
+    },
+    // tentacle-curl
+    Pose {
+        roots: &[("Segment 1", [0.0, 0.0, 0.0])],
+        joints: &[
+            ("Segment 2", [0.0, 0.0, 12.0]),
+            ("Segment 3", [0.0, 20.0, 14.0]),
+            ("Segment 4", [8.0, 0.0, 6.0]),
+            ("Segment 5", [10.0, 0.0, -20.0]),
+            ("Segment 6", [0.0, -20.0, -34.0]),
+            ("Segment 7", [0.0, 0.0, -30.0]),
+            ("Segment 8", [0.0, 0.0, -26.0]),
+            ("Segment 9", [0.0, 0.0, -40.0]),
+            ("Segment 10", [0.0, 0.0, -40.0]),
+        ],
+    },
+    // lizard-turn
+    Pose {
+        roots: &[("Hips", [0.0, 0.0, 0.0])],
+        joints: &[
+            ("Back 1", [0.0, -12.0, 0.0]),
+            ("Back 2", [0.0, 16.0, 0.0]),
+            ("Back 3", [0.0, 14.0, 0.0]),
+            ("Neck", [-20.0, 20.0, 0.0]),
+            ("Head", [-8.0, 14.0, 8.0]),
+            ("Tail 1", [0.0, 14.0, 0.0]),
+            ("Tail 2", [0.0, 24.0, 0.0]),
+            ("Tail 3", [-6.0, 32.0, 0.0]),
+            ("Tail 4", [-10.0, 34.0, 0.0]),
+            ("Tail 5", [-6.0, 36.0, 0.0]),
+            ("Tail 6", [0.0, 30.0, 0.0]),
+        ],
+    },
+    // chain-snake
+    Pose {
+        roots: &[("Link 1", [0.0, 0.0, 0.0])],
+        joints: &[
+            ("Link 2", [10.0, 0.0, 34.0]),
+            ("Link 3", [0.0, 0.0, -40.0]),
+            ("Link 4", [20.0, 0.0, -40.0]),
+            ("Link 5", [0.0, 0.0, 42.0]),
+            ("Link 6", [34.0, 0.0, 30.0]),
         ],
     },
 ];
