@@ -13,12 +13,12 @@ const LINES: [(&str, &str); 2] = [
 ];
 const SIZE: egui::Vec2 = vec2(380.0, 88.0);
 
-/// Three lines for newcomers in the view's upper left corner; whether their × was clicked.
+/// Three lines for newcomers in the view's lower left corner; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
-    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + BAR_HEIGHT + 20.0 {
+    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 2.0 * BAR_HEIGHT {
         return false;
     }
-    let corner = pos2(view.left() + 12.0, view.top() + BAR_HEIGHT + 8.0);
+    let corner = pos2(view.left() + 12.0, view.bottom() - SIZE.y - 12.0);
     let builder = UiBuilder::new()
         .id_salt("first help")
         .max_rect(Rect::from_min_size(corner, SIZE));
