@@ -11,6 +11,7 @@ mod error;
 pub mod export;
 mod load;
 mod output;
+mod panels;
 pub mod render;
 
 pub use arguments::SkinningName;

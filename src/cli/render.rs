@@ -1,16 +1,15 @@
 //! `editor render`: a picture without a window.
 
 use super::display_options::DisplayOptions;
+use super::panels::{self, PanelOptions};
 use super::{CliError, arguments, load};
 use crate::disk;
 use crate::editor::Session;
-use crate::geometry::Picture;
-use crate::gpu::{Backend, Framebuffer, Gl};
+use crate::gpu::Backend;
 use crate::io;
 use crate::math::Aabb;
-use crate::render::{Frame, InterfacePainter, Marks, Offscreen, compose, read_picture, view_place};
+use crate::render::{Frame, Marks, Offscreen};
 use crate::scene::{Camera, Look, ViewDirection, ViewSettings};
-use crate::ui;
 use std::path::PathBuf;
 
 /// Draws scenes, characters and shapes into a picture, without a window or a display.
@@ -71,6 +70,8 @@ pub struct Args {
     /// Draw the window's panels too; the size is the window's.
     #[arg(long)]
     ui: bool,
+    #[command(flatten)]
+    panels: PanelOptions,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -106,7 +107,13 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         .renderer()
         .set_skinning(args.skinning.map(Into::into));
     let picture = if args.ui {
-        with_panels(args, &session, &mut offscreen)?
+        panels::picture(
+            &args.panels,
+            session,
+            &mut offscreen,
+            args.size,
+            args.samples,
+        )?
     } else {
         let frame = frame(&session, Marks::default());
         offscreen.picture(&frame, args.size, args.samples)?
@@ -152,58 +159,11 @@ fn fitted(mut view: ViewSettings, bounds: &Aabb, (width, height): (u32, u32)) ->
     view
 }
 
-fn frame(session: &Session, marks: Marks) -> Frame<'_> {
+pub(super) fn frame(session: &Session, marks: Marks) -> Frame<'_> {
     Frame {
         scene: session.scene(),
         evaluated: session.evaluated(),
         view: session.view(),
         marks,
     }
-}
-
-/// The window as it would look, drawn through the same panels.
-fn with_panels(
-    args: &Args,
-    session: &Session,
-    offscreen: &mut Offscreen,
-) -> Result<Picture, CliError> {
-    let (width, height) = args.size;
-    let gl: Gl = offscreen.gl().clone();
-    let mut painter = InterfacePainter::new(&gl)?;
-    let context = egui::Context::default();
-    let mut state = ui::UiState::new();
-    state.theme = egui::ThemePreference::Dark;
-    let view_input = ui::ViewInput::default();
-    let mut view_rect = egui::Rect::NOTHING;
-    let texture_side = painter.max_texture_side();
-    let mut lay_out = || {
-        let size = egui::vec2(width as f32, height as f32);
-        let input = egui::RawInput {
-            screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
-            max_texture_side: Some(texture_side),
-            time: Some(0.0),
-            ..Default::default()
-        };
-        let output = context.run_ui(input, |ui| {
-            view_rect = ui::show(ui, session, &mut state, &view_input).view_rect;
-        });
-        (output, view_rect)
-    };
-    // Panels take a few frames to find their sizes.
-    for _ in 0..3 {
-        let (output, _) = lay_out();
-        painter.skip(output);
-    }
-    let (output, rect) = lay_out();
-    let (min, max) = (rect.min, rect.max);
-    let place = view_place((min.x, min.y), (max.x, max.y), 1.0, args.size);
-    let marks = Marks {
-        selected: session.selected(),
-        ..Marks::default()
-    };
-    let size = (place.width.unsigned_abs(), place.height.unsigned_abs());
-    let scene = offscreen.render(&frame(session, marks), size, args.samples)?;
-    let target = Framebuffer::new(&gl, width, height, 0)?;
-    compose(&scene, place, &mut painter, &context, output, &target)?;
-    Ok(read_picture(&target)?)
 }

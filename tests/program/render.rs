@@ -131,6 +131,33 @@ fn both_ways_of_skinning_draw_the_same_character() {
 }
 
 #[test]
+fn a_bone_in_the_hand_can_be_shown_with_the_panels() {
+    let folder = folder();
+    let render = |name: &str, options: &str| {
+        let line = format!("render builtin:mannequin-5 --ui --size 1000x700 -o {name} {options}");
+        let ran = editor_in(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options}");
+        picture(folder.path(), name)
+    };
+    let cyan = |picture: &image::RgbaImage| {
+        let is_cyan = |p: &&image::Rgba<u8>| p[0] < 60 && p[1] > 200 && p[2] > 230;
+        picture.pixels().filter(is_cyan).count()
+    };
+    let posing = render("a.png", "--tool pose");
+    let held = render("b.png", "--tool pose --drag 240,280,150,180");
+    assert_eq!(cyan(&posing), 0);
+    assert!(cyan(&held) > 100, "{}", cyan(&held));
+    // The forearm went up, to the left of where any of it was.
+    let arm = |picture: &image::RgbaImage| {
+        let red = |x, y| picture.get_pixel(x, y)[0] > 150;
+        (140..230)
+            .filter(|&x| (120..230).any(|y| red(x, y)))
+            .count()
+    };
+    assert!(arm(&posing) == 0 && arm(&held) > 40, "{}", arm(&held));
+}
+
+#[test]
 fn pictures_are_written_as_png_jpeg_and_gif() {
     let folder = folder();
     for name in ["a.png", "a.jpg", "a.gif"] {
@@ -235,6 +262,18 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
             "on or off",
         ),
         (&["render", "man.obj"], 2, "--output"),
+        (
+            &["render", "man.obj", "--drag", "1,2,3,4", "-o", "a.png"],
+            2,
+            "--ui",
+        ),
+        (
+            &[
+                "render", "man.obj", "--ui", "--drag", "1,2,3", "-o", "a.png",
+            ],
+            2,
+            "X,Y,Z,W",
+        ),
     ] {
         let ran = editor_in(folder.path(), arguments);
         assert_eq!(
