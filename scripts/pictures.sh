@@ -16,6 +16,10 @@ mkdir -p "$out"
     --size 640x480 -o "$out/frames.png"
 "$editor" render builtin:scenes/turned --samples 4 \
     --size 640x480 -o "$out/surface.png"
+"$editor" render builtin:creature --pose builtin:creature-wave --look studio --fit \
+    --camera 75,10,4 --samples 4 --size 640x480 -o "$out/creature.png"
+"$editor" render builtin:face --pose builtin:face-wink --look studio --camera 78,5,2.7 --samples 4 \
+    --size 640x480 -o "$out/face.png"
 # What cutting the weights of a vertex to the largest four changes.
 "$editor" render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 -o "$out/a.png"
 "$editor" render builtin:adult --pose builtin:adult-walk --camera 90,0,2.4 --size 480x480 \
