@@ -25,7 +25,7 @@ impl Workspace {
     }
 
     /// Writes `text` whole or not at all, and tells how that went.
-    fn write(&mut self, path: &Path, extension: &str, text: &str) {
+    pub(super) fn write(&mut self, path: &Path, extension: &str, text: &str) {
         let written =
             ends_in(path, extension).and_then(|()| disk::write_whole(path, text.as_bytes()));
         let (severity, text) = match written {

@@ -14,6 +14,8 @@ pub(super) enum Purpose {
     SaveScreenshot(Screenshot),
     Compare,
     SaveComparison,
+    SavePose(ShapeId, Option<usize>),
+    LoadPose(ShapeId),
 }
 
 impl Purpose {
@@ -29,6 +31,8 @@ impl Purpose {
             Self::SaveScreenshot(_) => "Save Screenshot",
             Self::Compare => "Compare with Picture",
             Self::SaveComparison => "Save Comparison",
+            Self::SavePose(..) => "Save Pose",
+            Self::LoadPose(_) => "Load Pose",
         }
     }
 
@@ -38,6 +42,7 @@ impl Purpose {
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
             Self::ExportGeometry => "Geometry (.obj)",
+            Self::SavePose(..) | Self::LoadPose(_) => "Poses (.json)",
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
                 "Pictures (.png, .jpg, .gif)"
             }
@@ -63,6 +68,7 @@ impl Purpose {
                 extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
             }
             Self::ExportGeometry => extension == "obj",
+            Self::SavePose(..) | Self::LoadPose(_) => extension == "json",
             Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
                 ["png", "jpg", "jpeg", "gif"].contains(&&*extension)

@@ -8,6 +8,7 @@ mod file_dialogs;
 mod frame;
 pub mod globals;
 mod imports;
+mod poses;
 mod preferences;
 mod screenshots;
 mod workspace;

@@ -198,6 +198,10 @@ impl Workspace {
             }
             Ask::InsertBuiltin(name) => self.import_any(Path::new(&format!("builtin:{name}"))),
             Ask::OpenBuiltin(name) => self.open(Path::new(&format!("builtin:{name}"))),
+            Ask::CopyPose(shape) => self.copy_pose(shape),
+            Ask::PastePose(shape) => self.paste_pose(shape),
+            Ask::SavePose(shape, kept) => self.choose_pose_to_save(shape, kept),
+            Ask::LoadPose(shape) => self.dialogs.open(Purpose::LoadPose(shape), folder),
             Ask::Compare(action) => self.compare(action),
             Ask::Quit => self.quit = true,
         }
@@ -216,6 +220,8 @@ impl Workspace {
                 self.pending_screenshot = Some(path);
             }
             Purpose::SaveScreenshot(shot) => self.save_view(&path, shot),
+            Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path),
+            Purpose::LoadPose(shape) => self.load_pose(shape, &path),
             Purpose::Compare => self.compare_with(&path),
             Purpose::SaveComparison => self.save_comparison(&path),
         }

@@ -53,6 +53,16 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
         Edit::ResetJoint(shape, joint) => {
             change_pose(scene, shape, joint, |pose| pose.reset_joint(joint));
         }
+        Edit::KeepPose { shape, name } => {
+            if let Some(character) = scene.character_mut(shape) {
+                character.keep_pose(name);
+            }
+        }
+        Edit::ForgetPose(id, index) => {
+            if let Some(character) = scene.character_mut(id) {
+                character.forget_pose(index);
+            }
+        }
         Edit::SetPose(id, pose) => {
             if let Some(character) = scene.character_mut(id) {
                 character.set_pose(pose);

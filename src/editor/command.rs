@@ -67,6 +67,16 @@ pub enum Edit {
     ResetJoint(ShapeId, usize),
     /// Replaces all angles.
     SetPose(ShapeId, Pose),
+    /// Keeps the current pose with the character, in place of the one of that name if there is
+    /// one.
+    KeepPose {
+        /// The character.
+        shape: ShapeId,
+        /// What the list will call it.
+        name: String,
+    },
+    /// Takes a kept pose, by its index, off the character's list.
+    ForgetPose(ShapeId, usize),
     /// Moves a control point. A curve that closes stays closed, a flat one flat.
     SetControlPoint {
         /// The shape made of curves.
@@ -209,6 +219,15 @@ pub enum Ask {
     ExportGeometry,
     /// Save a picture of the view: choose a file.
     Screenshot(Screenshot),
+    /// Put the pose of a character on the clipboard.
+    CopyPose(ShapeId),
+    /// Give a character the pose on the clipboard.
+    PastePose(ShapeId),
+    /// Write the pose of a character, or the kept one with this index, as `POSE.json`: choose a
+    /// file.
+    SavePose(ShapeId, Option<usize>),
+    /// Give a character the pose of a `POSE.json`: choose a file.
+    LoadPose(ShapeId),
     /// Compare the view with a picture.
     Compare(CompareAction),
     /// End the program.

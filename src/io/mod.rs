@@ -21,6 +21,7 @@ mod scene_data;
 mod scene_file;
 mod skel;
 mod swp;
+mod to_pose;
 mod to_swp;
 
 pub use attach::read_attach;

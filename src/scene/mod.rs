@@ -9,6 +9,7 @@ mod deformation;
 mod evaluate;
 mod evaluate_curves;
 mod import_curve;
+mod kept_pose;
 mod pick_bone;
 mod picking;
 mod shape;
@@ -23,6 +24,7 @@ pub use deformation::Deformation;
 pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
+pub use kept_pose::KeptPose;
 pub use pick_bone::{BoneHit, bones_in_world, pick_bone};
 pub use picking::pick_shape;
 pub use shape::{

@@ -1,3 +1,4 @@
+use super::kept_pose::{self, KeptPose};
 use super::{CurveShape, ShapeColor, custom};
 use crate::character::{Character, Pose};
 use crate::geometry::{self, Mesh, Revision, SharedMesh};
@@ -95,6 +96,7 @@ pub struct CharacterShape {
     /// Its joints' angles. Change it through [`CharacterShape::set_pose`].
     pose: Pose,
     pose_revision: Revision,
+    poses: Vec<KeptPose>,
     /// How it is drawn.
     pub display: CharacterDisplay,
 }
@@ -166,6 +168,7 @@ impl CharacterShape {
             character,
             pose: Pose::new(),
             pose_revision: Revision::new(),
+            poses: Vec::new(),
             display: CharacterDisplay::default(),
         }
     }
@@ -178,6 +181,28 @@ impl CharacterShape {
     /// Changes with every change of the pose.
     pub fn pose_revision(&self) -> Revision {
         self.pose_revision
+    }
+
+    /// The poses that are kept with it, in the order in which they were.
+    pub fn poses(&self) -> &[KeptPose] {
+        &self.poses
+    }
+
+    /// Keeps the current pose under `name`, in place of the one of that name if there is one.
+    pub fn keep_pose(&mut self, name: String) {
+        kept_pose::keep(&mut self.poses, name, self.pose.clone());
+    }
+
+    /// Takes a kept pose off the list; nothing if there is none with this index.
+    pub fn forget_pose(&mut self, index: usize) {
+        if index < self.poses.len() {
+            self.poses.remove(index);
+        }
+    }
+
+    /// `Pose 1` and so on: the first name that no kept pose has.
+    pub fn free_pose_name(&self) -> String {
+        kept_pose::free_name(&self.poses)
     }
 
     /// Replaces the pose; one that is the same changes nothing.

@@ -59,6 +59,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Theme => "View ⏵ Theme",
         Menu::Skinning => "View ⏵ Skinning",
         Menu::Tools => "Pose",
+        Menu::Pose => "Pose, selected character",
         Menu::Help => "Help",
     }
 }

@@ -62,6 +62,22 @@ pub enum Command {
     SetTool(Tool),
     /// Shows gizmos along the axes of the joint or shape, or of the world.
     ToggleLocalAxes,
+    /// Puts the selected joint back to rest.
+    ResetJoint,
+    /// Puts every joint of the selected character back to rest.
+    ResetPose,
+    /// Exchanges left and right in the pose of the selected character.
+    MirrorPose,
+    /// Puts the pose of the selected character on the clipboard.
+    CopyPose,
+    /// Gives the selected character the pose on the clipboard.
+    PastePose,
+    /// Keeps the pose with the selected character.
+    KeepPose,
+    /// Writes the pose of the selected character to a file.
+    SavePose,
+    /// Gives the selected character the pose of a file.
+    LoadPose,
     /// Opens the list of keys and gestures.
     Keys,
     /// Opens the history of messages.
@@ -145,6 +161,8 @@ pub enum Menu {
     Skinning,
     /// Pose, the tools.
     Tools,
+    /// Pose, the part about the whole pose.
+    Pose,
     /// Help.
     Help,
     /// The shape panel's buttons.
@@ -169,6 +187,7 @@ impl Menu {
         Self::Theme,
         Self::Skinning,
         Self::Tools,
+        Self::Pose,
         Self::Help,
     ];
 }
@@ -196,6 +215,7 @@ const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 
 const NONE: Modifiers = Modifiers::NONE;
 const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
 const CTRL: Modifiers = Modifiers::COMMAND;
 
 const fn entry(
@@ -290,6 +310,15 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
+
+    entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]),
+    entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),
+    entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]),
+    entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL, Key::C)]),
+    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Take on the pose on the clipboard", &[key(CTRL, Key::V)]),
+    entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]),
+    entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]),
+    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Take on the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),
 
     entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
     entry(Command::Messages, Menu::Help, "Messages", "Everything the program has told since it started", &[key(NONE, Key::F9)]),
@@ -406,16 +435,19 @@ pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         input.events.retain(|event| {
-            let Event::Key {
-                key,
-                pressed: true,
-                modifiers,
-                ..
-            } = event
-            else {
-                return true;
+            let (modifiers, key) = match event {
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } => (*modifiers, *key),
+                // These two keys arrive as what they mean.
+                Event::Copy => (CTRL, Key::C),
+                Event::Paste(_) => (CTRL, Key::V),
+                _ => return true,
             };
-            let hit = command_of(*modifiers, *key, navigation);
+            let hit = command_of(modifiers, key, navigation);
             commands.extend(hit);
             hit.is_none()
         });

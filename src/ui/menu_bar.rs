@@ -42,7 +42,7 @@ pub(super) fn show(
             ui.menu_button("File", |ui| items.file(ui));
             ui.menu_button("Insert", |ui| items.insert(ui));
             ui.menu_button("View", |ui| items.view(ui));
-            ui.menu_button("Pose", |ui| items.all(ui, Menu::Tools));
+            ui.menu_button("Pose", |ui| items.pose(ui));
             ui.menu_button("Help", |ui| items.all(ui, Menu::Help));
             title(ui, items.input.title);
         });
@@ -103,6 +103,12 @@ impl Items<'_> {
         submenu(ui, "Navigation", |ui| self.all(ui, Menu::Navigation));
         submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
         submenu(ui, "Skinning", |ui| self.all(ui, Menu::Skinning));
+    }
+
+    fn pose(&mut self, ui: &mut Ui) {
+        self.all(ui, Menu::Tools);
+        ui.separator();
+        self.all(ui, Menu::Pose);
     }
 
     /// The table's commands of one menu.

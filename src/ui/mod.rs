@@ -28,6 +28,8 @@ mod notices;
 mod number_field;
 mod number_text;
 mod pointer_use;
+mod pose_commands;
+mod pose_list;
 mod posing;
 mod properties;
 mod run_command;

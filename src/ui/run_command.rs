@@ -1,4 +1,5 @@
 use super::keys::{self, Command, Primitive};
+use super::pose_commands;
 use super::state::{Dialog, UiState};
 use super::{Navigation, curve_commands};
 use crate::character::Pose;
@@ -48,6 +49,14 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::SetSkinning(skinning) => state.skinning = skinning,
         Command::SetTool(tool) => state.pose.tool = tool,
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
+        Command::ResetJoint
+        | Command::ResetPose
+        | Command::MirrorPose
+        | Command::CopyPose
+        | Command::PastePose
+        | Command::KeepPose
+        | Command::SavePose
+        | Command::LoadPose => return pose_commands::run(command, session),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive)),
         Command::MakeSurfaceOfRevolution => return curve_commands::revolution(session),
@@ -112,6 +121,14 @@ pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'stat
         Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
             curve_commands::why_disabled(command, session)
         }
+        Command::ResetJoint
+        | Command::ResetPose
+        | Command::MirrorPose
+        | Command::CopyPose
+        | Command::PastePose
+        | Command::KeepPose
+        | Command::SavePose
+        | Command::LoadPose => pose_commands::why_disabled(command, session),
         Command::Fit if session.scene().shapes().is_empty() => Some("There is nothing to fit"),
         _ => None,
     }

@@ -1,5 +1,5 @@
 use super::state::UiState;
-use super::{curve_display, curve_list, display, joint_list, properties, shape_list};
+use super::{curve_display, curve_list, display, joint_list, pose_list, properties, shape_list};
 use crate::editor::{Action, Session, View};
 use crate::scene::ShapeKind;
 use egui::{Frame, Margin, Panel, RichText, ScrollArea, Ui};
@@ -52,6 +52,14 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         if let ShapeKind::Character(character) = &shape.kind {
             ui.separator();
             display::show(ui, shape.id, character.display, actions);
+            ui.separator();
+            pose_list::show(
+                ui,
+                shape.id,
+                character,
+                &mut state.joints.pose_name,
+                actions,
+            );
             ui.separator();
             joint_list::show(ui, session, shape.id, &mut state.joints, actions);
         } else {

@@ -60,6 +60,8 @@ pub(super) struct JointListState {
     pub focus: Option<usize>,
     /// The joint that was selected in the last frame, to notice one selected in the view.
     pub selected: Option<(ShapeId, usize)>,
+    /// What is typed as the name of a pose to keep.
+    pub pose_name: String,
 }
 
 /// What the list of curves and the gestures with control points remember.

@@ -10,6 +10,7 @@ mod layout;
 mod menus;
 mod messages;
 mod navigation;
+mod poses;
 mod shapes;
 mod view;
 

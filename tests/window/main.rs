@@ -64,6 +64,34 @@ fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_
 }
 
 #[test]
+fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let hand = places::end_of_bone("builtin:robot", "Left elbow");
+    let grip = (hand.0 - 2.0, hand.1 - 4.0);
+    let far = (hand.0 + 60.0, hand.1 - 80.0);
+    program.keys(&["b"]);
+    let before = program.picture();
+    program.drag("1", grip, far);
+    let dragged = program.picture();
+    assert!(dragged != before, "the drag does nothing");
+    program.keys(&["Right", "Right"]);
+    let rolled = program.picture();
+    assert!(rolled != dragged, "the key does not roll");
+
+    program.keys(&["ctrl+c", "alt+shift+r"]);
+    let reset = program.picture();
+    assert!(reset != rolled, "the pose is not reset");
+    program.keys(&["ctrl+v"]);
+    assert!(program.picture() == rolled, "the pose does not come back");
+    program.keys(&["Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+}
+
+#[test]
 fn the_mouse_moves_the_camera_and_the_window_stays_still_when_left_alone() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");

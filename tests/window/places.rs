@@ -4,10 +4,13 @@ use editor_core::editor::{CompareSettings, Session};
 use editor_core::geometry::Picture;
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files, Loaded};
+use editor_core::scene::bones_in_world;
 use editor_core::ui::{self, CompareReport, CompareView, ShownPicture, UiState, ViewInput};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use std::cell::Cell;
 use std::path::Path;
+use std::rc::Rc;
 
 /// Size of the window at its start, in points and pixels alike.
 const SIZE: (f32, f32) = (1280.0, 800.0);
@@ -70,4 +73,35 @@ fn middle_in(scene: &str, label: &str, compared: Option<Picture>) -> (f32, f32) 
     harness.run_steps(4);
     let middle = harness.get_by_label(label).rect().center();
     (middle.x, middle.y)
+}
+
+/// Where the end of a joint's bone is on the screen, in a window that shows `scene` as it starts.
+pub fn end_of_bone(scene: &str, joint: &str) -> (f32, f32) {
+    let mut loaded = Loaded::default();
+    loaded
+        .add(&WithBuiltin(NoDisk), Path::new(scene))
+        .expect("a built-in scene or character");
+    let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
+    let shape = &session.evaluated().shapes[0];
+    let character = session.scene().character(shape.id).expect("a character");
+    let joints = character.character.skeleton().joints();
+    let index = joints.iter().position(|known| known.name == joint);
+    let (.., end) = bones_in_world(session.scene(), shape)
+        .find(|bone| Some(bone.0) == index)
+        .expect("the joint has a bone");
+    let camera = session.view().camera;
+    let mut state = UiState::new();
+    let view = Rc::new(Cell::new(egui::Rect::NOTHING));
+    let found = view.clone();
+    let mut harness = Harness::builder()
+        .with_size(egui::vec2(SIZE.0, SIZE.1))
+        .build_ui(move |ui| {
+            let shown = ui::show(ui, &session, &mut state, &ViewInput::default());
+            found.set(shown.view_rect);
+        });
+    harness.run_steps(4);
+    let view = view.get();
+    let size = glam::vec2(view.width(), view.height());
+    let pixel = camera.pixel(end, size).expect("before the eye");
+    (view.left() + pixel.x, view.top() + pixel.y)
 }

@@ -1,0 +1,116 @@
+//! Resetting, mirroring, copying and keeping poses.
+
+use crate::Editor;
+use editor_core::editor::{Ask, Edit, View};
+use editor_core::scene::ShapeKind;
+use egui::{Event, Key, Modifiers};
+use glam::Vec3;
+
+const NECK: usize = 3;
+const RIGHT_ELBOW: usize = 14;
+const LEFT_ELBOW: usize = 17;
+
+fn posed() -> Editor {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Neck Y", "20");
+    editor.type_into("Left elbow Z", "50");
+    editor
+}
+
+#[test]
+fn alt_r_puts_the_selected_joint_back_and_with_shift_all() {
+    let mut editor = posed();
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.key_with(Modifiers::ALT, Key::R);
+    assert_eq!(editor.joint(NECK), Vec3::ZERO);
+    assert!((editor.joint(LEFT_ELBOW).z - 50.0).abs() < 1e-3);
+    editor.key_with(Modifiers::ALT | Modifiers::SHIFT, Key::R);
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn mirroring_exchanges_left_and_right_and_twice_is_nothing() {
+    let mut editor = posed();
+    let before = editor.character().pose().clone();
+    editor.choose(&["Pose", "Mirror Pose"]);
+    let turned = Vec3::new(0.0, 0.0, 310.0);
+    assert!(editor.joint(RIGHT_ELBOW).abs_diff_eq(turned, 1e-3));
+    assert_eq!(editor.joint(LEFT_ELBOW), Vec3::ZERO);
+    assert!((editor.joint(NECK).y - 340.0).abs() < 1e-3);
+    editor.key(Key::M);
+    assert_eq!(editor.character().pose(), &before);
+}
+
+#[test]
+fn copy_and_paste_ask_for_the_clipboard() {
+    let mut editor = posed();
+    let id = editor.shape().id;
+    editor.harness.event(Event::Copy);
+    editor.settle();
+    editor.harness.event(Event::Paste("{}".into()));
+    editor.settle();
+    assert_eq!(editor.asked(), [Ask::CopyPose(id), Ask::PastePose(id)]);
+}
+
+#[test]
+fn what_is_pasted_into_a_field_is_no_pose() {
+    let mut editor = posed();
+    editor.begin_typing("Position X", "1");
+    editor.harness.event(Event::Paste("2".into()));
+    editor.settle();
+    assert!(editor.asked().is_empty());
+}
+
+#[test]
+fn poses_are_kept_taken_on_saved_and_forgotten() {
+    let mut editor = posed();
+    let id = editor.shape().id;
+    let first = editor.character().pose().clone();
+    editor.choose(&["Pose", "Keep Pose"]);
+    editor.type_into("Chest X", "15");
+    editor.click("Poses (1)");
+    editor.type_into("Name of the pose", "Bow");
+    let names: Vec<_> = editor
+        .character()
+        .poses()
+        .iter()
+        .map(|kept| kept.name.clone())
+        .collect();
+    assert_eq!(names, ["Pose 1", "Bow"]);
+    editor.click("Pose 1");
+    assert_eq!(editor.character().pose(), &first);
+    editor.click("Save Bow");
+    assert_eq!(editor.asked(), [Ask::SavePose(id, Some(1))]);
+    editor.click("Forget Pose 1");
+    assert!(!editor.has("Pose 1"));
+    assert_eq!(editor.character().poses().len(), 1);
+}
+
+#[test]
+fn a_pose_kept_under_a_name_that_is_taken_replaces_it() {
+    let mut editor = posed();
+    let id = editor.shape().id;
+    for degrees in ["10", "30"] {
+        editor.type_into("Neck Y", degrees);
+        let name = "Nod".to_owned();
+        editor.edit(Edit::KeepPose { shape: id, name });
+    }
+    let kept = editor.character().poses();
+    assert_eq!(kept.len(), 1);
+    assert!((kept[0].pose.rotation(NECK).degrees().y - 30.0).abs() < 1e-3);
+}
+
+#[test]
+fn without_a_character_nothing_about_poses_can_be_chosen() {
+    let mut editor = Editor::new();
+    editor.edit(Edit::Insert {
+        name: "Cube".into(),
+        kind: ShapeKind::Cube,
+        source: None,
+    });
+    for key in [Key::C, Key::V, Key::K, Key::P] {
+        editor.key_with(Modifiers::COMMAND, key);
+    }
+    editor.key(Key::M);
+    assert!(editor.asked().is_empty());
+}
