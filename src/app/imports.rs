@@ -41,11 +41,14 @@ impl Workspace {
         self.request_redraw();
     }
 
-    /// Uses a file that was dropped on the window: a picture to compare the view with, all else as
-    /// an import.
+    /// Uses a file that was dropped on the window: a picture to compare the view with, a pose for
+    /// the selected character, all else as an import.
     pub(super) fn use_dropped(&mut self, path: &Path) {
+        let posed = self.session.selected().filter(|_| is_pose(path));
         if is_picture(path) {
             self.compare_with(path);
+        } else if let Some(shape) = posed {
+            self.load_pose(shape, path);
         } else {
             self.import_any(path);
         }
@@ -96,6 +99,11 @@ impl Workspace {
             self.session.messages.tell(severity, diagnostic.to_string());
         }
     }
+}
+
+fn is_pose(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
 }
 
 fn is_picture(path: &Path) -> bool {

@@ -101,7 +101,9 @@ impl Workspace {
             quit: false,
         };
         workspace.ui.theme = workspace.preferences.theme;
-        workspace.ui.navigation = workspace.preferences.navigation;
+        workspace
+            .ui
+            .set_navigation(workspace.preferences.navigation);
         workspace.ui.skinning = options.skinning.or(workspace.preferences.skinning);
         workspace.skinning_at_start = workspace.ui.skinning;
         workspace.open_first_files(&options.files);

@@ -1,9 +1,9 @@
+use super::curve_commands;
 use super::keys::{self, Command, Primitive};
 use super::pose_commands;
 use super::state::{Dialog, UiState};
-use super::{Navigation, curve_commands};
 use crate::character::Pose;
-use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, Tool, View};
+use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, View};
 use crate::scene::{Look, ShapeKind};
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
@@ -35,13 +35,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Messages => state.open(Dialog::Messages),
         Command::About => state.open(Dialog::About),
         Command::SetTheme(theme) => state.theme = theme,
-        Command::SetNavigation(navigation) => {
-            state.navigation = navigation;
-            // There, a left drag turns bones.
-            if navigation == Navigation::Mannequin {
-                state.pose.tool = Tool::Pose;
-            }
-        }
+        Command::SetNavigation(navigation) => state.set_navigation(navigation),
         Command::OpenScene(name) => return Some(Action::Ask(Ask::OpenBuiltin(name))),
         Command::ResetViewAndPose => {
             return Some(Action::View(View::SetCamera(*session.start_camera())));

@@ -3,6 +3,7 @@ use super::curve_gestures::PointGesture;
 use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
 use crate::character::Skinning;
+use crate::editor::Tool;
 use crate::scene::ShapeId;
 use egui::ThemePreference;
 use std::collections::{BTreeSet, HashMap};
@@ -107,6 +108,15 @@ impl UiState {
     /// Everything closed, nothing searched.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Moves the camera in this way from now on. In the Virtual Mannequin's a left drag turns
+    /// bones, too.
+    pub fn set_navigation(&mut self, navigation: Navigation) {
+        self.navigation = navigation;
+        if navigation == Navigation::Mannequin {
+            self.pose.tool = Tool::Pose;
+        }
     }
 
     /// Whether a gesture in the view is under way, so that Esc cancels it and does nothing else.

@@ -4,6 +4,7 @@ use crate::{Editor, figure};
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
 use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeKind, bones_in_world};
+use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::Vec3;
 
@@ -250,6 +251,23 @@ fn left_and_right_roll_the_bone_under_the_pointer_about_itself() {
     assert!(axis.abs_diff_eq(along, 1e-4), "{axis} {along}");
     let after = editor.bone(LEFT_ELBOW);
     assert!(after.1.abs_diff_eq(before.1, 1e-5));
+}
+
+#[test]
+fn keys_that_roll_a_bone_do_not_turn_the_camera_besides() {
+    let mut editor = Editor::with_hands(Key::B);
+    let ui = &mut editor.harness.state_mut().state;
+    ui.set_navigation(Navigation::Mannequin);
+    let camera = editor.session().view().camera;
+    let at = editor.on_bone(LEFT_ELBOW);
+    editor.point(at);
+    editor.key(Key::ArrowRight);
+    assert!(!editor.character().pose().is_bind());
+    assert_eq!(editor.session().view().camera, camera);
+    editor.point(editor.harness.state().view.left_bottom() + vec2(20.0, -20.0));
+    editor.view(View::SelectJoint(None));
+    editor.key(Key::ArrowRight);
+    assert_ne!(editor.session().view().camera, camera);
 }
 
 #[test]

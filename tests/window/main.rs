@@ -68,7 +68,7 @@ fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
     home_with_character(home.path());
-    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let mut program = Program::start(&desktop, home.path(), &["builtin:robot"]);
     let hand = places::end_of_bone("builtin:robot", "Left elbow");
     let grip = (hand.0 - 2.0, hand.1 - 4.0);
     let far = (hand.0 + 60.0, hand.1 - 80.0);
@@ -78,6 +78,8 @@ fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
     let dragged = program.picture();
     assert!(dragged != before, "the drag does nothing");
     program.keys(&["Right", "Right"]);
+    // On a busy machine a picture stands still before the last key is in it.
+    std::thread::sleep(std::time::Duration::from_secs(1));
     let rolled = program.picture();
     assert!(rolled != dragged, "the key does not roll");
 
@@ -85,7 +87,12 @@ fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
     let reset = program.picture();
     assert!(reset != rolled, "the pose is not reset");
     program.keys(&["ctrl+v"]);
-    assert!(program.picture() == rolled, "the pose does not come back");
+    // Angles that went through text may be off by rounding.
+    program.wait_for("the pasted pose", |program| {
+        let pasted = program.picture();
+        let differ = |other: &[u8]| pasted.iter().zip(other).filter(|(a, b)| a != b).count();
+        (differ(&rolled) * 10 < differ(&reset)).then_some(())
+    });
     program.keys(&["Escape"]);
     let (status, told) = program.end();
     assert!(status.success(), "{status}: {told}");

@@ -18,6 +18,9 @@ pub(in crate::ui) fn roll_by_keys(
         return;
     };
     let steps = ctx.input_mut(|input| {
+        // Held on, they must not turn the camera besides.
+        input.keys_down.remove(&Key::ArrowLeft);
+        input.keys_down.remove(&Key::ArrowRight);
         let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
         right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
     });
