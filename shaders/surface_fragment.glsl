@@ -3,9 +3,13 @@ in vec3 world_position;
 in vec3 world_normal;
 flat in vec3 face_normal;
 in vec3 tint;
+in vec2 on_picture;
 
 uniform vec3 color;
 uniform float alpha;
+// Whether the picture of the material takes part; stored values, as the color is.
+uniform int textured;
+uniform sampler2D picture;
 // 1: one normal a triangle; 0: the interpolated one.
 uniform int flat_normals;
 // 0: Course, 1: Studio.
@@ -61,5 +65,8 @@ vec3 studio(vec3 stored, vec3 n) {
 void main() {
     vec3 n = unit(flat_normals == 1 ? face_normal : world_normal);
     vec3 surface = color * tint;
+    if (textured == 1) {
+        surface *= texture(picture, on_picture).rgb;
+    }
     fragment_color = vec4(look == 0 ? course(surface, n) : studio(surface, n), alpha);
 }

@@ -1,14 +1,17 @@
 use super::palettes::Palettes;
 use super::skin::{Run, Skin};
+use super::texture_cache::TextureCache;
 use crate::character::Skinning;
 use crate::geometry::{Facets, Mesh, Normals, Revision, face_normals, smooth_normals};
 use crate::gpu::{
-    Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Usage, VertexArray, VertexArrayBuilder,
+    Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Texture, Usage, VertexArray,
+    VertexArrayBuilder,
 };
 use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId};
 use bytemuck::Pod;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
+use std::rc::Rc;
 
 /// Where the vertex shaders of `surface_vertex.glsl` and its kin find what a vertex carries.
 const POSITION: u32 = 0;
@@ -30,6 +33,8 @@ pub(super) struct CachedMesh {
     pub vertex_array: VertexArray,
     /// The weights, where the vertex shader moves the mesh; it is uploaded in its bind pose then.
     pub skin: Option<Skin>,
+    /// The picture of each of the mesh's material groups, where it has one.
+    pub textures: Vec<Option<Rc<Texture>>>,
     /// How the mesh was rearranged to be drawn facetted; `None` if it is drawn smooth.
     facets: Option<Facets>,
     mesh: Revision,
@@ -87,11 +92,25 @@ impl CachedMesh {
         Ok(Self {
             vertex_array: builder.builder.build()?,
             skin,
+            textures: Vec::new(),
             facets,
             mesh: mesh.revision(),
             shading,
             moving,
         })
+    }
+
+    /// Uploads the pictures of the materials of `mesh`, which this is. One on a mesh without texture
+    /// coordinates cannot be shown.
+    pub fn add_textures(&mut self, gl: &Gl, mesh: &Mesh, textures: &mut TextureCache) {
+        if mesh.texture_coordinates.is_empty() {
+            return;
+        }
+        self.textures = mesh
+            .groups
+            .iter()
+            .map(|group| textures.texture(gl, group.material.texture.as_ref()?))
+            .collect();
     }
 
     /// Whether each triangle has one normal, which its last corner carries.

@@ -1,5 +1,6 @@
 use super::cached_mesh::CachedMesh;
 use super::palettes::Palettes;
+use super::texture_cache::TextureCache;
 use crate::character::Skinning;
 use crate::gpu::{Gl, GpuError, Program};
 use crate::scene::{Evaluated, Shading, ShapeId};
@@ -11,6 +12,7 @@ use std::collections::HashMap;
 pub(super) struct MeshCache {
     meshes: HashMap<ShapeId, CachedMesh>,
     palettes: Palettes,
+    textures: TextureCache,
     /// Rows of the largest table for skinning.
     most_rows: u32,
 }
@@ -21,6 +23,7 @@ impl MeshCache {
         Self {
             meshes: HashMap::new(),
             palettes: Palettes::default(),
+            textures: TextureCache::default(),
             most_rows,
         }
     }
@@ -44,11 +47,13 @@ impl MeshCache {
                 }
                 _ => {
                     let most_rows = self.most_rows;
-                    let cached = CachedMesh::new(gl, geometry, shading, skinning, most_rows)?;
+                    let mut cached = CachedMesh::new(gl, geometry, shading, skinning, most_rows)?;
+                    cached.add_textures(gl, &geometry.mesh, &mut self.textures);
                     self.meshes.insert(shape.id, cached);
                 }
             }
         }
+        self.textures.forget_unused();
         let meshes = &self.meshes;
         let is_skinned = |id: &ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
         let skinned = evaluated.shapes.iter().filter(|s| is_skinned(&s.id));
@@ -57,6 +62,11 @@ impl MeshCache {
 
     pub fn get(&self, id: ShapeId) -> Option<&CachedMesh> {
         self.meshes.get(&id)
+    }
+
+    /// What could not be shown since the last call, in words for the user.
+    pub fn take_notices(&mut self) -> Vec<String> {
+        self.textures.take_notices()
     }
 
     /// Lets `program`, which is one for its kind of mesh, find the joints of `id`.

@@ -23,6 +23,7 @@ mod skin;
 mod skinning_choice;
 mod surface_pass;
 mod table;
+mod texture_cache;
 
 pub use compose::{compose, view_place};
 pub use frame::{Frame, Marks};

@@ -156,6 +156,7 @@ impl SkeletonPass {
         program.set_vec3("color", Vec3::ONE);
         program.set_f32("alpha", 1.0);
         program.set_i32("flat_normals", 0);
+        program.set_i32("textured", 0);
         set_lights(program, frame.view.look, &frame.view.camera);
     }
 }

@@ -68,7 +68,9 @@ impl Renderer {
             ));
             self.skinning.in_use = Skinning::Cpu;
         }
-        self.update_meshes_by(frame, self.skinning())
+        self.update_meshes_by(frame, self.skinning())?;
+        self.notices.extend(self.meshes.take_notices());
+        Ok(())
     }
 
     fn update_meshes_by(&mut self, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {

@@ -1,14 +1,18 @@
+use super::cached_mesh::CachedMesh;
 use super::frame::{Frame, PassContext};
 use super::lights::set_lights;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use crate::geometry::Mesh;
-use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive};
+use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Texture};
 use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
 use glam::{Mat3, Mat4, Vec3};
+use std::ops::Range;
 
 /// How much of a mesh is seen where its skeleton shows through.
 const SEEN_THROUGH: f32 = 0.55;
+/// Texture unit of a material's picture.
+const PICTURE: u32 = 0;
 
 /// Draws the surfaces of shapes.
 #[derive(Debug)]
@@ -69,6 +73,7 @@ impl SurfacePass {
     fn prepare(&self, context: &PassContext, frame: &Frame) {
         for program in self.programs.all() {
             program.set_mat4("clip_from_world", context.clip_from_world);
+            program.set_sampler("picture", PICTURE);
             set_lights(program, frame.view.look, &frame.view.camera);
         }
     }
@@ -87,9 +92,13 @@ impl SurfacePass {
         program.set_i32("flat_normals", i32::from(cached.is_flat()));
         program.set_f32("alpha", alpha);
         let own = shape.placement.color.rgb();
-        for (triangles, color) in colored_ranges(&evaluated.geometry.mesh, own) {
-            program.set_vec3("color", color);
-            let indices = triangles.start as u32 * 3..triangles.end as u32 * 3;
+        for part in parts(&evaluated.geometry.mesh, cached, own) {
+            program.set_vec3("color", part.color);
+            program.set_i32("textured", i32::from(part.texture.is_some()));
+            if let Some(texture) = part.texture {
+                texture.bind(PICTURE);
+            }
+            let indices = part.triangles.start as u32 * 3..part.triangles.end as u32 * 3;
             cached
                 .vertex_array
                 .draw_indexed(program, Primitive::Triangles, indices);
@@ -118,20 +127,38 @@ fn shapes<'a>(
     })
 }
 
-/// Runs of triangles with their colors. A material's color is tinted by the shape's own, which
-/// starts white, so that the panel's color works on every shape.
-fn colored_ranges(mesh: &Mesh, own: Vec3) -> Vec<(std::ops::Range<usize>, Vec3)> {
-    let mut ranges = Vec::with_capacity(mesh.groups.len() + 1);
+/// A run of triangles that look alike.
+struct Part<'a> {
+    triangles: Range<usize>,
+    color: Vec3,
+    texture: Option<&'a Texture>,
+}
+
+/// The mesh in runs of one material. Its color, or in place of it its picture, is tinted by the
+/// shape's own color, which starts white, so that the panel's color works on every shape.
+fn parts<'a>(mesh: &Mesh, cached: &'a CachedMesh, own: Vec3) -> Vec<Part<'a>> {
+    let plain = |triangles| Part {
+        triangles,
+        color: own,
+        texture: None,
+    };
+    let mut parts = Vec::with_capacity(mesh.groups.len() + 1);
     let mut done = 0;
-    for group in &mesh.groups {
+    for (index, group) in mesh.groups.iter().enumerate() {
         if done < group.triangles.start {
-            ranges.push((done..group.triangles.start, own));
+            parts.push(plain(done..group.triangles.start));
         }
-        ranges.push((group.triangles.clone(), group.material.color * own));
+        let texture = cached.textures.get(index).and_then(|t| t.as_deref());
+        let material = texture.map_or(group.material.color, |_| Vec3::ONE);
+        parts.push(Part {
+            triangles: group.triangles.clone(),
+            color: material * own,
+            texture,
+        });
         done = group.triangles.end;
     }
     if done < mesh.triangles.len() {
-        ranges.push((done..mesh.triangles.len(), own));
+        parts.push(plain(done..mesh.triangles.len()));
     }
-    ranges
+    parts
 }

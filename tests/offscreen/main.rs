@@ -4,6 +4,7 @@ mod backends;
 mod draw_state;
 mod gpu;
 mod immediate;
+mod materials;
 mod scene;
 mod skinning;
 mod support;
