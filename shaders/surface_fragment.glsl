@@ -1,4 +1,4 @@
-// Lights a surface, in one of two looks.
+// Lights a surface, in one of three looks.
 in vec3 world_position;
 in vec3 world_normal;
 flat in vec3 face_normal;
@@ -12,9 +12,10 @@ uniform int textured;
 uniform sampler2D picture;
 // 1: one normal a triangle; 0: the interpolated one.
 uniform int flat_normals;
-// 0: Course, 1: Studio.
+// 0: Course, 1: Studio, 2: Mannequin.
 uniform int look;
 uniform vec3 course_light;
+uniform vec3 mannequin_light;
 uniform vec3 eye;
 uniform vec3 key_direction;
 uniform vec3 fill_direction;
@@ -62,11 +63,26 @@ vec3 studio(vec3 stored, vec3 n) {
     return pow(min(sum, vec3(1.0)), vec3(1.0 / 2.2));
 }
 
+// The color says where a surface looks; a picture is lit instead.
+vec3 mannequin(vec3 surface, vec3 n) {
+    if (textured == 1) {
+        return surface * (0.15 + max(dot(n, unit(mannequin_light - world_position)), 0.0));
+    }
+    return 0.5 * n + 0.5;
+}
+
+vec3 seen(vec3 surface, vec3 n) {
+    if (look == 0) {
+        return course(surface, n);
+    }
+    return look == 1 ? studio(surface, n) : mannequin(surface, n);
+}
+
 void main() {
     vec3 n = unit(flat_normals == 1 ? face_normal : world_normal);
     vec3 surface = color * tint;
     if (textured == 1) {
         surface *= texture(picture, on_picture).rgb;
     }
-    fragment_color = vec4(look == 0 ? course(surface, n) : studio(surface, n), alpha);
+    fragment_color = vec4(seen(surface, n), alpha);
 }

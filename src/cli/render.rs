@@ -78,6 +78,7 @@ pub struct Args {
 enum LookName {
     Course,
     Studio,
+    Mannequin,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -138,6 +139,7 @@ fn session(args: &Args) -> Result<Session, CliError> {
         view.look = match look {
             LookName::Course => Look::Course,
             LookName::Studio => Look::Studio,
+            LookName::Mannequin => Look::Mannequin,
         };
     }
     if let Some(camera) = args.camera.or(args.view.map(Camera::preset)) {

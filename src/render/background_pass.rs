@@ -11,7 +11,11 @@ const COURSE: f32 = 0.1;
 const STUDIO_TOP: Vec3 = Vec3::new(0.30, 0.33, 0.37);
 const STUDIO_BOTTOM: Vec3 = Vec3::new(0.12, 0.13, 0.15);
 
-/// Clears the picture: one gray in the Course look, a vertical gradient in the Studio look.
+/// The Mannequin look's.
+const TEAL: [f32; 4] = [0.0, 0.3725, 0.3725, 1.0];
+
+/// Clears the picture: one color in the Course and Mannequin looks, a vertical gradient in the
+/// Studio look.
 #[derive(Debug)]
 pub(super) struct BackgroundPass {
     program: Program,
@@ -33,8 +37,11 @@ impl BackgroundPass {
     }
 
     pub fn draw(&self, gl: &Gl, context: &PassContext, look: Look, target: &Framebuffer) {
-        target.clear([COURSE, COURSE, COURSE, 1.0]);
-        if look == Look::Course {
+        match look {
+            Look::Mannequin => target.clear(TEAL),
+            Look::Course | Look::Studio => target.clear([COURSE, COURSE, COURSE, 1.0]),
+        }
+        if look != Look::Studio {
             return;
         }
         let state = DrawState {

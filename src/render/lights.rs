@@ -4,6 +4,8 @@ use glam::Vec3;
 
 /// Where the Course look's light stands, in the world.
 const COURSE_LIGHT: Vec3 = Vec3::new(10.0, 10.0, 30.0);
+/// Where the Mannequin look's light stands, in the world.
+pub(super) const MANNEQUIN_LIGHT: Vec3 = Vec3::new(-10.0, 10.0, -10.0);
 
 /// Tells a program that includes `surface_fragment.glsl` how to light. The Studio look's lights
 /// hang on the camera's heading, so that a character is lit well from every side.
@@ -13,9 +15,11 @@ pub(super) fn set_lights(program: &Program, look: Look, camera: &Camera) {
         match look {
             Look::Course => 0,
             Look::Studio => 1,
+            Look::Mannequin => 2,
         },
     );
     program.set_vec3("course_light", COURSE_LIGHT);
+    program.set_vec3("mannequin_light", MANNEQUIN_LIGHT);
     program.set_vec3("eye", camera.eye());
     let right = camera.right();
     let back = right.cross(Vec3::Y);

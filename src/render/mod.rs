@@ -4,9 +4,11 @@
 
 mod axis_pass;
 mod background_pass;
+mod bone_lines;
 mod cached_mesh;
 mod compose;
 mod curve_pass;
+mod floor_pass;
 mod frame;
 mod ground_pass;
 mod interface_painter;

@@ -1,6 +1,8 @@
 use super::axis_pass::draw_axis;
 use super::background_pass::BackgroundPass;
+use super::bone_lines::draw_bone_lines;
 use super::curve_pass::draw_curves;
+use super::floor_pass::FloorPass;
 use super::frame::{Frame, PassContext};
 use super::ground_pass::GroundPass;
 use super::mesh_cache::MeshCache;
@@ -22,6 +24,7 @@ pub struct Renderer {
     pub(super) surfaces: SurfacePass,
     skeletons: SkeletonPass,
     ground: GroundPass,
+    floor: FloorPass,
     pub(super) outline: OutlinePass,
     immediate: Immediate,
 }
@@ -41,6 +44,7 @@ impl Renderer {
             surfaces: SurfacePass::new(gl)?,
             skeletons: SkeletonPass::new(gl)?,
             ground: GroundPass::new(gl)?,
+            floor: FloorPass::new(gl)?,
             outline: OutlinePass::new(gl)?,
             immediate: Immediate::new(gl)?,
         })
@@ -69,13 +73,21 @@ impl Renderer {
         };
 
         self.background.draw(gl, &context, frame.view.look, target);
+        let is_mannequin = frame.view.look == Look::Mannequin;
+        if frame.view.grid && is_mannequin {
+            self.floor.draw(gl, &context, camera);
+        }
         if frame.view.axis {
             draw_axis(gl, immediate, &context);
         }
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
         draw_curves(gl, &context, frame, immediate);
-        self.skeletons.draw(gl, &context, frame, immediate)?;
-        self.surfaces.draw_translucent(gl, &context, frame, meshes);
+        if is_mannequin {
+            draw_bone_lines(gl, &context, frame, immediate);
+        } else {
+            self.skeletons.draw(gl, &context, frame, immediate)?;
+            self.surfaces.draw_translucent(gl, &context, frame, meshes);
+        }
         if frame.view.grid && frame.view.look == Look::Studio {
             self.ground.draw(gl, &context, camera);
         }

@@ -5,7 +5,7 @@ use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use crate::geometry::Mesh;
 use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Texture};
-use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
+use crate::scene::{EvaluatedShape, Look, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
 use glam::{Mat3, Mat4, Vec3};
 use std::ops::Range;
 
@@ -36,8 +36,15 @@ impl SurfacePass {
     pub fn draw_opaque(&self, gl: &Gl, context: &PassContext, frame: &Frame, meshes: &MeshCache) {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
-        for (shape, evaluated) in shapes(frame, ModelDisplay::Mesh) {
-            self.draw_mesh(shape, evaluated, meshes, 1.0);
+        let modes = match frame.view.look {
+            // Its bones are seen through every mesh.
+            Look::Mannequin => &[ModelDisplay::Mesh, ModelDisplay::Both][..],
+            Look::Course | Look::Studio => &[ModelDisplay::Mesh],
+        };
+        for &mode in modes {
+            for (shape, evaluated) in shapes(frame, mode) {
+                self.draw_mesh(shape, evaluated, meshes, 1.0);
+            }
         }
     }
 

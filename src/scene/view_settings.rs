@@ -10,7 +10,7 @@ pub struct ViewSettings {
     pub look: Look,
     /// Whether the axes are drawn.
     pub axis: bool,
-    /// Whether the Studio look draws its grid on the ground.
+    /// Whether the Studio look draws its grid on the ground, and the Mannequin look its floor.
     pub grid: bool,
     /// Facetted, smooth, or as the mesh has it.
     pub shading: Shading,
@@ -38,6 +38,9 @@ pub enum Look {
     Course,
     /// Key, fill and rim light with highlights for the real eye, and a grid on the ground.
     Studio,
+    /// The Virtual Mannequin's: surfaces in the colors of their normals, a checkered floor, and
+    /// bones as red lines over everything.
+    Mannequin,
 }
 
 /// Which normals a surface is lit with.

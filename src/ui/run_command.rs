@@ -88,7 +88,7 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
     let view = session.view();
     match command {
         Command::ToggleAxis => Some(view.axis),
-        Command::ToggleGrid => Some(view.grid && view.look == Look::Studio),
+        Command::ToggleGrid => Some(view.grid && view.look != Look::Course),
         Command::SetLook(look) => Some(view.look == look),
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),
@@ -103,8 +103,8 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
 /// Why a command cannot be used now, in words for its tooltip.
 pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
     match command {
-        Command::ToggleGrid if session.view().look != Look::Studio => {
-            Some("Only the Studio look has a ground (View ⏵ Look ⏵ Studio)")
+        Command::ToggleGrid if session.view().look == Look::Course => {
+            Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
         }
         Command::Delete | Command::Reset if session.selected().is_none() => {
             Some("No shape is selected")

@@ -4,6 +4,7 @@ mod backends;
 mod draw_state;
 mod gpu;
 mod immediate;
+mod mannequin;
 mod materials;
 mod scene;
 mod skinning;
