@@ -1,8 +1,16 @@
-// Grid lines as wide as a pixel at any distance, fading towards the rim of the square.
+// Grid lines as wide as a pixel at any distance, and shadows with soft edges, fading towards the rim
+// of the square.
 in vec2 on_ground;
 
 uniform vec2 center;
 uniform float reach;
+// White where the ground has no light, as large as the picture that is drawn, with mipmaps.
+uniform sampler2D shadows;
+uniform int has_shadows;
+// How far the edge of a shadow fades, in the world.
+uniform float softness;
+
+const float DARKNESS = 0.5;
 
 out vec4 fragment_color;
 
@@ -15,12 +23,37 @@ float lines(vec2 at, float spacing) {
     return max(near.x * readable.x, near.y * readable.y);
 }
 
+// The shadow round a point, averaged over as many pixels as the softness takes up there: nine looks
+// at a version of the picture whose pixels are nearly that large.
+float shadow(float world_per_pixel) {
+    float radius = clamp(softness / world_per_pixel, 1.0, 64.0);
+    float level = log2(radius);
+    vec2 size = vec2(textureSize(shadows, 0));
+    float sum = 0.0;
+    for (int y = -1; y <= 1; y++) {
+        for (int x = -1; x <= 1; x++) {
+            vec2 offset = vec2(float(x), float(y)) * 0.75 * radius;
+            float weight = float((2 - abs(x)) * (2 - abs(y)));
+            sum += weight * textureLod(shadows, (gl_FragCoord.xy + offset) / size, level).r;
+        }
+    }
+    return sum / 16.0;
+}
+
 void main() {
     float strength = max(0.35 * lines(on_ground, 1.0), 0.6 * lines(on_ground, 10.0));
     float fade = 1.0 - smoothstep(0.3, 1.0, length(on_ground - center) / reach);
     float coverage = strength * fade;
-    if (coverage <= 0.004) {
+    float shade = 0.0;
+    if (has_shadows == 1) {
+        vec2 along_row = dFdx(on_ground);
+        shade = DARKNESS * fade * shadow(max(length(along_row), 1e-6));
+    }
+    if (max(coverage, shade) <= 0.004) {
         discard;
     }
-    fragment_color = vec4(vec3(0.72, 0.76, 0.82), coverage);
+    // Lines lie over the shadow, which takes some of their light, too.
+    float alpha = coverage + (1.0 - coverage) * shade;
+    vec3 lines = vec3(0.72, 0.76, 0.82) * (1.0 - 0.6 * shade);
+    fragment_color = vec4(lines * coverage, alpha);
 }

@@ -1,13 +1,14 @@
-// A square on the plane y = 0, about a point below the camera's target.
+// A square on the ground, about a point below the camera's target.
 layout(location = 0) in vec2 corner;
 
 uniform mat4 clip_from_world;
 uniform vec2 center;
 uniform float reach;
+uniform float height;
 
 out vec2 on_ground;
 
 void main() {
     on_ground = center + corner * reach;
-    gl_Position = clip_from_world * vec4(on_ground.x, 0.0, on_ground.y, 1.0);
+    gl_Position = clip_from_world * vec4(on_ground.x, height, on_ground.y, 1.0);
 }

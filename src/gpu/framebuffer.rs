@@ -205,6 +205,18 @@ impl Framebuffer {
     /// A `sampler2D` of this unit reads the picture from now on, unfiltered; not while it is
     /// drawn into. Afterwards this framebuffer is bound.
     pub fn bind_texture(&self, unit: u32) {
+        self.bind_filtered(unit, glow::NEAREST, glow::NEAREST);
+    }
+
+    /// As [`bind_texture`](Self::bind_texture), but neighbors are mixed, and smaller versions of
+    /// the picture, as it is now, are made for `textureLod` and for distance.
+    pub fn bind_texture_with_mipmaps(&self, unit: u32) {
+        self.bind_filtered(unit, glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR);
+        // SAFETY: current context; the texture is bound to the active unit and has its first level.
+        unsafe { self.gl.raw().generate_mipmap(glow::TEXTURE_2D) };
+    }
+
+    fn bind_filtered(&self, unit: u32, min: u32, mag: u32) {
         self.resolve();
         let target = self.resolved.as_ref().unwrap_or(&self.drawn);
         // SAFETY: current context; a target without samples has a texture.
@@ -214,6 +226,12 @@ impl Framebuffer {
             glow.bind_texture(glow::TEXTURE_2D, target.texture);
             // A sampler object left there by somebody else would win over the texture's sampling.
             glow.bind_sampler(unit, None);
+            for (name, value) in [
+                (glow::TEXTURE_MIN_FILTER, min),
+                (glow::TEXTURE_MAG_FILTER, mag),
+            ] {
+                glow.tex_parameter_i32(glow::TEXTURE_2D, name, value.cast_signed());
+            }
         }
     }
 

@@ -7,6 +7,7 @@ use crate::gpu::{
     Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Texture, Usage, VertexArray,
     VertexArrayBuilder,
 };
+use crate::math::Aabb;
 use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId};
 use bytemuck::Pod;
 use glam::{Vec2, Vec3};
@@ -35,6 +36,8 @@ pub(super) struct CachedMesh {
     pub skin: Option<Skin>,
     /// The picture of each of the mesh's material groups, where it has one.
     pub textures: Vec<Option<Rc<Texture>>>,
+    /// Around the mesh at rest, in model space.
+    pub rest_bounds: Aabb,
     /// How the mesh was rearranged to be drawn facetted; `None` if it is drawn smooth.
     facets: Option<Facets>,
     mesh: Revision,
@@ -93,6 +96,7 @@ impl CachedMesh {
             vertex_array: builder.builder.build()?,
             skin,
             textures: Vec::new(),
+            rest_bounds: mesh.bounds(),
             facets,
             mesh: mesh.revision(),
             shading,

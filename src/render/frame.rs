@@ -36,4 +36,6 @@ pub(super) struct PassContext {
     pub width: u32,
     pub height: u32,
     pub clip_from_world: Mat4,
+    /// How high the Studio look's ground lies, in the world.
+    pub ground: f32,
 }

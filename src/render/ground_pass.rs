@@ -1,11 +1,18 @@
 use super::frame::PassContext;
 use crate::gpu::{
-    Attribute, Blend, Buffer, DrawState, Gl, GpuError, Primitive, Program, Usage, VertexArray,
+    Attribute, Blend, Buffer, DrawState, Framebuffer, Gl, GpuError, Primitive, Program, Usage,
+    VertexArray,
 };
 use crate::scene::Camera;
 use glam::Vec2;
 
-/// The Studio look's grid on the plane y = 0, one unit wide, every tenth line stronger.
+/// Texture unit of the shadows.
+const SHADOWS: u32 = 0;
+/// How far the edge of a shadow fades, in the world.
+const SOFTNESS: f32 = 0.07;
+
+/// The Studio look's ground: a grid, one unit wide, every tenth line stronger,
+/// and shadows with soft edges.
 #[derive(Debug)]
 pub(super) struct GroundPass {
     program: Program,
@@ -29,10 +36,22 @@ impl GroundPass {
     }
 
     /// Drawn after everything opaque, since it lets through what lies behind it.
-    pub fn draw(&self, gl: &Gl, context: &PassContext, camera: &Camera) {
+    /// `shadows` is a picture as large as `target`, white where the ground has no light.
+    pub fn draw(
+        &self,
+        gl: &Gl,
+        context: &PassContext,
+        camera: &Camera,
+        shadows: Option<&Framebuffer>,
+        target: &Framebuffer,
+    ) {
+        if let Some(shadows) = shadows {
+            shadows.bind_texture_with_mipmaps(SHADOWS);
+        }
+        target.bind();
         let state = DrawState {
             depth_write: false,
-            blend: Blend::Alpha,
+            blend: Blend::Premultiplied,
             ..DrawState::opaque(context.width, context.height)
         };
         state.apply(gl);
@@ -43,6 +62,11 @@ impl GroundPass {
         self.program
             .set_vec2("center", Vec2::new(camera.target.x, camera.target.z));
         self.program.set_f32("reach", reach);
+        self.program.set_f32("height", context.ground);
+        self.program.set_sampler("shadows", SHADOWS);
+        self.program
+            .set_i32("has_shadows", i32::from(shadows.is_some()));
+        self.program.set_f32("softness", SOFTNESS);
         self.square
             .draw(&self.program, Primitive::TriangleStrip, 0..4);
     }

@@ -20,6 +20,7 @@ mod outline_pass;
 mod palettes;
 mod read_back;
 mod renderer;
+mod shadow_pass;
 mod skeleton_pass;
 mod skin;
 mod skinning_choice;

@@ -7,6 +7,7 @@ use super::frame::{Frame, PassContext};
 use super::ground_pass::GroundPass;
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
+use super::shadow_pass::ShadowPass;
 use super::skeleton_pass::SkeletonPass;
 use super::skinning_choice::SkinningChoice;
 use super::surface_pass::SurfacePass;
@@ -23,6 +24,7 @@ pub struct Renderer {
     background: BackgroundPass,
     pub(super) surfaces: SurfacePass,
     skeletons: SkeletonPass,
+    pub(super) shadows: ShadowPass,
     ground: GroundPass,
     floor: FloorPass,
     pub(super) outline: OutlinePass,
@@ -43,6 +45,7 @@ impl Renderer {
             background: BackgroundPass::new(gl)?,
             surfaces: SurfacePass::new(gl)?,
             skeletons: SkeletonPass::new(gl)?,
+            shadows: ShadowPass::new(gl)?,
             ground: GroundPass::new(gl)?,
             floor: FloorPass::new(gl)?,
             outline: OutlinePass::new(gl)?,
@@ -70,6 +73,7 @@ impl Renderer {
             width,
             height,
             clip_from_world,
+            ground: meshes.ground_height(frame.evaluated),
         };
 
         self.background.draw(gl, &context, frame.view.look, target);
@@ -89,7 +93,8 @@ impl Renderer {
             self.surfaces.draw_translucent(gl, &context, frame, meshes);
         }
         if frame.view.grid && frame.view.look == Look::Studio {
-            self.ground.draw(gl, &context, camera);
+            let shadows = self.shadows.draw(gl, &context, frame, meshes)?;
+            self.ground.draw(gl, &context, camera, shadows, target);
         }
         self.outline.draw(
             gl,

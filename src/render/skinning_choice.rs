@@ -88,6 +88,7 @@ impl Renderer {
             });
         }
         self.surfaces.add_skinned(gl)?;
+        self.shadows.add_skinned(gl)?;
         self.outline.add_skinned(gl)
     }
 }

@@ -36,15 +36,15 @@ impl SurfacePass {
     pub fn draw_opaque(&self, gl: &Gl, context: &PassContext, frame: &Frame, meshes: &MeshCache) {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
-        let modes = match frame.view.look {
+        if frame.view.look == Look::Mannequin {
             // Its bones are seen through every mesh.
-            Look::Mannequin => &[ModelDisplay::Mesh, ModelDisplay::Both][..],
-            Look::Course | Look::Studio => &[ModelDisplay::Mesh],
-        };
-        for &mode in modes {
-            for (shape, evaluated) in shapes(frame, mode) {
+            surfaces(frame).for_each(|(shape, evaluated)| {
                 self.draw_mesh(shape, evaluated, meshes, 1.0);
-            }
+            });
+            return;
+        }
+        for (shape, evaluated) in shapes(frame, ModelDisplay::Mesh) {
+            self.draw_mesh(shape, evaluated, meshes, 1.0);
         }
     }
 
@@ -117,6 +117,13 @@ impl SurfacePass {
 /// scaled unevenly.
 pub(super) fn normal_matrix(world_from_model: Mat4) -> Mat3 {
     Mat3::from_mat4(world_from_model).inverse().transpose()
+}
+
+/// The shapes whose mesh is drawn, alone or together with a skeleton.
+pub(super) fn surfaces<'a>(
+    frame: &'a Frame,
+) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
+    shapes(frame, ModelDisplay::Mesh).chain(shapes(frame, ModelDisplay::Both))
 }
 
 /// The shapes whose mesh is drawn in this way; all but characters count as [`ModelDisplay::Mesh`].

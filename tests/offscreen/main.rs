@@ -7,6 +7,7 @@ mod immediate;
 mod mannequin;
 mod materials;
 mod scene;
+mod shadows;
 mod skinning;
 mod support;
 mod texture;
