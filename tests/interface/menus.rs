@@ -69,7 +69,7 @@ fn the_ground_grid_cannot_be_chosen_without_a_ground() {
     let mut editor = Editor::new();
     editor.choose(&["View", "Ground Grid"]);
     assert!(editor.session().view().grid, "the Course look has none");
-    editor.choose(&["View", "Look", "Mannequin"]);
+    editor.choose(&["View", "Look", "Mannequin Look"]);
     editor.choose(&["View", "Ground Grid"]);
     assert!(
         !editor.session().view().grid,
