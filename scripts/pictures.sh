@@ -6,6 +6,8 @@ out=docs/pictures
 editor=${EDITOR_PROGRAM:-./editor}
 mkdir -p "$out"
 "$editor" render builtin:showcase --ui --size 1280x800 --samples 4 -o "$out/window.png"
+"$editor" render builtin:mannequin-4 --look studio --samples 4 --size 640x480 -o "$out/textured.png"
+"$editor" render builtin:mannequin-6 --samples 4 --size 640x480 -o "$out/mannequin.png"
 "$editor" render builtin:mannequin-5 --ui --tool pose --drag 240,280,150,180 --size 1000x700 \
     --samples 4 -o "$out/dragging.png"
 "$editor" render builtin:adult --pose builtin:adult-walk --display both --look studio \

@@ -51,26 +51,25 @@ impl Workspace {
             compare: compare.as_ref(),
         };
         let mut shown = None;
+        let mut asked = Vec::new();
         let mut chosen = None;
         let mut output = context.run_ui(input, |ui| {
-            // egui may run a frame twice to find its sizes; only the last run counts.
-            shown = Some(ui::show(ui, session, state, &view_input));
+            // egui may run a frame twice to find its sizes: the last run says where things are,
+            // but only the first got keys and clicks.
+            let mut run = ui::show(ui, session, state, &view_input);
+            asked.append(&mut run.actions);
+            shown = Some(run);
             chosen = dialogs.show(ui.ctx()).or_else(|| chosen.take());
         });
         let platform = std::mem::take(&mut output.platform_output);
         self.egui.handle_platform_output(window, platform);
-        let Some(mut shown) = shown else {
+        let Some(shown) = shown else {
             return Ok(Duration::MAX);
         };
-        self.hovered_shape = ui::view_gestures(
-            &shown.view,
-            &shown.places,
-            session,
-            state,
-            &mut shown.actions,
-        );
-        let changed = !shown.actions.is_empty() || chosen.is_some();
-        self.carry_out(std::mem::take(&mut shown.actions));
+        self.hovered_shape =
+            ui::view_gestures(&shown.view, &shown.places, session, state, &mut asked);
+        let changed = !asked.is_empty() || chosen.is_some();
+        self.carry_out(asked);
         if let Some((purpose, path)) = chosen {
             self.use_chosen(purpose, path);
         }

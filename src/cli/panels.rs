@@ -162,7 +162,7 @@ impl Window {
             let (session, state) = (&self.session, &mut self.state);
             let shown = ui::show(root, session, state, &ViewInput::default());
             self.view_rect = shown.view_rect;
-            actions = shown.actions;
+            actions.extend(shown.actions);
             hovered = ui::view_gestures(&shown.view, &shown.places, session, state, &mut actions);
         });
         for action in actions {

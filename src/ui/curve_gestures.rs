@@ -1,5 +1,5 @@
 use super::ScenePlaces;
-use super::pointer_use::PointerUse;
+use super::pointer_use::{PointerUse, released_at};
 use super::state::CurveState;
 use crate::editor::{Action, ControlPointDrag, Session, View, control_point_at};
 use egui::{CursorIcon, Key, PointerButton, Response};
@@ -102,7 +102,8 @@ impl PointGesture {
             self.cancelled = true;
             return any_down;
         }
-        let position = view.interact_pointer_pos();
+        let released = view.ctx.input(released_at);
+        let position = released.or(view.interact_pointer_pos());
         if let Some((pixel, size)) = position.and_then(|at| places.pixel(self.place, at)) {
             let edit = self.drag.moved_to(session, pixel, size);
             actions.extend(edit.map(Action::Edit));

@@ -2,7 +2,8 @@ use super::Place;
 use crate::editor::{Action, BoneDrag, Edit, Handle, MoveDrag, RingDrag, Session};
 use crate::scene::ShapeId;
 use crate::ui::ScenePlaces;
-use egui::{Event, InputState, Key, Modifiers, PointerButton, Pos2, Response};
+use crate::ui::pointer_use::released_at;
+use egui::{Key, Modifiers, PointerButton, Pos2, Response};
 
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.
 #[derive(Clone, Debug)]
@@ -141,17 +142,4 @@ impl Hand {
             }
         })
     }
-}
-
-/// Where the left button went up in this frame: the pointer may have gone on since.
-fn released_at(input: &InputState) -> Option<Pos2> {
-    input.events.iter().find_map(|event| match event {
-        Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed: false,
-            ..
-        } => Some(*pos),
-        _ => None,
-    })
 }
