@@ -14,7 +14,7 @@ use std::path::Path;
 ///
 /// `tobj` puts positions, texture coordinates and normals under one index, and so renumbers the
 /// vertices: for characters use [`super::read_character_obj`]. What it gets to read is not the
-/// file but what [`plain_obj`] makes of it.
+/// file but what `plain_obj` makes of it.
 ///
 /// # Errors
 /// At the first line that is not well formed or names something that does not exist, and if

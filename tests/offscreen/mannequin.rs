@@ -81,6 +81,9 @@ fn the_floor_has_black_and_white_tiles_of_five_up_to_the_horizon() {
         assert_eq!(picture.at(100, 240), [0, 0, 0, 255]);
         let [gray, ..] = picture.at(250, 240);
         assert!((155..170).contains(&gray), "{gray}");
+        // Row 200 lies at z = 8.5, where x = 5 is in column 75.
+        let [before, beyond] = [85, 65].map(|x| picture.at(x, 200)[0]);
+        assert!(before > 100 && beyond == 0, "{before} {beyond}");
         // At the horizon tiles are smaller than pixels: even, not noise.
         let row = (50..350).map(|x| picture.at(x, 152)[0]);
         let (least, most) = (row.clone().min(), row.max());

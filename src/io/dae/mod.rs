@@ -5,7 +5,7 @@
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
 //! file's rest orientation is not kept but in the direction of its bone.
 //!
-//! Memory and time stay in proportion to the file (see [`guard`]), whatever it says.
+//! Memory and time stay in proportion to the file (see `guard`), whatever it says.
 
 mod assemble;
 mod document;
