@@ -5,6 +5,7 @@
 
 mod attachments;
 mod bone;
+pub mod ik;
 mod import_character;
 mod joint;
 mod mirror;

@@ -1,0 +1,6 @@
+//! Inverse kinematics: chains reach what they can, point at what they cannot, and stay whole.
+
+mod chains;
+mod pins;
+mod posing;
+mod reaching;
