@@ -8,4 +8,6 @@ pub enum Tool {
     Pose,
     /// Moves the root of the bone, or else the shape, under the pointer.
     Move,
+    /// Brings the end of the bone under the pointer somewhere, and a chain of joints follows.
+    Ik,
 }

@@ -78,6 +78,10 @@ pub enum Command {
     SavePose,
     /// Gives the selected character the pose of a file.
     LoadPose,
+    /// Pins a joint for the IK tool, or lets go of it.
+    PinJoint,
+    /// Lets go of all pinned joints.
+    UnpinAll,
     /// Opens the list of keys and gestures.
     Keys,
     /// Opens the history of messages.
@@ -310,7 +314,10 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, left drag moves the scene", &[key(NONE, Key::V)]),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
+    entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag brings the end of the bone under the pointer somewhere: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
+    entry(Command::PinJoint, Menu::Tools, "Pin joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]),
+    entry(Command::UnpinAll, Menu::Tools, "Unpin all joints", "Let go of every pinned joint", &[key(ALT, Key::P)]),
 
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]),
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),

@@ -1,9 +1,10 @@
 use super::curve_commands;
 use super::keys::{self, Command, Primitive};
 use super::pose_commands;
+use super::posing;
 use super::state::{Dialog, UiState};
 use crate::character::Pose;
-use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, View};
+use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, Tool, View};
 use crate::scene::{Look, ShapeKind};
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
@@ -51,6 +52,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         | Command::KeepPose
         | Command::SavePose
         | Command::LoadPose => return pose_commands::run(command, session),
+        Command::PinJoint => {
+            state.pose.tool = Tool::Ik;
+            if let Some((shape, joint)) = posing::joint_to_pin(session) {
+                state.pose.ik.toggle_pin(shape, joint);
+            }
+        }
+        Command::UnpinAll => state.pose.ik.unpin_all(),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive)),
         Command::MakeSurfaceOfRevolution => return curve_commands::revolution(session),
@@ -105,6 +113,9 @@ pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'stat
     match command {
         Command::ToggleGrid if session.view().look == Look::Course => {
             Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
+        }
+        Command::PinJoint if posing::joint_to_pin(session).is_none() => {
+            Some("No joint is selected or under the pointer")
         }
         Command::Delete | Command::Reset if session.selected().is_none() => {
             Some("No shape is selected")

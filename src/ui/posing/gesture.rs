@@ -1,9 +1,12 @@
 use super::Place;
-use crate::editor::{Action, BoneDrag, Edit, Handle, MoveDrag, RingDrag, Session};
+use crate::editor::{Action, BoneDrag, Edit, Handle, IkDrag, MoveDrag, RingDrag, Session};
 use crate::scene::ShapeId;
 use crate::ui::ScenePlaces;
 use crate::ui::pointer_use::released_at;
 use egui::{Key, Modifiers, PointerButton, Pos2, Response};
+
+/// What a chain misses its target by before it is said, in the character's space.
+const OUT_OF_REACH: f32 = 5e-3;
 
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.
 #[derive(Clone, Debug)]
@@ -23,6 +26,7 @@ pub(super) enum Held {
     Bone(BoneDrag),
     Ring(RingDrag),
     Moved(MoveDrag),
+    Ik(IkDrag),
 }
 
 impl PoseGesture {
@@ -46,15 +50,25 @@ impl PoseGesture {
             Held::Bone(drag) => drag.turn().shape(),
             Held::Ring(drag) => drag.turn().shape(),
             Held::Moved(drag) => drag.target().shape(),
+            Held::Ik(drag) => drag.shape(),
         }
     }
 
-    /// The joint that is turned, or whose root is moved.
+    /// The joint that is turned or brought somewhere, or whose root is moved.
     pub(super) fn joint(&self) -> Option<usize> {
         match &self.held {
             Held::Bone(drag) => Some(drag.turn().joint()),
             Held::Ring(drag) => Some(drag.turn().joint()),
             Held::Moved(drag) => drag.target().joint(),
+            Held::Ik(drag) => Some(drag.grip().joint()),
+        }
+    }
+
+    /// What the IK tool brings somewhere; `None` for everything else, and once it is cancelled.
+    pub(super) fn ik(&self) -> Option<&IkDrag> {
+        match &self.held {
+            Held::Ik(drag) if !self.cancelled => Some(drag),
+            _ => None,
         }
     }
 
@@ -71,6 +85,14 @@ impl PoseGesture {
                 let by = drag.moved();
                 format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
             }
+            Held::Ik(drag) if drag.off() > OUT_OF_REACH => {
+                format!("out of reach by {:.2}", drag.off())
+            }
+            Held::Ik(drag) => match drag.chain().map(|chain| chain.joints().len()) {
+                Some(1) => "1 joint follows".to_owned(),
+                Some(count) => format!("{count} joints follow"),
+                None => "the whole follows".to_owned(),
+            },
         })
     }
 
@@ -102,6 +124,7 @@ impl PoseGesture {
                 Held::Bone(drag) => drag.update(session, &ray, hand.snap),
                 Held::Ring(drag) => drag.update(session, &ray, hand.snap),
                 Held::Moved(drag) => Some(drag.update(&ray, hand.snap)),
+                Held::Ik(drag) => drag.update(session, &ray),
             };
             actions.extend(edit.map(Action::Edit));
         }
@@ -113,6 +136,7 @@ impl PoseGesture {
             Held::Bone(drag) => drag.turn().cancel(),
             Held::Ring(drag) => drag.turn().cancel(),
             Held::Moved(drag) => drag.cancel(),
+            Held::Ik(drag) => drag.cancel(),
         }
     }
 }

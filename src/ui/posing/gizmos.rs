@@ -32,7 +32,7 @@ pub(super) fn shown(session: &Session, state: &PoseState, place: Place) -> Optio
     let shape = session.selected()?;
     let joint = session.selected_joint();
     match state.tool {
-        Tool::Select => None,
+        Tool::Select | Tool::Ik => None,
         Tool::Pose => {
             let joint = joint.filter(|&joint| state.without_gizmo != Some((shape, joint)))?;
             let rings = RotationGizmo::new(session, shape, joint, state.axes, place.size())?;

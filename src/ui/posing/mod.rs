@@ -1,15 +1,19 @@
-//! Bones, gizmos and shapes under the hand: the tools Pose and Move.
+//! Bones, gizmos and shapes under the hand: the tools Pose, Move and IK.
 
 mod bone_paint;
 mod gesture;
 mod gizmo_paint;
 mod gizmos;
+mod ik;
+mod ik_bar;
+mod ik_paint;
 mod pointer;
 mod roll;
 mod sentence;
 mod tool_bar;
 
 pub(super) use gesture::PoseGesture;
+pub(super) use ik::{IkState, joint_to_pin};
 pub(super) use pointer::pointer;
 pub(super) use roll::roll_by_keys;
 pub(super) use sentence::sentence;
@@ -27,6 +31,7 @@ use glam::Vec2;
 pub(super) struct PoseState {
     pub tool: Tool,
     pub axes: GizmoAxes,
+    pub ik: IkState,
     /// What is in the user's hand.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
@@ -54,11 +59,16 @@ pub(super) fn show(
         let place = Place { rect };
         bone_paint::show(&painter, place, session, state.pose.tool);
         show_gizmo(&painter, place, view, session, &state.pose);
+        if state.pose.tool == Tool::Ik {
+            let gesture = state.pose.gesture.as_ref();
+            ik_paint::show(&painter, place, session, &state.pose.ik, gesture);
+        }
     }
     if let Some(gesture) = &state.pose.gesture {
         gizmo_paint::readout(ui, whole, session, gesture);
     }
-    tool_bar::show(ui, whole, state);
+    ik::forget_gone(session, state);
+    tool_bar::show(ui, whole, session, state);
 }
 
 fn show_gizmo(

@@ -1,7 +1,7 @@
 use super::gesture::{Held, PoseGesture};
 use super::{Place, PoseState, gizmos};
 use crate::editor::{
-    Action, BoneDrag, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
+    Action, BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
 };
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
@@ -42,8 +42,14 @@ pub(in crate::ui) fn pointer(
         Under::Bone(hit) => Some(hit),
         _ => None,
     };
+    state.ik.hovered = state
+        .hovered
+        .filter(|_| state.tool == Tool::Ik)
+        .and_then(|hit| Some((hit.shape, IkGrip::of(session, &hit)?)));
     let in_list = session.selected().zip(list);
-    let in_view = state.hovered.map(|hit| (hit.shape, hit.joint));
+    let in_view = state
+        .hovered
+        .map(|hit| (hit.shape, target_joint(session, state.tool, &hit)));
     mark(session, in_view.or(in_list), actions);
     match under {
         Under::Nothing => return PointerUse::Free,
@@ -53,7 +59,7 @@ pub(in crate::ui) fn pointer(
         }
         Under::Handle => {}
         Under::Bone(hit) if view.clicked() => {
-            let joint = target_joint(session, state.tool, hit);
+            let joint = target_joint(session, state.tool, &hit);
             state.taken = Some(hit);
             state.without_gizmo = None;
             select(session, hit.shape, Some(joint), actions);
@@ -113,9 +119,13 @@ fn shape_at(session: &Session, place: Place, pixel: Vec2) -> Option<ShapeId> {
 }
 
 /// The joint that a tool means by a bone.
-fn target_joint(session: &Session, tool: Tool, hit: BoneHit) -> usize {
-    let root = root_of(session, hit.shape, hit.joint).filter(|_| tool == Tool::Move);
-    root.unwrap_or(hit.joint)
+fn target_joint(session: &Session, tool: Tool, hit: &BoneHit) -> usize {
+    let meant = match tool {
+        Tool::Select | Tool::Pose => None,
+        Tool::Move => root_of(session, hit.shape, hit.joint),
+        Tool::Ik => IkGrip::of(session, hit).map(IkGrip::joint),
+    };
+    meant.unwrap_or(hit.joint)
 }
 
 /// egui only takes a press for a drag once the pointer has moved; what was grabbed lies where the
@@ -143,14 +153,15 @@ fn begin(
         return gizmo.take(session, hit, &ray, all, index);
     }
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
-        let held = match state.tool {
-            Tool::Pose => turn_bone(session, state, hit)?,
-            _ => move_root(session, hit, &ray, all)?,
+        let gesture = match state.tool {
+            Tool::Pose => PoseGesture::new(turn_bone(session, state, hit)?, None, index),
+            Tool::Ik => state.ik.take(session, &hit, &ray, index)?,
+            _ => PoseGesture::new(move_root(session, hit, &ray, all)?, None, index),
         };
         state.taken = Some(hit);
-        let joint = target_joint(session, state.tool, hit);
+        let joint = target_joint(session, state.tool, &hit);
         select(session, hit.shape, Some(joint), actions);
-        return Some(PoseGesture::new(held, None, index));
+        return Some(gesture);
     }
     if state.tool != Tool::Move {
         return None;

@@ -1,5 +1,5 @@
 use super::PoseState;
-use crate::editor::{Session, Tool};
+use crate::editor::{IkGrip, Session, Tool, root_of};
 use crate::scene::ShapeId;
 
 /// What the status line says about bones and what is held: its name, and what can be done.
@@ -12,12 +12,34 @@ pub(in crate::ui) fn sentence(
         return Some((over, "Ctrl snaps · Esc or right click cancels"));
     }
     let hit = state.hovered?;
+    if let Some((shape, grip)) = state.ik.hovered {
+        let over = joint_name(session, shape, Some(grip.joint()));
+        return Some((over, ik_sentence(session, state, shape, grip)));
+    }
     let next = match state.tool {
         Tool::Select => "Click to select the joint · B turns bones by hand",
         Tool::Pose => "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
         Tool::Move => "Drag to move its root · Shift: all roots · Ctrl snaps",
+        Tool::Ik => "Drag to bring it somewhere",
     };
     Some((joint_name(session, hit.shape, Some(hit.joint)), next))
+}
+
+/// What the IK tool would do with what is under the pointer.
+fn ik_sentence(session: &Session, state: &PoseState, shape: ShapeId, grip: IkGrip) -> &'static str {
+    let settings = state.ik.settings(shape);
+    let is_root = root_of(session, shape, grip.joint()) == Some(grip.joint());
+    let is_held = grip.chain(session, shape, &settings).is_none();
+    let moves_root = is_root && matches!(grip, IkGrip::Joint(_));
+    if settings.pins.contains(&grip.joint()) {
+        "Pinned: stays while others are dragged · P unpins"
+    } else if moves_root {
+        "Drag to move it all; pins stay · P pins"
+    } else if is_held {
+        "A pin above holds it"
+    } else {
+        "Drag to bring it somewhere, the chain follows · P pins"
+    }
 }
 
 /// What a joint is called, or else its shape.

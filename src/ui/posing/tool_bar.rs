@@ -1,23 +1,26 @@
-use crate::editor::{GizmoAxes, Tool};
+use super::ik_bar;
+use crate::editor::{GizmoAxes, Session, Tool};
 use crate::ui::keys::{self, Command};
 use crate::ui::state::UiState;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use egui::{Button, Frame, Margin, Rect, Ui, UiBuilder, vec2};
 
-/// From the view's top to what may lie below the bar.
+/// From the view's top to what may lie below the bar, and of its second line for the IK tool as
+/// much again.
 pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
 
 /// The tools, with their words in the bar.
-const TOOLS: [(Tool, &str); 3] = [
+const TOOLS: [(Tool, &str); 4] = [
     (Tool::Select, "Select"),
     (Tool::Pose, "Pose"),
     (Tool::Move, "Move"),
+    (Tool::Ik, "IK"),
 ];
 
 /// The bar of tools in the view's upper left corner.
-pub(super) fn show(ui: &mut Ui, view: Rect, state: &mut UiState) {
-    let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(320.0, 24.0));
+pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &mut UiState) {
+    let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(480.0, 24.0));
     let builder = UiBuilder::new().id_salt("tools").max_rect(place);
     let mut inner = ui.new_child(builder);
     let fill = Palette::of(ui.visuals()).panel;
@@ -34,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, state: &mut UiState) {
                     state.pose.tool = tool;
                 }
             }
-            if state.pose.tool != Tool::Select {
+            if matches!(state.pose.tool, Tool::Pose | Tool::Move) {
                 ui.separator();
                 let local = state.pose.axes == GizmoAxes::Local;
                 if button(ui, "Local", local, Command::ToggleLocalAxes) {
@@ -42,6 +45,12 @@ pub(super) fn show(ui: &mut Ui, view: Rect, state: &mut UiState) {
                 }
             }
         });
+        if state.pose.tool == Tool::Ik {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                ik_bar::show(ui, session, &mut state.pose.ik);
+            });
+        }
     });
 }
 

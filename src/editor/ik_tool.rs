@@ -1,0 +1,218 @@
+use super::{Edit, IkSettings, Session};
+use crate::character::ik::{IkChain, IkGoal, hold_pins};
+use crate::character::{Pose, SkeletalModel};
+use crate::math::Ray;
+use crate::scene::{BoneHit, ShapeId};
+use glam::{DVec3, Vec3};
+
+/// What of a character is brought somewhere.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum IkGrip {
+    /// A joint; a root moves with all that hangs on it.
+    Joint(usize),
+    /// The end of a bone where no joint is, fixed to the frame of `joint`.
+    Tip {
+        /// The joint that turns the bone.
+        joint: usize,
+        /// Where it ends, in the joint's frame.
+        tip: Vec3,
+    },
+}
+
+impl IkGrip {
+    /// The end of a bone that is nearer to where it was hit. A root is only taken by hitting its
+    /// place, or where nothing else could be taken.
+    pub fn of(session: &Session, hit: &BoneHit) -> Option<Self> {
+        let character = &session.scene().character(hit.shape)?.character;
+        let shape = session.evaluated().shape(hit.shape)?;
+        let frames = &shape.geometry.figure.as_ref()?.model_from_joint;
+        let bone = character.bones().get(hit.bone)?;
+        let (start, end) = bone.ends(frames)?;
+        let place = |at: Vec3| shape.world_from_model.transform_point3(at);
+        if hit.point.distance(place(start)) < hit.point.distance(place(end)) {
+            return Some(Self::Joint(bone.joint));
+        }
+        let skeleton = character.skeleton();
+        let mut children = skeleton.children(bone.joint).iter();
+        let ends = |&&child: &&usize| skeleton.joints()[child].offset == bone.tip;
+        Some(match children.find(ends) {
+            Some(&child) => Self::Joint(child),
+            None => Self::Tip {
+                joint: bone.joint,
+                tip: bone.tip,
+            },
+        })
+    }
+
+    /// The joint, or that which turns the bone.
+    pub fn joint(self) -> usize {
+        match self {
+            Self::Joint(joint) | Self::Tip { joint, .. } => joint,
+        }
+    }
+
+    /// Where it is in the world.
+    pub fn place(self, session: &Session, shape: ShapeId) -> Option<Vec3> {
+        let evaluated = session.evaluated().shape(shape)?;
+        let figure = evaluated.geometry.figure.as_ref()?;
+        let frame = figure.model_from_joint.get(self.joint())?;
+        let in_model = match self {
+            Self::Joint(_) => frame.w_axis.truncate(),
+            Self::Tip { tip, .. } => frame.transform_point3(tip),
+        };
+        Some(evaluated.world_from_model.transform_point3(in_model))
+    }
+
+    /// The chain that would bring it somewhere; none for a root, and where pins or a lack of
+    /// joints hold it.
+    pub fn chain(
+        self,
+        session: &Session,
+        shape: ShapeId,
+        settings: &IkSettings,
+    ) -> Option<IkChain> {
+        let character = session.scene().character(shape)?;
+        let (skeleton, pose) = (character.character.skeleton(), character.pose());
+        let (length, pins) = (settings.length, &settings.pins);
+        match self {
+            Self::Joint(joint) => IkChain::to_joint(skeleton, pose, joint, length, pins),
+            Self::Tip { joint, tip } => IkChain::to_point(skeleton, pose, joint, tip, length, pins),
+        }
+    }
+}
+
+/// A hand, a foot or whatever else of a character held by the pointer: it follows in the plane
+/// parallel to the picture, and a chain of joints follows it. Pinned joints stay.
+///
+/// Each moment goes on from the one before, so that a hand can be led all round its shoulder and
+/// the elbow never flips; where everything is pinned to is taken from the start.
+#[derive(Clone, Debug)]
+pub struct IkDrag {
+    shape: ShapeId,
+    grip: IkGrip,
+    /// `None` if a root is moved.
+    chain: Option<IkChain>,
+    settings: IkSettings,
+    start: Pose,
+    /// Where the grip was, in the world.
+    anchor: DVec3,
+    /// Across the plane that it moves in.
+    normal: DVec3,
+    /// Where the cursor took hold, in that plane.
+    from: DVec3,
+    target: Vec3,
+    off: f32,
+}
+
+impl IkDrag {
+    /// Takes `grip` of the character `shape` with the cursor on `ray`. `None` if there is no such
+    /// thing, the shape is scaled to nothing, or nothing can turn: a pin is above.
+    pub fn begin(
+        session: &Session,
+        shape: ShapeId,
+        grip: IkGrip,
+        settings: &IkSettings,
+        ray: &Ray,
+    ) -> Option<Self> {
+        let character = session.scene().character(shape)?;
+        let joints = character.character.skeleton().joints();
+        let is_root = joints.get(grip.joint())?.parent.is_none();
+        let chain = match grip {
+            IkGrip::Joint(_) if is_root => None,
+            _ => Some(grip.chain(session, shape, settings)?),
+        };
+        let target = grip.place(session, shape)?;
+        let mut drag = Self {
+            shape,
+            grip,
+            chain,
+            settings: settings.clone(),
+            start: character.pose().clone(),
+            anchor: target.as_dvec3(),
+            normal: session.view().camera.forward().as_dvec3(),
+            from: DVec3::ZERO,
+            target,
+            off: 0.0,
+        };
+        drag.from = drag.meeting(ray)?;
+        Some(drag)
+    }
+
+    /// The character posed for the cursor on `ray`.
+    pub fn update(&mut self, session: &Session, ray: &Ray) -> Option<Edit> {
+        let target = (self.anchor + self.meeting(ray)? - self.from).as_vec3();
+        let character = session.scene().character(self.shape)?;
+        let skeleton = character.character.skeleton();
+        let world_from_model = session.evaluated().shape(self.shape)?.world_from_model;
+        let in_model = world_from_model.inverse().transform_point3(target);
+        if !in_model.is_finite() {
+            return None;
+        }
+        let pose = self.solve(skeleton, character.pose(), in_model)?;
+        self.target = target;
+        Some(Edit::SetPose(self.shape, pose))
+    }
+
+    /// The character.
+    pub fn shape(&self) -> ShapeId {
+        self.shape
+    }
+
+    /// What is held.
+    pub fn grip(&self) -> IkGrip {
+        self.grip
+    }
+
+    /// The chain that follows; none if a root is moved.
+    pub fn chain(&self) -> Option<&IkChain> {
+        self.chain.as_ref()
+    }
+
+    /// Where the grip is wanted, in the world.
+    pub fn target(&self) -> Vec3 {
+        self.target
+    }
+
+    /// How far the grip is from there, in the character's space.
+    pub fn off(&self) -> f32 {
+        self.off
+    }
+
+    /// Puts everything back to how it started.
+    pub fn cancel(&self) -> Edit {
+        Edit::SetPose(self.shape, self.start.clone())
+    }
+
+    fn solve(&mut self, skeleton: &SkeletalModel, pose: &Pose, target: Vec3) -> Option<Pose> {
+        let (moved, busy) = match &self.chain {
+            Some(chain) => {
+                let goal = IkGoal {
+                    target,
+                    pole: self.settings.pole.direction(),
+                    keep_orientation: self.settings.keep_orientation,
+                };
+                let solution = chain.solve(skeleton, pose, &goal)?;
+                self.off = solution.off;
+                let mut busy = chain.joints().to_vec();
+                busy.extend(chain.end());
+                (solution.pose, busy)
+            }
+            None => {
+                let root = self.grip.joint();
+                let rest = skeleton.joints().get(root)?.offset;
+                let mut pose = pose.clone();
+                pose.set_root_offset(root, target - rest);
+                (pose, vec![root])
+            }
+        };
+        let pins = &self.settings.pins;
+        Some(hold_pins(skeleton, &self.start, &moved, pins, &busy))
+    }
+
+    /// Where the ray meets the plane.
+    fn meeting(&self, ray: &Ray) -> Option<DVec3> {
+        let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+        let distance = (self.anchor - origin).dot(self.normal) / direction.dot(self.normal);
+        (distance > 0.0 && distance.is_finite()).then(|| origin + direction * distance)
+    }
+}

@@ -1,0 +1,135 @@
+use super::Place;
+use super::gesture::{Held, PoseGesture};
+use crate::editor::{IkDrag, IkGrip, IkSettings, Session};
+use crate::math::Ray;
+use crate::scene::{BoneHit, ShapeId};
+use crate::ui::state::UiState;
+use egui::Pos2;
+use std::collections::{BTreeSet, HashMap};
+
+/// What the IK tool remembers.
+#[derive(Clone, Debug, Default)]
+pub(in crate::ui) struct IkState {
+    /// Chosen in the bar of tools; its pins are those of no character.
+    pub chosen: IkSettings,
+    /// What is under the pointer in the view, while nothing is held.
+    pub hovered: Option<(ShapeId, IkGrip)>,
+    pins: HashMap<ShapeId, BTreeSet<usize>>,
+}
+
+impl IkState {
+    /// With the pins of one character.
+    pub fn settings(&self, shape: ShapeId) -> IkSettings {
+        IkSettings {
+            pins: self.pins(shape).cloned().unwrap_or_default(),
+            ..self.chosen.clone()
+        }
+    }
+
+    /// The pinned joints of a character, if it has any.
+    pub fn pins(&self, shape: ShapeId) -> Option<&BTreeSet<usize>> {
+        self.pins.get(&shape)
+    }
+
+    /// All characters with pins.
+    pub fn pinned(&self) -> impl Iterator<Item = (ShapeId, &BTreeSet<usize>)> {
+        self.pins.iter().map(|(&shape, pins)| (shape, pins))
+    }
+
+    pub fn is_pinned(&self, shape: ShapeId, joint: usize) -> bool {
+        self.pins(shape).is_some_and(|pins| pins.contains(&joint))
+    }
+
+    /// Pins a joint, or lets go of it.
+    pub fn toggle_pin(&mut self, shape: ShapeId, joint: usize) {
+        let pins = self.pins.entry(shape).or_default();
+        if !pins.remove(&joint) {
+            pins.insert(joint);
+        }
+        if pins.is_empty() {
+            self.pins.remove(&shape);
+        }
+    }
+
+    pub fn unpin_all(&mut self) {
+        self.pins.clear();
+    }
+
+    pub fn has_pins(&self) -> bool {
+        !self.pins.is_empty()
+    }
+
+    /// Takes what the IK tool would bring somewhere, with the cursor on `ray`, in the picture
+    /// with this index. `None` where pins, or the lack of a joint to turn, hold it.
+    pub(super) fn take(
+        &self,
+        session: &Session,
+        hit: &BoneHit,
+        ray: &Ray,
+        index: usize,
+    ) -> Option<PoseGesture> {
+        let grip = IkGrip::of(session, hit)?;
+        let settings = self.settings(hit.shape);
+        let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray)?;
+        Some(PoseGesture::new(Held::Ik(drag), None, index))
+    }
+}
+
+/// The joint that a pin is set to or taken from: that under the pointer, or else the selected one.
+pub(in crate::ui) fn joint_to_pin(session: &Session) -> Option<(ShapeId, usize)> {
+    let selected = session.selected().zip(session.selected_joint());
+    session.hovered_bone().or(selected)
+}
+
+/// Forgets pins of characters that are gone.
+pub(super) fn forget_gone(session: &Session, state: &mut UiState) {
+    let exists = |shape: &ShapeId| session.scene().character(*shape).is_some();
+    state.pose.ik.pins.retain(|shape, _| exists(shape));
+}
+
+/// What is held or under the pointer, and the joints of the chain that follows, root first; all
+/// in one picture of the window.
+pub(super) struct Followed {
+    pub chain: Vec<Pos2>,
+    pub grip: Pos2,
+    /// Where the grip is wanted, if it is held and does not get there.
+    pub missed: Option<Pos2>,
+}
+
+/// A grip that is farther from its target than this part of a pixel is seen to miss it.
+const MISSED: f32 = 2.0;
+
+pub(super) fn followed(
+    session: &Session,
+    state: &IkState,
+    gesture: Option<&PoseGesture>,
+    place: Place,
+) -> Option<Followed> {
+    let screen = place.screen(session);
+    let position = |world| Some(place.position(screen.pixel(world)?));
+    let (shape, grip, held) = match gesture.map(PoseGesture::ik) {
+        Some(drag) => {
+            let drag = drag?;
+            (drag.shape(), drag.grip(), Some(drag))
+        }
+        None => {
+            let (shape, grip) = state.hovered?;
+            (shape, grip, None)
+        }
+    };
+    let joints = match held {
+        Some(drag) => drag.chain().map(|chain| chain.joints().to_vec()),
+        None => {
+            let chain = grip.chain(session, shape, &state.settings(shape));
+            chain.map(|chain| chain.joints().to_vec())
+        }
+    };
+    let at_joint = |&joint: &usize| position(IkGrip::Joint(joint).place(session, shape)?);
+    let grip = position(grip.place(session, shape)?)?;
+    let target = held.and_then(|drag| position(drag.target()));
+    Some(Followed {
+        chain: joints.iter().flatten().filter_map(at_joint).collect(),
+        grip,
+        missed: target.filter(|target| target.distance(grip) > MISSED),
+    })
+}
