@@ -3,6 +3,7 @@
 use crate::chains::frames;
 use editor_core::character::ik::{IkChain, IkGoal, hold_pins};
 use editor_core::character::{Joint, Pose, SkeletalModel};
+use editor_core::math::Euler;
 use glam::Vec3;
 use std::collections::BTreeSet;
 
@@ -83,6 +84,21 @@ fn a_pinned_hand_stays_while_the_chest_is_dragged() {
     assert!(moved(&skeleton, &before, &held, HAND) < 1e-5);
     assert!(moved(&skeleton, &dragged, &held, CHEST) < 1e-6);
     assert_eq!(moved(&skeleton, &before, &held, 0), 0.0);
+}
+
+#[test]
+fn of_a_limb_two_joints_make_up_for_what_they_can_and_no_other_limb_moves() {
+    let skeleton = figure();
+    let mut before = Pose::new();
+    before.set_joint_transform(10, Euler::from_degrees(Vec3::new(0.0, 50.0, 0.0)));
+    let mut after = before.clone();
+    after.set_joint_transform(7, Euler::from_degrees(Vec3::new(0.0, 20.0, 0.0)));
+    let held = hold_pins(&skeleton, &before, &after, &BTreeSet::from([HAND]), &[7]);
+    let turned: Vec<usize> = (0..12)
+        .filter(|&joint| held.rotation(joint) != after.rotation(joint))
+        .collect();
+    assert_eq!(turned, [9, 10, HAND]);
+    assert!(moved(&skeleton, &before, &held, HAND) < 1e-5);
 }
 
 #[test]

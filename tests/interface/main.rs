@@ -5,6 +5,7 @@ mod bones;
 mod compare;
 mod curves;
 mod figure;
+mod ik;
 mod joints;
 mod layout;
 mod menus;

@@ -27,6 +27,8 @@ pub(super) enum Held {
     Ring(RingDrag),
     Moved(MoveDrag),
     Ik(IkDrag),
+    /// A joint that the IK tool cannot bring anywhere: it must not be the camera that follows.
+    Stuck(ShapeId, usize),
 }
 
 impl PoseGesture {
@@ -51,6 +53,7 @@ impl PoseGesture {
             Held::Ring(drag) => drag.turn().shape(),
             Held::Moved(drag) => drag.target().shape(),
             Held::Ik(drag) => drag.shape(),
+            Held::Stuck(shape, _) => *shape,
         }
     }
 
@@ -61,6 +64,7 @@ impl PoseGesture {
             Held::Ring(drag) => Some(drag.turn().joint()),
             Held::Moved(drag) => drag.target().joint(),
             Held::Ik(drag) => Some(drag.grip().joint()),
+            Held::Stuck(_, joint) => Some(*joint),
         }
     }
 
@@ -91,8 +95,9 @@ impl PoseGesture {
             Held::Ik(drag) => match drag.chain().map(|chain| chain.joints().len()) {
                 Some(1) => "1 joint follows".to_owned(),
                 Some(count) => format!("{count} joints follow"),
-                None => "the whole follows".to_owned(),
+                None => "all of it follows".to_owned(),
             },
+            Held::Stuck(..) => "a pin holds it".to_owned(),
         })
     }
 
@@ -113,7 +118,7 @@ impl PoseGesture {
             return hand.any_down;
         }
         if hand.cancel {
-            actions.push(Action::Edit(self.cancel()));
+            actions.extend(self.cancel().map(Action::Edit));
             self.cancelled = true;
             return hand.any_down;
         }
@@ -125,19 +130,21 @@ impl PoseGesture {
                 Held::Ring(drag) => drag.update(session, &ray, hand.snap),
                 Held::Moved(drag) => Some(drag.update(&ray, hand.snap)),
                 Held::Ik(drag) => drag.update(session, &ray),
+                Held::Stuck(..) => None,
             };
             actions.extend(edit.map(Action::Edit));
         }
         hand.left_down
     }
 
-    fn cancel(&self) -> Edit {
-        match &self.held {
+    fn cancel(&self) -> Option<Edit> {
+        Some(match &self.held {
             Held::Bone(drag) => drag.turn().cancel(),
             Held::Ring(drag) => drag.turn().cancel(),
             Held::Moved(drag) => drag.cancel(),
             Held::Ik(drag) => drag.cancel(),
-        }
+            Held::Stuck(..) => return None,
+        })
     }
 }
 

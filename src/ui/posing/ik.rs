@@ -59,19 +59,13 @@ impl IkState {
         !self.pins.is_empty()
     }
 
-    /// Takes what the IK tool would bring somewhere, with the cursor on `ray`, in the picture
-    /// with this index. `None` where pins, or the lack of a joint to turn, hold it.
-    pub(super) fn take(
-        &self,
-        session: &Session,
-        hit: &BoneHit,
-        ray: &Ray,
-        index: usize,
-    ) -> Option<PoseGesture> {
+    /// Takes what the IK tool would bring somewhere, with the cursor on `ray`.
+    pub(super) fn take(&self, session: &Session, hit: &BoneHit, ray: &Ray) -> Option<Held> {
         let grip = IkGrip::of(session, hit)?;
         let settings = self.settings(hit.shape);
-        let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray)?;
-        Some(PoseGesture::new(Held::Ik(drag), None, index))
+        let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray);
+        let stuck = Held::Stuck(hit.shape, grip.joint());
+        Some(drag.map_or(stuck, Held::Ik))
     }
 }
 

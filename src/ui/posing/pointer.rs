@@ -153,15 +153,15 @@ fn begin(
         return gizmo.take(session, hit, &ray, all, index);
     }
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
-        let gesture = match state.tool {
-            Tool::Pose => PoseGesture::new(turn_bone(session, state, hit)?, None, index),
-            Tool::Ik => state.ik.take(session, &hit, &ray, index)?,
-            _ => PoseGesture::new(move_root(session, hit, &ray, all)?, None, index),
+        let held = match state.tool {
+            Tool::Pose => turn_bone(session, state, hit)?,
+            Tool::Ik => state.ik.take(session, &hit, &ray)?,
+            _ => move_root(session, hit, &ray, all)?,
         };
         state.taken = Some(hit);
         let joint = target_joint(session, state.tool, &hit);
         select(session, hit.shape, Some(joint), actions);
-        return Some(gesture);
+        return Some(PoseGesture::new(held, None, index));
     }
     if state.tool != Tool::Move {
         return None;

@@ -1,0 +1,246 @@
+//! The IK tool: what is dragged comes to the pointer, a chain follows, and pins hold.
+
+use crate::Editor;
+use editor_core::editor::View;
+use editor_core::math::{Euler, Transform};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use glam::Vec3;
+
+const ROOT: usize = 0;
+const LEFT_HIP: usize = 8;
+const LEFT_LEG: usize = 9;
+const LEFT_KNEE: usize = 10;
+const LEFT_FOOT: usize = 11;
+const RIGHT_FOOT: usize = 7;
+
+const STEP: Vec2 = vec2(25.0, -40.0);
+
+impl Editor {
+    fn with_ik() -> Self {
+        let mut editor = Self::with_figure();
+        editor.harness.state_mut().gestures = true;
+        editor.key(Key::I);
+        editor
+    }
+
+    /// Where a joint of the selected character is in the world.
+    fn joint_place(&self, joint: usize) -> Vec3 {
+        let shape = self.session().evaluated().shape(self.shape().id);
+        let shape = shape.expect("it is evaluated");
+        let figure = shape.geometry.figure.as_ref().expect("a character");
+        shape
+            .world_from_model
+            .transform_point3(figure.joints[joint])
+    }
+
+    /// Where it is in the window.
+    fn joint_at(&self, joint: usize) -> Pos2 {
+        let view = self.harness.state().view;
+        let size = glam::vec2(view.width(), view.height());
+        let camera = self.session().view().camera;
+        let pixel = camera.pixel(self.joint_place(joint), size);
+        let pixel = pixel.expect("before the eye");
+        view.min + vec2(pixel.x, pixel.y)
+    }
+
+    /// A point of the window on the bone between two joints, near the second.
+    fn near(&self, joint: usize, from: usize) -> Pos2 {
+        let (to, from) = (self.joint_at(joint), self.joint_at(from));
+        from + (to - from) * 0.85
+    }
+
+    fn bring(&mut self, from: Pos2, by: Vec2) {
+        self.press(from);
+        for part in [0.3, 0.7, 1.0] {
+            self.go_to(from + by * part);
+        }
+        self.release(from + by);
+    }
+
+    fn turned(&self) -> Vec<usize> {
+        let pose = self.character().pose();
+        let joints = 0..18;
+        joints.filter(|&joint| pose.is_changed(joint)).collect()
+    }
+
+    fn pin(&mut self, joint: usize) {
+        self.view(View::SelectJoint(Some(joint)));
+        self.go_to(Pos2::new(30.0, 500.0));
+        self.key(Key::P);
+    }
+}
+
+#[test]
+fn a_dragged_foot_comes_to_the_pointer_and_thigh_and_shin_follow() {
+    let mut editor = Editor::with_ik();
+    let (from, foot, hip) = (
+        editor.near(LEFT_FOOT, LEFT_KNEE),
+        editor.joint_at(LEFT_FOOT),
+        editor.joint_place(LEFT_HIP),
+    );
+    let camera = editor.session().view().camera;
+    editor.bring(from, STEP);
+    let off = editor.joint_at(LEFT_FOOT) - (foot + STEP);
+    assert!(off.length() < 0.1, "the foot is off by {off:?}");
+    // The foot stays flat, for which it turns too.
+    assert_eq!(editor.turned(), [LEFT_LEG, LEFT_KNEE, LEFT_FOOT]);
+    assert_eq!(editor.joint_place(LEFT_HIP), hip);
+    assert_eq!(editor.session().selected_joint(), Some(LEFT_FOOT));
+    assert_eq!(editor.session().view().camera, camera);
+    assert_ne!(editor.value("Left knee X"), "0°");
+}
+
+#[test]
+fn it_comes_to_the_pointer_in_an_uneven_shape_and_from_every_side() {
+    let mut editor = Editor::with_ik();
+    let transform = Transform {
+        position: Vec3::new(0.2, -0.1, 0.3),
+        rotation: Euler::from_radians(Vec3::new(0.3, 0.5, -0.2)),
+        scale: Vec3::new(0.8, 1.3, 1.1),
+    };
+    let id = editor.shape().id;
+    editor.edit(editor_core::editor::Edit::SetTransform(id, transform));
+    for yaw in [0.0, 0.35, -0.6] {
+        let mut camera = editor.session().view().camera;
+        camera.theta += yaw;
+        editor.view(View::SetCamera(camera));
+        let (from, foot) = (
+            editor.near(LEFT_FOOT, LEFT_KNEE),
+            editor.joint_at(LEFT_FOOT),
+        );
+        let by = vec2(6.0, -18.0);
+        editor.go_to(from);
+        let under = editor.session().hovered_joint();
+        assert_eq!(under, Some(LEFT_FOOT), "{yaw}");
+        editor.bring(from, by);
+        let off = editor.joint_at(LEFT_FOOT) - (foot + by);
+        assert!(off.length() < 0.1, "{yaw}: the foot is off by {off:?}");
+    }
+}
+
+#[test]
+fn esc_or_a_right_click_puts_the_pose_back() {
+    for right in [false, true] {
+        let mut editor = Editor::with_ik();
+        editor.type_into("Left knee X", "30");
+        let before = editor.character().pose().clone();
+        let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+        editor.press(from);
+        editor.go_to(from + STEP);
+        assert_ne!(*editor.character().pose(), before);
+        if right {
+            editor.harness.event(Event::PointerButton {
+                pos: from + STEP,
+                button: PointerButton::Secondary,
+                pressed: true,
+                modifiers: Modifiers::NONE,
+            });
+            editor.settle();
+        } else {
+            editor.key(Key::Escape);
+        }
+        editor.go_to(from - STEP);
+        assert_eq!(*editor.character().pose(), before);
+        editor.release(from);
+        assert_eq!(*editor.character().pose(), before);
+        assert!(editor.asked().is_empty(), "Esc did more than cancel");
+    }
+}
+
+#[test]
+fn as_many_joints_follow_as_the_chain_is_long() {
+    let mut editor = Editor::with_ik();
+    editor.type_into("Chain length", "1");
+    editor.click("Keep the end's direction");
+    let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+    editor.bring(from, STEP);
+    assert_eq!(editor.turned(), [LEFT_KNEE]);
+
+    let mut editor = Editor::with_ik();
+    editor.type_into("Chain length", "3+1");
+    editor.click("Keep the end's direction");
+    editor.bring(from, STEP);
+    assert_eq!(editor.turned(), [2, LEFT_HIP, LEFT_LEG, LEFT_KNEE]);
+}
+
+#[test]
+fn the_knee_bends_to_where_it_is_told() {
+    for (choice, sign) in [("front (+Z)", 1.0), ("back (−Z)", -1.0)] {
+        let mut editor = Editor::with_ik();
+        editor.click("Bend direction");
+        editor.click(choice);
+        let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+        editor.bring(from, vec2(0.0, -30.0));
+        let (knee, foot) = (editor.joint_place(LEFT_KNEE), editor.joint_place(LEFT_FOOT));
+        assert!((knee.z - foot.z) * sign > 0.05, "{choice}: {knee} {foot}");
+    }
+}
+
+#[test]
+fn pinned_feet_stay_while_the_root_is_dragged() {
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_FOOT);
+    editor.pin(RIGHT_FOOT);
+    let feet = [LEFT_FOOT, RIGHT_FOOT].map(|foot| editor.joint_place(foot));
+    let root = editor.joint_at(ROOT);
+    // On the bone from the root to the neck, near the root.
+    let neck = editor.joint_at(3);
+    let from = root + (neck - root) * 0.2;
+    let by = vec2(8.0, 25.0);
+    editor.bring(from, by);
+    let off = editor.joint_at(ROOT) - (root + by);
+    assert!(off.length() < 0.1, "the root is off by {off:?}");
+    for (foot, was) in [LEFT_FOOT, RIGHT_FOOT].into_iter().zip(feet) {
+        let off = editor.joint_place(foot).distance(was);
+        assert!(off < 1e-4, "a foot slid by {off}");
+    }
+
+    editor.click("Unpin all joints");
+    let from = {
+        let (root, neck) = (editor.joint_at(ROOT), editor.joint_at(3));
+        root + (neck - root) * 0.2
+    };
+    editor.bring(from, by);
+    let slid = editor.joint_place(LEFT_FOOT).distance(feet[0]);
+    assert!(slid > 0.05, "the foot is still pinned");
+}
+
+#[test]
+fn below_a_pin_nothing_moves_and_neither_does_the_camera() {
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_KNEE);
+    let camera = editor.session().view().camera;
+    let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+    editor.bring(from, STEP);
+    assert!(editor.turned().is_empty(), "{:?}", editor.turned());
+    assert_eq!(editor.session().view().camera, camera);
+    // Pressed again, the key lets go.
+    editor.pin(LEFT_KNEE);
+    editor.bring(from, STEP);
+    assert!(!editor.turned().is_empty());
+}
+
+#[test]
+fn the_status_line_says_what_is_under_the_pointer_and_what_it_would_do() {
+    let mut editor = Editor::with_ik();
+    let at = editor.near(LEFT_FOOT, LEFT_KNEE);
+    editor.go_to(at);
+    assert!(editor.has("Drag to bring it somewhere, the chain follows · P pins"));
+    editor.key(Key::P);
+    assert!(editor.has("Pinned: stays while others are dragged · P unpins"));
+    editor.key(Key::P);
+    editor.pin(LEFT_KNEE);
+    editor.go_to(at);
+    assert!(editor.has("A pin above holds it"));
+}
+
+#[test]
+fn pins_of_a_deleted_character_are_forgotten() {
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_FOOT);
+    editor.key(Key::Delete);
+    editor.settle();
+    assert!(editor.harness.state().session.scene().shapes().is_empty());
+    editor.choose(&["Insert", "Cube"]);
+    editor.key(Key::P);
+}
