@@ -20,8 +20,8 @@ pub enum IkGrip {
 }
 
 impl IkGrip {
-    /// The end of a bone that is nearer to where it was hit. A root is only taken by hitting its
-    /// place, or where nothing else could be taken.
+    /// The end of a bone that is nearer to where it was hit. Of joints in one place, one above the
+    /// other, it is the uppermost, which moves them all.
     pub fn of(session: &Session, hit: &BoneHit) -> Option<Self> {
         let character = &session.scene().character(hit.shape)?.character;
         let shape = session.evaluated().shape(hit.shape)?;
@@ -29,10 +29,10 @@ impl IkGrip {
         let bone = character.bones().get(hit.bone)?;
         let (start, end) = bone.ends(frames)?;
         let place = |at: Vec3| shape.world_from_model.transform_point3(at);
-        if hit.point.distance(place(start)) < hit.point.distance(place(end)) {
-            return Some(Self::Joint(bone.joint));
-        }
         let skeleton = character.skeleton();
+        if hit.point.distance(place(start)) < hit.point.distance(place(end)) {
+            return Some(Self::Joint(uppermost(skeleton, bone.joint)));
+        }
         let mut children = skeleton.children(bone.joint).iter();
         let ends = |&&child: &&usize| skeleton.joints()[child].offset == bone.tip;
         Some(match children.find(ends) {
@@ -79,6 +79,18 @@ impl IkGrip {
             Self::Tip { joint, tip } => IkChain::to_point(skeleton, pose, joint, tip, length, pins),
         }
     }
+}
+
+fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
+    let joints = skeleton.joints();
+    let same = |&joint: &usize| {
+        joints[joint]
+            .parent
+            .filter(|_| joints[joint].offset == Vec3::ZERO)
+    };
+    std::iter::successors(Some(joint), same)
+        .last()
+        .unwrap_or(joint)
 }
 
 /// A hand, a foot or whatever else of a character held by the pointer: it follows in the plane

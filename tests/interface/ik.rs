@@ -206,6 +206,19 @@ fn pinned_feet_stay_while_the_root_is_dragged() {
 }
 
 #[test]
+fn of_joints_in_one_place_the_uppermost_is_taken() {
+    let mut editor = Editor::with_ik();
+    // The chest lies where the root does, so that nothing could move it but the root.
+    let (chest, waist) = (editor.joint_at(1), editor.joint_at(2));
+    let from = chest + (waist - chest) * 0.2;
+    editor.bring(from, STEP);
+    assert_eq!(editor.session().selected_joint(), Some(ROOT));
+    let off = editor.joint_at(ROOT) - (chest + STEP);
+    assert!(off.length() < 0.1, "the root is off by {off:?}");
+    assert_eq!(editor.turned(), [ROOT], "moved and not turned");
+}
+
+#[test]
 fn below_a_pin_nothing_moves_and_neither_does_the_camera() {
     let mut editor = Editor::with_ik();
     editor.pin(LEFT_KNEE);

@@ -9,9 +9,8 @@ const SELECTED: Color32 = Color32::from_rgb(0xff, 0x9e, 0x1c);
 const OTHERS: Color32 = Color32::from_rgba_premultiplied(0x60, 0x60, 0x60, 0x60);
 const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
-/// Paints the bones of the joint under the pointer over everything, wherever the pointer is; with
-/// a tool for bones also those of the selected joint, and thin lines for those that hide in the
-/// mesh of the selected character.
+/// With a tool for bones, paints those of the selected joint over everything, and thin lines for
+/// those that hide in the mesh of the selected character.
 pub(super) fn show(painter: &Painter, place: Place, session: &Session, tool: Tool) {
     if tool != Tool::Select {
         let selected = session.selected();
@@ -38,6 +37,10 @@ pub(super) fn show(painter: &Painter, place: Place, session: &Session, tool: Too
             );
         }
     }
+}
+
+/// Paints the bones of the joint under the pointer over everything, wherever the pointer is.
+pub(super) fn hovered(painter: &Painter, place: Place, session: &Session) {
     if let Some((shape, joint)) = session.hovered_bone() {
         bones(
             painter,

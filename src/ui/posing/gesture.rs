@@ -68,6 +68,11 @@ impl PoseGesture {
         }
     }
 
+    /// Whether it goes in steps while Ctrl is held.
+    pub(super) fn snaps(&self) -> bool {
+        !matches!(self.held, Held::Ik(_) | Held::Stuck(..))
+    }
+
     /// What the IK tool brings somewhere; `None` for everything else, and once it is cancelled.
     pub(super) fn ik(&self) -> Option<&IkDrag> {
         match &self.held {

@@ -45,6 +45,13 @@ pub(super) struct PoseState {
     pub without_gizmo: Option<(ShapeId, usize)>,
 }
 
+impl PoseState {
+    /// Whether a chain is marked in the view, and not the bone under the pointer.
+    fn shows_chain(&self) -> bool {
+        self.tool == Tool::Ik && (self.gesture.is_some() || self.ik.hovered.is_some())
+    }
+}
+
 /// Shows bones and gizmos over the pictures of the scene in the view, and the bar of tools.
 pub(super) fn show(
     ui: &mut Ui,
@@ -58,6 +65,9 @@ pub(super) fn show(
         let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
         let place = Place { rect };
         bone_paint::show(&painter, place, session, state.pose.tool);
+        if !state.pose.shows_chain() {
+            bone_paint::hovered(&painter, place, session);
+        }
         show_gizmo(&painter, place, view, session, &state.pose);
         if state.pose.tool == Tool::Ik {
             let gesture = state.pose.gesture.as_ref();

@@ -9,7 +9,12 @@ pub(in crate::ui) fn sentence(
 ) -> Option<(Option<String>, &'static str)> {
     if let Some(gesture) = &state.gesture {
         let over = joint_name(session, gesture.shape(), gesture.joint());
-        return Some((over, "Ctrl snaps · Esc or right click cancels"));
+        let next = if gesture.snaps() {
+            "Ctrl snaps · Esc or right click cancels"
+        } else {
+            "Esc or right click cancels"
+        };
+        return Some((over, next));
     }
     let hit = state.hovered?;
     if let Some((shape, grip)) = state.ik.hovered {
