@@ -5,6 +5,10 @@ use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId};
 use glam::{DVec3, Vec3};
 
+/// A bone that ends this near to a child, of its length, ends at the child: lengths of bones and
+/// places of joints are rounded apart from each other in files.
+const SAME_PLACE: f32 = 0.05;
+
 /// What of a character is brought somewhere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IkGrip {
@@ -34,7 +38,11 @@ impl IkGrip {
             return Some(Self::Joint(uppermost(skeleton, bone.joint)));
         }
         let mut children = skeleton.children(bone.joint).iter();
-        let ends = |&&child: &&usize| skeleton.joints()[child].offset == bone.tip;
+        let near = SAME_PLACE * bone.tip.length();
+        let ends = |&&child: &&usize| {
+            let offset = skeleton.joints()[child].offset;
+            offset.distance(bone.tip) <= near
+        };
         Some(match children.find(ends) {
             Some(&child) => Self::Joint(child),
             None => Self::Tip {

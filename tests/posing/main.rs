@@ -1,6 +1,7 @@
 //! Posing by hand as data: what a drag makes of a character, whatever the view and the placement.
 
 mod dragging;
+mod ik;
 mod moving;
 mod picking;
 mod support;
