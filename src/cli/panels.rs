@@ -27,6 +27,7 @@ enum ToolName {
     Select,
     Pose,
     Move,
+    Ik,
 }
 
 impl ToolName {
@@ -36,6 +37,7 @@ impl ToolName {
             Self::Select => Tool::Select,
             Self::Pose => Tool::Pose,
             Self::Move => Tool::Move,
+            Self::Ik => Tool::Ik,
         };
         let is_it = |entry: &&Entry| entry.command == Command::SetTool(tool);
         let keys = COMMANDS.iter().find(is_it).map(|entry| entry.shortcuts);
