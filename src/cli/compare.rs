@@ -1,5 +1,6 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
+use super::output::refuse_input;
 use super::{CliError, files, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
@@ -70,6 +71,9 @@ struct Failure {
 /// If a file is wrong, the two cannot be compared, more differ than are allowed, or the output
 /// cannot be written.
 pub fn run(args: &Args) -> Result<(), CliError> {
+    if let Some(output) = &args.output {
+        refuse_input(output, &[args.a.clone(), args.b.clone()])?;
+    }
     let done = match [&args.a, &args.b].map(|path| is_mesh(path)) {
         [true, true] => meshes(args),
         [false, false] => pictures(args),

@@ -1,5 +1,6 @@
 //! `editor export`: the current geometry as an `.obj` file.
 
+use super::output::refuse_input;
 use super::{CliError, arguments, load};
 use crate::disk;
 use crate::io::{self, Diagnostic};
@@ -39,6 +40,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             Diagnostic::new(&args.output, message).to_string(),
         ));
     }
+    refuse_input(&args.output, &args.files)?;
     let mut loaded = load(&args.files, args.pose.as_deref())?;
     args.influences.apply_to(&mut loaded);
     let evaluated = Evaluator::new().evaluate(&loaded.scene);

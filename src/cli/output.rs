@@ -1,5 +1,8 @@
 use super::CliError;
+use crate::disk;
+use crate::io::Diagnostic;
 use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
 
 /// Prints a result on standard output. A reader that has gone away, as `head` does, is none of
 /// our business.
@@ -14,4 +17,16 @@ pub fn print(text: &str) -> Result<(), CliError> {
         ))),
         _ => Ok(()),
     }
+}
+
+/// Refuses to write over one of the files that are read.
+///
+/// # Errors
+/// If `output` is one of `inputs`.
+pub fn refuse_input(output: &Path, inputs: &[PathBuf]) -> Result<(), CliError> {
+    if inputs.iter().any(|input| disk::is_same_file(input, output)) {
+        let message = "expected another file to write than the one that is read";
+        return Err(Diagnostic::new(output, message).into());
+    }
+    Ok(())
 }

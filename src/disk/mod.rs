@@ -5,4 +5,4 @@ mod read;
 mod write;
 
 pub use read::Disk;
-pub use write::write_whole;
+pub use write::{is_same_file, write_whole};

@@ -23,6 +23,9 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
             "expected a file to write, found a folder",
         ));
     }
+    if std::fs::metadata(&target).is_ok_and(|data| data.permissions().readonly()) {
+        return Err(Diagnostic::new(path, "this file is write-protected"));
+    }
     if !folder.is_dir() {
         let message = format!("there is no folder {}", folder.display());
         return Err(Diagnostic::new(path, message));
@@ -36,6 +39,12 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
         };
         Diagnostic::new(path, message)
     })
+}
+
+/// Whether two names stand for one file that is there.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    let real = |path| std::fs::canonicalize(path).ok();
+    real(one).is_some() && real(one) == real(other)
 }
 
 fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -82,6 +91,19 @@ mod tests {
         let error = write_whole(folder.path(), b"one").unwrap_err();
         assert_eq!(error.message, "expected a file to write, found a folder");
         assert_eq!(entries(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_write_protected_file_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        fs::write(&path, "one").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let error = write_whole(&path, b"two").unwrap_err();
+        assert_eq!(error.message, "this file is write-protected");
+        assert_eq!(fs::read(&path).unwrap(), b"one");
     }
 
     #[cfg(unix)]

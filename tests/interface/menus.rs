@@ -138,6 +138,23 @@ fn esc_leaves_a_field_first_then_closes_windows_from_the_newest_then_quits() {
 }
 
 #[test]
+fn esc_does_not_quit_while_a_button_is_held() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().gestures = true;
+    let at = egui::pos2(200.0, 300.0);
+    editor.harness.hover_at(at);
+    editor.harness.drag_at(at);
+    editor.harness.hover_at(at + egui::vec2(30.0, 0.0));
+    editor.settle();
+    editor.key(Key::Escape);
+    assert!(editor.asked().is_empty());
+    editor.harness.drop_at(at);
+    editor.settle();
+    editor.key(Key::Escape);
+    assert_eq!(editor.asked(), [Ask::Quit]);
+}
+
+#[test]
 fn esc_closes_an_open_menu_before_it_quits() {
     let mut editor = Editor::new();
     editor.click("Insert");

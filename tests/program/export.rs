@@ -51,6 +51,19 @@ fn a_scene_is_written_in_the_world_and_can_be_read_again() {
 }
 
 #[test]
+fn what_is_read_is_never_written_over() {
+    let folder = folder();
+    let before = fs::read(folder.path().join("box.obj")).unwrap();
+    let told = "box.obj: expected another file to write than the one that is read\n";
+    let ran = editor_in(folder.path(), &["export", "box.obj", "-o", "./box.obj"]);
+    assert_eq!((ran.code, ran.err), (Some(1), format!("error: ./{told}")));
+    let arguments = ["compare", "box.obj", "man.obj", "-o", "box.obj"];
+    let ran = editor_in(folder.path(), &arguments);
+    assert_eq!((ran.code, ran.err), (Some(1), format!("error: {told}")));
+    assert_eq!(fs::read(folder.path().join("box.obj")).unwrap(), before);
+}
+
+#[test]
 fn a_failed_export_leaves_no_file() {
     let folder = folder();
     fs::write(
