@@ -10,7 +10,12 @@ uniform int has_shadows;
 // How far the edge of a shadow fades, in the world.
 uniform float softness;
 
-const float DARKNESS = 0.5;
+// The light that the ground takes round the middle, so that shadows show; 0 seen from below, where
+// it would stand before the shapes.
+uniform float lit;
+
+const float DARKNESS = 0.6;
+const vec3 GROUND = vec3(0.37, 0.39, 0.42);
 
 out vec4 fragment_color;
 
@@ -42,18 +47,22 @@ float shadow(float world_per_pixel) {
 
 void main() {
     float strength = max(0.35 * lines(on_ground, 1.0), 0.6 * lines(on_ground, 10.0));
-    float fade = 1.0 - smoothstep(0.3, 1.0, length(on_ground - center) / reach);
+    float away = length(on_ground - center) / reach;
+    float fade = 1.0 - smoothstep(0.3, 1.0, away);
     float coverage = strength * fade;
+    float pool = lit * (1.0 - smoothstep(0.0, 0.3, away));
     float shade = 0.0;
     if (has_shadows == 1) {
         vec2 along_row = dFdx(on_ground);
         shade = DARKNESS * fade * shadow(max(length(along_row), 1e-6));
     }
-    if (max(coverage, shade) <= 0.004) {
+    if (max(max(coverage, shade), pool) <= 0.004) {
         discard;
     }
-    // Lines lie over the shadow, which takes some of their light, too.
-    float alpha = coverage + (1.0 - coverage) * shade;
-    vec3 lines = vec3(0.72, 0.76, 0.82) * (1.0 - 0.6 * shade);
-    fragment_color = vec4(lines * coverage, alpha);
+    // From below: the lit ground, the shadow, which darkens what is behind the ground as well, and
+    // the lines, which lose some of their light, too.
+    vec4 seen = vec4(GROUND * pool, pool);
+    seen = vec4(seen.rgb * (1.0 - shade), 1.0 - (1.0 - seen.a) * (1.0 - shade));
+    vec3 line = vec3(0.72, 0.76, 0.82) * (1.0 - 0.6 * shade);
+    fragment_color = vec4(line * coverage, coverage) + (1.0 - coverage) * seen;
 }

@@ -8,6 +8,8 @@ use glam::Vec2;
 
 /// Texture unit of the shadows.
 const SHADOWS: u32 = 0;
+/// How much of what is behind the ground its light covers, in the middle.
+const LIT: f32 = 0.6;
 /// How far the edge of a shadow fades, in the world.
 const SOFTNESS: f32 = 0.07;
 
@@ -67,6 +69,9 @@ impl GroundPass {
         self.program
             .set_i32("has_shadows", i32::from(shadows.is_some()));
         self.program.set_f32("softness", SOFTNESS);
+        let is_above = camera.eye().y > context.ground;
+        let lit = if is_above { LIT } else { 0.0 };
+        self.program.set_f32("lit", lit);
         self.square
             .draw(&self.program, Primitive::TriangleStrip, 0..4);
     }
