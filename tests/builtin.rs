@@ -119,7 +119,7 @@ fn every_pose_fits_the_character_that_it_is_named_for() {
 }
 
 #[test]
-fn the_showcase_has_posed_characters_that_stand_on_its_floor() {
+fn the_showcase_has_posed_characters_that_stand_on_the_ground() {
     let loaded = load("showcase");
     assert!(loaded.view.is_some());
     let evaluated = Evaluator::new().evaluate(&loaded.scene);

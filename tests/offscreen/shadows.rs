@@ -3,8 +3,8 @@
 use editor_core::character::Skinning;
 use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::render::{Frame, Marks, Renderer};
-use editor_core::scene::{Evaluator, Look, Scene, ShapeId, ShapeKind, ViewSettings};
-use glam::Vec3;
+use editor_core::scene::{Evaluator, Look, Scene, ShapeColor, ShapeKind, ViewSettings};
+use glam::{Vec2, Vec3};
 
 use crate::skinning::characters;
 use crate::support::{Picture, on_each_backend};
@@ -37,71 +37,71 @@ fn draw(gl: &Gl, scene: &Scene, view: &ViewSettings, skinning: Skinning) -> Pict
     Picture::of(&target)
 }
 
-fn cube_at(height: f32) -> (Scene, ShapeId) {
+fn cube_at(height: f32) -> Scene {
     let mut scene = Scene::new();
     let id = scene.add("Cube".to_owned(), ShapeKind::Cube, None);
     let placement = &mut scene.shape_mut(id).expect("the cube").placement;
     placement.transform.position.y = height;
-    (scene, id)
+    scene
 }
 
-/// The pixels that are darker in `picture` than in `plain`, and the mean of their places.
-fn darkened(picture: &Picture, plain: &Picture) -> (usize, f32, f32) {
-    let mut places = Vec::new();
-    for y in 0..SIZE.1 as usize {
-        for x in 0..SIZE.0 as usize {
-            let [a, b] = [picture, plain]
-                .map(|p| p.at(x, y)[..3].iter().map(|&c| i32::from(c)).sum::<i32>());
-            if a < b - 20 {
-                places.push((x as f32, y as f32));
-            }
-        }
-    }
-    let count = places.len().max(1) as f32;
-    let sum = places
-        .iter()
-        .fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
-    (places.len(), sum.0 / count, sum.1 / count)
+/// How many pixels are darker in `picture` than in `plain`.
+fn darkened(picture: &Picture, plain: &Picture) -> usize {
+    let sum = |pixel: &[u8]| pixel[..3].iter().map(|&c| i32::from(c)).sum::<i32>();
+    let pixels = picture.rgba.chunks_exact(4).zip(plain.rgba.chunks_exact(4));
+    pixels.filter(|(a, b)| sum(a) < sum(b) - 20).count()
 }
 
 #[test]
 fn a_shape_above_the_ground_darkens_it_away_from_the_light_and_softly() {
     on_each_backend(|gl| {
         let empty = draw(gl, &Scene::new(), &studio(), Skinning::Cpu);
-        let (scene, _) = cube_at(2.0);
+        let scene = cube_at(2.0);
         let picture = draw(gl, &scene, &studio(), Skinning::Cpu);
-        let (count, x, y) = darkened(&picture, &empty);
-        assert!(count > 300, "{count} pixels");
-        // The light stands to the left.
-        assert!(x > 120.0, "{x}");
-        // Not one step from light to dark along a row, but many.
-        let steps = (1..SIZE.0 as usize).map(|x| {
-            let darker =
-                |x: usize| empty.at(x, y as usize)[0].abs_diff(picture.at(x, y as usize)[0]);
-            darker(x).abs_diff(darker(x - 1))
-        });
-        assert!(steps.max() < Some(12), "a hard edge");
+        // The light stands to the left and in front, one unit up for half a unit away.
+        let size = Vec2::new(SIZE.0 as f32, SIZE.1 as f32);
+        let shadow = Vec3::new(0.9, 0.0, -1.1);
+        let middle = studio().camera.pixel(shadow, size).expect("in view");
+        let (middle, y) = (middle.x as usize, middle.y as usize);
+        let darker: Vec<u8> = (middle..SIZE.0 as usize)
+            .map(|x| empty.at(x, y)[0].saturating_sub(picture.at(x, y)[0]))
+            .collect();
+        assert!(darker[0] > 30, "{darker:?}");
+        assert_eq!(darker.last(), Some(&0));
+        // To the right the ground does not go from dark to light in one step.
+        let steps = darker.windows(2).map(|pair| pair[0].abs_diff(pair[1]));
+        assert!(steps.max() < Some(darker[0] / 2), "{darker:?}");
     });
 }
 
 #[test]
 fn the_shadow_goes_with_the_ground_and_other_looks_have_none() {
     on_each_backend(|gl| {
-        let (scene, _) = cube_at(2.0);
-        for view in [
-            ViewSettings {
-                grid: false,
-                ..studio()
-            },
-            ViewSettings {
-                look: Look::Course,
-                ..studio()
-            },
-        ] {
-            let picture = draw(gl, &scene, &view, Skinning::Cpu);
-            let empty = draw(gl, &Scene::new(), &view, Skinning::Cpu);
-            assert_eq!(darkened(&picture, &empty).0, 0, "{:?}", view.look);
-        }
+        // Seen from straight above, the shape hides none of its shadow.
+        let mut view = studio();
+        view.camera.phi = 1.5;
+        let scene = cube_at(2.0);
+        let count = |view: &ViewSettings| {
+            let [shown, hidden] = [Vec3::ONE, Vec3::splat(1e-3)].map(|scale| {
+                let mut scene = scene.clone();
+                let id = scene.shapes()[0].id;
+                let placement = &mut scene.shape_mut(id).expect("the cube").placement;
+                placement.transform.scale = scale;
+                placement.color = ShapeColor::Custom(Vec3::ONE);
+                draw(gl, &scene, view, Skinning::Cpu)
+            });
+            darkened(&shown, &hidden)
+        };
+        assert!(count(&view) > 200, "{}", count(&view));
+        let without = ViewSettings {
+            grid: false,
+            ..view
+        };
+        let course = ViewSettings {
+            look: Look::Course,
+            ..view
+        };
+        assert_eq!((count(&without), count(&course)), (0, 0));
     });
 }
 
@@ -110,8 +110,8 @@ fn the_ground_lies_under_the_lowest_shape() {
     on_each_backend(|gl| {
         // A cube at the origin reaches down to −0.5, and throws the shadow that one standing half
         // a unit higher throws on the ground at the origin.
-        let (at_origin, _) = cube_at(0.0);
-        let (higher, _) = cube_at(0.5);
+        let at_origin = cube_at(0.0);
+        let higher = cube_at(0.5);
         let mut lowered = studio();
         lowered.camera.target.y = -0.5;
         let one = draw(gl, &at_origin, &lowered, Skinning::Cpu);
