@@ -1,13 +1,15 @@
 use super::application::AppError;
 use super::compare::Comparison;
 use super::globals;
+use super::input_parts::parts;
 use super::workspace::Workspace;
 use crate::editor::Severity;
 use crate::geometry::Revision;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
 use crate::render::{Frame, Marks, compose, read_picture, view_place};
 use crate::ui;
-use std::time::Duration;
+use egui::{FullOutput, RawInput};
+use std::time::{Duration, Instant};
 use winit::dpi::PhysicalSize;
 
 /// The pictures that a frame goes through, kept for as long as their sizes fit.
@@ -28,15 +30,72 @@ impl FramePictures {
     }
 }
 
+/// What came of running the panels.
+struct PanelRun {
+    shown: ui::UiOutput,
+    output: FullOutput,
+    changed: bool,
+}
+
+impl PanelRun {
+    fn followed_by(mut self, next: Self) -> Self {
+        self.output.append(next.output);
+        Self {
+            shown: next.shown,
+            output: self.output,
+            changed: self.changed || next.changed,
+        }
+    }
+}
+
 impl Workspace {
     /// Runs the panels, does what they ask, draws the scene if it changed, and shows it all.
     pub(super) fn draw_frame(&mut self, size: PhysicalSize<u32>) -> Result<Duration, AppError> {
-        let window = self.window.window();
-        let input = self.egui.take_egui_input(window);
-        let context = self.egui.egui_ctx().clone();
+        self.frame_rate.count(Instant::now());
+        let input = self.egui.take_egui_input(self.window.window());
         if let Some(comparison) = &mut self.comparison {
-            comparison.take_results(&context);
+            comparison.take_results(self.egui.egui_ctx());
         }
+        let mut run: Option<PanelRun> = None;
+        for part in parts(input) {
+            let Some(next) = self.run_panels(part) else {
+                continue;
+            };
+            run = Some(match run {
+                Some(before) => before.followed_by(next),
+                None => next,
+            });
+        }
+        let Some(PanelRun {
+            shown,
+            output,
+            changed,
+        }) = run
+        else {
+            return Ok(Duration::MAX);
+        };
+
+        let delay = output
+            .viewport_output
+            .get(&egui::ViewportId::ROOT)
+            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        if let Err(error) = self.draw_scene(&shown, output.pixels_per_point, size) {
+            self.painter.skip(output);
+            return Err(error.into());
+        }
+        let compared = self.draw_comparison();
+        self.show_frame(&shown, output, size)?;
+        // The panels were laid out before what they asked for was done.
+        Ok(if changed || compared {
+            Duration::ZERO
+        } else {
+            delay
+        })
+    }
+
+    /// Runs the panels once and does what they ask.
+    fn run_panels(&mut self, input: RawInput) -> Option<PanelRun> {
+        let context = self.egui.egui_ctx().clone();
         let (session, state, dialogs) = (&self.session, &mut self.ui, &mut self.dialogs);
         let compare = self.comparison.as_ref().map(Comparison::view);
         let view_input = ui::ViewInput {
@@ -44,7 +103,7 @@ impl Workspace {
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
             hovered_shape: self.hovered_shape,
-            frames_per_second: None,
+            frames_per_second: self.frame_rate.shown(),
             backend: &self.backend,
             gesture_under_way: state.gesture_under_way(),
             keys_are_taken: dialogs.is_open(),
@@ -62,10 +121,9 @@ impl Workspace {
             chosen = dialogs.show(ui.ctx()).or_else(|| chosen.take());
         });
         let platform = std::mem::take(&mut output.platform_output);
-        self.egui.handle_platform_output(window, platform);
-        let Some(shown) = shown else {
-            return Ok(Duration::MAX);
-        };
+        self.egui
+            .handle_platform_output(self.window.window(), platform);
+        let shown = shown?;
         self.hovered_shape =
             ui::view_gestures(&shown.view, &shown.places, session, state, &mut asked);
         let changed = !asked.is_empty() || chosen.is_some();
@@ -73,22 +131,10 @@ impl Workspace {
         if let Some((purpose, path)) = chosen {
             self.use_chosen(purpose, path);
         }
-
-        let delay = output
-            .viewport_output
-            .get(&egui::ViewportId::ROOT)
-            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
-        if let Err(error) = self.draw_scene(&shown, output.pixels_per_point, size) {
-            self.painter.skip(output);
-            return Err(error.into());
-        }
-        let compared = self.draw_comparison();
-        self.show_frame(&shown, output, size)?;
-        // The panels were laid out before what they asked for was done.
-        Ok(if changed || compared {
-            Duration::ZERO
-        } else {
-            delay
+        Some(PanelRun {
+            shown,
+            output,
+            changed,
         })
     }
 

@@ -3,6 +3,7 @@ use super::compare::Comparison;
 use super::exports::file_stem;
 use super::file_dialogs::{FileDialogs, Purpose};
 use super::frame::FramePictures;
+use super::frame_rate::FrameRate;
 use super::globals;
 use super::preferences::Preferences;
 use crate::character::Skinning;
@@ -43,6 +44,7 @@ pub(super) struct Workspace {
     pub(super) builtin_characters: Vec<&'static str>,
     pub(super) builtin_curves: Vec<&'static str>,
     pub(super) proxy: EventLoopProxy<Wake>,
+    pub(super) frame_rate: FrameRate,
     /// What deformed characters in the first frame.
     skinning_at_start: Option<Skinning>,
     quit: bool,
@@ -97,6 +99,7 @@ impl Workspace {
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             proxy: proxy.clone(),
+            frame_rate: FrameRate::default(),
             skinning_at_start: None,
             quit: false,
         };

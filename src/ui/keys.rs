@@ -413,9 +413,11 @@ impl Entry {
     }
 }
 
-/// `Esc` is what keyboards have on them.
+/// `Esc` and `?` are what keyboards have on them.
 fn short(shortcut: &str) -> String {
-    shortcut.replace("Escape", "Esc")
+    shortcut
+        .replace("Escape", "Esc")
+        .replace("Questionmark", "?")
 }
 
 /// What menus call `command`.
@@ -442,6 +444,7 @@ pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
 pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
+        let held = input.pointer.any_down();
         input.events.retain(|event| {
             let (modifiers, key) = match event {
                 Event::Key {
@@ -455,7 +458,9 @@ pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
                 Event::Paste(_) => (CTRL, Key::V),
                 _ => return true,
             };
-            let hit = command_of(modifiers, key, navigation);
+            let hit = command_of(modifiers, key, navigation)
+                // Esc with something in the hand is meant for that, and ends nothing else.
+                .filter(|&command| !(held && command == Command::Quit));
             commands.extend(hit);
             hit.is_none()
         });

@@ -7,7 +7,14 @@ use super::widgets::named;
 use crate::editor::{Action, Ask, Session};
 use crate::scene::name_of_import;
 use egui::containers::menu::{MenuBar, MenuConfig};
-use egui::{Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, Ui};
+use egui::{
+    Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, ScrollArea, Ui,
+};
+
+/// What the bar and a menu's own margins take of the window's height.
+const BAR_AND_MARGINS: f32 = 48.0;
+/// No menu is higher than this.
+const HIGHEST: f32 = 480.0;
 
 /// What every item of every menu needs.
 struct Items<'a> {
@@ -39,11 +46,11 @@ pub(super) fn show(
         let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClick);
         MenuBar::new().config(config).ui(ui, |ui| {
             ui.spacing_mut().button_padding = egui::vec2(8.0, 2.0);
-            ui.menu_button("File", |ui| items.file(ui));
-            ui.menu_button("Insert", |ui| items.insert(ui));
-            ui.menu_button("View", |ui| items.view(ui));
-            ui.menu_button("Pose", |ui| items.pose(ui));
-            ui.menu_button("Help", |ui| items.all(ui, Menu::Help));
+            ui.menu_button("File", |ui| scrolled(ui, |ui| items.file(ui)));
+            ui.menu_button("Insert", |ui| scrolled(ui, |ui| items.insert(ui)));
+            ui.menu_button("View", |ui| scrolled(ui, |ui| items.view(ui)));
+            ui.menu_button("Pose", |ui| scrolled(ui, |ui| items.pose(ui)));
+            ui.menu_button("Help", |ui| scrolled(ui, |ui| items.all(ui, Menu::Help)));
             title(ui, items.input.title);
         });
     });
@@ -146,6 +153,16 @@ impl Items<'_> {
     fn run(&mut self, command: Command) {
         let action = run(command, self.session, self.state, self.aspect);
         self.actions.extend(action);
+    }
+}
+
+/// The items of a menu, which scroll where the window is lower than they are.
+fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
+    let room = ui.ctx().content_rect().height() - BAR_AND_MARGINS;
+    if room > HIGHEST {
+        items(ui);
+    } else {
+        ScrollArea::vertical().max_height(room).show(ui, items);
     }
 }
 

@@ -156,12 +156,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         if camera != session.view().camera {
             actions.push(Action::View(View::SetCamera(camera)));
         }
-        let held = ctx.input(|input| input.pointer.any_down());
         for command in keys::pressed(&ctx, state.navigation) {
-            // Esc with something in the hand is meant for that, and ends nothing else.
-            if held && command == Command::Quit {
-                continue;
-            }
             let comparing = input.compare.is_some();
             press(
                 command,

@@ -44,6 +44,17 @@ struct Typed {
     pass: u64,
 }
 
+/// A number in the hand.
+#[derive(Clone, Copy, Debug, Default)]
+struct Dragged {
+    /// What it was when it was taken.
+    start: f64,
+    /// What it would be, were it not rounded to steps.
+    exact: f64,
+    /// Whether it was put back; then the rest of the drag does nothing.
+    cancelled: bool,
+}
+
 impl<'a> NumberField<'a> {
     /// A field for `value`, called `name` for screen readers and tests, that changes by `step` a
     /// pixel.
@@ -212,10 +223,24 @@ impl<'a> NumberField<'a> {
     }
 
     fn dragged_to(&self, ui: &Ui, response: &Response) -> Option<f64> {
-        let exact = response.id.with("exact");
+        let id = response.id.with("dragged");
+        let in_hand: Option<Dragged> = ui.data_mut(|data| data.remove_temp(id));
         if !response.dragged_by(PointerButton::Primary) {
-            ui.data_mut(|data| data.remove::<f64>(exact));
-            return None;
+            // egui ends a drag by Esc. Taken, so that it does nothing else in this frame.
+            let put_back = in_hand.filter(|dragged| !dragged.cancelled)?;
+            let escape = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+            return escape.then_some(put_back.start);
+        }
+        let mut dragged = in_hand.unwrap_or(Dragged {
+            start: self.value,
+            exact: self.value,
+            cancelled: false,
+        });
+        let cancel = ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary));
+        if cancel || dragged.cancelled {
+            dragged.cancelled = true;
+            ui.data_mut(|data| data.insert_temp(id, dragged));
+            return cancel.then_some(dragged.start);
         }
         // What the pointer moved before egui decided that this is a drag counts too.
         let delta = if response.drag_started() {
@@ -229,13 +254,13 @@ impl<'a> NumberField<'a> {
             (_, true) => COARSER,
             _ => 1.0,
         };
-        let before = ui.data(|data| data.get_temp(exact)).unwrap_or(self.value);
-        let after = before + f64::from(delta) * self.step * factor;
+        let after = dragged.exact + f64::from(delta) * self.step * factor;
         let after = match self.wrap {
             Some(_) => after,
             None => self.brought_into_range(after),
         };
-        ui.data_mut(|data| data.insert_temp(exact, after));
+        dragged.exact = after;
+        ui.data_mut(|data| data.insert_temp(id, dragged));
         if delta == 0.0 {
             return None;
         }

@@ -4,7 +4,7 @@ use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
 use crate::character::Skinning;
 use crate::editor::Tool;
-use crate::scene::ShapeId;
+use crate::scene::{Camera, ShapeId};
 use egui::ThemePreference;
 use std::collections::{BTreeSet, HashMap};
 
@@ -29,6 +29,8 @@ pub struct UiState {
     pub(super) curves: CurveState,
     pub(super) pose: PoseState,
     pub(super) notices: NoticeState,
+    /// Where the camera was before the drag that moves it now.
+    pub(super) camera_before_drag: Option<Camera>,
     /// Whether a text field or a popup had the keyboard at the end of the last frame. egui takes
     /// the keyboard away from them at the start of the frame in which Esc is pressed.
     pub(super) keys_were_taken: bool,
@@ -97,6 +99,7 @@ impl Default for UiState {
             curves: CurveState::default(),
             pose: PoseState::default(),
             notices: NoticeState::default(),
+            camera_before_drag: None,
             keys_were_taken: false,
             styled: false,
             view_rect: egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(4.0, 3.0)),

@@ -4,7 +4,7 @@ use super::posing;
 use super::{ScenePlaces, UiState};
 use crate::editor::{Action, Session, Tool, View};
 use crate::scene::{ShapeId, pick_shape};
-use egui::{Event, MouseWheelUnit, Pos2, Rect, Response};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
 use glam::Vec2;
 
 /// Points of a touchpad's scrolling that count as one notch of a wheel.
@@ -44,6 +44,7 @@ pub fn view_gestures(
     };
     let height = places.rects.first().map_or(1.0, Rect::height) / places.points_per_pixel;
     let delta = Vec2::new(delta.x, delta.y);
+    put_back_on_esc(view, session, state, actions);
     let camera = session.view().camera;
     let camera = state
         .navigation
@@ -64,6 +65,27 @@ pub fn view_gestures(
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
     shape_at(session, places, position)
+}
+
+/// Notes where the camera was before a drag, and puts it back there on Esc, by which egui ends it.
+fn put_back_on_esc(
+    view: &Response,
+    session: &Session,
+    state: &mut UiState,
+    actions: &mut Vec<Action>,
+) {
+    if view.dragged() {
+        state
+            .camera_before_drag
+            .get_or_insert(session.view().camera);
+    } else if let Some(before) = state.camera_before_drag.take() {
+        let escape = view
+            .ctx
+            .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+        if escape {
+            actions.push(Action::View(View::SetCamera(before)));
+        }
+    }
 }
 
 fn shape_at(session: &Session, places: &ScenePlaces, position: Pos2) -> Option<ShapeId> {

@@ -40,7 +40,8 @@ pub(super) fn show(
     posing::show(&mut over, &places, &response, session, state);
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
     notices::show(&mut over, rect, session, &mut state.notices, actions);
-    if state.first_help {
+    // Nothing hides what went wrong.
+    if state.first_help && session.messages.fresh().is_empty() {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
         let closed = first_help::show(&mut over, rect, state.navigation.summary());
         state.first_help = !(closed || gesture);

@@ -156,3 +156,35 @@ fn of_a_very_long_list_only_what_is_in_sight_is_shown_and_keys_still_reach_all_o
     assert!(editor.has("Joint 2500"));
     editor.key(Key::ArrowUp);
 }
+
+#[test]
+fn esc_or_the_right_button_puts_a_dragged_number_back() {
+    for cancel in ["Esc", "right button"] {
+        let mut editor = Editor::with_figure();
+        editor.type_into("Chest X", "12");
+        let at = editor.widget("Chest X").rect().center();
+        editor.harness.hover_at(at);
+        editor.harness.drag_at(at);
+        editor.harness.hover_at(at + egui::vec2(30.0, 0.0));
+        editor.settle();
+        assert_eq!(editor.joint(CHEST).x, 42.0);
+        if cancel == "Esc" {
+            editor.key(Key::Escape);
+        } else {
+            editor.harness.event(egui::Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Secondary,
+                pressed: true,
+                modifiers: egui::Modifiers::NONE,
+            });
+            editor.settle();
+        }
+        assert_eq!(editor.joint(CHEST).x, 12.0, "{cancel}");
+        editor.harness.hover_at(at + egui::vec2(60.0, 0.0));
+        editor.settle();
+        editor.harness.drop_at(at);
+        editor.settle();
+        assert_eq!(editor.joint(CHEST).x, 12.0, "{cancel}");
+        assert!(editor.asked().is_empty());
+    }
+}

@@ -3,7 +3,7 @@
 use crate::Editor;
 use editor_core::character::Skinning;
 use editor_core::editor::{Ask, Screenshot};
-use editor_core::scene::{Look, Shading};
+use editor_core::scene::{Camera, Look, Shading};
 use egui::{Key, Modifiers};
 
 #[test]
@@ -146,7 +146,11 @@ fn esc_does_not_quit_while_a_button_is_held() {
     editor.harness.drag_at(at);
     editor.harness.hover_at(at + egui::vec2(30.0, 0.0));
     editor.settle();
+    assert_ne!(editor.session().view().camera, Camera::default());
     editor.key(Key::Escape);
+    editor.harness.hover_at(at);
+    editor.settle();
+    assert_eq!(editor.session().view().camera, Camera::default());
     assert!(editor.asked().is_empty());
     editor.harness.drop_at(at);
     editor.settle();

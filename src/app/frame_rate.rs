@@ -1,0 +1,60 @@
+use std::time::{Duration, Instant};
+
+/// Frames further apart than this do not follow each other: nothing had changed between them.
+const PAUSE: Duration = Duration::from_millis(250);
+/// How much of the mean a new frame makes up.
+const SHARE: f32 = 0.1;
+/// Frames in a row before their rate says anything.
+const ENOUGH: u32 = 8;
+
+/// How fast frames are drawn while they follow each other.
+#[derive(Debug, Default)]
+pub(super) struct FrameRate {
+    last: Option<Instant>,
+    /// Frames in a row, and their mean distance in seconds.
+    row: u32,
+    mean: f32,
+}
+
+impl FrameRate {
+    /// Counts a frame that begins at `now`.
+    pub fn count(&mut self, now: Instant) {
+        let since = self.last.map(|last| now.duration_since(last));
+        self.last = Some(now);
+        match since {
+            Some(since) if since < PAUSE => {
+                let seconds = since.as_secs_f32();
+                self.mean = if self.row == 0 {
+                    seconds
+                } else {
+                    self.mean + (seconds - self.mean) * SHARE
+                };
+                self.row += 1;
+            }
+            _ => self.row = 0,
+        }
+    }
+
+    /// Frames in a second; none before there were enough in a row.
+    pub fn shown(&self) -> Option<f32> {
+        (self.row >= ENOUGH && self.mean > 0.0).then(|| 1.0 / self.mean)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_is_shown_while_frames_follow_each_other_and_not_after_a_pause() {
+        let mut rate = FrameRate::default();
+        let mut now = Instant::now();
+        for _ in 0..20 {
+            now += Duration::from_millis(20);
+            rate.count(now);
+        }
+        assert!((rate.shown().unwrap() - 50.0).abs() < 0.1);
+        rate.count(now + Duration::from_secs(1));
+        assert_eq!(rate.shown(), None);
+    }
+}

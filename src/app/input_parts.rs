@@ -1,0 +1,79 @@
+use egui::{Event, RawInput};
+
+/// Takes the events of one frame apart, so that each part has one press or release of a button at
+/// most, and alone.
+///
+/// egui looks at a frame as a whole: what is pressed is what lies where the pointer was last, a
+/// drag ends where it was before the frame of the release, and text typed after a click goes to
+/// where the keyboard was before it. On slow frames that takes one thing for another.
+pub(super) fn parts(mut input: RawInput) -> Vec<RawInput> {
+    let is_button = |event: &Event| matches!(event, Event::PointerButton { .. });
+    let mut groups: Vec<Vec<Event>> = vec![Vec::new()];
+    for event in std::mem::take(&mut input.events) {
+        let alone = is_button(&event);
+        let begins = groups
+            .last()
+            .and_then(|group| group.last())
+            .is_some_and(|last| alone || is_button(last));
+        if begins {
+            groups.push(Vec::new());
+        }
+        if let Some(group) = groups.last_mut() {
+            group.push(event);
+        }
+    }
+    let parts = groups.into_iter().map(|events| RawInput {
+        events,
+        ..input.clone()
+    });
+    let mut parts: Vec<RawInput> = parts.collect();
+    // Files are dropped once.
+    for later in parts.iter_mut().skip(1) {
+        later.dropped_files.clear();
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{Modifiers, PointerButton, pos2};
+
+    fn button(pressed: bool) -> Event {
+        Event::PointerButton {
+            pos: pos2(1.0, 2.0),
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        }
+    }
+
+    #[test]
+    fn a_press_and_what_comes_after_it_are_looked_at_one_after_the_other() {
+        let moved = |x| Event::PointerMoved(pos2(x, 0.0));
+        let events = vec![
+            moved(1.0),
+            moved(2.0),
+            button(true),
+            moved(3.0),
+            button(false),
+            Event::Text("7".into()),
+        ];
+        let input = RawInput {
+            events: events.clone(),
+            time: Some(3.0),
+            ..RawInput::default()
+        };
+        let parts = parts(input);
+        let counts: Vec<usize> = parts.iter().map(|part| part.events.len()).collect();
+        assert_eq!(counts, [2, 1, 1, 1, 1]);
+        assert!(parts.iter().all(|part| part.time == Some(3.0)));
+        let joined: Vec<Event> = parts.into_iter().flat_map(|part| part.events).collect();
+        assert_eq!(joined, events);
+    }
+
+    #[test]
+    fn a_frame_without_events_is_one_part() {
+        assert_eq!(parts(RawInput::default()).len(), 1);
+    }
+}
