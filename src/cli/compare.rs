@@ -1,12 +1,12 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
-use super::output::refuse_input;
+use super::output::{picture_format, refuse_input};
 use super::{CliError, files, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
 };
 use crate::disk;
-use crate::io::image::{self, PictureFormat};
+use crate::io::image;
 use crate::io::{Diagnostic, Files, builtin, read_character_obj};
 use serde::Serialize;
 use std::fmt::Display;
@@ -114,7 +114,7 @@ fn pictures(args: &Args) -> Result<(), CliError> {
         ignore: args.ignore.clone(),
     };
     let output = match &args.output {
-        Some(path) => Some((path, PictureFormat::of(path).map_err(usage)?)),
+        Some(path) => Some((path, picture_format(path)?)),
         None => None,
     };
     let files = files();
@@ -192,10 +192,6 @@ fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError>
     };
     let json = serde_json::to_string_pretty(&report);
     print(&(json.map_err(|error| CliError::Other(error.to_string()))? + "\n"))
-}
-
-fn usage(error: impl Display) -> CliError {
-    CliError::Usage(error.to_string())
 }
 
 fn cannot_compare(error: impl Display) -> CliError {

@@ -1,9 +1,9 @@
 //! `editor export`: the current geometry as an `.obj` file.
 
-use super::output::refuse_input;
+use super::output::{expect_obj, refuse_input};
 use super::{CliError, arguments, load};
 use crate::disk;
-use crate::io::{self, Diagnostic};
+use crate::io;
 use crate::scene::Evaluator;
 use std::path::PathBuf;
 
@@ -33,13 +33,7 @@ pub struct Args {
 /// # Errors
 /// If an input is wrong, or the output cannot be written; then there is none.
 pub fn run(args: &Args) -> Result<(), CliError> {
-    let is_obj = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("obj");
-    if !args.output.extension().is_some_and(is_obj) {
-        let message = "expected a name that ends in .obj to export to";
-        return Err(CliError::Usage(
-            Diagnostic::new(&args.output, message).to_string(),
-        ));
-    }
+    expect_obj(&args.output)?;
     refuse_input(&args.output, &args.files)?;
     let mut loaded = load(&args.files, args.pose.as_deref())?;
     args.influences.apply_to(&mut loaded);

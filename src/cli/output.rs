@@ -1,6 +1,7 @@
 use super::CliError;
 use crate::disk;
 use crate::io::Diagnostic;
+use crate::io::image::PictureFormat;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,29 @@ pub fn print(text: &str) -> Result<(), CliError> {
         ))),
         _ => Ok(()),
     }
+}
+
+/// The format of the picture to write, by the extension of its name.
+///
+/// # Errors
+/// If it is none that can be written: wrong usage, told before any work is done.
+pub fn picture_format(output: &Path) -> Result<PictureFormat, CliError> {
+    PictureFormat::of(output).map_err(|error| CliError::Usage(error.to_string()))
+}
+
+/// Checks that the name of the mesh to write ends in `.obj`.
+///
+/// # Errors
+/// If it does not: wrong usage, told before any work is done.
+pub fn expect_obj(output: &Path) -> Result<(), CliError> {
+    let is_obj = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("obj");
+    if output.extension().is_some_and(is_obj) {
+        return Ok(());
+    }
+    let message = "expected a name that ends in .obj to export to";
+    Err(CliError::Usage(
+        Diagnostic::new(output, message).to_string(),
+    ))
 }
 
 /// Refuses to write over one of the files that are read.

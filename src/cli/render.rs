@@ -1,6 +1,7 @@
 //! `editor render`: a picture without a window.
 
 use super::display_options::DisplayOptions;
+use super::output::picture_format;
 use super::panels::{self, PanelOptions};
 use super::{CliError, arguments, load};
 use crate::disk;
@@ -95,8 +96,7 @@ enum GlName {
 /// When a file cannot be read or written, a joint of the pose is missing, there is no OpenGL, or
 /// the picture is too large for it.
 pub fn run(args: &Args) -> Result<(), CliError> {
-    // A name that cannot be written is told before any work is done.
-    let format = io::image::PictureFormat::of(&args.output)?;
+    let format = picture_format(&args.output)?;
     let session = session(args)?;
     let backend = match args.gl {
         GlName::Auto => Backend::Auto,

@@ -210,7 +210,7 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
             1,
             "none.obj: there is no such file",
         ),
-        (&["render", "man.obj", "-o", "a.bmp"], 1, "a.bmp: expected"),
+        (&["render", "man.obj", "-o", "a.bmp"], 2, "a.bmp: expected"),
         (
             &["render", "man.obj", "-o", "no/a.png"],
             1,

@@ -28,6 +28,9 @@ fn wrong_usage_ends_with_2_and_prints_no_result() {
         &["export", "man.obj"],
         &["export", "-o", "out.obj"],
         &["export", "man.obj", "-o", "out.stl"],
+        &["render", "man.obj", "-o", "out.bmp"],
+        &["render", "man.obj", "-o", "out"],
+        &["compare", "man.png", "man.png", "-o", "out.obj"],
     ] {
         let ran = editor_in(folder.path(), arguments);
         assert_eq!((ran.code, &*ran.out), (Some(2), ""), "{arguments:?}");
