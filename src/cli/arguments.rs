@@ -2,7 +2,7 @@
 
 use crate::character::Skinning;
 use crate::io::Loaded;
-use crate::scene::{Camera, ViewDirection};
+use crate::scene::{Camera, Scene, ShapeKind, ViewDirection};
 use glam::Vec3;
 
 /// Which weights of a character count.
@@ -20,6 +20,29 @@ impl Influences {
     pub fn apply_to(self, loaded: &mut Loaded) {
         if let Self::Four = self {
             loaded.limit_influences(4);
+        }
+    }
+}
+
+/// What is made of curves.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub(super) struct CurveOptions {
+    /// Leave the step of a closed sweep whose frames do not meet
+    #[arg(long)]
+    no_frame_closing: bool,
+}
+
+impl CurveOptions {
+    /// Makes every curve of `scene` so.
+    pub fn apply_to(self, scene: &mut Scene) {
+        if !self.no_frame_closing {
+            return;
+        }
+        let ids: Vec<_> = scene.shapes().iter().map(|shape| shape.id).collect();
+        for id in ids {
+            if let Some(ShapeKind::Curve(curve)) = scene.shape_mut(id).map(|s| &mut s.kind) {
+                curve.set_frame_closing(false);
+            }
         }
     }
 }

@@ -25,9 +25,8 @@ pub(super) struct DisplayOptions {
     /// Whether control points are drawn [default: on, or as the scene has it].
     #[arg(long, value_name = "on|off", value_parser = arguments::switch)]
     control_points: Option<bool>,
-    /// Leave the step of a closed sweep whose frames do not meet.
-    #[arg(long)]
-    no_frame_closing: bool,
+    #[command(flatten)]
+    curves: arguments::CurveOptions,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -76,13 +75,11 @@ impl DisplayOptions {
                 }
                 Some(ShapeKind::Curve(curve)) => {
                     set_curve_display(self, &mut curve.display);
-                    if self.no_frame_closing {
-                        curve.set_frame_closing(false);
-                    }
                 }
                 _ => {}
             }
         }
+        self.curves.apply_to(scene);
     }
 }
 

@@ -26,6 +26,8 @@ pub struct Args {
     /// Which weights count
     #[arg(long, default_value = "all")]
     influences: arguments::Influences,
+    #[command(flatten)]
+    curves: arguments::CurveOptions,
 }
 
 /// Carries the command out.
@@ -37,6 +39,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     refuse_input(&args.output, &args.files)?;
     let mut loaded = load(&args.files, args.pose.as_deref())?;
     args.influences.apply_to(&mut loaded);
+    args.curves.apply_to(&mut loaded.scene);
     let evaluated = Evaluator::new().evaluate(&loaded.scene);
     let text = io::export_obj(&loaded.scene, &evaluated);
     Ok(disk::write_whole(&args.output, text.as_bytes())?)

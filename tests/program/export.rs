@@ -51,6 +51,20 @@ fn a_scene_is_written_in_the_world_and_can_be_read_again() {
 }
 
 #[test]
+fn a_closed_sweep_is_written_with_or_without_the_closing_of_its_frames() {
+    let folder = folder();
+    let export = |options: &[&str]| {
+        let arguments = [&["export", "builtin:seam", "-o", "out.obj"], options].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options:?}");
+        vertices(&folder.path().join("out.obj"))
+    };
+    let (closed, open) = (export(&[]), export(&["--no-frame-closing"]));
+    assert_eq!(closed.len(), open.len());
+    assert_ne!(closed, open);
+}
+
+#[test]
 fn what_is_read_is_never_written_over() {
     let folder = folder();
     let before = fs::read(folder.path().join("box.obj")).unwrap();
