@@ -12,7 +12,9 @@ use std::path::{Path, PathBuf};
 
 /// Say what is in each FILE and what is odd about it.
 ///
-/// Mistakes are told as path:line:column with what was expected and what was found.
+/// Mistakes are told as path:line:column with what was expected and what was found; with --json
+/// errors and warnings are objects {"file", "line", "column", "message"}, where line and column
+/// are null if it is about the file as a whole.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene), characters (.obj with .skel and .attach beside it, or .dae), shapes (.obj,
@@ -34,13 +36,38 @@ struct Report {
 struct FileReport {
     path: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    error: Option<String>,
+    error: Option<Told>,
     shapes: Vec<ShapeReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posed_joints: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     collada: Option<ColladaReport>,
-    warnings: Vec<String>,
+    warnings: Vec<Told>,
+}
+
+/// A mistake, or what is odd, with its place in parts.
+#[derive(Debug, Serialize)]
+struct Told {
+    file: String,
+    /// Counted from 1, as the column is; none for the file as a whole.
+    line: Option<usize>,
+    column: Option<usize>,
+    message: String,
+    /// The same in one line, for people.
+    #[serde(skip)]
+    in_words: String,
+}
+
+impl From<&Diagnostic> for Told {
+    fn from(told: &Diagnostic) -> Self {
+        Self {
+            file: told.path.display().to_string(),
+            line: told.position.map(|position| position.line),
+            column: told.position.map(|position| position.column),
+            message: told.message.clone(),
+            in_words: told.to_string(),
+        }
+    }
 }
 
 /// What is in a shape; bounds are in the world.
@@ -91,7 +118,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             failed = true;
         }
         report.files.push(FileReport {
-            error: error.map(|error| error.to_string()),
+            error: error.as_ref().map(Told::from),
             ..of_file
         });
     }
@@ -145,7 +172,7 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
             .map(|(shape, evaluated)| look_at(shape, evaluated))
             .collect(),
         collada: collada.transpose()?,
-        warnings: loaded.warnings.iter().map(ToString::to_string).collect(),
+        warnings: loaded.warnings.iter().map(Told::from).collect(),
         ..FileReport::new(path)
     })
 }
@@ -235,7 +262,7 @@ fn in_words(file: &FileReport) -> String {
         line(name, value);
     }
     for warning in &file.warnings {
-        line("warning", warning.clone());
+        line("warning", warning.in_words.clone());
     }
     out
 }

@@ -49,9 +49,36 @@ fn check_prints_one_json_object_for_any_number_of_files() {
     );
     assert_eq!(
         files[1]["error"],
-        "bad.obj:2:7: expected a vertex from 1 to 1, found 2"
+        json!({"file": "bad.obj", "line": 2, "column": 7, "message": "expected a vertex from 1 to 1, found 2"})
     );
     assert_eq!(files[2]["posed_joints"], 1);
+}
+
+#[test]
+fn places_are_told_in_parts_to_programs_and_a_file_as_a_whole_has_none() {
+    let ran = editor_in(folder().path(), &["check", "--json", "man.obj", "none.obj"]);
+    let report = json(&ran.out);
+    let warning = &report["files"][0]["warnings"][0];
+    assert_eq!(
+        (&warning["file"], &warning["line"]),
+        (&json!("man.attach"), &json!(2))
+    );
+    let error = json!({"file": "none.obj", "line": null, "column": null, "message": "there is no such file"});
+    assert_eq!(report["files"][1]["error"], error);
+}
+
+#[test]
+fn curves_of_one_name_are_odd() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("two.swp"),
+        "circ a 8 1\ncirc a 8 2\nsrev b 5 a\n",
+    )
+    .unwrap();
+    let ran = editor_in(folder.path(), &["check", "two.swp"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    let told = "two.swp:2:6: expected another name for each curve, found “a” again: surfaces after it are made of this one";
+    assert!(ran.out.contains(told), "{}", ran.out);
 }
 
 #[test]
