@@ -3,6 +3,7 @@ use super::{Diagnostic, Imported, Position, number};
 use crate::geometry::{Basis, Curve, MAX_CURVE_POINTS, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet};
 use glam::Vec3;
+use std::collections::HashSet;
 use std::path::Path;
 
 /// Reads a `.swp` file: curves and surfaces as words between white space, brackets around each
@@ -21,6 +22,8 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
     let mut reader = Reader {
         words: Words::new(path, utf8(path, bytes)?),
         set: CurveSet::new(),
+        names: HashSet::new(),
+        warnings: Vec::new(),
     };
     while let Some(keyword) = reader.words.next() {
         reader.item(keyword)?;
@@ -28,14 +31,22 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
     if reader.set.items().is_empty() {
         return Err(Diagnostic::new(path, "expected a curve, found none"));
     }
-    Ok(Imported::clean(reader.set))
+    Ok(Imported {
+        value: reader.set,
+        warnings: reader.warnings,
+    })
 }
 
+/// What files of the course call curves that no surface needs.
+const NAMELESS: &str = ".";
 const KEYWORDS: &str = "bez2, bez3, bsp2, bsp3, circ, srev or gcyl";
 
 struct Reader<'a> {
     words: Words<'a>,
     set: CurveSet,
+    /// Of the curves so far.
+    names: HashSet<&'a str>,
+    warnings: Vec<Diagnostic>,
 }
 
 impl<'a> Reader<'a> {
@@ -50,6 +61,15 @@ impl<'a> Reader<'a> {
             "gcyl" => self.sweep()?,
             _ => return Err(self.words.expected(KEYWORDS, Some(keyword))),
         };
+        let is_curve = matches!(kind, CurveItemKind::Curve(_));
+        if is_curve && name.text != NAMELESS && !self.names.insert(name.text) {
+            let message = format!(
+                "expected another name for each curve, found {} again: surfaces after it are \
+                 made of this one",
+                quoted(name.text)
+            );
+            self.warnings.push(self.words.error(name, message));
+        }
         let pushed = self.set.push(name.text, kind);
         pushed.map_err(|error| self.words.error(name, error.to_string()))?;
         Ok(())
