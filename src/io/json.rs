@@ -3,7 +3,8 @@
 use super::{Diagnostic, scanner};
 use glam::Vec3;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, Error as _};
+use serde::de::{DeserializeOwned, Deserializer, Error as _, SeqAccess, Visitor};
+use std::fmt;
 use std::path::Path;
 
 /// Reads `bytes` as one value.
@@ -26,18 +27,46 @@ pub(super) fn read<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, 
     })
 }
 
-/// The library's message without the place, which it repeats, and with what was `found` where it
-/// keeps that to itself.
+/// The library's message without the place, which it repeats, turned to what was expected and
+/// what was found, which is `found` where it keeps that to itself.
 fn in_words(error: &serde_json::Error, found: Option<char>) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
     let message = message.strip_suffix(&place).unwrap_or(&message);
-    match found {
-        Some(found) if error.is_syntax() && message.starts_with("expected ") => {
-            format!("{message}, found {}", scanner::quoted(&found.to_string()))
-        }
-        _ => message.to_owned(),
+    let found = found.map_or("the end of the line".to_owned(), |found| {
+        scanner::quoted(&found.to_string())
+    });
+    if error.is_eof() {
+        let expected = match message.strip_prefix("EOF while parsing ") {
+            Some(begun @ ("an object" | "a list" | "a string")) => format!("the rest of {begun}"),
+            _ => "a value".to_owned(),
+        };
+        return format!("expected {expected}, found the end of the file");
     }
+    if error.is_syntax() && message.starts_with("expected ") {
+        return format!("{message}, found {found}");
+    }
+    if message == "trailing comma" {
+        return format!("expected another entry after the comma, found {found}");
+    }
+    if message == "trailing characters" {
+        return format!("expected the end of the file, found {found}");
+    }
+    let told = split(message, "invalid type: ", ", expected ")
+        .or_else(|| split(message, "invalid value: ", ", expected "))
+        .or_else(|| split(message, "invalid length ", ", expected "))
+        .or_else(|| split(message, "unknown field ", ", expected "))
+        .or_else(|| split(message, "unknown variant ", ", expected "));
+    match told {
+        Some((found, "f32")) => format!("expected a number, found {found}"),
+        Some((found, expected)) => format!("expected {expected}, found {found}"),
+        None => message.to_owned(),
+    }
+}
+
+/// What stands in `message` between `before` and `between`, and what after.
+fn split<'a>(message: &'a str, before: &str, between: &str) -> Option<(&'a str, &'a str)> {
+    message.strip_prefix(before)?.rsplit_once(between)
 }
 
 /// Where the string, number or word starts whose last byte is `end` of `line`.
@@ -97,8 +126,33 @@ pub(super) fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, 
 /// Three numbers that an `f32` holds.
 ///
 /// # Errors
-/// If one does not.
+/// If one does not, or there are more or fewer.
 pub(super) fn finite3<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    let numbers = <[Finite; 3]>::deserialize(deserializer)?;
-    Ok(numbers.map(|number| number.0).into())
+    deserializer.deserialize_seq(Three)
+}
+
+struct Three;
+
+impl<'de> Visitor<'de> for Three {
+    type Value = Vec3;
+
+    fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.write_str("three numbers [x, y, z]")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut numbers: A) -> Result<Vec3, A::Error> {
+        let mut vector = Vec3::ZERO;
+        let mut count = 0;
+        while let Some(Finite(number)) = numbers.next_element()? {
+            if count < 3 {
+                vector[count] = number;
+            }
+            count += 1;
+        }
+        if count == 3 {
+            Ok(vector)
+        } else {
+            Err(A::Error::invalid_length(count, &self))
+        }
+    }
 }

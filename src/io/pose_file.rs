@@ -168,6 +168,14 @@ fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {
 }
 
 fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
+    let found = scanner::quoted(key);
+    if key.parse::<i64>().is_ok() {
+        let most = skeletons.iter().map(|skeleton| skeleton.joints().len());
+        let last = most.max().unwrap_or(0).saturating_sub(1);
+        return format!(
+            "expected the name of a joint, or an index from 0 to {last}, found {found}"
+        );
+    }
     let names = skeletons.iter().flat_map(|skeleton| skeleton.joints());
     let names: HashSet<&str> = names.map(|joint| joint.name.as_str()).collect();
     let mut near: Vec<(usize, &str)> = names
@@ -180,7 +188,6 @@ fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
         .take(SUGGESTED)
         .map(|(_, name)| scanner::quoted(name))
         .collect();
-    let found = scanner::quoted(key);
     format!(
         "expected the name or index of a joint, such as {}, found {found}",
         near.join(", ")
@@ -319,7 +326,7 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"9\": [0, 0, 0]}}",
-                "p.json:1:13: expected the name or index of a joint, such as “Root”, “Left foot”, “Left elbow”, found “9”",
+                "p.json:1:13: expected the name of a joint, or an index from 0 to 2, found “9”",
             ),
             (
                 "{\"roots\": {\"Left foot\": [0, 0, 0]}}",
@@ -327,11 +334,11 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0]}}",
-                "p.json:1:26: invalid length 2, expected an array of length 3",
+                "p.json:1:26: expected three numbers [x, y, z], found 2",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, \"é\"]}}",
-                "p.json:1:28: invalid type: string \"é\", expected f32",
+                "p.json:1:28: expected a number, found string \"é\"",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, 1e300]}}",
@@ -342,11 +349,25 @@ mod tests {
                 "p.json:2:2: expected each joint once, found “0” again",
             ),
             (
-                "{\"Joints\": {}}",
-                "p.json:1:2: unknown field `Joints`, expected `joints` or `roots`",
+                "{\"joints\": {\"Root\": [0, 0, 0],}}",
+                "p.json:1:31: expected another entry after the comma, found “}”",
             ),
-            ("{\"joints\": {", "p.json:1:12: EOF while parsing an object"),
-            ("", "p.json:1:1: EOF while parsing a value"),
+            (
+                "{\"joints\": {\"Root\": \"up\"}}",
+                "p.json:1:21: expected three numbers [x, y, z], found string \"up\"",
+            ),
+            (
+                "{\"Joints\": {}}",
+                "p.json:1:2: expected `joints` or `roots`, found `Joints`",
+            ),
+            (
+                "{\"joints\": {",
+                "p.json:1:12: expected the rest of an object, found the end of the file",
+            ),
+            (
+                "",
+                "p.json:1:1: expected a value, found the end of the file",
+            ),
         ] {
             let mut scene = scene_with(&[&["Root", "Left elbow", "Left foot"]]);
             assert_eq!(apply(text, &mut scene), Err(error.to_owned()), "{text}");

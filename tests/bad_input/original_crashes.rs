@@ -179,13 +179,13 @@ fn a_scene_file_is_held_to_its_schema() {
             "\"cube\"",
             "\"cub\"",
             "\"cub\"",
-            "unknown variant `cub`, expected one of `cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`",
+            "expected one of `cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`, found `cub`",
         ),
         (
             "\"radius\"",
             "\"distance\"",
             "\"distance",
-            "unknown field `distance`, expected one of `target`, `radius`, `theta`, `phi`, `fovy`, `near`, `far`",
+            "expected one of `target`, `radius`, `theta`, `phi`, `fovy`, `near`, `far`, found `distance`",
         ),
         (
             "\"Gray\"",
