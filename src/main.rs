@@ -6,7 +6,7 @@ fn main() -> std::process::ExitCode {
     cli::run(|window| {
         let options = app::Options {
             files: window.files,
-            title: window.title,
+            title: window.title.as_deref().map(app::globals::title_for),
             skinning: window.skinning.map(Into::into),
         };
         app::run(options).map_err(|error| error.to_string())

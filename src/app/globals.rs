@@ -3,7 +3,7 @@
 /// The program's name.
 pub const PROGRAM: &str = "Editor";
 
-/// Your name: it stands in the title of the window. `--title` replaces the whole title.
+/// Your name: it stands in the title of the window, unless `--title` names another.
 pub const STUDENT_NAME: &str = "Your Name";
 
 /// Size of the window at first start, in logical pixels; the course's is 800×600.
@@ -14,5 +14,10 @@ pub const SAMPLES: u32 = 4;
 
 /// The title of the window.
 pub fn title() -> String {
-    format!("{PROGRAM} — {STUDENT_NAME}")
+    title_for(STUDENT_NAME)
+}
+
+/// The title of the window of somebody called `name`.
+pub fn title_for(name: &str) -> String {
+    format!("{PROGRAM} — {name}")
 }

@@ -47,7 +47,7 @@ pub struct WindowArgs {
     /// Scenes to open (.scene), files to import (.obj, .dae, .swp), or builtin:NAME
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Title of the window, for instance your name
+    /// What stands in the title of the window after the program's name, for instance your name
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
     /// What deforms characters, for this time [default: as View ▸ Skinning has it]

@@ -34,7 +34,7 @@ fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_
     let home = tempfile::tempdir().expect("a folder");
     home_with_character(home.path());
     let program = Program::start(&desktop, home.path(), &["--title", "My homework"]);
-    assert_eq!(program.title(), "My homework");
+    assert_eq!(program.title(), "Editor — My homework");
     let empty = program.picture();
 
     program.keys(&["ctrl+shift+i"]);
