@@ -55,8 +55,9 @@ pub enum ContextError {
     },
     /// There is no display to open a window on.
     #[error(
-        "there is no display to open a window on ({cause}): start it in a graphical session, or \
-         set DISPLAY (ssh -X does). Pictures without a window: editor render FILE -o OUT.png"
+        "there is no display to open a window on ({cause})\n\
+         Start it in a graphical session, or set DISPLAY (ssh -X does).\n\
+         Pictures without a window: editor render FILE -o OUT.png"
     )]
     NoDisplay {
         /// The window system's words.
@@ -83,7 +84,10 @@ impl ContextError {
             .split_once(".rs:")
             .and_then(|(_, rest)| rest.split_once(": "));
         Self::NoDisplay {
-            cause: told.map_or(cause.as_str(), |(_, told)| told).to_owned(),
+            cause: told
+                .map_or(cause.as_str(), |(_, told)| told)
+                .trim_end_matches('.')
+                .to_owned(),
         }
     }
 
