@@ -5,7 +5,7 @@ use crate::geometry::Picture;
 use ::image::codecs::gif::GifEncoder;
 use ::image::codecs::jpeg::JpegEncoder;
 use ::image::codecs::png::PngEncoder;
-use ::image::{ExtendedColorType, ImageEncoder, ImageReader};
+use ::image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader};
 use std::io::Cursor;
 use std::path::Path;
 
@@ -95,13 +95,30 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
 /// # Errors
 /// If it is none of these, is damaged, or would take an unreasonable amount of memory.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
-    let wrong = |error: &dyn std::fmt::Display| {
-        Diagnostic::new(path, format!("expected a PNG, JPEG or GIF: {error}"))
+    let wrong = |expected: &str, found: &str| {
+        Diagnostic::new(path, format!("expected {expected}, found {found}"))
+    };
+    let pictures = "a PNG, JPEG or GIF picture";
+    let name = match ::image::guess_format(bytes) {
+        Ok(ImageFormat::Png) => "PNG",
+        Ok(ImageFormat::Jpeg) => "JPEG",
+        Ok(ImageFormat::Gif) => "GIF",
+        _ if bytes.is_empty() => return Err(wrong(pictures, "an empty file")),
+        _ => return Err(wrong(pictures, "a file of another kind")),
     };
     let reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
-        .map_err(|error| wrong(&error))?;
-    let rgba = reader.decode().map_err(|error| wrong(&error))?.into_rgba8();
+        .map_err(|error| wrong(pictures, &error.to_string()))?;
+    let rgba = reader
+        .decode()
+        .map_err(|error| match error {
+            ImageError::Limits(_) => wrong("a smaller picture", "one too large for the memory"),
+            error => wrong(
+                &format!("a whole {name} picture"),
+                &format!("one that is damaged or cut short ({error})"),
+            ),
+        })?
+        .into_rgba8();
     Ok(Picture {
         width: rgba.width(),
         height: rgba.height(),
@@ -127,6 +144,29 @@ mod tests {
     fn a_png_comes_back_exactly() {
         let bytes = encode(&gradient(), PictureFormat::Png).unwrap();
         assert_eq!(decode(Path::new("a.png"), &bytes), Ok(gradient()));
+    }
+
+    #[test]
+    fn what_is_no_picture_or_only_a_part_of_one_is_told() {
+        let told = |bytes: &[u8]| decode(Path::new("a"), bytes).unwrap_err().to_string();
+        let no_picture = "a: expected a PNG, JPEG or GIF picture, found";
+        assert_eq!(told(b""), format!("{no_picture} an empty file"));
+        assert_eq!(
+            told(b"v 0 0 0\n"),
+            format!("{no_picture} a file of another kind")
+        );
+        for (name, format) in [
+            ("PNG", PictureFormat::Png),
+            ("JPEG", PictureFormat::Jpeg),
+            ("GIF", PictureFormat::Gif),
+        ] {
+            let bytes = encode(&gradient(), format).unwrap();
+            let start = format!(
+                "a: expected a whole {name} picture, found one that is damaged or cut short ("
+            );
+            let told = told(&bytes[..bytes.len() / 3]);
+            assert!(told.starts_with(&start), "{told}");
+        }
     }
 
     #[test]
