@@ -73,6 +73,17 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     side(width).zip(side(height)).ok_or_else(expected)
 }
 
+/// More samples a pixel than any driver has.
+const MOST_SAMPLES: u32 = 64;
+
+/// `4`.
+pub(super) fn samples(text: &str) -> Result<u32, String> {
+    let number = text.parse().ok().filter(|n| *n <= MOST_SAMPLES);
+    number.ok_or_else(|| {
+        format!("expected a whole number of samples from 0 to {MOST_SAMPLES}, found {text}")
+    })
+}
+
 /// `on` or `off`.
 pub(super) fn switch(text: &str) -> Result<bool, String> {
     match text {
@@ -137,6 +148,10 @@ mod tests {
         assert!((read.theta.to_degrees() + 30.0).abs() < 1e-4);
         for bad in ["", "1,2", "1,2,x", "1,2,NaN", "1,2,0", "1,2,3,4"] {
             assert!(camera(bad).is_err(), "{bad}");
+        }
+        assert_eq!((samples("0"), samples("4")), (Ok(0), Ok(4)));
+        for bad in ["-1", "65", "1.5", "many", ""] {
+            assert!(samples(bad).is_err(), "{bad}");
         }
         assert_eq!(view("-x"), Ok(ViewDirection::MinusX));
         assert!(view("x").is_err());

@@ -59,8 +59,9 @@ pub struct Args {
     /// Draw the axes.
     #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch, action = clap::ArgAction::Set)]
     axis: bool,
-    /// Samples a pixel, for smooth edges; 0 for none.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    /// Samples a pixel, for smooth edges; 0 for none. A driver takes the next number that it has:
+    /// on the processor, 4 for any other.
+    #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = arguments::samples)]
     samples: u32,
     /// What to draw with.
     #[arg(long, default_value = "auto")]
@@ -97,6 +98,9 @@ enum GlName {
 /// the picture is too large for it.
 pub fn run(args: &Args) -> Result<(), CliError> {
     let format = picture_format(&args.output)?;
+    if args.ui {
+        panels::check_size(args.size)?;
+    }
     let session = session(args)?;
     let backend = match args.gl {
         GlName::Auto => Backend::Auto,

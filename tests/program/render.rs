@@ -223,8 +223,8 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
         ),
         (
             &["render", "man.obj", "--samples", "7000", "-o", "a.png"],
-            1,
-            "7000",
+            2,
+            "from 0 to 64",
         ),
         (
             &["render", "man.obj", "--pose", "a.scene", "-o", "a.png"],
@@ -262,6 +262,18 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
             "on or off",
         ),
         (&["render", "man.obj"], 2, "--output"),
+        (
+            &["render", "man.obj", "--samples", "-1", "-o", "a.png"],
+            2,
+            "a whole number of samples from 0 to 64",
+        ),
+        (
+            &[
+                "render", "man.obj", "--ui", "--size", "639x400", "-o", "a.png",
+            ],
+            2,
+            "at least 640x400",
+        ),
         (
             &["render", "man.obj", "--drag", "1,2,3,4", "-o", "a.png"],
             2,
