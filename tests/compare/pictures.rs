@@ -427,6 +427,100 @@ fn what_is_ignored_is_not_found_to_be_wrong() {
     );
 }
 
+/// A cube of one color in the middle of B, which hides a line that both pictures have.
+fn with_a_line(cube: bool) -> Picture {
+    let place = |index: usize| (index as u32 % WIDTH, index as u32 / WIDTH);
+    let blank = blank(26);
+    let (pixels, _) = blank.rgba.as_chunks::<4>();
+    let color = |index: usize| match place(index) {
+        (40..=79, 40..=79) if cube => [235, 0, 0, 255],
+        (30..=99, 60) => [255, 0, 0, 255],
+        (60, 30..=89) => [26, 255, 26, 255],
+        _ => pixels[index],
+    };
+    Picture {
+        rgba: (0..pixels.len()).flat_map(color).collect(),
+        ..blank
+    }
+}
+
+#[test]
+fn an_added_thing_is_no_other_color() {
+    for (a, b) in [(false, true), (true, false)] {
+        let found = findings(&with_a_line(a), &with_a_line(b));
+        let [Finding::Outline { only_a, only_b, .. }] = found[..] else {
+            panic!("{found:?}");
+        };
+        let added = 40 * 40 - 40 - 40 + 1;
+        let expected = if b { (0, added) } else { (added, 0) };
+        assert_eq!((only_a, only_b), expected);
+    }
+}
+
+#[test]
+fn a_few_times_darker_is_a_factor_but_many_times_is_not() {
+    let gray = |gray: u8| {
+        recolored(&with_a_line(true), |pixel| match pixel {
+            [26, 26, 26, _] => [0, 0, 0, 255],
+            _ => [gray, gray, gray, 255],
+        })
+    };
+    let found = findings(&gray(240), &gray(60));
+    assert!(
+        matches!(found[..], [Finding::Brightness { .. }]),
+        "{found:?}"
+    );
+    let found = findings(&gray(20), &gray(240));
+    assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+}
+
+#[test]
+fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
+    let a = SCENE.paint();
+    let rounded = recolored(&a, |[r, g, b, alpha]| match [r, g, b] {
+        [26, 26, 26] => [r, g, b, alpha],
+        _ => [r, g + g % 3, b, alpha],
+    });
+    let text = |b: &Picture| {
+        let found = findings(&a, b);
+        assert_eq!(found.len(), 1, "{found:?}");
+        found[0].to_string()
+    };
+    assert_eq!(
+        text(&rounded),
+        "the same but for rounding: at most 2 of 255"
+    );
+    let with_spots = |picture: &Picture, spots: &[([u32; 2], u8)]| {
+        let mut picture = picture.clone();
+        for &([x, y], by) in spots {
+            let at = (4 * (y * WIDTH + x)) as usize;
+            picture.rgba[at] = a.rgba[at] ^ by;
+        }
+        picture
+    };
+    let far = [([5, 5], 128), ([6, 7], 128), ([7, 5], 128)];
+    assert_eq!(
+        text(&with_spots(&rounded, &far)),
+        "the same but for rounding: at most 2 of 255; 3 pixels by more than 8, within 5,5,3,3"
+    );
+    assert_eq!(
+        text(&with_spots(&rounded, &[([5, 5], 128), ([6, 5], 4)])),
+        "the same but for rounding: at most 2 of 255; 2 pixels by more, 1 of them by more than 8, within 5,5,2,1"
+    );
+    assert_eq!(
+        text(&with_spots(&a, &far[..1])),
+        "the same but for 1 pixel, within 5,5,1,1"
+    );
+    let near = text(&with_spots(&rounded, &[([6, 5], 4)]));
+    assert!(
+        near.ends_with("; 1 pixel by more, up to 8, within 6,5,1,1"),
+        "{near}"
+    );
+    // As many as a small thing has.
+    let many: Vec<_> = (0..16).map(|x| ([x, 3], 128)).collect();
+    assert!(!text(&with_spots(&a, &many)).contains("same"));
+}
+
 #[test]
 fn noise_is_given_no_cause() {
     let noise = |seed: u32| {

@@ -1,13 +1,13 @@
-use super::evidence::{FEWEST_PIXELS, OTHER_COLOR, UNEXPLAINED_ONE_IN};
+use super::evidence::{FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINED_ONE_IN};
 use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::{Pixel, is_drawn};
 
-/// Rounding in a chain of color changes, of 255.
-const ROUNDING: u8 = 3;
 /// Factors nearer to one than this are not worth a word.
 const LEAST_CHANGE: f64 = 0.03;
+/// Larger factors, or smaller than one by them, are no light or material but chance.
+const MOST_CHANGE: f64 = 8.0;
 /// Channels that reach this may have been cut off.
 const SATURATED: u8 = 250;
 
@@ -50,13 +50,13 @@ impl Pair<'_> {
         Some(Finding::Gamma { lighter })
     }
 
-    /// Whether what is drawn in B is lighter or darker than in A by one factor a channel.
+    /// Whether what is drawn in B is lighter or darker than in A by one factor a channel. What is
+    /// drawn in one picture alone tells nothing about colors, so most must be drawn in both.
     pub(super) fn brightness(&self) -> Option<Finding> {
         let factors = self.factors()?;
-        if factors
-            .iter()
-            .all(|factor| (factor - 1.0).abs() < LEAST_CHANGE)
-        {
+        let sane = 1.0 / MOST_CHANGE..=MOST_CHANGE;
+        let changes = |factor: &f64| (factor - 1.0).abs() >= LEAST_CHANGE;
+        if !factors.iter().all(|factor| sane.contains(factor)) || !factors.iter().any(changes) {
             return None;
         }
         let scale = |[r, g, b, alpha]: Pixel| {
@@ -73,10 +73,10 @@ impl Pair<'_> {
     }
 
     /// For each channel the factor that best takes A to B where both are drawn and neither is
-    /// saturated; 1 for a channel that is black there. `None` without such pixels.
+    /// saturated; 1 for a channel that is black there. `None` without enough such pixels.
     fn factors(&self) -> Option<[f64; 3]> {
-        let (mut products, mut squares) = ([0.0; 3], [0.0; 3]);
-        for (a, b) in self.drawn_pixels() {
+        let (mut products, mut squares, mut pixels) = ([0.0; 3], [0.0; 3], 0);
+        for (a, b) in self.pixels_drawn_in_both() {
             if a[..3]
                 .iter()
                 .chain(&b[..3])
@@ -84,13 +84,14 @@ impl Pair<'_> {
             {
                 continue;
             }
+            pixels += 1;
             for channel in 0..3 {
                 let (a, b) = (f64::from(a[channel]), f64::from(b[channel]));
                 products[channel] += a * b;
                 squares[channel] += a * a;
             }
         }
-        if squares == [0.0; 3] {
+        if pixels < FEWEST_PIXELS {
             return None;
         }
         Some(std::array::from_fn(|channel| {

@@ -6,6 +6,8 @@ use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
 
 /// Colors that differ by more than this (of 255) are another color; less may be rounding.
 pub(super) const OTHER_COLOR: u8 = 8;
+/// Rounding in a chain of color changes, of 255.
+pub(super) const ROUNDING: u8 = 3;
 /// A cause must do away with all but one in so many of the pixels of another color.
 pub(super) const UNEXPLAINED_ONE_IN: u64 = 20;
 /// Below so many pixels any pattern may be chance.
@@ -53,6 +55,13 @@ impl Pair<'_> {
             Some([(first as u32, y as u32), (last as u32, y as u32)])
         });
         Area::around(ends.flatten())
+    }
+
+    /// A and B at the compared pixels where both show something else than their backgrounds.
+    pub(super) fn pixels_drawn_in_both(&self) -> impl Iterator<Item = (Pixel, Pixel)> {
+        let [background_a, background_b] = self.backgrounds();
+        self.drawn_pixels()
+            .filter(move |&(a, b)| is_drawn(a, background_a) && is_drawn(b, background_b))
     }
 
     /// A and B at the compared pixels where either shows something else than its background.

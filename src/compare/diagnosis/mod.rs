@@ -5,6 +5,7 @@ mod color;
 mod evidence;
 mod highlight;
 mod motion;
+mod nearly;
 mod outline;
 
 use super::{Area, Pair};
@@ -19,6 +20,17 @@ pub enum Finding {
     Blank {
         /// Which.
         picture: Which,
+    },
+    /// Nothing but rounding, and so few other pixels that they tell nothing.
+    NearlySame {
+        /// Largest difference that may be rounding: 0 to 3 of 255.
+        rounding: u8,
+        /// Pixels that differ by more.
+        others: u64,
+        /// Of these, pixels that differ by more than 8 of 255.
+        other_color: u64,
+        /// Where the others are.
+        area: Option<Area>,
     },
     /// B is A moved by whole pixels.
     Shifted {
@@ -126,10 +138,20 @@ impl Pair<'_> {
         if findings.iter().any(explained) {
             return findings;
         }
+        let color = || {
+            self.gamma()
+                .or_else(|| self.brightness())
+                .or_else(|| self.highlight())
+        };
         let surface = self
-            .gamma()
-            .or_else(|| self.brightness())
-            .or_else(|| self.highlight())
+            .nearly_same()
+            .or_else(|| {
+                if self.outline_dominates() {
+                    None
+                } else {
+                    color()
+                }
+            })
             .or_else(|| self.edges())
             .or_else(|| self.scaled())
             .or_else(|| self.outline())
@@ -177,6 +199,12 @@ impl fmt::Display for Finding {
                 f,
                 "{picture} is blank: every pixel has one color, so nothing was drawn in view"
             ),
+            Self::NearlySame {
+                rounding,
+                others,
+                other_color,
+                area,
+            } => nearly::fmt(f, *rounding, [*others, *other_color], *area),
             Self::Shifted { dx, dy } => {
                 write!(f, "B is A moved by {}", moved(*dx, *dy))
             }

@@ -72,6 +72,14 @@ impl Pair<'_> {
         })
     }
 
+    /// Whether more is drawn in one picture alone than in both: then colors explain nothing.
+    pub(super) fn outline_dominates(&self) -> bool {
+        let Some(Finding::Outline { only_a, only_b, .. }) = self.outline() else {
+            return false;
+        };
+        only_a + only_b > self.pixels_drawn_in_both().count() as u64
+    }
+
     /// How much of what is drawn in both has another color. To be asked once the outlines are
     /// known to agree.
     pub(super) fn shading(&self) -> Option<Finding> {
