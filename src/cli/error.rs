@@ -43,7 +43,9 @@ impl CliError {
     pub fn tell(&self) {
         match self {
             Self::Told => {}
-            Self::Usage(message) => eprintln!("error: {message}\n\nFor more, try --help."),
+            Self::Usage(message) => {
+                eprintln!("error: {message}\n\nFor more information, try '--help'.")
+            }
             Self::Failed(_) | Self::Other(_) => eprintln!("error: {self}"),
         }
     }
