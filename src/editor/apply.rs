@@ -26,6 +26,8 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
             }
         }),
         Edit::SetColor(id, color) => change(scene, id, |shape| shape.placement.color = color),
+        Edit::SetVisible(id, visible) => change(scene, id, |shape| shape.visible = visible),
+        Edit::SetLocked(id, locked) => change(scene, id, |shape| shape.locked = locked),
         Edit::SetPlacement(id, placement) => change(scene, id, |shape| shape.placement = placement),
         Edit::SetDisplay(id, display) => {
             if let Some(character) = scene.character_mut(id) {
@@ -161,6 +163,7 @@ fn bounds_to_fit(session: &Session) -> Aabb {
     session
         .selected
         .and_then(|id| session.evaluated().shape(id))
+        .filter(|shape| shape.visible)
         .map_or_else(
             || session.evaluated().world_bounds(),
             |shape| shape.world_bounds(),

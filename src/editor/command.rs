@@ -41,6 +41,10 @@ pub enum Edit {
     SetUniformScaling(ShapeId, bool),
     /// Colors a shape.
     SetColor(ShapeId, ShapeColor),
+    /// Shows a shape in the view, or hides it there.
+    SetVisible(ShapeId, bool),
+    /// Keeps a shape from being picked, posed and moved in the view, or lets it be.
+    SetLocked(ShapeId, bool),
     /// Replaces placement and color at once.
     SetPlacement(ShapeId, Placement),
     /// Changes how a character is drawn.
@@ -171,8 +175,8 @@ pub enum View {
     From(ViewDirection),
     /// The course's first view.
     ResetCamera,
-    /// Moves the camera so that the selected shape, or everything if none is, fills a picture of
-    /// this aspect (width over height).
+    /// Moves the camera so that the selected shape, or everything visible if none that is visible
+    /// is selected, fills a picture of this aspect (width over height).
     Fit {
         /// Width over height.
         aspect: f32,

@@ -4,8 +4,9 @@ use std::fmt::Write;
 
 /// The current geometry of a scene in the world, as an `.obj` file: an `o` for each shape, its
 /// vertices in the order of their file and under its pose, its triangles; of curves all surfaces,
-/// whatever is displayed, then an `l` element for each curve in the order of the file. Numbers have as many
-/// digits as it takes to read the same ones back.
+/// whatever is displayed, then an `l` element for each curve in the order of the file. Shapes that
+/// are hidden in the view are no less there. Numbers have as many digits as it takes to read the
+/// same ones back.
 ///
 /// `evaluated` must be what follows from `scene`.
 pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
@@ -95,6 +96,16 @@ mod tests {
             let [a, b, c] = triangle.map(|i| mesh.positions[i as usize]);
             assert!((b - a).cross(c - a).dot(a - center) >= -1e-6);
         }
+    }
+
+    #[test]
+    fn what_is_hidden_is_written_all_the_same() {
+        let mut scene = Scene::new();
+        let id = scene.add("Cube".into(), ShapeKind::Cube, None);
+        let shown = export_obj(&scene, &Evaluator::new().evaluate(&scene));
+        scene.shape_mut(id).unwrap().visible = false;
+        let hidden = export_obj(&scene, &Evaluator::new().evaluate(&scene));
+        assert_eq!(shown, hidden);
     }
 
     fn transform_center(evaluated: &Evaluated) -> Vec3 {

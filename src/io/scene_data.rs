@@ -214,6 +214,10 @@ pub(super) struct ShapeData {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<ColorData>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub visible: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub locked: Option<bool>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub pose: Option<PoseReference>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub display: Option<CharacterDisplay>,

@@ -22,6 +22,8 @@ pub struct SceneShape {
     kind: ShapeKind,
     source: Option<Source>,
     placement: Placement,
+    visible: bool,
+    locked: bool,
 }
 
 impl SceneShape {
@@ -30,6 +32,8 @@ impl SceneShape {
         let id = scene.add(self.name, self.kind, self.source);
         if let Some(shape) = scene.shape_mut(id) {
             shape.placement = self.placement;
+            shape.visible = self.visible;
+            shape.locked = self.locked;
         }
         id
     }
@@ -41,7 +45,7 @@ impl SceneShape {
 /// A shape has a `kind` (`cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`) or a
 /// `source`: a file, relative to the scene's folder, or `builtin:NAME`. All else may be left out:
 /// `name`, `position`, `rotation` in degrees, `scale`, `uniform_scaling`, `color` (a name of the
-/// panel's list, or `[r, g, b]` in 0..1), and for characters `pose` (as in pose files, or the
+/// panel's list, or `[r, g, b]` in 0..1), `visible`, `locked`, and for characters `pose` (as in pose files, or the
 /// name of one) and `display`, for curves `curves`.
 ///
 /// # Errors
@@ -123,6 +127,8 @@ impl SceneReader<'_> {
                 kind,
                 source,
                 placement,
+                visible: data.visible.unwrap_or(true),
+                locked: data.locked.unwrap_or(false),
             });
         }
         if !has_character && (data.pose.is_some() || data.display.is_some()) {

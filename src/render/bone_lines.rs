@@ -23,7 +23,7 @@ pub(super) fn draw_bone_lines(
     immediate.load_matrix(context.clip_from_world);
     immediate.line_width(1.0);
     immediate.begin(Mode::Lines);
-    for shape in &frame.evaluated.shapes {
+    for (_, shape) in frame.shapes() {
         let is_selected = frame.marks.selected == Some(shape.id);
         let hovered = frame.marks.hovered_joint.filter(|_| is_selected);
         for (joint, start, end) in bones_in_world(frame.scene, shape) {

@@ -28,7 +28,7 @@ pub(super) fn draw_curves(
     frame: &Frame,
     immediate: &mut Immediate,
 ) {
-    for (shape, evaluated) in frame.scene.shapes().iter().zip(&frame.evaluated.shapes) {
+    for (shape, evaluated) in frame.shapes() {
         let ShapeKind::Curve(curve) = &shape.kind else {
             continue;
         };

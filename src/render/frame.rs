@@ -1,4 +1,4 @@
-use crate::scene::{Evaluated, Scene, ShapeId, ViewSettings};
+use crate::scene::{Evaluated, EvaluatedShape, Scene, Shape, ShapeId, ViewSettings};
 use glam::Mat4;
 
 /// Everything a picture depends on: the same frame gives the same picture.
@@ -12,6 +12,14 @@ pub struct Frame<'a> {
     pub view: &'a ViewSettings,
     /// What an editor marks; nothing in a picture to hand in.
     pub marks: Marks,
+}
+
+impl<'a> Frame<'a> {
+    /// The shapes that are drawn.
+    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
+        let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);
+        shapes.filter(|(_, evaluated)| evaluated.visible)
+    }
 }
 
 /// What the editor shows on top of the scene to its user.

@@ -64,10 +64,11 @@ impl MeshCache {
         self.meshes.get(&id)
     }
 
-    /// How high the ground lies: as low as the lowest mesh stands, and never above the origin. At
+    /// How high the ground lies: as low as the lowest visible mesh stands, and never above the origin. At
     /// rest, so that the ground stays where it is while a character is posed.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
-        let lowest = evaluated.shapes.iter().filter_map(|shape| {
+        let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
+        let lowest = visible.filter_map(|shape| {
             let bounds = self.get(shape.id)?.rest_bounds;
             let world = bounds.transformed(shape.world_from_model);
             (!bounds.is_empty()).then_some(world.min.y)

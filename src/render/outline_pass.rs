@@ -112,7 +112,7 @@ impl OutlinePass {
     ) -> Result<(), GpuError> {
         let (Some(shape), Some(evaluated), Some(cached)) = (
             frame.scene.shape(id),
-            frame.evaluated.shape(id),
+            frame.evaluated.shape(id).filter(|shape| shape.visible),
             meshes.get(id),
         ) else {
             return Ok(());

@@ -88,7 +88,7 @@ impl SkeletonPass {
         frame: &Frame,
         immediate: &mut Immediate,
     ) -> Result<(), GpuError> {
-        for (shape, evaluated) in frame.scene.shapes().iter().zip(&frame.evaluated.shapes) {
+        for (shape, evaluated) in frame.shapes() {
             let ShapeKind::Character(character) = &shape.kind else {
                 continue;
             };

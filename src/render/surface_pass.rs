@@ -131,8 +131,7 @@ fn shapes<'a>(
     frame: &'a Frame,
     mode: ModelDisplay,
 ) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
-    let shapes = frame.scene.shapes().iter().zip(&frame.evaluated.shapes);
-    shapes.filter(move |(shape, _)| match &shape.kind {
+    frame.shapes().filter(move |(shape, _)| match &shape.kind {
         ShapeKind::Character(character) => character.display.mode == mode,
         ShapeKind::Curve(curve) => {
             mode == ModelDisplay::Mesh && curve.display.surface == SurfaceVisibility::Shaded

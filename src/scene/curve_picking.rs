@@ -10,7 +10,8 @@ const POINT_REACH: f32 = 8.0;
 
 /// The control point of `shape` at `pixel` in a picture of `size`, from the top left: the indices
 /// of its curve in the [`super::CurveSet`] and of the point in the curve. Of several within reach
-/// the nearest in the picture; of points in one place the first.
+/// the nearest in the picture; of points in one place the first. None of a shape that is hidden
+/// or locked.
 pub fn pick_control_point(
     shape: &EvaluatedShape,
     camera: &Camera,
@@ -19,6 +20,9 @@ pub fn pick_control_point(
 ) -> Option<(usize, usize)> {
     let mut nearest = None;
     let mut reach = POINT_REACH;
+    if !shape.pickable {
+        return None;
+    }
     let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
     for curve in curves {
         for (point, &position) in curve.control_points.iter().enumerate() {

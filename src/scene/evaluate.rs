@@ -19,6 +19,10 @@ pub struct Evaluated {
 pub struct EvaluatedShape {
     /// Which shape.
     pub id: ShapeId,
+    /// Whether it is drawn.
+    pub visible: bool,
+    /// Whether the pointer finds it in the view: it is drawn and not locked.
+    pub pickable: bool,
     /// Where it stands.
     pub world_from_model: Mat4,
     /// Its geometry under its current pose, in model space.
@@ -98,10 +102,11 @@ impl Evaluated {
         self.shapes.iter().find(|shape| shape.id == id)
     }
 
-    /// The box around everything, in the world.
+    /// The box around everything that is visible, in the world.
     pub fn world_bounds(&self) -> Aabb {
         self.shapes
             .iter()
+            .filter(|shape| shape.visible)
             .fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
     }
 }
@@ -127,6 +132,8 @@ impl Evaluator {
             .iter()
             .map(|shape| EvaluatedShape {
                 id: shape.id,
+                visible: shape.visible,
+                pickable: shape.visible && !shape.locked,
                 world_from_model: shape.placement.transform.world_from_model(),
                 geometry: self.geometry(shape),
             })

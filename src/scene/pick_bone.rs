@@ -45,7 +45,8 @@ pub fn bones_in_world<'a>(
 
 /// The bone of any character that the ray under `pixel`, in a picture of `size`, meets first:
 /// a cylinder with flat ends round each bone, of radius 0.1 times the shape's scale, slimmer for
-/// short bones, and never so thin that it is hard to point at.
+/// short bones, and never so thin that it is hard to point at. Characters that are hidden or
+/// locked have none.
 pub fn pick_bone(
     scene: &Scene,
     evaluated: &Evaluated,
@@ -59,7 +60,8 @@ pub fn pick_bone(
         .shapes()
         .iter()
         .zip(&evaluated.shapes)
-        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)));
+        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
+        .filter(|(_, evaluated)| evaluated.pickable);
     let hits = characters.flat_map(|(_, shape)| {
         let determinant = shape.world_from_model.determinant();
         let radius = RADIUS * determinant.abs().cbrt();

@@ -4,7 +4,7 @@ use crate::geometry::nearest_triangle;
 use crate::math::Ray;
 
 /// The shape whose surface `ray`, in the world, meets first, or whose curve it first passes close
-/// by, with the distance along the ray.
+/// by, with the distance along the ray. It passes through shapes that are hidden or locked.
 ///
 /// A character shown as a skeleton is picked by its mesh all the same: thin bones are hard to
 /// hit and nothing else stands in that place.
@@ -12,6 +12,7 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
     evaluated
         .shapes
         .iter()
+        .filter(|shape| shape.pickable)
         .filter_map(|shape| {
             let hits = [nearest_surface(shape, ray), nearest_curve(shape, ray)];
             let nearest = hits.into_iter().flatten().min_by(f32::total_cmp)?;

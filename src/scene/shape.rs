@@ -33,6 +33,12 @@ pub struct Shape {
     pub start: Placement,
     /// Its placement and color now.
     pub placement: Placement,
+    /// Whether it is drawn. One that is not cannot be picked either, nor does it count when the
+    /// view is fitted to everything; exports have it all the same.
+    pub visible: bool,
+    /// Whether the pointer passes through it in the view: it is not picked, posed or moved there.
+    /// Panels and keys change it all the same.
+    pub locked: bool,
 }
 
 /// What every shape has: where it stands and its color.

@@ -82,6 +82,8 @@ impl Scene {
             source,
             start,
             placement: start,
+            visible: true,
+            locked: false,
         });
         id
     }

@@ -93,7 +93,8 @@ impl PointGesture {
         if self.cancelled {
             return any_down;
         }
-        if session.scene().curve(self.drag.shape()).is_none() {
+        let shape = session.evaluated().shape(self.drag.shape());
+        if !shape.is_some_and(|shape| shape.pickable) {
             self.cancelled = true;
             return any_down;
         }

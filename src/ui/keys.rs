@@ -32,6 +32,10 @@ pub enum Command {
     Delete,
     /// Puts the selected shape back to how it started.
     Reset,
+    /// Hides the selected shape in the view, or shows it.
+    ToggleVisible,
+    /// Locks the selected shape in the view, or unlocks it.
+    ToggleLocked,
     /// One of the six views.
     ViewFrom(ViewDirection),
     /// The course's first view.
@@ -169,7 +173,7 @@ pub enum Menu {
     Pose,
     /// Help.
     Help,
-    /// The shape panel's buttons.
+    /// The shape panel's buttons, and the signs in its list.
     Shape,
 }
 
@@ -281,6 +285,8 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::Delete, Menu::Shape, "Delete", "Take the selected shape away", &[key(NONE, Key::Delete)]),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
+    entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]),
+    entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or let it be", &[key(SHIFT, Key::L)]),
 
     entry(Command::ViewFrom(ViewDirection::PlusX), Menu::View, "View from +X", "Look at the origin from +X", &[key(NONE, Key::Num3)]),
     entry(Command::ViewFrom(ViewDirection::MinusX), Menu::View, "View from -X", "Look at the origin from -X", &[key(CTRL, Key::Num3)]),
@@ -411,6 +417,13 @@ impl Entry {
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .unwrap_or_default()
     }
+
+    fn with_key(&self, ctx: &Context, words: &str) -> String {
+        match self.first_key(ctx, Navigation::default()) {
+            key if key.is_empty() => words.to_owned(),
+            key => format!("{words} ({key})"),
+        }
+    }
 }
 
 /// `Esc` and `?` are what keyboards have on them.
@@ -433,10 +446,16 @@ pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
     COMMANDS
         .iter()
         .find(|entry| entry.command == command)
-        .map(|entry| match entry.first_key(ctx, Navigation::default()) {
-            key if key.is_empty() => entry.tooltip.to_owned(),
-            key => format!("{} ({key})", entry.tooltip),
-        })
+        .map(|entry| entry.with_key(ctx, entry.tooltip))
+        .unwrap_or_default()
+}
+
+/// Other words for what `command` does, with its key as in [`tooltip`].
+pub(super) fn with_key(ctx: &Context, command: Command, words: &str) -> String {
+    COMMANDS
+        .iter()
+        .find(|entry| entry.command == command)
+        .map(|entry| entry.with_key(ctx, words))
         .unwrap_or_default()
 }
 

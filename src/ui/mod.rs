@@ -37,6 +37,7 @@ mod scene_places;
 mod screenshot;
 mod shape_list;
 mod shape_panel;
+mod shape_signs;
 mod state;
 mod status_line;
 mod theme;

@@ -71,6 +71,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
         Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
         Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
+        Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
         Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit => return Some(Action::View(View::Fit { aspect })),
@@ -89,6 +90,15 @@ fn insert(command: Command, primitive: Primitive) -> Action {
         kind: primitive.kind(),
         source: None,
     })
+}
+
+/// What hides, shows, locks or unlocks the selected shape.
+fn toggle(command: Command, session: &Session) -> Option<Action> {
+    let shape = session.scene().shape(session.selected()?)?;
+    Some(Action::Edit(match command {
+        Command::ToggleVisible => Edit::SetVisible(shape.id, !shape.visible),
+        _ => Edit::SetLocked(shape.id, !shape.locked),
+    }))
 }
 
 /// Whether a command that switches something has it switched on; `None` for all others.
@@ -117,7 +127,9 @@ pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'stat
         Command::PinJoint if posing::joint_to_pin(session).is_none() => {
             Some("No joint is selected or under the pointer")
         }
-        Command::Delete | Command::Reset if session.selected().is_none() => {
+        Command::Delete | Command::Reset | Command::ToggleVisible | Command::ToggleLocked
+            if session.selected().is_none() =>
+        {
             Some("No shape is selected")
         }
         Command::ExportGeometry if session.scene().shapes().is_empty() => {
@@ -134,7 +146,9 @@ pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'stat
         | Command::KeepPose
         | Command::SavePose
         | Command::LoadPose => pose_commands::why_disabled(command, session),
-        Command::Fit if session.scene().shapes().is_empty() => Some("There is nothing to fit"),
+        Command::Fit if !session.scene().shapes().iter().any(|shape| shape.visible) => {
+            Some("There is nothing to fit")
+        }
         _ => None,
     }
 }

@@ -1,12 +1,15 @@
+use super::shape_signs;
+use super::theme::Palette;
 use super::widgets::{list_move, moved, section};
 use crate::editor::{Action, Session, View};
-use crate::scene::ShapeId;
-use egui::{Align, Button, Layout, RichText, ScrollArea, Ui};
+use crate::scene::{Shape, ShapeId};
+use egui::{Align, Button, Layout, Response, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
 /// The list never takes more than this of the panel, in points; longer ones scroll.
 const TALLEST: f32 = 150.0;
 
-/// The shapes, `[i] Name (ID: n)`: click or ↑ and ↓ select one.
+/// The shapes, `[i] Name (ID: n)`: click or ↑ and ↓ select one. Signs at the end of its row hide
+/// it and lock it.
 /// One that was just `newly_selected`, here or elsewhere, is scrolled into sight.
 pub(super) fn show(
     ui: &mut Ui,
@@ -37,15 +40,10 @@ fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<
     let mut responses = Vec::with_capacity(shapes.len());
     let mut movement = None;
     for (index, shape) in shapes.iter().enumerate() {
-        let label = format!("[{}] {} (ID: {})", index + 1, shape.name, shape.id);
         let selected = session.selected() == Some(shape.id);
         let row = ui
-            .push_id(shape.id, |ui| {
-                let button = Button::selectable(selected, &label).truncate();
-                ui.add(button.frame_when_inactive(selected))
-            })
-            .inner
-            .on_hover_text(&label);
+            .push_id(shape.id, |ui| row(ui, index, shape, selected, actions))
+            .inner;
         if selected && newly_selected {
             row.scroll_to_me(None);
         }
@@ -67,4 +65,39 @@ fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<
     if chosen.is_some() && chosen != session.selected() {
         actions.push(Action::View(View::Select(chosen)));
     }
+}
+
+/// One row; what is clicked to select the shape.
+fn row(
+    ui: &mut Ui,
+    index: usize,
+    shape: &Shape,
+    selected: bool,
+    actions: &mut Vec<Action>,
+) -> Response {
+    let height = ui.spacing().interact_size.y;
+    let (_, whole) = ui.allocate_space(vec2(ui.available_width(), height));
+    let palette = Palette::of(ui.visuals());
+    if selected {
+        ui.painter().rect_filled(whole, 3.0, palette.selection);
+    }
+    let (name, signs) = whole.split_left_right_at_x(whole.right() - shape_signs::WIDTH);
+    let label = format!("[{}] {} (ID: {})", index + 1, shape.name, shape.id);
+    let color = match (selected, shape.visible) {
+        (true, _) => palette.on_selection,
+        (false, true) => palette.text,
+        (false, false) => palette.weak,
+    };
+    let fill = Layout::top_down_justified(Align::LEFT);
+    let place = UiBuilder::new().max_rect(name).layout(fill);
+    // Its frame would not go round the signs.
+    let button = Button::selectable(selected, RichText::new(&label).color(color))
+        .frame_when_inactive(false)
+        .truncate();
+    let row = ui
+        .scope_builder(place, |ui| ui.add(button))
+        .inner
+        .on_hover_text(&label);
+    shape_signs::show(ui, signs, shape, selected, actions);
+    row
 }

@@ -123,7 +123,7 @@ const SCENE: &str = r#"{
     {"kind": "cube", "name": "Floor", "position": [0, -1, 0], "scale": [4, 0.1, 4], "color": "light gray"},
     {"source": "man.obj", "rotation": [0, 90, 0], "color": [0.2, 0.4, 0.6],
      "pose": {"joints": {"1": [0, 0, 30]}}, "display": {"mode": "both"}},
-    {"source": "man.obj", "name": "Twin", "pose": "wave.json"}
+    {"source": "man.obj", "name": "Twin", "pose": "wave.json", "visible": false, "locked": true}
   ]
 }"#;
 
@@ -155,6 +155,8 @@ fn a_scene_file_holds_posed_characters_on_a_flattened_cube() {
     );
     assert_eq!(floor.placement.color, ShapeColor::Preset(30));
     assert!(!floor.placement.uniform_scaling);
+    assert_eq!((floor.visible, floor.locked), (true, false));
+    assert_eq!((twin.visible, twin.locked), (false, true));
     assert_eq!(floor.start.transform.scale, Vec3::ONE);
     assert_eq!(
         man.placement.color,

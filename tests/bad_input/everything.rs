@@ -10,7 +10,7 @@ pub type Table = HashMap<PathBuf, Vec<u8>>;
 pub const SCENE: &str = r#"{"format": "editor-scene", "version": 1, "view": {"camera": {"target": [0, 1, 0],
 "radius": 4, "theta": 45, "phi": 30}, "look": "studio"}, "shapes": [{"kind": "cube", "scale": [4, 0.1, 4],
 "color": "Gray"}, {"source": "man.obj", "color": [0.2, 0.4, 0.6], "pose": {"joints": {"Tip": [0, 0, 30]}},
-"display": {"mode": "both", "point_size": 3}}, {"source": "box.obj", "name": "é"}]}"#;
+"display": {"mode": "both", "point_size": 3}}, {"source": "box.obj", "name": "é", "visible": false, "locked": true}]}"#;
 
 const GOOD: &[(&str, &str)] = &[
     ("a.scene", SCENE),

@@ -15,7 +15,7 @@ const LEFT_ELBOW: usize = 17;
 
 impl Editor {
     /// A character in a view whose pointer counts, with the tool of a key.
-    fn with_hands(tool: Key) -> Self {
+    pub fn with_hands(tool: Key) -> Self {
         let mut editor = Self::with_figure();
         editor.harness.state_mut().gestures = true;
         editor.key(tool);
@@ -23,7 +23,7 @@ impl Editor {
     }
 
     /// Where a point of the world is in the window.
-    fn place(&self, world: Vec3) -> Pos2 {
+    pub fn place(&self, world: Vec3) -> Pos2 {
         let view = self.harness.state().view;
         let size = glam::vec2(view.width(), view.height());
         let camera = self.session().view().camera;
@@ -32,7 +32,7 @@ impl Editor {
     }
 
     /// Both ends in the world of the first bone of a joint of the selected character.
-    fn bone(&self, joint: usize) -> (Vec3, Vec3) {
+    pub fn bone(&self, joint: usize) -> (Vec3, Vec3) {
         let session = self.session();
         let shape = self.shape().id;
         let evaluated = session.evaluated().shape(shape).expect("it is evaluated");
@@ -43,28 +43,28 @@ impl Editor {
     }
 
     /// A point of the window on the first bone of a joint, near its end.
-    fn on_bone(&self, joint: usize) -> Pos2 {
+    pub fn on_bone(&self, joint: usize) -> Pos2 {
         let (start, end) = self.bone(joint);
         self.place(start.lerp(end, 0.7))
     }
 
-    fn point(&mut self, at: Pos2) {
+    pub fn point(&mut self, at: Pos2) {
         self.harness.hover_at(at);
         self.settle();
     }
 
-    fn take(&mut self, at: Pos2) {
+    pub fn take(&mut self, at: Pos2) {
         self.point(at);
         self.harness.drag_at(at);
         self.settle();
     }
 
-    fn let_go(&mut self, at: Pos2) {
+    pub fn let_go(&mut self, at: Pos2) {
         self.harness.drop_at(at);
         self.settle();
     }
 
-    fn hand(&mut self, from: Pos2, to: Pos2) {
+    pub fn hand(&mut self, from: Pos2, to: Pos2) {
         self.take(from);
         self.point(from + (to - from) * 0.5);
         self.point(to);
@@ -81,7 +81,7 @@ impl Editor {
         self.settle();
     }
 
-    fn click_at(&mut self, at: Pos2) {
+    pub fn click_at(&mut self, at: Pos2) {
         self.point(at);
         // A press that lasts long is no click.
         self.harness.drag_at(at);

@@ -14,6 +14,7 @@ mod navigation;
 mod poses;
 mod shapes;
 mod view;
+mod visibility;
 
 use editor_core::character::Character;
 use editor_core::editor::{Action, Ask, Edit, Session, View, apply_edit, apply_view};

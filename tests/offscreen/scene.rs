@@ -306,3 +306,46 @@ fn what_the_renderer_kept_from_other_frames_does_not_show() {
         assert!(first != fresh_picture);
     });
 }
+
+#[test]
+fn what_is_hidden_leaves_no_trace_in_any_look() {
+    let mut scene = Scene::new();
+    let mut beam = beam();
+    scene.add("Cube".to_owned(), ShapeKind::Cube, None);
+    for mode in [
+        ModelDisplay::Mesh,
+        ModelDisplay::Skeleton,
+        ModelDisplay::Both,
+    ] {
+        beam.display.mode = mode;
+        let kind = ShapeKind::Character(beam.clone());
+        scene.add("Beam".to_owned(), kind, None);
+    }
+    let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
+    scene.add("Curve".to_owned(), ShapeKind::Curve(curve), None);
+    let ids: Vec<ShapeId> = scene.shapes().iter().map(|shape| shape.id).collect();
+    for &id in &ids {
+        let shape = scene.shape_mut(id).expect("it was added");
+        // The ground of the Studio look would lie below it.
+        shape.placement.transform.position.y = -0.5;
+        shape.visible = false;
+    }
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        for look in [Look::Course, Look::Studio, Look::Mannequin] {
+            let view = ViewSettings { look, ..no_axis() };
+            let empty = draw(gl, &mut renderer, &Scene::new(), &view, Marks::default());
+            for &id in &ids {
+                let marks = Marks {
+                    selected: Some(id),
+                    hovered: Some(id),
+                    selected_joint: Some(0),
+                    hovered_joint: Some(1),
+                    hovered_control_point: Some((0, 1)),
+                };
+                let picture = draw(gl, &mut renderer, &scene, &view, marks);
+                assert!(picture == empty, "{look:?} {id}");
+            }
+        }
+    });
+}

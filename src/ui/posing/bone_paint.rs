@@ -1,4 +1,4 @@
-use super::Place;
+use super::{Place, is_pickable};
 use crate::editor::{Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
 use egui::{Color32, Painter, Pos2, Stroke};
@@ -18,7 +18,7 @@ pub(super) fn show(painter: &Painter, place: Place, session: &Session, tool: Too
             let character = session.scene().character(id);
             character.is_some_and(|shape| shape.display.mode != ModelDisplay::Mesh)
         };
-        if let Some(shape) = selected.filter(|&id| !shown(id)) {
+        if let Some(shape) = selected.filter(|&id| !shown(id) && is_pickable(session, id)) {
             let thin = Look {
                 line: Stroke::new(1.5, OTHERS),
                 dot: 2.5,
@@ -81,7 +81,8 @@ fn bones(
     joint: Option<usize>,
     look: Look,
 ) {
-    let Some(evaluated) = session.evaluated().shape(shape) else {
+    let evaluated = session.evaluated().shape(shape);
+    let Some(evaluated) = evaluated.filter(|shape| shape.visible) else {
         return;
     };
     let screen = place.screen(session);

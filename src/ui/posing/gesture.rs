@@ -1,4 +1,4 @@
-use super::Place;
+use super::{Place, is_pickable};
 use crate::editor::{Action, BoneDrag, Edit, Handle, IkDrag, MoveDrag, RingDrag, Session};
 use crate::scene::ShapeId;
 use crate::ui::ScenePlaces;
@@ -118,7 +118,7 @@ impl PoseGesture {
         if self.cancelled {
             return hand.any_down;
         }
-        if session.scene().shape(self.shape()).is_none() {
+        if !is_pickable(session, self.shape()) {
             self.cancelled = true;
             return hand.any_down;
         }

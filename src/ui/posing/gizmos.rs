@@ -1,5 +1,5 @@
 use super::gesture::{Held, PoseGesture};
-use super::{Place, PoseState};
+use super::{Place, PoseState, is_pickable};
 use crate::editor::{
     BoneDrag, GizmoHit, Handle, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo, Session,
     Tool,
@@ -23,13 +23,14 @@ pub(super) enum Gizmo {
 }
 
 /// The tool's gizmo for what is selected: rings for a joint with the Pose tool, arrows for the
-/// root above it or else for the shape with the Move tool. None while something else is held.
+/// root above it or else for the shape with the Move tool. None while something else is held, and
+/// none for a shape that is hidden or locked.
 pub(super) fn shown(session: &Session, state: &PoseState, place: Place) -> Option<Gizmo> {
     let holding = state.gesture.as_ref();
     if holding.is_some_and(|gesture| gesture.handle().is_none()) {
         return None;
     }
-    let shape = session.selected()?;
+    let shape = session.selected().filter(|&id| is_pickable(session, id))?;
     let joint = session.selected_joint();
     match state.tool {
         Tool::Select | Tool::Ik => None,

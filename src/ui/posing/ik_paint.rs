@@ -36,7 +36,9 @@ pub(super) fn show(
         painter.circle_stroke(followed.grip, 7.5, Stroke::new(2.0, CHAIN));
     }
     let screen = place.screen(session);
-    for (shape, pins) in state.pinned() {
+    let evaluated = session.evaluated();
+    let is_visible = |id| evaluated.shape(id).is_some_and(|shape| shape.visible);
+    for (shape, pins) in state.pinned().filter(|&(id, _)| is_visible(id)) {
         for &joint in pins {
             let world = IkGrip::Joint(joint).place(session, shape);
             let pixel = world.and_then(|world| screen.pixel(world));

@@ -99,6 +99,12 @@ fn show_gizmo(
     gizmo_paint::show(painter, place, &gizmo, hot, held.is_some());
 }
 
+/// Whether hands and keys in the view may change a shape: it is neither hidden nor locked.
+fn is_pickable(session: &Session, shape: ShapeId) -> bool {
+    let evaluated = session.evaluated().shape(shape);
+    evaluated.is_some_and(|shape| shape.pickable)
+}
+
 /// A joint that is selected by a click, here or in the list, shows its gizmo.
 pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
     let selects = |action: &Action| matches!(action, Action::View(View::SelectJoint(Some(_))));

@@ -1,4 +1,4 @@
-use super::PoseState;
+use super::{PoseState, is_pickable};
 use crate::editor::{Action, ROLL_STEP, Session, Tool, roll};
 use crate::scene::ShapeId;
 use egui::{Context, Key, Modifiers};
@@ -35,7 +35,8 @@ fn bone_to_roll(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)
     if let Some(hit) = state.hovered {
         return Some((hit.shape, hit.bone));
     }
-    let (shape, joint) = (session.selected()?, session.selected_joint()?);
+    let shape = session.selected().filter(|&id| is_pickable(session, id))?;
+    let joint = session.selected_joint()?;
     let taken = state
         .taken
         .filter(|hit| (hit.shape, hit.joint) == (shape, joint));
