@@ -34,11 +34,15 @@ impl Columns {
     pub(super) fn new(ui: &Ui, skeleton: &SkeletalModel, rows: &[Row]) -> Self {
         let width = ui.available_width();
         let font = font(ui);
-        let longest = rows
-            .iter()
-            .take(MANY)
-            .map(|row| name_left(row) + text_width(ui, &skeleton.joints()[row.joint].name, &font))
-            .fold(0.0, f32::max);
+        let name = |row: &Row| {
+            let name = &skeleton.joints()[row.joint].name;
+            name_left(row) + text_width(ui, name, &font)
+        };
+        let is_root = |row: &&Row| skeleton.joints()[row.joint].parent.is_none();
+        let offset = |row: &Row| offset_left(row) + text_width(ui, OFFSET, &font);
+        let first = rows.iter().take(MANY);
+        let offsets = first.clone().filter(is_root).map(offset);
+        let longest = first.map(name).chain(offsets).fold(0.0, f32::max);
         let field = ((width - longest - RESET - 3.0 * GAP - 2.0) / 3.0).floor();
         let stacked = rows.len() > MANY || field < *FIELD.start();
         let room = if stacked {
@@ -122,6 +126,14 @@ pub(super) fn arrow(row: Rect, left: f32) -> Rect {
 /// Left edge of the name within a row.
 pub(super) fn name_left(row: &Row) -> f32 {
     row.depth.min(DEEPEST) as f32 * INDENT + ARROW
+}
+
+/// What the row below a root is called.
+pub(super) const OFFSET: &str = "Offset";
+
+/// Left edge of that within the row: as far in as the names of the root's children.
+pub(super) fn offset_left(root: &Row) -> f32 {
+    name_left(root) + INDENT
 }
 
 /// What names are written in.

@@ -1,6 +1,7 @@
 use super::joint_columns::{Columns, MANY};
 use super::joint_row::{self, RowEvent};
 use super::joint_tree::{self, Row};
+use super::root_row;
 use super::state::JointListState;
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
@@ -11,7 +12,7 @@ use crate::scene::{CharacterShape, ShapeId};
 use egui::{Align, Button, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
 use std::collections::HashMap;
 
-/// The angles of all joints, as a tree that folds and can be searched.
+/// The angles of all joints, and below each root how far it has moved, as a tree that folds and can be searched.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
@@ -62,7 +63,11 @@ pub(super) fn show(
                 joint: row.joint,
                 rotation: Euler::from_degrees(degrees),
             })),
-            RowEvent::Reset => actions.push(Action::Edit(Edit::ResetJoint(id, row.joint))),
+            RowEvent::Offset(offset) => actions.push(Action::Edit(Edit::SetRootOffset {
+                shape: id,
+                root: row.joint,
+                offset,
+            })),
             RowEvent::Move(movement) => {
                 let to = goal(skeleton, &rows, row, movement, state, id);
                 if let Some((to, row)) = to.and_then(|to| Some((to, rows.get(to)?))) {
@@ -103,7 +108,10 @@ fn show_rows(
         if selected && scroll_to_selected {
             ui.scroll_to_rect(place, None);
         }
-        if rows.len() > MANY && !ui.is_rect_visible(place) {
+        let is_root = skeleton.joints()[row.joint].parent.is_none();
+        let below = is_root.then(|| columns.place(ui));
+        let both = place.union(below.unwrap_or(place));
+        if rows.len() > MANY && !ui.is_rect_visible(both) {
             continue;
         }
         let look = joint_row::Look {
@@ -116,6 +124,14 @@ fn show_rows(
         }
         all.names.insert(row.joint, shown.name);
         all.events.extend(shown.event.map(|event| (*row, event)));
+        if let Some(below) = below {
+            let shown = root_row::show(ui, skeleton, character.pose(), row, below, columns);
+            if shown.hovered {
+                all.hovered = Some(row.joint);
+            }
+            let event = shown.offset.map(RowEvent::Offset);
+            all.events.extend(event.map(|event| (*row, event)));
+        }
     }
     all
 }

@@ -4,6 +4,7 @@ use super::number_field::NumberField;
 use super::theme::{Palette, number_font};
 use super::widgets::{ListMove, list_move, named};
 use crate::character::{Pose, SkeletalModel};
+use crate::math::Euler;
 use egui::{
     Align2, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, WidgetType,
     pos2,
@@ -24,7 +25,8 @@ pub(super) enum RowEvent {
     Select,
     /// New angles, in degrees.
     Turn(Vec3),
-    Reset,
+    /// A new offset of a root.
+    Offset(Vec3),
     Move(ListMove),
 }
 
@@ -92,8 +94,9 @@ pub(super) fn show(
             event = Some(RowEvent::Turn(turned));
         }
     }
-    if changed && reset_button(ui, id.with("reset"), columns.reset(rect), name) {
-        event = Some(RowEvent::Reset);
+    let turned = pose.rotation(row.joint) != Euler::ZERO;
+    if turned && reset_button(ui, id.with("reset"), columns.reset(rect), name) {
+        event = Some(RowEvent::Turn(Vec3::ZERO));
     }
     Shown {
         name: label,
@@ -159,8 +162,8 @@ fn fold_arrow(ui: &Ui, id: Id, row: Rect, left: f32, at: &Row, name: &str) -> bo
     button.on_hover_text(&label).clicked()
 }
 
-/// Shown on turned joints alone, so that it marks them too.
-fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
+/// Shown beside numbers that are not at rest alone, so that it marks them too.
+pub(super) fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
     let label = format!("Reset {name}");
     let button = ui.interact(rect, id, Sense::click());
     let visuals = ui.style().interact(&button);

@@ -32,6 +32,7 @@ mod pose_commands;
 mod pose_list;
 mod posing;
 mod properties;
+mod root_row;
 mod run_command;
 mod scene_places;
 mod screenshot;

@@ -58,6 +58,57 @@ fn a_turned_joint_offers_its_own_reset() {
 }
 
 #[test]
+fn below_a_root_stands_how_far_it_has_moved() {
+    let mut editor = Editor::with_figure();
+    assert_eq!(editor.value("Root Offset Y"), "0");
+    editor.type_into("Root Offset Y", "1/4");
+    editor.drag("Root Offset X", 20.0);
+    let offset = editor.character().pose().root_offset(ROOT);
+    assert!(
+        offset.abs_diff_eq(Vec3::new(2.0, 0.25, 0.0), 1e-5),
+        "{offset}"
+    );
+    assert_eq!(editor.value("Root Offset Y"), "0.25");
+    editor.right_click("Root Offset X");
+    let offset = editor.character().pose().root_offset(ROOT);
+    assert_eq!(offset, Vec3::new(0.0, 0.25, 0.0));
+}
+
+#[test]
+fn a_roots_offset_and_its_angles_are_reset_each_by_its_own_button() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Root Offset Z", "-3");
+    assert!(!editor.has("Reset Root"), "it has not turned");
+    editor.type_into("Root Y", "30");
+    editor.click("Reset Root Offset");
+    assert_eq!(editor.character().pose().root_offset(ROOT), Vec3::ZERO);
+    assert!(
+        (editor.joint(ROOT).y - 30.0).abs() < 1e-3,
+        "it stays turned"
+    );
+    assert!(!editor.has("Reset Root Offset"));
+    editor.click("Reset Root");
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn every_root_has_an_offset_and_no_other_joint() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::forest());
+    let skeleton = editor.character().character.skeleton().clone();
+    for (index, joint) in skeleton.joints().iter().enumerate() {
+        let has = editor.has(&format!("{} Offset X", joint.name));
+        assert_eq!(has, skeleton.roots().contains(&index), "{}", joint.name);
+    }
+    let root = skeleton.roots()[1];
+    let called = format!("{} Offset Y", skeleton.joints()[root].name);
+    editor.type_into(&called, "0.5");
+    let pose = editor.character().pose();
+    assert_eq!(pose.root_offset(root), Vec3::Y * 0.5);
+    assert_eq!(pose.root_offset(skeleton.roots()[0]), Vec3::ZERO);
+}
+
+#[test]
 fn a_right_click_resets_one_angle() {
     let mut editor = Editor::with_figure();
     editor.type_into("Neck X", "10");

@@ -44,6 +44,7 @@ fn full() -> Editor {
     editor.click("Points");
     editor.click("Lines");
     editor.type_into("Neck X", "329.57");
+    editor.type_into("Root Offset X", "-12.345");
     editor
 }
 
