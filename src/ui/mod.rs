@@ -152,8 +152,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     windows::show(root, session, state, input, &mut actions);
     state.view_rect = view_rect;
 
-    // Last, so that a list or a field that has the keyboard comes first.
-    if !keys_taken {
+    // Last, so that a list or a field that has the keyboard comes first, even if it only got it.
+    if !keys_taken && !takes_keys(&ctx) {
         let camera = state.navigation.walked(session.view().camera, &ctx);
         if camera != session.view().camera {
             actions.push(Action::View(View::SetCamera(camera)));

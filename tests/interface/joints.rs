@@ -239,3 +239,18 @@ fn esc_or_the_right_button_puts_a_dragged_number_back() {
         assert!(editor.asked().is_empty());
     }
 }
+
+#[test]
+fn what_is_typed_right_after_a_click_on_a_number_goes_there_and_nowhere_else() {
+    let mut editor = Editor::with_figure();
+    let camera = editor.session().view().camera;
+    editor.widget("Chest X").click();
+    editor.harness.step();
+    // Digits are keys of the views, too.
+    editor.harness.key_press(Key::Num3);
+    editor.harness.event(egui::Event::Text("3".into()));
+    editor.settle();
+    editor.key(Key::Enter);
+    assert_eq!(editor.joint(CHEST).x, 3.0);
+    assert_eq!(editor.session().view().camera, camera);
+}
