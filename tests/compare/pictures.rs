@@ -427,15 +427,15 @@ fn what_is_ignored_is_not_found_to_be_wrong() {
     );
 }
 
-/// A cube of one color in the middle of B, which hides a line that both pictures have.
-fn with_a_line(cube: bool) -> Picture {
+/// A line on a dark background, and a cube of one color that hides a part of it.
+fn with_line(cube: Option<[u8; 3]>) -> Picture {
     let place = |index: usize| (index as u32 % WIDTH, index as u32 / WIDTH);
     let blank = blank(26);
     let (pixels, _) = blank.rgba.as_chunks::<4>();
+    let opaque = |[r, g, b]: [u8; 3]| [r, g, b, 255];
     let color = |index: usize| match place(index) {
-        (40..=79, 40..=79) if cube => [235, 0, 0, 255],
+        (40..=79, 40..=79) if cube.is_some() => opaque(cube.unwrap_or_default()),
         (30..=99, 60) => [255, 0, 0, 255],
-        (60, 30..=89) => [26, 255, 26, 255],
         _ => pixels[index],
     };
     Picture {
@@ -446,21 +446,24 @@ fn with_a_line(cube: bool) -> Picture {
 
 #[test]
 fn an_added_thing_is_no_other_color() {
-    for (a, b) in [(false, true), (true, false)] {
-        let found = findings(&with_a_line(a), &with_a_line(b));
-        let [Finding::Outline { only_a, only_b, .. }] = found[..] else {
-            panic!("{found:?}");
-        };
-        let added = 40 * 40 - 40 - 40 + 1;
-        let expected = if b { (0, added) } else { (added, 0) };
-        assert_eq!((only_a, only_b), expected);
+    // The second is the background's color times 5, 3 and 2.
+    for cube in [[235, 0, 0], [130, 78, 52]] {
+        let (without, with) = (with_line(None), with_line(Some(cube)));
+        let added = 40 * 40 - 40;
+        for (a, b, expected) in [(&without, &with, (0, added)), (&with, &without, (added, 0))] {
+            let found = findings(a, b);
+            let [Finding::Outline { only_a, only_b, .. }] = found[..] else {
+                panic!("{cube:?}: {found:?}");
+            };
+            assert_eq!((only_a, only_b), expected);
+        }
     }
 }
 
 #[test]
 fn a_few_times_darker_is_a_factor_but_many_times_is_not() {
     let gray = |gray: u8| {
-        recolored(&with_a_line(true), |pixel| match pixel {
+        recolored(&with_line(Some([235, 0, 0])), |pixel| match pixel {
             [26, 26, 26, _] => [0, 0, 0, 255],
             _ => [gray, gray, gray, 255],
         })

@@ -121,6 +121,7 @@ mod tests {
             "no X server"
         );
         assert_eq!(told("no X server"), "no X server");
+        assert_eq!(told("DISPLAY is not set."), "DISPLAY is not set");
     }
 
     #[test]
