@@ -130,12 +130,16 @@ fn a_missing_or_broken_picture_is_a_warning_and_the_mesh_stays() {
     assert_eq!(missing.value.meshes[0].mesh.triangles.len(), 3);
     let mut half = png([0; 4]);
     half.truncate(40);
-    for bytes in [half, b"no picture".to_vec(), Vec::new()] {
+    for (bytes, told) in [
+        (half, "expected a whole PNG picture"),
+        (b"no picture".to_vec(), "expected a PNG, JPEG or GIF"),
+        (Vec::new(), "expected a PNG, JPEG or GIF"),
+    ] {
         let broken = read(
             textured("skin.png"),
             Memory::default().with("models/skin.png", bytes),
         );
-        assert_warns(&broken, "models/skin.png: expected a PNG, JPEG or GIF");
+        assert_warns(&broken, &format!("models/skin.png: {told}"));
         assert_eq!(picture(&broken.value.meshes[0].mesh), None);
     }
 }
