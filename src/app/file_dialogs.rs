@@ -49,6 +49,23 @@ impl Purpose {
         }
     }
 
+    /// What may be written, by name and extension; the first until another is chosen.
+    fn written(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::ExportCurve(_) => &[("Curves", "swp")],
+            Self::ExportGeometry => &[("Geometry", "obj")],
+            Self::SavePose(..) => &[("Poses", "json")],
+            Self::SaveScreenshot(_) | Self::SaveComparison => {
+                &[("PNG", "png"), ("JPEG", "jpg"), ("GIF", "gif")]
+            }
+            Self::ImportShape
+            | Self::ImportCurve
+            | Self::ImportCharacter
+            | Self::Compare
+            | Self::LoadPose(_) => &[],
+        }
+    }
+
     /// Whether `path` is listed. AppleDouble files, which archives from some systems carry
     /// beside the real ones, never are.
     fn lists(self, path: &Path) -> bool {
@@ -101,6 +118,12 @@ impl FileDialogs {
     /// Opens it to write a file, which it calls `name` until the user does otherwise.
     pub fn open_to_save(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
         let mut dialog = Self::dialog(purpose, folder).default_file_name(name);
+        for (name, extension) in purpose.written() {
+            dialog = dialog.add_save_extension(name, extension);
+        }
+        if let Some((first, _)) = purpose.written().first() {
+            dialog = dialog.default_save_extension(first);
+        }
         dialog.save_file();
         self.open = Some((purpose, dialog));
     }
