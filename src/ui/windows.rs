@@ -40,6 +40,8 @@ fn window(
     let screen = root.ctx().content_rect();
     let size = match dialog {
         Dialog::About => vec2(360.0, 140.0),
+        // Long: as high as the window lets it be.
+        Dialog::Keys => vec2(480.0, 720.0),
         _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
