@@ -1,6 +1,7 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
 use super::check_collada::ColladaReport;
+use super::told::Told;
 use super::{CliError, files, print};
 use crate::character::Influence;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin};
@@ -43,31 +44,6 @@ struct FileReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     collada: Option<ColladaReport>,
     warnings: Vec<Told>,
-}
-
-/// A mistake, or what is odd, with its place in parts.
-#[derive(Debug, Serialize)]
-struct Told {
-    file: String,
-    /// Counted from 1, as the column is; none for the file as a whole.
-    line: Option<usize>,
-    column: Option<usize>,
-    message: String,
-    /// The same in one line, for people.
-    #[serde(skip)]
-    in_words: String,
-}
-
-impl From<&Diagnostic> for Told {
-    fn from(told: &Diagnostic) -> Self {
-        Self {
-            file: told.path.display().to_string(),
-            line: told.position.map(|position| position.line),
-            column: told.position.map(|position| position.column),
-            message: told.message.clone(),
-            in_words: told.to_string(),
-        }
-    }
 }
 
 /// What is in a shape; bounds are in the world.

@@ -1,6 +1,7 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
 use super::output::{picture_format, refuse_input};
+use super::told::Told;
 use super::{CliError, files, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
@@ -62,7 +63,7 @@ struct Report<'a, C> {
 #[derive(Serialize)]
 struct Failure {
     passed: bool,
-    error: String,
+    error: Told,
 }
 
 /// Carries the command out.
@@ -90,10 +91,15 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             )))
         }
     };
-    if let (true, Err(error @ (CliError::Failed(_) | CliError::Other(_)))) = (args.json, &done) {
+    let error = match &done {
+        Err(CliError::Failed(diagnostic)) => Some(Told::from(diagnostic)),
+        Err(CliError::Other(message)) => Some(Told::without_file(message.clone())),
+        Ok(()) | Err(CliError::Usage(_) | CliError::Told) => None,
+    };
+    if let (true, Some(error)) = (args.json, error) {
         let failure = Failure {
             passed: false,
-            error: error.to_string(),
+            error,
         };
         print_json(args, &failure)?;
     }

@@ -13,6 +13,7 @@ mod load;
 mod output;
 mod panels;
 pub mod render;
+mod told;
 
 pub use arguments::SkinningName;
 pub use error::CliError;

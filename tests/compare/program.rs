@@ -3,7 +3,7 @@
 use crate::painter::{HEIGHT, SCENE, Scene, WIDTH};
 use editor_core::geometry::Picture;
 use editor_core::io::image::{PictureFormat, decode, encode};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -138,7 +138,12 @@ fn what_cannot_be_compared_ends_with_1_and_says_why() {
     let (code, out, _) = compare(&folder, &["a.png", "none.png", "--json"]);
     let json: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(code, 1);
-    assert_eq!(json["error"], "none.png: there is no such file");
+    let missing = json!({"file": "none.png", "line": null, "column": null, "message": "there is no such file"});
+    assert_eq!(json["error"], missing);
+    let (_, out, _) = compare(&folder, &["a.png", "small.png", "--json"]);
+    let json: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(json["error"]["file"], Value::Null);
+    assert!(json["error"]["message"].as_str().unwrap().contains("A is"));
     let (code, _, err) = compare(&folder, &["a.png", "b.png", "-o", "none/d.png"]);
     assert_eq!(code, 1);
     assert!(err.contains("there is no folder none"), "{err}");
