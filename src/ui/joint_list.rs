@@ -9,7 +9,7 @@ use crate::character::{Pose, SkeletalModel};
 use crate::editor::{Action, Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
-use egui::{Align, Button, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
+use egui::{Align, Button, Key, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
 use std::collections::HashMap;
 
 /// The angles of all joints, and below each root how far it has moved, as a tree that folds and can be searched.
@@ -214,5 +214,9 @@ fn search(ui: &mut Ui, state: &mut JointListState) {
     let edit = named(ui.add(edit), "Search joints");
     if std::mem::take(&mut state.search_opened) {
         edit.request_focus();
+    }
+    if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape)) {
+        state.searching = false;
+        state.search.clear();
     }
 }

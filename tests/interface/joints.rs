@@ -136,6 +136,17 @@ fn a_search_shows_only_joints_of_that_name() {
 }
 
 #[test]
+fn esc_ends_a_search_and_all_joints_are_there_again() {
+    let mut editor = Editor::with_figure();
+    editor.click("Find joints");
+    editor.harness.event(egui::Event::Text("ELBOW".into()));
+    editor.settle();
+    assert!(!editor.has("Root"));
+    editor.key(Key::Escape);
+    assert!(editor.has("Root") && !editor.has("Search joints"));
+}
+
+#[test]
 fn a_joint_is_selected_by_click_and_the_keyboard_goes_on_from_there() {
     let mut editor = Editor::with_figure();
     editor.click("Chest");
