@@ -131,7 +131,7 @@ mod tests {
         let (shape, size) = (&evaluated.shapes[0], Vec2::new(800.0, 600.0));
         let camera = Camera::default();
         let pick = |pixel| pick_control_point(shape, &camera, pixel, size);
-        let at = camera.pixel(Vec3::new(-0.5, 2.0, 0.0), size).unwrap();
+        let at = camera.pixel(Vec3::new(1.4, 0.5, 0.0), size).unwrap();
         assert_eq!(pick(at + Vec2::new(5.0, -6.0)), Some((0, 1)));
         assert_eq!(pick(at + Vec2::new(6.0, -6.0)), None);
     }
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn a_control_point_in_front_of_the_near_plane_is_not_picked() {
         let (evaluated, _) = scene(CurveSet::start_spline(Basis::Bezier));
-        let point = Vec3::new(-0.5, 2.0, 0.0);
+        let point = Vec3::new(1.4, 0.5, 0.0);
         let size = Vec2::new(800.0, 600.0);
         for (radius, picked) in [(0.5, Some((0, 1))), (0.09, None)] {
             let camera = Camera {

@@ -84,13 +84,14 @@ impl CurveSet {
     }
 
     /// A set of one curve, for the Insert menu: a Bézier curve or B-spline of four control
-    /// points in the plane z = 0, to be dragged into shape.
+    /// points in the plane z = 0, to be dragged into shape. All of them lie right of the axis,
+    /// so that a surface of revolution of it is a bowl at once and does not run through itself.
     pub fn start_spline(basis: Basis) -> Self {
         let points = [
-            Vec3::new(-1.0, -0.5, 0.0),
-            Vec3::new(-0.5, 1.0, 0.0),
-            Vec3::new(0.5, -1.0, 0.0),
-            Vec3::new(1.0, 0.5, 0.0),
+            Vec3::new(0.3, -1.0, 0.0),
+            Vec3::new(1.4, -0.5, 0.0),
+            Vec3::new(0.1, 0.4, 0.0),
+            Vec3::new(0.9, 1.0, 0.0),
         ];
         Self::of_one(Curve::spline(basis, false, 20, points.to_vec()))
     }
