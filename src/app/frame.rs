@@ -56,6 +56,8 @@ impl Workspace {
         if let Some(comparison) = &mut self.comparison {
             comparison.take_results(self.egui.egui_ctx());
         }
+        // A dialog that closes in this frame is still in what the frame shows.
+        let screenshot_due = self.pending_screenshot.is_some() && !self.dialogs.is_open();
         let mut run: Option<PanelRun> = None;
         for part in parts(input) {
             let Some(next) = self.run_panels(part) else {
@@ -84,7 +86,7 @@ impl Workspace {
             return Err(error.into());
         }
         let compared = self.draw_comparison();
-        self.show_frame(&shown, output, size)?;
+        self.show_frame(&shown, output, size, screenshot_due)?;
         // The panels were laid out before what they asked for was done.
         Ok(if changed || compared {
             Duration::ZERO
@@ -194,6 +196,7 @@ impl Workspace {
         shown: &ui::UiOutput,
         output: egui::FullOutput,
         size: PhysicalSize<u32>,
+        screenshot_due: bool,
     ) -> Result<(), AppError> {
         let place = Self::place(shown, output.pixels_per_point, size);
         let gl = self.window.gl();
@@ -213,7 +216,7 @@ impl Workspace {
         target.blit_to_window(whole);
         self.window.window().pre_present_notify();
         self.window.swap_buffers()?;
-        if let Some(path) = self.pending_screenshot.take_if(|_| !self.dialogs.is_open()) {
+        if let Some(path) = self.pending_screenshot.take_if(|_| screenshot_due) {
             let picture = read_picture(target)?;
             self.save_picture(&path, &picture);
         }

@@ -167,6 +167,14 @@ impl<'a> Program<'a> {
         }
     }
 
+    /// Colors of the pixels in `dump`, row by row from the upper left.
+    pub fn colors(dump: &[u8], width: u32, height: u32) -> Vec<[u8; 3]> {
+        let bytes = 4 * width as usize * height as usize;
+        let start = dump.len().checked_sub(bytes).expect("a whole dump");
+        let (pixels, _) = dump[start..].as_chunks::<4>();
+        pixels.iter().map(|&[b, g, r, _]| [r, g, b]).collect()
+    }
+
     /// The window's pixels, by way of a dump of the screen.
     fn grab(&self) -> Vec<u8> {
         let output = Command::new("xwd")

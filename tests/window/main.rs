@@ -132,6 +132,41 @@ fn the_mouse_moves_the_camera_and_the_window_stays_still_when_left_alone() {
 }
 
 #[test]
+fn a_screenshot_with_panels_shows_the_window_without_the_dialogs_that_asked_for_it() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let models = home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let plain = program.picture();
+    program.keys(&["F12"]);
+    for button in ["With panels", "Save…"] {
+        program.picture();
+        program.click(places::middle_after(
+            egui::Key::F12,
+            "builtin:robot",
+            button,
+        ));
+    }
+    program.picture();
+    program.keys(&["Return"]);
+    program.picture();
+    let saved = image::open(models.join("screenshot.png")).expect("a saved picture");
+    let saved = saved.to_rgb8();
+    let plain = Program::colors(&plain, saved.width(), saved.height());
+    let differ = saved
+        .pixels()
+        .zip(&plain)
+        .filter(|(a, b)| a.0 != **b)
+        .count();
+    // The pointer is elsewhere, so another button and status line show.
+    assert!(differ * 50 < plain.len(), "{differ} pixels differ");
+
+    program.keys(&["Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+}
+
+#[test]
 fn a_picture_of_the_same_scene_is_compared_and_not_a_pixel_differs() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");

@@ -29,7 +29,12 @@ impl Files for NoDisk {
 
 /// The middle of the widget called `label`, in a window that shows `scene` as it starts.
 pub fn middle_of(scene: &str, label: &str) -> (f32, f32) {
-    middle_in(scene, label, None)
+    middle_in(scene, label, None, None)
+}
+
+/// The same after `key` was pressed.
+pub fn middle_after(key: egui::Key, scene: &str, label: &str) -> (f32, f32) {
+    middle_in(scene, label, None, Some(key))
 }
 
 /// The same while the view is compared with a picture of 800×600.
@@ -39,10 +44,15 @@ pub fn middle_of_comparing(scene: &str, label: &str) -> (f32, f32) {
         height: 600,
         rgba: vec![0; 4 * 800 * 600],
     };
-    middle_in(scene, label, Some(picture))
+    middle_in(scene, label, Some(picture), None)
 }
 
-fn middle_in(scene: &str, label: &str, compared: Option<Picture>) -> (f32, f32) {
+fn middle_in(
+    scene: &str,
+    label: &str,
+    compared: Option<Picture>,
+    key: Option<egui::Key>,
+) -> (f32, f32) {
     let mut loaded = Loaded::default();
     loaded
         .add(&WithBuiltin(NoDisk), Path::new(scene))
@@ -71,6 +81,10 @@ fn middle_in(scene: &str, label: &str, compared: Option<Picture>) -> (f32, f32) 
             ui::show(ui, &session, &mut state, &input);
         });
     harness.run_steps(4);
+    if let Some(key) = key {
+        harness.key_press(key);
+        harness.run_steps(4);
+    }
     let middle = harness.get_by_label(label).rect().center();
     (middle.x, middle.y)
 }
