@@ -1,6 +1,7 @@
 //! Bones, roots and shapes turned and moved by hand in the view.
 
 use crate::{Editor, figure};
+use editor_core::character::COURSE_JOINT_NAMES;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
 use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeKind, bones_in_world};
@@ -100,6 +101,20 @@ fn beside_half_line(at: Pos2, from: Pos2, through: Pos2) -> f32 {
     let offset = at - from;
     let beside = offset - along * offset.dot(along).max(0.0);
     beside.length()
+}
+
+#[test]
+fn a_joint_with_a_name_longer_than_the_view_is_dragged_like_any_other() {
+    let mut names = COURSE_JOINT_NAMES;
+    let long = "Left elbow ".repeat(30);
+    names[LEFT_ELBOW] = &long;
+    let mut editor = Editor::new();
+    editor.add_character(figure::figure_called(&names));
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.hand(from, from + vec2(-20.0, 60.0));
+    assert!(editor.joint(LEFT_ELBOW) != Vec3::ZERO);
 }
 
 #[test]

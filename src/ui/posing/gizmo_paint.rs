@@ -3,6 +3,7 @@ use super::sentence::joint_name;
 use super::{Place, PoseGesture};
 use crate::editor::{Handle, MoveGizmo, RotationGizmo, Session};
 use crate::ui::theme::Palette;
+use egui::text::{LayoutJob, TextWrapping};
 use egui::{Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 
 const AXES: [Color32; 3] = [
@@ -14,6 +15,8 @@ const FREE: Color32 = Color32::from_rgb(0xe6, 0xe6, 0xe6);
 const HOT: Color32 = Color32::from_rgb(0xff, 0xd8, 0x3d);
 const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0x78);
 const HEAD: f32 = 12.0;
+/// How far the readout stays away from the edge of the view.
+const AWAY_FROM_EDGE: f32 = 4.0;
 
 /// Paints a gizmo; the handle `hot` stands out, and all others step back while it is held.
 pub(super) fn show(
@@ -41,17 +44,27 @@ pub(super) fn readout(ui: &Ui, view: Rect, session: &Session, gesture: &PoseGest
     let (Some(text), Some(pointer)) = (gesture.readout(), pointer) else {
         return;
     };
-    let name = joint_name(session, gesture.shape(), gesture.joint());
-    let text = name.map_or(text.clone(), |name| format!("{name}  {text}"));
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter();
-    let galley = painter.layout_no_wrap(text, FontId::proportional(13.0), palette.strong);
-    let size = galley.size() + vec2(12.0, 6.0);
-    let room = Rect::from_min_max(view.min, view.max - size).shrink(4.0);
-    let at = room.clamp(pointer + vec2(18.0, 14.0));
-    let rect = Rect::from_min_size(at, size);
-    painter.rect_filled(rect, 4.0, palette.panel);
-    painter.galley(rect.min + vec2(6.0, 3.0), galley, palette.strong);
+    let (font, color) = (FontId::proportional(13.0), palette.strong);
+    let value = painter.layout_no_wrap(text, font.clone(), color);
+    let (margin, gap) = (vec2(6.0, 3.0), 8.0);
+    // Names come from files and may be as long as they like: the value stays readable.
+    let room = view.width() - value.size().x - gap - 2.0 * (margin.x + AWAY_FROM_EDGE);
+    let name = joint_name(session, gesture.shape(), gesture.joint()).unwrap_or_default();
+    let mut line = LayoutJob::simple_singleline(name, font, color);
+    line.wrap = TextWrapping::truncate_at_width(room.max(0.0));
+    let name = painter.layout_job(line);
+
+    let content = vec2(name.size().x + gap + value.size().x, value.size().y);
+    let size = content + 2.0 * margin;
+    let first = view.min + Vec2::splat(AWAY_FROM_EDGE);
+    let last = (view.max - size - Vec2::splat(AWAY_FROM_EDGE)).max(first);
+    let at = (pointer + vec2(18.0, 14.0)).clamp(first, last);
+    painter.rect_filled(Rect::from_min_size(at, size), 4.0, palette.panel);
+    let after_name = at + margin + vec2(name.size().x + gap, 0.0);
+    painter.galley(at + margin, name, color);
+    painter.galley(after_name, value, color);
 }
 
 struct Brush<'a> {
