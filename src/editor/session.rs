@@ -12,6 +12,8 @@ pub struct Session {
     pub(super) hovered_bone: Option<(ShapeId, usize)>,
     pub(super) hovered_control_point: Option<(usize, usize)>,
     pub(super) view: ViewSettings,
+    /// Of the scene as it was opened.
+    opened: Revision,
     /// How the scene was looked at when it was opened.
     start_camera: Camera,
     /// What was told to the user.
@@ -30,6 +32,7 @@ impl Default for Session {
             hovered_bone: None,
             hovered_control_point: None,
             view: ViewSettings::default(),
+            opened: Revision::new(),
             start_camera: Camera::default(),
             messages: Messages::default(),
             evaluator: Evaluator::new(),
@@ -58,6 +61,7 @@ impl Session {
         self.selected = scene.shapes().last().map(|shape| shape.id);
         self.scene = scene;
         self.view = view;
+        self.opened = Revision::new();
         self.start_camera = view.camera;
         self.forget_parts();
         self.refresh();
@@ -101,6 +105,12 @@ impl Session {
     /// How the scene is looked at.
     pub fn view(&self) -> &ViewSettings {
         &self.view
+    }
+
+    /// Changes when another scene is opened. Its ids start again, so what is kept by
+    /// [`ShapeId`] outside of the session holds only for as long as this stays the same.
+    pub fn opened(&self) -> Revision {
+        self.opened
     }
 
     /// Where the camera stood when the scene was opened.

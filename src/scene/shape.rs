@@ -5,7 +5,7 @@ use crate::geometry::{self, Mesh, Revision, SharedMesh};
 use crate::math::Transform;
 use std::sync::{Arc, LazyLock};
 
-/// Names a shape for as long as the program runs; from 1, never reused.
+/// Names a shape for as long as its scene is open; from 1, never reused.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize,
 )]

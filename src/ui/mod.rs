@@ -123,6 +123,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
     // The root was made before, with the style of then.
     root.set_style(ctx.global_style());
+    state.notice_another_scene(session);
     let mut actions = Vec::new();
     let keys_taken = input.keys_are_taken
         || state.keys_were_taken

@@ -3,7 +3,8 @@ use super::curve_gestures::PointGesture;
 use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
 use crate::character::Skinning;
-use crate::editor::Tool;
+use crate::editor::{Session, Tool};
+use crate::geometry::Revision;
 use crate::scene::{Camera, ShapeId};
 use egui::ThemePreference;
 use std::collections::{BTreeSet, HashMap};
@@ -22,6 +23,8 @@ pub struct UiState {
     pub first_help: bool,
     /// Open windows; the one opened last is last, and Esc closes it first.
     pub(super) open: Vec<Dialog>,
+    /// See [`Session::opened`], in the last frame.
+    opened: Option<Revision>,
     /// The shape that was selected in the last frame, to notice one selected elsewhere.
     pub(super) selected: Option<ShapeId>,
     pub(super) screenshot: ScreenshotForm,
@@ -93,6 +96,7 @@ impl Default for UiState {
             skinning: None,
             first_help: false,
             open: Vec::new(),
+            opened: None,
             selected: None,
             screenshot: ScreenshotForm::default(),
             joints: JointListState::default(),
@@ -125,6 +129,20 @@ impl UiState {
     /// Whether a gesture in the view is under way, so that Esc cancels it and does nothing else.
     pub fn gesture_under_way(&self) -> bool {
         self.curves.gesture.is_some() || self.pose.gesture.is_some()
+    }
+
+    /// Forgets what concerned the shapes of a scene that another was opened in the place of.
+    pub(super) fn notice_another_scene(&mut self, session: &Session) {
+        let opened = Some(session.opened());
+        if self.opened == opened {
+            return;
+        }
+        self.opened = opened;
+        self.selected = None;
+        self.joints = JointListState::default();
+        self.curves = CurveState::default();
+        self.pose.forget_shapes();
+        self.camera_before_drag = None;
     }
 
     /// Brings a window up, or to the end of the row for Esc if it is up already.

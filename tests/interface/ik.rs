@@ -1,9 +1,10 @@
 //! The IK tool: what is dragged comes to the pointer, a chain follows, and pins hold.
 
-use crate::Editor;
+use crate::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::math::{Euler, Transform};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use egui_kittest::kittest::NodeT;
 use glam::Vec3;
 
 const ROOT: usize = 0;
@@ -16,6 +17,13 @@ const RIGHT_FOOT: usize = 7;
 const STEP: Vec2 = vec2(25.0, -40.0);
 
 impl Editor {
+    fn can_unpin(&self) -> bool {
+        !self
+            .widget("Unpin all joints")
+            .accesskit_node()
+            .is_disabled()
+    }
+
     fn with_ik() -> Self {
         let mut editor = Self::with_figure();
         editor.harness.state_mut().gestures = true;
@@ -250,10 +258,24 @@ fn the_status_line_says_what_is_under_the_pointer_and_what_it_would_do() {
 #[test]
 fn pins_of_a_deleted_character_are_forgotten() {
     let mut editor = Editor::with_ik();
+    editor.add_character(figure::figure());
     editor.pin(LEFT_FOOT);
+    assert!(editor.can_unpin());
     editor.key(Key::Delete);
     editor.settle();
-    assert!(editor.harness.state().session.scene().shapes().is_empty());
-    editor.choose(&["Insert", "Cube"]);
-    editor.key(Key::P);
+    assert!(!editor.can_unpin());
+}
+
+#[test]
+fn pins_and_folds_do_not_go_over_to_the_next_scene_though_its_ids_start_again() {
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_FOOT);
+    editor.click("Fold Root");
+    assert!(editor.can_unpin() && !editor.has("Left elbow"));
+    let session = &mut editor.harness.state_mut().session;
+    let (scene, view) = (session.scene().clone(), *session.view());
+    session.open(scene, view);
+    editor.settle();
+    assert!(!editor.can_unpin());
+    assert!(editor.has("Left elbow"));
 }

@@ -51,6 +51,14 @@ impl IkState {
         }
     }
 
+    /// What is chosen, without what concerns a character.
+    pub fn without_pins(&self) -> Self {
+        Self {
+            chosen: self.chosen.clone(),
+            ..Self::default()
+        }
+    }
+
     pub fn unpin_all(&mut self) {
         self.pins.clear();
     }

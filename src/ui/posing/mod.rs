@@ -46,6 +46,16 @@ pub(super) struct PoseState {
 }
 
 impl PoseState {
+    /// Keeps what is chosen, and nothing of any shape.
+    pub(super) fn forget_shapes(&mut self) {
+        *self = Self {
+            tool: self.tool,
+            axes: self.axes,
+            ik: self.ik.without_pins(),
+            ..Self::default()
+        };
+    }
+
     /// Whether a chain is marked in the view, and not the bone under the pointer.
     fn shows_chain(&self) -> bool {
         self.tool == Tool::Ik && (self.gesture.is_some() || self.ik.hovered.is_some())
