@@ -38,14 +38,28 @@ struct PanelRun {
 }
 
 impl PanelRun {
-    fn followed_by(mut self, next: Self) -> Self {
-        self.output.append(next.output);
-        Self {
+    fn join(before: Option<Self>, next: Option<Self>) -> Option<Self> {
+        let (mut before, next) = match (before, next) {
+            (Some(before), Some(next)) => (before, next),
+            (before, next) => return before.or(next),
+        };
+        before.output.append(next.output);
+        Some(Self {
             shown: next.shown,
-            output: self.output,
-            changed: self.changed || next.changed,
-        }
+            output: before.output,
+            changed: before.changed || next.changed,
+        })
     }
+}
+
+/// What the panels are run for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Pass {
+    /// To take what the user did.
+    Input,
+    /// To show what came of it. What panels and gestures paint over the scene would otherwise be
+    /// a frame behind the scene.
+    Display,
 }
 
 impl Workspace {
@@ -58,15 +72,18 @@ impl Workspace {
         }
         // A dialog that closes in this frame is still in what the frame shows.
         let screenshot_due = self.pending_screenshot.is_some() && !self.dialogs.is_open();
+        let without_events = RawInput {
+            events: Vec::new(),
+            dropped_files: Vec::new(),
+            ..input.clone()
+        };
         let mut run: Option<PanelRun> = None;
         for part in parts(input) {
-            let Some(next) = self.run_panels(part) else {
-                continue;
-            };
-            run = Some(match run {
-                Some(before) => before.followed_by(next),
-                None => next,
-            });
+            run = PanelRun::join(run, self.run_panels(part, Pass::Input));
+        }
+        if run.as_ref().is_some_and(|run| run.changed) {
+            let shown = self.run_panels(without_events, Pass::Display);
+            run = PanelRun::join(run, shown);
         }
         let Some(PanelRun {
             shown,
@@ -96,7 +113,7 @@ impl Workspace {
     }
 
     /// Runs the panels once and does what they ask.
-    fn run_panels(&mut self, input: RawInput) -> Option<PanelRun> {
+    fn run_panels(&mut self, input: RawInput, pass: Pass) -> Option<PanelRun> {
         let context = self.egui.egui_ctx().clone();
         let (session, state, dialogs) = (&self.session, &mut self.ui, &mut self.dialogs);
         let compare = self.comparison.as_ref().map(Comparison::view);
@@ -108,7 +125,7 @@ impl Workspace {
             frames_per_second: self.frame_rate.shown(),
             backend: &self.backend,
             gesture_under_way: state.gesture_under_way(),
-            keys_are_taken: dialogs.is_open(),
+            keys_are_taken: dialogs.is_open() || pass == Pass::Display,
             compare: compare.as_ref(),
         };
         let mut shown = None;
@@ -126,8 +143,10 @@ impl Workspace {
         self.egui
             .handle_platform_output(self.window.window(), platform);
         let shown = shown?;
-        self.hovered_shape =
-            ui::view_gestures(&shown.view, &shown.places, session, state, &mut asked);
+        if pass == Pass::Input {
+            self.hovered_shape =
+                ui::view_gestures(&shown.view, &shown.places, session, state, &mut asked);
+        }
         let changed = !asked.is_empty() || chosen.is_some();
         self.carry_out(asked);
         if let Some((purpose, path)) = chosen {
