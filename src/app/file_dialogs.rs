@@ -1,6 +1,8 @@
 use crate::editor::Screenshot;
 use crate::scene::ShapeId;
-use egui_file_dialog::{DialogState, FileDialog, Filter};
+use crate::ui;
+use egui::{Key, Modifiers};
+use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};
 
 /// What a chosen file is for.
@@ -66,6 +68,13 @@ impl Purpose {
         }
     }
 
+    /// `path` with the extension that was left out, if one is to be written.
+    fn completed(self, path: &Path) -> Option<PathBuf> {
+        let (_, extension) = self.written().first()?;
+        let complete = path.with_extension(extension);
+        path.extension().is_none().then_some(complete)
+    }
+
     /// Whether `path` is listed. AppleDouble files, which archives from some systems carry
     /// beside the real ones, never are.
     fn lists(self, path: &Path) -> bool {
@@ -117,7 +126,12 @@ impl FileDialogs {
 
     /// Opens it to write a file, which it calls `name` until the user does otherwise.
     pub fn open_to_save(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
-        let mut dialog = Self::dialog(purpose, folder).default_file_name(name);
+        // What is typed belongs to the name, not to a search that would choose another file.
+        let mut dialog = Self::dialog(purpose, folder)
+            .show_search(false)
+            // Without the search it would stand out of the dialog.
+            .show_menu_button(false)
+            .default_file_name(name);
         for (name, extension) in purpose.written() {
             dialog = dialog.add_save_extension(name, extension);
         }
@@ -135,6 +149,7 @@ impl FileDialogs {
             .id("file dialog")
             .add_file_filter(purpose.filter(), filter)
             .default_file_filter(purpose.filter())
+            .keybindings(keys())
             .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
             .default_size([640.0, 440.0]);
         match folder.filter(|folder| folder.is_dir()) {
@@ -146,11 +161,49 @@ impl FileDialogs {
     /// Shows the dialog if it is open; returns the file once one is chosen.
     pub fn show(&mut self, context: &egui::Context) -> Option<(Purpose, PathBuf)> {
         let (purpose, dialog) = self.open.as_mut()?;
-        dialog.update(context);
-        let chosen = dialog.take_picked().map(|path| (*purpose, path));
-        if chosen.is_some() || !matches!(dialog.state(), DialogState::Open) {
-            self.open = None;
+        let purpose = *purpose;
+        ui::in_colors_of_file_dialogs(context, || {
+            dialog.update(context);
+        });
+        let Some(path) = dialog.take_picked() else {
+            if !matches!(dialog.state(), DialogState::Open) {
+                self.open = None;
+            }
+            return None;
+        };
+        self.open = None;
+        match purpose.completed(&path) {
+            None => Some((purpose, path)),
+            Some(complete) if !complete.exists() => Some((purpose, complete)),
+            Some(complete) => {
+                // The dialog has asked about another file: let it ask about this one.
+                let name = complete.file_name().unwrap_or_default().to_string_lossy();
+                self.open_to_save(purpose, complete.parent(), &name);
+                None
+            }
         }
-        chosen
+    }
+}
+
+/// The dialog's keys, with Ctrl+L for the path, as other file dialogs have it. The slash, which
+/// would open the path of the current folder and be lost, is typed like any other letter.
+fn keys() -> FileDialogKeyBindings {
+    FileDialogKeyBindings {
+        edit_path: vec![KeyBinding::keyboard_shortcut(Modifiers::COMMAND, Key::L)],
+        ..FileDialogKeyBindings::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_to_save_that_has_no_extension_gets_the_first_that_suits() {
+        let save = Purpose::SavePose(ShapeId(1), None);
+        let walk = PathBuf::from("poses/walk.json");
+        assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
+        assert_eq!(save.completed(Path::new("poses/walk.txt")), None);
+        assert_eq!(Purpose::Compare.completed(Path::new("picture")), None);
     }
 }

@@ -12,6 +12,11 @@ use std::path::Path;
 impl Workspace {
     /// Saves the view without panels and marks, as it is or in another size.
     pub(super) fn save_view(&mut self, path: &Path, shot: Screenshot) {
+        // Large pictures take their time: what cannot be written is told before.
+        if let Err(error) = PictureFormat::of(path) {
+            self.tell_not_saved(&error);
+            return;
+        }
         let view = self.pictures.view_size().unwrap_or((800, 600));
         match self.view_picture(shot.size.unwrap_or(view)) {
             Ok(picture) => self.save_picture(path, &picture),
@@ -25,12 +30,19 @@ impl Workspace {
     /// Writes a picture in the format of its name, and tells how that went.
     pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture) {
         let written = encode(path, picture).and_then(|bytes| disk::write_whole(path, &bytes));
-        let (severity, text) = match written {
-            Ok(()) => (Severity::Info, format!("Saved {}", path.display())),
-            Err(error) => (Severity::Error, format!("Not saved: {error}")),
-        };
-        self.session.messages.tell(severity, text);
+        match written {
+            Ok(()) => {
+                let text = format!("Saved {}", path.display());
+                self.session.messages.tell(Severity::Info, text);
+            }
+            Err(error) => self.tell_not_saved(&error),
+        }
         self.request_redraw();
+    }
+
+    fn tell_not_saved(&mut self, error: &Diagnostic) {
+        let text = format!("Not saved: {error}");
+        self.session.messages.tell(Severity::Error, text);
     }
 
     fn view_picture(&mut self, (width, height): (u32, u32)) -> Result<Picture, GpuError> {

@@ -55,7 +55,7 @@ pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use navigation::Navigation;
 pub use scene_places::ScenePlaces;
 pub use state::UiState;
-pub use theme::{DARK, LIGHT, Palette};
+pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Action, Ask, CompareAction, Session, View};

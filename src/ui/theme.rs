@@ -140,6 +140,21 @@ fn set_spacing(style: &mut Style) {
     style.interaction.tooltip_delay = 0.7;
 }
 
+/// Shows file dialogs in colors in which all of them can be read: they lay text on black and on
+/// the color of the selection whatever the theme.
+pub fn in_colors_of_file_dialogs(context: &Context, show: impl FnOnce()) {
+    let preference = context.options(|options| options.theme_preference);
+    let dark = context.style_of(Theme::Dark);
+    let mut style = Style::clone(&dark);
+    style.visuals.selection.bg_fill = DARK.accent;
+    style.visuals.selection.stroke.color = DARK.panel;
+    context.set_style_of(Theme::Dark, style);
+    context.set_theme(Theme::Dark);
+    show();
+    context.set_style_of(Theme::Dark, dark);
+    context.set_theme(preference);
+}
+
 fn set_colors(visuals: &mut Visuals, palette: &Palette) {
     *visuals = if *palette == LIGHT {
         Visuals::light()
