@@ -23,6 +23,11 @@ impl Workspace {
     /// Pose ▸ Paste Pose.
     pub(super) fn paste_pose(&mut self, shape: ShapeId) {
         let text = self.egui.clipboard_text().unwrap_or_default();
+        if text.trim().is_empty() {
+            let text = "There is no pose on the clipboard: Copy Pose puts one there".to_owned();
+            self.session.messages.tell(Severity::Warning, text);
+            return;
+        }
         self.take_pose(shape, Path::new(CLIPBOARD), text.as_bytes());
     }
 

@@ -1,31 +1,22 @@
 use super::widgets::named;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, ShapeColor};
-use egui::{Atom, Button, Color32, ComboBox, Id, Sense, StrokeKind, Ui, Vec2, vec2};
+use egui::{Atom, Button, Color32, ComboBox, Id, StrokeKind, Ui, Vec2, vec2};
 use glam::Vec3;
 
 const SWATCH: Vec2 = vec2(24.0, 14.0);
 
-/// The list of presets with their swatches, and for Custom a picker. Returns the color chosen.
+/// A picker, and the list of presets with their swatches; what is picked is Custom. Returns the color chosen.
 pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeColor> {
     let mut chosen = None;
-    let custom = color.preset_index() == CUSTOM_PRESET;
-    if custom {
-        // Eight bits a channel as they end up on screen: the scene's colors are not linear.
-        let [r, g, b, _] = to_color32(color.rgb()).to_array();
-        let mut bytes = [r, g, b];
-        let picker = ui.color_edit_button_srgb(&mut bytes);
-        if picker.changed() {
-            let rgb = bytes.map(|channel| f32::from(channel) / 255.0);
-            chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
-        }
-        named(picker, "Custom color").on_hover_text("Pick a color");
-    } else {
-        let (rect, _) = ui.allocate_exact_size(
-            vec2(ui.spacing().interact_size.x, ui.spacing().interact_size.y),
-            Sense::hover(),
-        );
-        paint_swatch(ui, rect.shrink2(vec2(0.0, 1.0)), color.rgb());
+    // Eight bits a channel as they end up on screen: the scene's colors are not linear.
+    let [r, g, b, _] = to_color32(color.rgb()).to_array();
+    let mut bytes = [r, g, b];
+    let picker = ui.color_edit_button_srgb(&mut bytes);
+    if picker.changed() {
+        let rgb = bytes.map(|channel| f32::from(channel) / 255.0);
+        chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
     }
+    named(picker, "Custom color").on_hover_text("Pick a color");
     let used = ui.spacing().interact_size.x + ui.spacing().item_spacing.x;
     let combo = ComboBox::from_id_salt("color")
         .width(width - used)

@@ -36,9 +36,16 @@ pub(super) fn show(
     }
     state.selected = selected;
 
-    let searched = if state.searching { &state.search } else { "" };
     let folded = state.folded.entry(id).or_default();
-    let rows = joint_tree::rows(skeleton, folded, searched);
+    let searched = if state.searching { &state.search } else { "" };
+    let mut rows = joint_tree::rows(skeleton, folded, searched);
+    let listed = |joint| rows.iter().any(|row| row.joint == joint);
+    if newly_selected && selected.is_some_and(|(_, joint)| !listed(joint)) {
+        // Selected in the view, and not what was searched for.
+        state.searching = false;
+        state.search.clear();
+        rows = joint_tree::rows(skeleton, folded, "");
+    }
     if rows.is_empty() {
         ui.label(RichText::new("No joint has this in its name.").weak());
     }

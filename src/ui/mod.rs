@@ -131,7 +131,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         || takes_keys(&ctx);
 
     if !keys_taken {
-        posing::roll_by_keys(&ctx, session, &state.pose, &mut actions);
+        posing::roll_by_keys(&ctx, session, state, &mut actions);
     }
     let last_view = state.view_rect;
     menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
@@ -186,8 +186,8 @@ fn takes_keys(ctx: &egui::Context) -> bool {
     ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
 }
 
-/// What a key does: Esc closes the window opened last, then ends a comparison, then the program;
-/// and nothing else works below a dialog.
+/// What a key does: Esc closes the window opened last, then ends a comparison, then lets go of the
+/// selected joint, then ends the program; and nothing else works below a dialog.
 fn press(
     command: Command,
     session: &Session,
@@ -199,8 +199,12 @@ fn press(
     if command == Command::Quit && state.open.pop().is_some() {
         return;
     }
-    if command == Command::Quit && comparing {
+    if matches!(command, Command::Quit | Command::Compare) && comparing {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
+        return;
+    }
+    if command == Command::Quit && session.selected_joint().is_some() {
+        actions.push(Action::View(View::SelectJoint(None)));
         return;
     }
     if state.is_open(state::Dialog::Screenshot) {

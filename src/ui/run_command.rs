@@ -26,7 +26,7 @@ pub(super) fn run(
 }
 
 fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
-    if why_disabled(command, session).is_some() {
+    if why_disabled(command, session, state).is_some() {
         return None;
     }
     let view = session.view();
@@ -119,8 +119,13 @@ pub(super) fn is_on(command: Command, session: &Session, state: &UiState) -> Opt
 }
 
 /// Why a command cannot be used now, in words for its tooltip.
-pub(super) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
+pub(super) fn why_disabled(
+    command: Command,
+    session: &Session,
+    state: &UiState,
+) -> Option<&'static str> {
     match command {
+        Command::UnpinAll if !state.pose.ik.has_pins() => Some("Nothing is pinned"),
         Command::ToggleGrid if session.view().look == Look::Course => {
             Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
         }

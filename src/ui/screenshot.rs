@@ -1,7 +1,7 @@
 use super::number_field::NumberField;
 use super::properties::labelled;
 use crate::editor::{Action, Ask, Screenshot};
-use egui::{Button, Frame, Id, Key, Modal, Modifiers, RichText, Ui, vec2};
+use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, RichText, Ui, vec2};
 
 /// The smallest and largest side of a picture, in pixels.
 const SIDES: std::ops::RangeInclusive<f64> = 16.0..=8192.0;
@@ -101,7 +101,10 @@ fn buttons(
     let elsewhere = ui.memory(|memory| memory.focused().is_some());
     let enter_saves = enter_saves && !elsewhere;
     let enter = enter_saves && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
-    ui.horizontal(|ui| {
+    // From the right, as in the dialog that comes next.
+    let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let layout = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(line, layout, |ui| {
         let save = ui
             .add(Button::new("Save…"))
             .on_hover_text("Choose where to save (Enter)");

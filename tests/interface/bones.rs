@@ -269,7 +269,7 @@ fn left_and_right_roll_the_bone_under_the_pointer_about_itself() {
 }
 
 #[test]
-fn keys_that_roll_a_bone_do_not_turn_the_camera_besides() {
+fn keys_that_roll_the_bone_under_the_pointer_turn_the_camera_elsewhere_and_never_both() {
     let mut editor = Editor::with_hands(Key::B);
     let ui = &mut editor.harness.state_mut().state;
     ui.set_navigation(Navigation::Mannequin);
@@ -280,9 +280,11 @@ fn keys_that_roll_a_bone_do_not_turn_the_camera_besides() {
     assert!(!editor.character().pose().is_bind());
     assert_eq!(editor.session().view().camera, camera);
     editor.point(editor.harness.state().view.left_bottom() + vec2(20.0, -20.0));
-    editor.view(View::SelectJoint(None));
+    editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
+    let posed = editor.character().pose().clone();
     editor.key(Key::ArrowRight);
     assert_ne!(editor.session().view().camera, camera);
+    assert_eq!(*editor.character().pose(), posed, "it is selected only");
 }
 
 #[test]

@@ -95,6 +95,13 @@ fn a_picture_to_compare_with_is_asked_for_by_menu_and_key() {
 }
 
 #[test]
+fn the_key_that_begins_a_comparison_ends_it() {
+    let mut editor = comparing();
+    editor.key(Key::F8);
+    assert_eq!(editor.asked(), [Ask::Compare(CompareAction::Close)]);
+}
+
+#[test]
 fn every_mode_is_one_click_and_shows_what_is_what() {
     let mut editor = comparing();
     for mode in CompareMode::ALL {
@@ -133,6 +140,8 @@ fn masks_are_added_for_the_courses_panels_and_by_hand_and_taken_away() {
         height: 1,
     };
     assert_eq!(settings(&editor).masks[2], third);
+    editor.type_into("Mask 3 X", "790");
+    assert_eq!(settings(&editor).masks[2], third, "it keeps its size");
     editor.click("Remove mask 1");
     assert_eq!(settings(&editor).masks.len(), 2);
     assert_eq!(settings(&editor).masks[1], third);

@@ -1,7 +1,7 @@
 //! The joint list.
 
 use crate::{Editor, figure};
-use editor_core::editor::View;
+use editor_core::editor::{Ask, View};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 
@@ -177,6 +177,29 @@ fn a_joint_selected_in_the_view_is_unfolded_in_the_list() {
     assert!(!editor.has("Left elbow"));
     editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
     assert!(editor.has("Left elbow"));
+}
+
+#[test]
+fn a_joint_selected_in_the_view_is_listed_though_another_was_searched_for() {
+    let mut editor = Editor::with_figure();
+    editor.click("Find joints");
+    editor.harness.event(egui::Event::Text("elbow".into()));
+    editor.settle();
+    editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
+    assert!(!editor.has("Neck"), "it is among those that were found");
+    editor.view(View::SelectJoint(Some(NECK)));
+    assert!(editor.has("Neck") && editor.has("Root"));
+}
+
+#[test]
+fn esc_lets_go_of_the_selected_joint_before_it_ends_the_program() {
+    let mut editor = Editor::with_figure();
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.key(Key::Escape);
+    assert_eq!(editor.session().selected_joint(), None);
+    assert!(editor.asked().is_empty());
+    editor.key(Key::Escape);
+    assert_eq!(editor.asked(), [Ask::Quit]);
 }
 
 #[test]

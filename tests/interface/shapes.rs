@@ -124,15 +124,20 @@ fn the_list_of_colors_has_all_presets_and_chooses_one() {
 }
 
 #[test]
-fn custom_starts_from_the_color_there_was_and_opens_a_picker() {
+fn custom_starts_from_the_color_there_was_and_a_click_on_the_color_opens_a_picker() {
     let mut editor = with_cube();
-    assert!(!editor.has("Custom color"));
     editor.click("Color");
     editor.click("Custom");
     let red = Vec3::new(1.0, 0.0, 0.0);
     assert_eq!(editor.shape().placement.color, ShapeColor::Custom(red));
-    editor.click("Custom color");
-    assert!(editor.has("Custom color"));
+    for start in ["Custom", "Teal"] {
+        editor.click("Color");
+        editor.click(start);
+        assert!(!egui::Popup::is_any_open(&editor.harness.ctx));
+        editor.click("Custom color");
+        assert!(egui::Popup::is_any_open(&editor.harness.ctx), "{start}");
+        editor.key(Key::Escape);
+    }
 }
 
 #[test]

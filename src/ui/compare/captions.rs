@@ -1,10 +1,11 @@
 use super::CompareView;
 use crate::editor::CompareMode;
 use crate::geometry::Picture;
-use egui::{Label, Pos2, Rect, RichText, Ui, pos2};
+use egui::{Align, Label, Layout, Pos2, Rect, RichText, Ui, pos2};
 
-/// What is written above a picture: which it is, and the pixel under the pointer.
-pub(super) fn show(ui: &mut Ui, place: Rect, area: Rect, text: &str) {
+/// What is written above a picture, at its left or right: which it is, and the pixel under the
+/// pointer.
+pub(super) fn show(ui: &mut Ui, place: Rect, area: Rect, align: Align, text: &str) {
     let top = (place.top() - super::fitting::CAPTION).max(area.top());
     let line = Rect::from_min_max(
         pos2(place.left(), top),
@@ -13,7 +14,11 @@ pub(super) fn show(ui: &mut Ui, place: Rect, area: Rect, text: &str) {
     let color = crate::ui::theme::Palette::of(ui.visuals()).text;
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(line.intersect(area)));
     inside.set_clip_rect(line.intersect(area));
-    inside.horizontal_centered(|ui| {
+    let layout = match align {
+        Align::Max => Layout::right_to_left(Align::Center),
+        _ => Layout::left_to_right(Align::Center),
+    };
+    inside.with_layout(layout, |ui| {
         ui.add(Label::new(RichText::new(text).small().color(color)).truncate());
     });
 }

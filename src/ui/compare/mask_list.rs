@@ -42,9 +42,14 @@ pub(super) fn show(ui: &mut Ui, size: (u32, u32), masks: &mut Vec<Mask>) {
             ui.label(&name)
                 .on_hover_text("First column and row, width × height, in pixels");
             let mut edited = *mask;
+            // What moves it keeps its size.
+            let farthest = (
+                size.0.saturating_sub(mask.width),
+                size.1.saturating_sub(mask.height),
+            );
             let sides = [
-                ("", "X", &mut edited.x, size.0),
-                (",", "Y", &mut edited.y, size.1),
+                ("", "X", &mut edited.x, farthest.0),
+                (",", "Y", &mut edited.y, farthest.1),
                 ("·", "width", &mut edited.width, size.0),
                 ("×", "height", &mut edited.height, size.1),
             ];

@@ -4,7 +4,8 @@ use crate::ui::ScenePlaces;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use egui::{
-    Color32, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, TextureId, Ui, pos2, vec2,
+    Align, Color32, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, TextureId, Ui, pos2,
+    vec2,
 };
 use std::time::Duration;
 
@@ -33,7 +34,7 @@ pub(in crate::ui) fn show(
         rects,
     };
     let blinked = blinked(ui, compare.settings.mode);
-    paint(ui, area, &places.rects, compare, blinked);
+    paint(ui, &places.rects, compare, blinked);
     mask_overlay::show(ui, &places, size, &mut settings.masks);
     if compare.settings.mode == CompareMode::Swipe {
         swipe_line(ui, places.rects[0], settings);
@@ -43,8 +44,13 @@ pub(in crate::ui) fn show(
         captions::pixel_at(place, size, position)
     });
     let texts = captions::texts(compare, blinked, pixel);
+    // One picture alone reaches up to the bar of tools at the left.
+    let align = match places.rects.len() {
+        1 => Align::Max,
+        _ => Align::Min,
+    };
     for (place, text) in places.rects.iter().zip(texts) {
-        captions::show(ui, *place, area, &text);
+        captions::show(ui, *place, area, align, &text);
     }
     places
 }
@@ -61,10 +67,10 @@ fn blinked(ui: &Ui, mode: CompareMode) -> bool {
     turns as u64 % 2 == 1
 }
 
-fn paint(ui: &Ui, area: Rect, places: &[Rect], compare: &CompareView, blinked: bool) {
+fn paint(ui: &Ui, places: &[Rect], compare: &CompareView, blinked: bool) {
     let palette = Palette::of(ui.visuals());
     let painter = ui.painter();
-    painter.rect_filled(area, 0, palette.panel);
+    painter.rect_filled(ui.max_rect(), 0, palette.panel);
     let reference = compare.reference.texture;
     let live = compare.live.map(|live| live.texture);
     let image = |texture: Option<TextureId>, part: Rect, place: Rect, opacity: f32| {

@@ -1,20 +1,28 @@
 use super::{PoseState, is_pickable};
 use crate::editor::{Action, ROLL_STEP, Session, Tool, roll};
 use crate::scene::ShapeId;
+use crate::ui::{Navigation, UiState};
 use egui::{Context, Key, Modifiers};
 
 /// Left and Right over the view roll the bone under the pointer, or else one of the selected
-/// joint, about its own axis. Called before the panels, which know these keys too.
+/// joint, about its own axis; where these keys turn the camera, too, only the one under the
+/// pointer. Called before the panels, which know these keys too.
 pub(in crate::ui) fn roll_by_keys(
     ctx: &Context,
     session: &Session,
-    state: &PoseState,
+    state: &UiState,
     actions: &mut Vec<Action>,
 ) {
-    if state.tool != Tool::Pose || !state.over_view {
+    let pose = &state.pose;
+    if pose.tool != Tool::Pose || !pose.over_view {
         return;
     }
-    let Some((shape, bone)) = bone_to_roll(session, state) else {
+    let under_pointer = pose.hovered.map(|hit| (hit.shape, hit.bone));
+    let selected = || match state.navigation {
+        Navigation::Mannequin => None,
+        _ => bone_of_selected_joint(session, pose),
+    };
+    let Some((shape, bone)) = under_pointer.or_else(selected) else {
         return;
     };
     let steps = ctx.input_mut(|input| {
@@ -30,11 +38,8 @@ pub(in crate::ui) fn roll_by_keys(
     }
 }
 
-/// A character and the index of a bone of it.
-fn bone_to_roll(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
-    if let Some(hit) = state.hovered {
-        return Some((hit.shape, hit.bone));
-    }
+/// A character and the index of a bone of it: that taken last, if it is the joint's.
+fn bone_of_selected_joint(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
     let shape = session.selected().filter(|&id| is_pickable(session, id))?;
     let joint = session.selected_joint()?;
     let taken = state
