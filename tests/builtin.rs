@@ -119,6 +119,19 @@ fn every_pose_fits_the_character_that_it_is_named_for() {
 }
 
 #[test]
+fn reset_brings_a_shape_of_a_scene_back_to_its_place_there() {
+    let mut scene = load("showcase").scene;
+    let moved = scene.shapes().iter().find(|shape| {
+        let position = shape.placement.transform.position;
+        position.length() > 0.1
+    });
+    let (id, placement) = moved.map(|shape| (shape.id, shape.placement)).unwrap();
+    scene.shape_mut(id).unwrap().placement.transform.position.x += 5.0;
+    scene.reset(id);
+    assert_eq!(scene.shape(id).unwrap().placement, placement);
+}
+
+#[test]
 fn the_showcase_has_posed_characters_that_stand_on_the_ground() {
     let loaded = load("showcase");
     assert!(loaded.view.is_some());

@@ -63,13 +63,23 @@ impl Mirror {
 /// `None` if no two joints have names of either side.
 fn by_name(skeleton: &SkeletalModel, places: &[Vec3]) -> Option<Mirror> {
     let joints = skeleton.joints();
-    let mut index: HashMap<&str, usize> = HashMap::new();
+    let tree = trees(skeleton);
+    let mut in_tree: HashMap<(usize, &str), usize> = HashMap::new();
+    let mut anywhere: HashMap<&str, usize> = HashMap::new();
     for (joint, described) in joints.iter().enumerate() {
-        index.entry(&described.name).or_insert(joint);
+        let name = described.name.as_str();
+        in_tree.entry((tree[joint], name)).or_insert(joint);
+        anywhere.entry(name).or_insert(joint);
     }
+    // Two figures may use the same names, and two hands may be a tree each.
     let other = |joint: usize| {
         let name = other_side(&joints[joint].name)?;
-        index.get(name.as_str()).copied()
+        let name = name.as_str();
+        let found = in_tree.get(&(tree[joint], name));
+        let partner = *found.or_else(|| anywhere.get(name))?;
+        // Only roots have offsets to exchange.
+        let both_roots = joints[joint].parent.is_none() == joints[partner].parent.is_none();
+        both_roots.then_some(partner)
     };
     let partner: Vec<usize> = (0..joints.len())
         .map(|joint| {
@@ -90,6 +100,19 @@ fn by_name(skeleton: &SkeletalModel, places: &[Vec3]) -> Option<Mirror> {
         0
     };
     any.then_some(Mirror { axis, partner })
+}
+
+/// The root above each joint.
+fn trees(skeleton: &SkeletalModel) -> Vec<usize> {
+    let mut tree = vec![0; skeleton.joints().len()];
+    for &root in skeleton.roots() {
+        let mut open = vec![root];
+        while let Some(joint) = open.pop() {
+            tree[joint] = root;
+            open.extend(skeleton.children(joint));
+        }
+    }
+    tree
 }
 
 /// Across x or z, whichever gives more pairs: characters stand upright.
@@ -280,6 +303,40 @@ mod tests {
             );
         }
         assert_eq!(mirror.pose(&mirrored), pose, "twice is the pose itself");
+    }
+
+    #[test]
+    fn a_root_is_no_partner_of_a_joint_that_hangs_on_another() {
+        let skeleton = skeleton(&[
+            ("hip.L", None, [0.2, 0.0, 0.0]),
+            ("hip.R", Some(0), [-0.4, 0.0, 0.0]),
+            ("arm.L", Some(1), [0.5, 1.0, 0.0]),
+            ("arm.R", Some(1), [-0.1, 1.0, 0.0]),
+        ]);
+        assert_eq!(Mirror::new(&skeleton).partner, [0, 1, 3, 2]);
+    }
+
+    #[test]
+    fn of_two_figures_with_the_same_names_each_is_mirrored_in_itself() {
+        let one = [
+            ("hips", None, [0.0, 1.0, 0.0]),
+            ("arm.L", Some(0), [0.5, 0.0, 0.0]),
+            ("arm.R", Some(0), [-0.5, 0.0, 0.0]),
+        ];
+        let other = one.map(|(name, parent, at)| (name, parent.map(|joint: usize| joint + 3), at));
+        let mirror = Mirror::new(&skeleton(&[one, other].concat()));
+        assert_eq!(mirror.partner, [0, 2, 1, 3, 5, 4]);
+    }
+
+    #[test]
+    fn two_hands_that_nothing_joins_are_partners() {
+        let skeleton = skeleton(&[
+            ("hand.L", None, [0.5, 1.0, 0.0]),
+            ("hand.R", None, [-0.5, 1.0, 0.0]),
+            ("thumb.L", Some(0), [0.1, 0.0, 0.0]),
+            ("thumb.R", Some(1), [-0.1, 0.0, 0.0]),
+        ]);
+        assert_eq!(Mirror::new(&skeleton).partner, [1, 0, 3, 2]);
     }
 
     #[test]

@@ -28,7 +28,6 @@ pub fn apply_edit(session: &mut Session, edit: Edit) {
         Edit::SetColor(id, color) => change(scene, id, |shape| shape.placement.color = color),
         Edit::SetVisible(id, visible) => change(scene, id, |shape| shape.visible = visible),
         Edit::SetLocked(id, locked) => change(scene, id, |shape| shape.locked = locked),
-        Edit::SetPlacement(id, placement) => change(scene, id, |shape| shape.placement = placement),
         Edit::SetDisplay(id, display) => {
             if let Some(character) = scene.character_mut(id) {
                 character.display = display;

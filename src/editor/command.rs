@@ -3,8 +3,8 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, CurveSet, Look, Placement, Shading, ShapeColor,
-    ShapeId, ShapeKind, Source, ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, CurveSet, Look, Shading, ShapeColor, ShapeId,
+    ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -45,8 +45,6 @@ pub enum Edit {
     SetVisible(ShapeId, bool),
     /// Keeps a shape from being picked, posed and moved in the view, or lets it be.
     SetLocked(ShapeId, bool),
-    /// Replaces placement and color at once.
-    SetPlacement(ShapeId, Placement),
     /// Changes how a character is drawn.
     SetDisplay(ShapeId, CharacterDisplay),
     /// Replaces the angles of one joint.

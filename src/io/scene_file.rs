@@ -31,6 +31,8 @@ impl SceneShape {
     pub fn add_to(self, scene: &mut Scene) -> ShapeId {
         let id = scene.add(self.name, self.kind, self.source);
         if let Some(shape) = scene.shape_mut(id) {
+            // Reset brings a shape back to its place in the scene, not into a heap at the origin.
+            shape.start = self.placement;
             shape.placement = self.placement;
             shape.visible = self.visible;
             shape.locked = self.locked;

@@ -34,6 +34,7 @@ pub(super) fn show(
         .shape(id)
         .and_then(|shape| shape.geometry.curves.as_ref());
     let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let asked_before = actions.len();
     for index in 0..items.len() {
         let unfolded = *state
             .unfolded
@@ -65,6 +66,13 @@ pub(super) fn show(
                 });
             }
         });
+    }
+    for action in &actions[asked_before..] {
+        if let Action::Edit(Edit::RemoveCurveItem { item, .. }) = action {
+            // Those behind it get other numbers.
+            let stays = |&(shape, index): &(ShapeId, usize)| shape != id || index < *item;
+            state.unfolded.retain(|key, _| stays(key));
+        }
     }
 }
 

@@ -2,6 +2,7 @@ use super::expression::evaluate;
 use super::number_text::{fitted, precise};
 use super::theme::{Palette, number_font};
 use super::widgets::named;
+use crate::geometry::MAX_COORDINATE;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense, StrokeKind,
@@ -12,6 +13,8 @@ use std::ops::RangeInclusive;
 /// How much slower a drag with Shift, and faster with Ctrl.
 const FINER: f64 = 0.1;
 const COARSER: f64 = 10.0;
+/// No number is larger: what is worked out from it must stay finite.
+const FARTHEST: f64 = MAX_COORDINATE as f64;
 /// Fields narrower than this show their axis as a line below rather than as a letter.
 pub(super) const ROOM_FOR_LETTER: f32 = 44.0;
 /// Fields narrower than this grow while they are typed into.
@@ -64,7 +67,7 @@ impl<'a> NumberField<'a> {
             value: f64::from(value),
             rest: 0.0,
             step,
-            range: f64::NEG_INFINITY..=f64::INFINITY,
+            range: -FARTHEST..=FARTHEST,
             unit: "",
             decimals: 0..=3,
             axis: None,

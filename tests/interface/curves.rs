@@ -153,6 +153,18 @@ fn folds_show_and_hide_what_is_in_a_curve() {
 }
 
 #[test]
+fn what_is_behind_a_curve_that_is_taken_away_does_not_take_its_fold() {
+    let mut editor = with_set(three_curves());
+    editor.click("2. path");
+    editor.click("Remove 2. path");
+    assert!(editor.has("2. ring"));
+    assert!(!editor.has("2. ring radius"), "it was folded");
+    editor.click("2. ring");
+    editor.click("Remove 1. profile");
+    assert_eq!(kinds(&editor).len(), 1);
+}
+
+#[test]
 fn control_points_are_added_and_taken_away_where_the_kind_allows() {
     let mut editor = with_curve("B-Spline Curve");
     editor.click("Remove 1. curve point 1");

@@ -61,6 +61,14 @@ fn typed_numbers_may_be_sums_and_nonsense_changes_nothing() {
 }
 
 #[test]
+fn no_typed_number_is_too_large_to_work_with() {
+    let mut editor = with_cube();
+    editor.type_into("Position X", &["9999999999"; 4].join("*"));
+    let position = editor.shape().placement.transform.position;
+    assert_eq!(position, Vec3::X * 1e9);
+}
+
+#[test]
 fn what_was_typed_counts_when_the_keyboard_goes_elsewhere() {
     let mut editor = with_cube();
     editor.begin_typing("Position X", "3");
