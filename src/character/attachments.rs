@@ -3,12 +3,12 @@
 pub struct Influence {
     /// Index of the joint.
     pub joint: u32,
-    /// Its weight, as the file has it.
+    /// Its weight: as an `.attach` file has it; of a Collada file, divided by the vertex' sum.
     pub weight: f32,
 }
 
-/// Which joints move which vertices: every non-zero weight of the file, none dropped, none
-/// renormalised, stored as runs one after the other.
+/// Which joints move which vertices: every non-zero weight of the file, none dropped, stored as
+/// runs one after the other. They need not add up to 1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attachments {
     influences: Vec<Influence>,
