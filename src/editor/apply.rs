@@ -113,7 +113,8 @@ pub fn apply_view(session: &mut Session, view: View) {
         View::HoverJoint(joint) => session.hovered_bone = session.selected.zip(joint),
         View::HoverBone(bone) => session.hovered_bone = bone,
         View::HoverControlPoint(point) => session.hovered_control_point = point,
-        View::DismissMessages => session.messages.dismiss(),
+        View::DismissMessage(index) => session.messages.dismiss(index),
+        View::DismissMessages => session.messages.dismiss_all(),
     }
     session.refresh();
 }

@@ -200,6 +200,8 @@ pub enum View {
     HoverControlPoint(Option<(usize, usize)>),
     /// Takes the fresh messages away; the history keeps them.
     DismissMessages,
+    /// Takes the fresh message at an index from the view.
+    DismissMessage(usize),
 }
 
 /// Something that only the program around the editor can do.

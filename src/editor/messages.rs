@@ -18,11 +18,11 @@ pub struct Message {
     pub text: String,
 }
 
-/// Everything told to the user, oldest first; the newest is shown in the status line.
+/// Everything told to the user, oldest first.
 #[derive(Clone, Debug, Default)]
 pub struct Messages {
     history: Vec<Message>,
-    dismissed: usize,
+    fresh: Vec<Message>,
 }
 
 /// Older messages than this are forgotten.
@@ -31,14 +31,16 @@ const KEPT: usize = 500;
 impl Messages {
     /// Tells something.
     pub fn tell(&mut self, severity: Severity, text: impl Into<String>) {
-        if self.history.len() == KEPT {
-            self.history.remove(0);
-            self.dismissed = self.dismissed.saturating_sub(1);
-        }
-        self.history.push(Message {
+        let message = Message {
             severity,
             text: text.into(),
-        });
+        };
+        for list in [&mut self.history, &mut self.fresh] {
+            if list.len() == KEPT {
+                list.remove(0);
+            }
+            list.push(message.clone());
+        }
     }
 
     /// Everything told, oldest first.
@@ -46,13 +48,20 @@ impl Messages {
         &self.history
     }
 
-    /// What was told since the last [`Messages::dismiss`], oldest first.
+    /// What was told and not yet dismissed, oldest first.
     pub fn fresh(&self) -> &[Message] {
-        &self.history[self.dismissed..]
+        &self.fresh
     }
 
-    /// Takes the fresh messages from the view; the history keeps them.
-    pub fn dismiss(&mut self) {
-        self.dismissed = self.history.len();
+    /// Takes the fresh message at `index` from the view; the history keeps it.
+    pub fn dismiss(&mut self, index: usize) {
+        if index < self.fresh.len() {
+            self.fresh.remove(index);
+        }
+    }
+
+    /// Takes all fresh messages from the view; the history keeps them.
+    pub fn dismiss_all(&mut self) {
+        self.fresh.clear();
     }
 }

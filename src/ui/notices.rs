@@ -62,10 +62,9 @@ pub(super) fn show(
     let first = fresh.len().saturating_sub(SHOWN);
     let mut foot = view.left_bottom() + vec2(12.0, -12.0);
     for (index, message) in fresh.iter().enumerate().skip(first).rev() {
-        let newest = index + 1 == fresh.len();
-        let (rect, dismissed) = notice(ui, message, newest, foot, widest);
+        let (rect, dismissed) = notice(ui, message, foot, widest);
         if dismissed {
-            actions.push(Action::View(View::DismissMessages));
+            actions.push(Action::View(View::DismissMessage(index)));
         }
         foot.y = rect.top() - 4.0;
     }
@@ -93,11 +92,11 @@ fn is_over(ui: &Ui, session: &Session, state: &mut NoticeState) -> bool {
 }
 
 /// One message with its lower left corner at `foot`; where it is and whether its × was clicked.
-fn notice(ui: &mut Ui, message: &Message, newest: bool, foot: Pos2, widest: f32) -> (Rect, bool) {
+fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32) -> (Rect, bool) {
     const PADDING: Vec2 = vec2(8.0, 6.0);
     const SIGN: f32 = 22.0;
     const CLOSE: f32 = 20.0;
-    let close = if newest { CLOSE + 4.0 } else { 0.0 };
+    let close = CLOSE + 4.0;
     let text = ui.painter().layout(
         message.text.clone(),
         TextStyle::Body.resolve(ui.style()),
@@ -123,12 +122,12 @@ fn notice(ui: &mut Ui, message: &Message, newest: bool, foot: Pos2, widest: f32)
     spoken(sign, word(message.severity));
     let (middle, right) = rest.split_left_right_at_x(rest.right() - close);
     contents.put(middle, Label::new(text).halign(Align::Min));
-    let dismissed = newest && {
-        let button = Rect::from_min_size(right.right_top() - vec2(CLOSE, 0.0), Vec2::splat(CLOSE));
-        let cross = Button::new("×").frame_when_inactive(false);
-        named(contents.put(button, cross), "Dismiss messages")
-            .on_hover_text("Hide this; Help ⏵ Messages keeps it")
-            .clicked()
-    };
-    (rect, dismissed)
+    let button = Rect::from_min_size(right.right_top() - vec2(CLOSE, 0.0), Vec2::splat(CLOSE));
+    let cross = Button::new("×").frame_when_inactive(false);
+    let cross = named(
+        contents.put(button, cross),
+        &format!("Dismiss: {}", message.text),
+    );
+    let cross = cross.on_hover_text("Hide this; Help ⏵ Messages keeps it");
+    (rect, cross.clicked())
 }

@@ -17,10 +17,28 @@ fn an_error_stays_in_sight_until_it_is_dismissed_and_in_the_history_after() {
     editor.harness.run_steps(100);
     assert!(editor.has("a.skel:3:1: no such parent"));
     assert!(editor.has("Error"), "the sign has a name");
-    editor.click("Dismiss messages");
+    editor.click("Dismiss: a.skel:3:1: no such parent");
     assert!(!editor.has("a.skel:3:1: no such parent"));
     editor.choose(&["Help", "Messages"]);
     assert!(editor.has("a.skel:3:1: no such parent"));
+}
+
+#[test]
+fn each_message_is_dismissed_by_itself_and_makes_room_for_an_older_one() {
+    let mut editor = Editor::new();
+    for text in ["first", "second", "third", "fourth"] {
+        tell(&mut editor, Severity::Error, text);
+    }
+    assert!(!editor.has("first") && editor.has("second"));
+    editor.click("Dismiss: third");
+    for (text, shown) in [
+        ("first", true),
+        ("second", true),
+        ("third", false),
+        ("fourth", true),
+    ] {
+        assert_eq!(editor.has(text), shown, "{text}");
+    }
 }
 
 #[test]
