@@ -14,10 +14,23 @@ const INSET: f32 = ARM + END + 8.0;
 /// In views smaller than this the ball would be in the way.
 const ROOM: f32 = 160.0;
 
+/// Where the ball begins, seen from the left; the view's edge, where there is none.
+pub(in crate::ui) fn left(view: Rect) -> f32 {
+    if has_room(view) {
+        view.right() - 2.0 * INSET
+    } else {
+        view.right()
+    }
+}
+
+fn has_room(view: Rect) -> bool {
+    view.width() >= ROOM && view.height() >= ROOM
+}
+
 /// The ball in the view's corner: shows how the camera is turned, and looks from a side when
 /// the end of that side is clicked, with target and distance kept.
 pub(super) fn show(ui: &mut Ui, view: Rect, camera: &Camera, actions: &mut Vec<Action>) {
-    if view.width() < ROOM || view.height() < ROOM {
+    if !has_room(view) {
         return;
     }
     let middle = pos2(view.right() - INSET, view.top() + INSET);

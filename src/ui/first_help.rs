@@ -15,7 +15,7 @@ const SIZE: egui::Vec2 = vec2(380.0, 88.0);
 
 /// Three lines for newcomers in the view's lower left corner; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
-    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 2.0 * BAR_HEIGHT {
+    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 3.0 * BAR_HEIGHT {
         return false;
     }
     let corner = pos2(view.left() + 12.0, view.bottom() - SIZE.y - 12.0);

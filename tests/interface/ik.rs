@@ -279,3 +279,28 @@ fn pins_and_folds_do_not_go_over_to_the_next_scene_though_its_ids_start_again() 
     assert!(!editor.can_unpin());
     assert!(editor.has("Left elbow"));
 }
+
+/// Places of the bar of tools where nothing can be pressed: a button that is grey, and above it.
+fn nowhere_in_the_bar(editor: &Editor) -> [Pos2; 2] {
+    let grey = editor.widget("Unpin all joints").rect().center();
+    [grey, grey - vec2(0.0, 26.0)]
+}
+
+#[test]
+fn a_click_between_the_tools_does_not_go_through_to_the_scene() {
+    let mut editor = Editor::with_ik();
+    for at in nowhere_in_the_bar(&editor) {
+        editor.click_at(at);
+        assert!(editor.session().selected().is_some(), "deselected at {at}");
+    }
+}
+
+#[test]
+fn a_drag_that_begins_between_the_tools_does_not_move_the_camera() {
+    let mut editor = Editor::with_ik();
+    let camera = editor.session().view().camera;
+    for at in nowhere_in_the_bar(&editor) {
+        editor.bring(at, vec2(10.0, 60.0));
+        assert_eq!(editor.session().view().camera, camera, "{at}");
+    }
+}

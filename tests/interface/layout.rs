@@ -189,3 +189,30 @@ fn the_panel_is_made_wider_by_its_edge_and_the_view_narrower() {
         "{after}"
     );
 }
+
+#[test]
+fn the_tools_stay_in_the_view_and_off_the_axis_ball_in_every_window() {
+    for width in [640.0, 700.0, 760.0, 800.0, 1280.0] {
+        for key in [Key::B, Key::I] {
+            let mut editor = Editor::sized(vec2(width, 400.0));
+            editor.add_character(figure::figure());
+            editor.key(key);
+            let view = editor.harness.state().view;
+            let in_view = interactive(&editor)
+                .into_iter()
+                .filter(|(_, rect)| view.contains(rect.left_top()));
+            let in_view: Vec<_> = in_view.collect();
+            assert!(in_view.len() > 10, "{width}: {}", in_view.len());
+            for (i, (name, rect)) in in_view.iter().enumerate() {
+                assert!(view.contains_rect(*rect), "{width}: {name} at {rect}");
+                let is_end = |name: &str| name.starts_with("Look from");
+                for (other, place) in &in_view[i + 1..] {
+                    let both = rect.shrink(0.5).intersect(place.shrink(0.5));
+                    let two_ends = is_end(name) && is_end(other);
+                    let apart = !both.is_positive() || two_ends;
+                    assert!(apart, "{width}: {name} and {other} at {rect}, {place}");
+                }
+            }
+        }
+    }
+}

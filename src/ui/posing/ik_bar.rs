@@ -8,8 +8,31 @@ use egui::{Button, ComboBox, Ui, vec2};
 /// What a number for all joints of a row would be.
 const MOST: usize = 999;
 
-/// What can be chosen for the IK tool, in the bar of tools.
-pub(super) fn show(ui: &mut Ui, session: &Session, state: &mut IkState) {
+/// What the bar is wide in one line, with some to spare.
+const ONE_LINE: f32 = 368.0;
+
+/// What can be chosen for the IK tool, in the bar of tools: in a line, or in two if there is not
+/// so much room.
+pub(super) fn show(ui: &mut Ui, room: f32, session: &Session, state: &mut IkState) {
+    let in_line = |ui: &mut Ui, show: &mut dyn FnMut(&mut Ui)| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            show(ui);
+        });
+    };
+    if room < ONE_LINE {
+        in_line(ui, &mut |ui| chain(ui, state));
+        in_line(ui, &mut |ui| end(ui, session, state));
+    } else {
+        in_line(ui, &mut |ui| {
+            chain(ui, state);
+            end(ui, session, state);
+        });
+    }
+}
+
+/// How the chain follows.
+fn chain(ui: &mut Ui, state: &mut IkState) {
     ui.label("Chain").on_hover_text(
         "How many joints turn: 2 for an arm or a leg, more for a spine or a tail. \
          A root or a pin ends it before.",
@@ -24,6 +47,10 @@ pub(super) fn show(ui: &mut Ui, session: &Session, state: &mut IkState) {
     ui.label("Bend")
         .on_hover_text("Where knees and elbows point to, in the character's own axes");
     pole(ui, &mut state.chosen.pole);
+}
+
+/// What holds still.
+fn end(ui: &mut Ui, session: &Session, state: &mut IkState) {
     let keep = state.chosen.keep_orientation;
     let flat = named(
         ui.add(Button::selectable(keep, "Flat")),

@@ -1,13 +1,14 @@
 use super::ik_bar;
 use crate::editor::{GizmoAxes, Session, Tool};
+use crate::ui::axis_ball;
 use crate::ui::keys::{self, Command};
 use crate::ui::state::UiState;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
-use egui::{Button, Frame, Margin, Rect, Ui, UiBuilder, vec2};
+use egui::{Button, Frame, Margin, Rect, Sense, Ui, UiBuilder, vec2};
 
-/// From the view's top to what may lie below the bar, and of its second line for the IK tool as
-/// much again.
+/// From the view's top to what may lie below the bar, and of each further line for the IK tool
+/// not more.
 pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
 
 /// The tools, with their words in the bar.
@@ -21,7 +22,11 @@ const TOOLS: [(Tool, &str); 4] = [
 /// The bar of tools in the view's upper left corner.
 pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &mut UiState) {
     let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(480.0, 24.0));
-    let builder = UiBuilder::new().id_salt("tools").max_rect(place);
+    // What is pressed between the buttons is not meant for the scene behind them.
+    let builder = UiBuilder::new()
+        .id_salt("tools")
+        .max_rect(place)
+        .sense(Sense::click_and_drag());
     let mut inner = ui.new_child(builder);
     let fill = Palette::of(ui.visuals()).panel;
     let frame = Frame::new()
@@ -46,10 +51,8 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &mut UiSta
             }
         });
         if state.pose.tool == Tool::Ik {
-            ui.horizontal(|ui| {
-                ui.spacing_mut().item_spacing.x = 4.0;
-                ik_bar::show(ui, session, &mut state.pose.ik);
-            });
+            let room = axis_ball::left(view) - place.left();
+            ik_bar::show(ui, room, session, &mut state.pose.ik);
         }
     });
 }
