@@ -73,7 +73,7 @@ fn by_name(skeleton: &SkeletalModel, places: &[Vec3]) -> Option<Mirror> {
     }
     // Two figures may use the same names, and two hands may be a tree each.
     let other = |joint: usize| {
-        let name = other_side(&joints[joint].name)?;
+        let (_, name) = sided(&joints[joint].name)?;
         let name = name.as_str();
         let found = in_tree.get(&(tree[joint], name));
         let partner = *found.or_else(|| anywhere.get(name))?;
@@ -158,24 +158,35 @@ fn pairs_across(skeleton: &SkeletalModel, places: &[Vec3], axis: usize) -> Vec<u
     partner
 }
 
-/// The name of the joint on the other side; `None` for a name without a side.
-fn other_side(name: &str) -> Option<String> {
-    for (side, other) in [("left", "right"), ("right", "left")] {
-        if let Some(at) = find_word(name, side) {
+/// A side of a figure, as names of joints have it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+}
+
+/// The side of a joint and the name of that on the other side; `None` for a name without a side.
+pub(super) fn sided(name: &str) -> Option<(Side, String)> {
+    let words = [
+        (Side::Left, "left", "right"),
+        (Side::Right, "right", "left"),
+    ];
+    for (side, word, other) in words {
+        if let Some(at) = find_word(name, word) {
             let (before, rest) = name.split_at(at);
-            let (word, after) = rest.split_at(side.len());
-            return Some(format!("{before}{}{after}", like(word, other)));
+            let (word, after) = rest.split_at(word.len());
+            return Some((side, format!("{before}{}{after}", like(word, other))));
         }
     }
     let separator = |c: char| !c.is_alphanumeric();
     let mut start = 0;
     for piece in name.split_inclusive(separator) {
         let token = piece.trim_end_matches(separator);
-        let other = match token {
-            "L" => "R",
-            "R" => "L",
-            "l" => "r",
-            "r" => "l",
+        let (side, other) = match token {
+            "L" => (Side::Left, "R"),
+            "R" => (Side::Right, "L"),
+            "l" => (Side::Left, "r"),
+            "r" => (Side::Right, "l"),
             _ => {
                 start += piece.len();
                 continue;
@@ -183,7 +194,7 @@ fn other_side(name: &str) -> Option<String> {
         };
         let end = start + token.len();
         return (token.len() < name.len())
-            .then(|| format!("{}{other}{}", &name[..start], &name[end..]));
+            .then(|| (side, format!("{}{other}{}", &name[..start], &name[end..])));
     }
     None
 }
@@ -256,19 +267,20 @@ mod tests {
     fn names_have_a_side_in_many_ways() {
         for (name, other) in [
             ("Left elbow", "Right elbow"),
-            ("RightHand", "LeftHand"),
+            ("LeftHand", "RightHand"),
             ("mixamorig:LeftArm", "mixamorig:RightArm"),
             ("upper_arm.L", "upper_arm.R"),
             ("Arm_l_001", "Arm_r_001"),
-            ("R_Knee", "L_Knee"),
+            ("L_Knee", "R_Knee"),
             ("LEFT_FOOT", "RIGHT_FOOT"),
             ("leftarm", "rightarm"),
         ] {
-            assert_eq!(other_side(name).as_deref(), Some(other), "{name}");
-            assert_eq!(other_side(other).as_deref(), Some(name), "{other}");
+            let (left, right) = ((Side::Left, other.into()), (Side::Right, name.into()));
+            assert_eq!(sided(name), Some(left), "{name}");
+            assert_eq!(sided(other), Some(right), "{other}");
         }
         for name in ["Root", "Bright", "Neck", "L", "", "Lower leg", "é.x"] {
-            assert_eq!(other_side(name), None, "{name}");
+            assert_eq!(sided(name), None, "{name}");
         }
     }
 

@@ -5,6 +5,7 @@
 
 mod attachments;
 mod bone;
+mod facing;
 pub mod ik;
 mod import_character;
 mod joint;
@@ -16,6 +17,7 @@ mod stick_figure;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
 pub use bone::JointBone;
+pub use facing::Facing;
 pub use import_character::{Character, CharacterError};
 pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use mirror::Mirror;

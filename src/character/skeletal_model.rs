@@ -1,4 +1,4 @@
-use super::{Joint, Pose};
+use super::{Facing, Joint, Pose};
 use crate::math::MatrixStack;
 use glam::{Mat4, Vec3};
 
@@ -12,6 +12,7 @@ pub struct SkeletalModel {
     roots: Vec<usize>,
     children: Vec<Vec<usize>>,
     bind_joint_from_model: Vec<Mat4>,
+    facing: Facing,
 }
 
 /// Why a list of joints is no skeleton. Joint numbers are indices into the list.
@@ -78,11 +79,13 @@ impl SkeletalModel {
             roots,
             children,
             bind_joint_from_model: Vec::new(),
+            facing: Facing::default(),
         };
         if let Some(joint) = model.first_on_a_cycle() {
             return Err(SkeletonError::Cycle { joint });
         }
         model.compute_bind_world_to_joint_transforms();
+        model.facing = Facing::of(&model);
         Ok(model)
     }
 
@@ -99,6 +102,11 @@ impl SkeletalModel {
     /// The children of `joint`, in the order of the file.
     pub fn children(&self, joint: usize) -> &[usize] {
         &self.children[joint]
+    }
+
+    /// Which way the character looks at rest.
+    pub fn facing(&self) -> Facing {
+        self.facing
     }
 
     /// B⁻¹ of every joint: from model space to the joint's frame in the bind pose (assignment,

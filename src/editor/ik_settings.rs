@@ -1,3 +1,4 @@
+use crate::character::Facing;
 use glam::Vec3;
 use std::collections::BTreeSet;
 
@@ -26,19 +27,19 @@ impl Default for IkSettings {
     }
 }
 
-/// Where a chain bends to, in the character's own space: figures look along +Z.
+/// Where a chain bends to, as the character stands at rest ([`Facing`]), in its own space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum IkPole {
     /// As it is bent already; straight ones as a knee or an elbow.
     #[default]
     AsBent,
-    /// +Z.
+    /// Where the character looks.
     Front,
-    /// -Z.
+    /// Behind it.
     Back,
-    /// +X, which is the left of a figure.
+    /// To its left.
     Left,
-    /// -X.
+    /// To its right.
     Right,
     /// +Y.
     Up,
@@ -58,27 +59,37 @@ impl IkPole {
         Self::Down,
     ];
 
-    /// Its name in the panel.
-    pub fn label(self) -> &'static str {
-        match self {
+    /// Its name in the panel, with the axis that it is along for a character of this facing.
+    pub fn label(self, facing: Facing) -> String {
+        let word = match self {
             Self::AsBent => "as it is",
-            Self::Front => "front (+Z)",
-            Self::Back => "back (−Z)",
-            Self::Left => "left (+X)",
-            Self::Right => "right (−X)",
-            Self::Up => "up (+Y)",
-            Self::Down => "down (−Y)",
-        }
+            Self::Front => "front",
+            Self::Back => "back",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Up => "up",
+            Self::Down => "down",
+        };
+        let Some(direction) = self.direction(facing) else {
+            return word.to_owned();
+        };
+        let sign = if direction.element_sum() < 0.0 {
+            '−'
+        } else {
+            '+'
+        };
+        let axis = ['X', 'Y', 'Z'][direction.abs().max_position()];
+        format!("{word} ({sign}{axis})")
     }
 
-    /// The direction, of unit length.
-    pub fn direction(self) -> Option<Vec3> {
+    /// The direction, of unit length, for a character of this facing.
+    pub fn direction(self, facing: Facing) -> Option<Vec3> {
         match self {
             Self::AsBent => None,
-            Self::Front => Some(Vec3::Z),
-            Self::Back => Some(Vec3::NEG_Z),
-            Self::Left => Some(Vec3::X),
-            Self::Right => Some(Vec3::NEG_X),
+            Self::Front => Some(facing.front()),
+            Self::Back => Some(-facing.front()),
+            Self::Left => Some(facing.left()),
+            Self::Right => Some(-facing.left()),
             Self::Up => Some(Vec3::Y),
             Self::Down => Some(Vec3::NEG_Y),
         }

@@ -208,7 +208,7 @@ impl IkDrag {
             Some(chain) => {
                 let goal = IkGoal {
                     target,
-                    pole: self.settings.pole.direction(),
+                    pole: self.settings.pole.direction(skeleton.facing()),
                     keep_orientation: self.settings.keep_orientation,
                 };
                 let solution = chain.solve(skeleton, pose, &goal)?;

@@ -197,3 +197,35 @@ fn the_angles_are_the_nearest_to_those_shown() {
         assert!(change < 40.0, "{joint} changes by {change}");
     }
 }
+
+#[test]
+fn a_straight_knee_bends_to_where_its_figure_looks_and_an_elbow_away_from_it() {
+    for side in [1.0, -1.0] {
+        let limbs = [
+            ("Body", None, Vec3::Y * 2.0),
+            ("Hip.L", Some(0), Vec3::X * 0.2 * side),
+            ("Knee.L", Some(1), Vec3::NEG_Y),
+            ("Foot.L", Some(2), Vec3::NEG_Y),
+            ("Shoulder.R", Some(0), Vec3::new(-0.3 * side, 1.0, 0.0)),
+            ("Elbow.R", Some(4), Vec3::NEG_X * side),
+            ("Hand.R", Some(5), Vec3::NEG_X * side),
+        ];
+        let joints = limbs.iter().map(|&(name, parent, offset)| Joint {
+            name: name.to_owned(),
+            parent,
+            offset,
+            ..Joint::default()
+        });
+        let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
+        let pose = Pose::new();
+        for (end, toward, forward) in [(3, Vec3::Y, 1.0), (6, Vec3::X * side, -1.0)] {
+            let chain = IkChain::to_joint(&skeleton, &pose, end, 2, &BTreeSet::new());
+            let chain = chain.expect("two joints are above it");
+            let target = chain.end_position(&skeleton, &pose) + toward * 0.4;
+            let solution = chain.solve(&skeleton, &pose, &IkGoal::to(target));
+            let bent = frames(&skeleton, &solution.expect("it is in reach").pose);
+            let middle = bent[end - 1].w_axis.truncate();
+            assert!(middle.z * side * forward > 0.3, "{side} {end}: {middle}");
+        }
+    }
+}

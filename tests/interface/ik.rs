@@ -184,6 +184,39 @@ fn the_knee_bends_to_where_it_is_told() {
     }
 }
 
+/// The figure turned round: what was its left is called its right.
+fn looking_back() -> Editor {
+    let names = editor_core::character::COURSE_JOINT_NAMES.map(|name| {
+        if name.contains("Left") {
+            name.replace("Left", "Right")
+        } else {
+            name.replace("Right", "Left")
+        }
+    });
+    let names = names.each_ref().map(String::as_str);
+    let mut editor = Editor::new();
+    editor.add_character(figure::figure_called(&names));
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::I);
+    editor
+}
+
+#[test]
+fn front_is_the_figures_own_wherever_it_looks() {
+    for (choice, sign) in [("front (−Z)", -1.0), ("back (+Z)", 1.0)] {
+        let mut editor = looking_back();
+        editor.click("Bend direction");
+        editor.click(choice);
+        let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+        editor.bring(from, vec2(0.0, -30.0));
+        let (knee, foot) = (editor.joint_place(LEFT_KNEE), editor.joint_place(LEFT_FOOT));
+        assert!((knee.z - foot.z) * sign > 0.05, "{choice}: {knee} {foot}");
+    }
+    let mut editor = looking_back();
+    editor.click("Bend direction");
+    assert!(editor.has("left (−X)") && editor.has("right (+X)"));
+}
+
 #[test]
 fn pinned_feet_stay_while_the_root_is_dragged() {
     let mut editor = Editor::with_ik();

@@ -1,6 +1,7 @@
 //! A hand held by the pointer, and the chain that follows it.
 
 use crate::support::{SIZE, cameras, pixel, poses, session, transforms};
+use editor_core::character::Facing;
 use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Session, apply_edit};
 use editor_core::scene::{BoneHit, Camera, ShapeId, bones_in_world};
 use glam::{Vec2, Vec3};
@@ -60,8 +61,9 @@ fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
     assert!(pose.root_offset(3).length() > 0.01);
     assert_eq!(pose.root_offset(0), Vec3::ZERO, "other roots stay");
 
+    let facing = Facing::default();
     for (index, pole) in IkPole::ALL.iter().enumerate() {
-        let same = |other: &&IkPole| other.direction() == pole.direction();
+        let same = |other: &&IkPole| other.direction(facing) == pole.direction(facing);
         assert_eq!(IkPole::ALL.iter().position(|p| same(&p)), Some(index));
     }
 }

@@ -33,16 +33,12 @@ pub(super) fn side_about(normal: DVec3, axis: DVec3) -> DVec3 {
 }
 
 /// What the chain bends about, of unit length. Of a straight chain nobody knows, so it is that of
-/// a knee if it is upright, else that of an elbow, of a figure that looks along +Z.
-pub(super) fn normal(links: &Links) -> DVec3 {
+/// a knee if it is upright, else that of an elbow, of a figure that looks along `front`.
+pub(super) fn normal(links: &Links, front: DVec3) -> DVec3 {
     let axis = axis(links);
     let guess = || {
-        let forward = if axis.y.abs() > 0.5 {
-            DVec3::Z
-        } else {
-            DVec3::NEG_Z
-        };
-        let side = forward.reject_from_normalized(axis);
+        let bends_to = if axis.y.abs() > 0.5 { front } else { -front };
+        let side = bends_to.reject_from_normalized(axis);
         let clear = side.length() > 0.1;
         let side = side.try_normalize().filter(|_| clear);
         side.unwrap_or_else(|| axis.any_orthonormal_vector())

@@ -131,7 +131,8 @@ impl IkChain {
     }
 
     fn find_bend_normal(&self, skeleton: &SkeletalModel, pose: &Pose) -> Option<DVec3> {
-        let normal = bend::normal(&self.links(skeleton, pose)?);
+        let front = skeleton.facing().front().as_dvec3();
+        let normal = bend::normal(&self.links(skeleton, pose)?, front);
         let parent = self.parent_frame(skeleton, pose);
         let first = parent.child(skeleton, pose, self.joints[0]);
         let local = first.rotation.transpose() * normal;

@@ -1,4 +1,5 @@
 use super::ik::{self, IkState};
+use crate::character::Facing;
 use crate::editor::{IkPole, Session};
 use crate::ui::keys::{self, Command};
 use crate::ui::number_field::NumberField;
@@ -21,18 +22,18 @@ pub(super) fn show(ui: &mut Ui, room: f32, session: &Session, state: &mut IkStat
         });
     };
     if room < ONE_LINE {
-        in_line(ui, &mut |ui| chain(ui, state));
+        in_line(ui, &mut |ui| chain(ui, session, state));
         in_line(ui, &mut |ui| end(ui, session, state));
     } else {
         in_line(ui, &mut |ui| {
-            chain(ui, state);
+            chain(ui, session, state);
             end(ui, session, state);
         });
     }
 }
 
 /// How the chain follows.
-fn chain(ui: &mut Ui, state: &mut IkState) {
+fn chain(ui: &mut Ui, session: &Session, state: &mut IkState) {
     ui.label("Chain").on_hover_text(
         "How many joints turn: 2 for an arm or a leg, more for a spine or a tail. \
          A root or a pin ends it before.",
@@ -44,9 +45,15 @@ fn chain(ui: &mut Ui, state: &mut IkState) {
     if let Some(length) = length.show(ui, vec2(32.0, 20.0)) {
         state.chosen.length = (length.round() as usize).clamp(1, MOST);
     }
-    ui.label("Bend")
-        .on_hover_text("Where knees and elbows point to, in the character's own axes");
-    pole(ui, &mut state.chosen.pole);
+    ui.label("Bend").on_hover_text(
+        "Where knees and elbows point to, as the character stands at rest. Its front follows from \
+         which joints are left and right, by name or place; +Z where nothing says.",
+    );
+    let selected = session
+        .selected()
+        .and_then(|id| session.scene().character(id));
+    let facing = selected.map(|shape| shape.character.skeleton().facing());
+    pole(ui, facing.unwrap_or_default(), &mut state.chosen.pole);
 }
 
 /// What holds still.
@@ -63,13 +70,13 @@ fn end(ui: &mut Ui, session: &Session, state: &mut IkState) {
     pins(ui, session, state);
 }
 
-fn pole(ui: &mut Ui, pole: &mut IkPole) {
+fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
     let combo = ComboBox::from_id_salt("bend")
-        .selected_text(pole.label())
+        .selected_text(pole.label(facing))
         .width(88.0)
         .show_ui(ui, |ui| {
             for choice in IkPole::ALL {
-                ui.selectable_value(pole, choice, choice.label());
+                ui.selectable_value(pole, choice, choice.label(facing));
             }
         });
     named(combo.response, "Bend direction");
