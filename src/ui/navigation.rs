@@ -173,6 +173,15 @@ impl Navigation {
         }
     }
 
+    /// What a click does on a shape that is not selected, and which button still turns.
+    pub(super) fn over_a_shape(self) -> &'static str {
+        match self {
+            Self::Course => "Click to select it · right drag turns the camera",
+            Self::Orbit | Self::Mannequin => "Click to select it · left drag turns the scene",
+            Self::Blender => "Click to select it · middle drag turns the scene",
+        }
+    }
+
     /// `camera` after this frame's drag over `view`, by `delta` pixels of a picture that is
     /// `height` pixels high, and after `notches` of the wheel.
     pub(super) fn moved(

@@ -40,7 +40,7 @@ fn sentence(
     state: &UiState,
     input: &ViewInput,
 ) -> (Option<String>, &'static str) {
-    let camera = state.navigation.summary();
+    let navigation = state.navigation;
     if let Some(point) = hovered_control_point(session) {
         let next = "Drag to move it · Esc or right click cancels";
         return (Some(point), next);
@@ -57,12 +57,10 @@ fn sentence(
         .and_then(|id| session.scene().shape(id))
         .map(|shape| (shape.id, format!("{} (ID: {})", shape.name, shape.id)));
     match over {
-        Some((id, name)) if session.selected() == Some(id) => (Some(name), camera),
-        Some((_, name)) => (
-            Some(name),
-            "Click to select it · right drag turns the camera",
-        ),
-        None => (None, camera),
+        Some((id, name)) if session.selected() != Some(id) => {
+            (Some(name), navigation.over_a_shape())
+        }
+        over => (over.map(|(_, name)| name), navigation.summary()),
     }
 }
 

@@ -18,7 +18,7 @@ mod visibility;
 
 use editor_core::character::Character;
 use editor_core::editor::{Action, Ask, Edit, Session, View, apply_edit, apply_view};
-use editor_core::scene::{CharacterShape, Shape, ShapeKind};
+use editor_core::scene::{CharacterShape, Shape, ShapeId, ShapeKind};
 use editor_core::ui::{self, UiState, ViewInput};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Rect, UiBuilder, Vec2, vec2};
@@ -34,6 +34,8 @@ struct Program {
     keys_are_taken: bool,
     /// Whether what the pointer does in the view counts, as in the program.
     gestures: bool,
+    /// The shape under the pointer in the view, which the program finds out.
+    hovered_shape: Option<ShapeId>,
     /// Where the scene is; while it is compared, its live picture.
     view: Rect,
     comparing: Option<compare::Comparing>,
@@ -59,6 +61,7 @@ impl Editor {
             asked: Vec::new(),
             keys_are_taken: false,
             gestures: false,
+            hovered_shape: None,
             view: Rect::NOTHING,
             comparing: None,
         };
@@ -235,6 +238,7 @@ impl Program {
             builtin_characters: BUILT_IN,
             builtin_curves: &["vase"],
             backend: "OpenGL 3.3",
+            hovered_shape: self.hovered_shape,
             keys_are_taken: self.keys_are_taken,
             ..ViewInput::default()
         };

@@ -167,3 +167,22 @@ fn the_window_about_the_keys_tells_the_gestures_of_the_chosen_way() {
         "1 and 2 open scenes"
     );
 }
+
+#[test]
+fn over_a_shape_the_status_line_names_the_button_that_turns() {
+    for (navigation, turns) in [
+        ("As the course's editor", "right drag turns the camera"),
+        ("Orbit", "left drag turns the scene"),
+        ("Mannequin", "left drag turns the scene"),
+        ("Blender", "middle drag turns the scene"),
+    ] {
+        let mut editor = empty(navigation);
+        editor.choose(&["Insert", "Sphere"]);
+        let sphere = editor.shape().id;
+        editor.choose(&["Insert", "Cube"]);
+        editor.harness.state_mut().hovered_shape = Some(sphere);
+        editor.settle();
+        let said = format!("Click to select it · {turns}");
+        assert!(editor.has(&said), "{navigation}");
+    }
+}

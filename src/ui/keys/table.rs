@@ -122,7 +122,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and hands their vertices over", &[]),
     entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
 
-    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, left drag moves the scene", &[key(NONE, Key::V)]),
+    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag brings the end of the bone under the pointer somewhere: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
