@@ -169,6 +169,20 @@ fn the_window_about_the_keys_tells_the_gestures_of_the_chosen_way() {
 }
 
 #[test]
+fn the_window_about_the_keys_tells_the_gestures_of_every_tool() {
+    let mut editor = Editor::new();
+    editor.key(Key::F1);
+    for gesture in [
+        "IK: drag a bone",
+        "IK: drag the root",
+        "Drag a ring",
+        "Drag an arrow or a square",
+    ] {
+        assert!(editor.has(gesture), "{gesture}");
+    }
+}
+
+#[test]
 fn over_a_shape_the_status_line_names_the_button_that_turns() {
     for (navigation, turns) in [
         ("As the course's editor", "right drag turns the camera"),

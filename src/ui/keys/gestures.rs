@@ -25,6 +25,17 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Pose: click a bone", "Show rings that turn it"),
     gesture("Move: drag a bone", "Move its root, with Shift every root"),
     gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
+    gesture("Drag a ring", "Turn the joint about it, with Ctrl by 15°"),
+    gesture(
+        "Drag an arrow or a square",
+        "Move along it, with Ctrl by 0.1",
+    ),
+    gesture(
+        "IK: drag a bone",
+        "Bring its end somewhere; a chain follows",
+    ),
+    gesture("IK: drag the root", "Move it all; pinned joints stay"),
+    gesture("IK: click a bone", "Select the joint at its nearer end"),
     gesture("Esc, right click in a drag", "Put everything back"),
     gesture("Click the axis ball", "Look from the side that was clicked"),
     gesture(
