@@ -487,3 +487,25 @@ fn the_tools_have_buttons_keys_and_a_menu() {
         editor.choose(&["Pose", label]);
     }
 }
+
+#[test]
+fn the_move_tool_names_the_root_that_moves_and_not_the_bone_under_the_hand() {
+    let mut editor = Editor::with_hands(Key::G);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.point(from);
+    let names = |editor: &Editor, name: &str| {
+        let texts = editor.painted_over_view();
+        texts.iter().filter(|&text| text == name).count()
+    };
+    assert_eq!(
+        (names(&editor, "Root"), names(&editor, "Left elbow")),
+        (1, 0)
+    );
+    editor.take(from);
+    editor.point(from + vec2(20.0, 10.0));
+    // Beside the pointer and in the status line.
+    assert_eq!(
+        (names(&editor, "Root"), names(&editor, "Left elbow")),
+        (2, 0)
+    );
+}

@@ -223,6 +223,31 @@ impl Editor {
         self.settle();
     }
 
+    /// Every text on the screen, with its place.
+    fn painted(&self) -> Vec<(String, Rect)> {
+        let mut texts = Vec::new();
+        let shapes = &self.harness.output().shapes;
+        let mut open: Vec<&egui::Shape> = shapes.iter().map(|shape| &shape.shape).collect();
+        while let Some(shape) = open.pop() {
+            match shape {
+                egui::Shape::Vec(shapes) => open.extend(shapes),
+                egui::Shape::Text(text) => {
+                    let place = text.visual_bounding_rect();
+                    texts.push((text.galley.text().to_owned(), place));
+                }
+                _ => {}
+            }
+        }
+        texts
+    }
+
+    /// Every text on the view or below it.
+    fn painted_over_view(&self) -> Vec<String> {
+        let edge = self.harness.state().view.right();
+        let over_view = |(text, place): (String, Rect)| (place.right() <= edge).then_some(text);
+        self.painted().into_iter().filter_map(over_view).collect()
+    }
+
     /// What a field shows, or all of it where it shows less.
     fn value(&self, label: &str) -> String {
         self.widget(label).value().unwrap_or_default()

@@ -1,5 +1,7 @@
 use super::{Place, is_pickable};
-use crate::editor::{Action, BoneDrag, Edit, Handle, IkDrag, MoveDrag, RingDrag, Session};
+use crate::editor::{
+    Action, BoneDrag, Edit, Handle, IkDrag, MoveDrag, MoveTarget, RingDrag, Session,
+};
 use crate::scene::ShapeId;
 use crate::ui::ScenePlaces;
 use crate::ui::pointer_use::released_at;
@@ -57,7 +59,7 @@ impl PoseGesture {
         }
     }
 
-    /// The joint that is turned or brought somewhere, or whose root is moved.
+    /// The joint that is turned, brought somewhere or moved.
     pub(super) fn joint(&self) -> Option<usize> {
         match &self.held {
             Held::Bone(drag) => Some(drag.turn().joint()),
@@ -65,6 +67,14 @@ impl PoseGesture {
             Held::Moved(drag) => drag.target().joint(),
             Held::Ik(drag) => Some(drag.grip().joint()),
             Held::Stuck(_, joint) => Some(*joint),
+        }
+    }
+
+    /// The joint that stands for it in words; none if all of the shape moves.
+    pub(super) fn named(&self) -> Option<usize> {
+        match &self.held {
+            Held::Moved(drag) if matches!(drag.target(), MoveTarget::AllRoots { .. }) => None,
+            _ => self.joint(),
         }
     }
 

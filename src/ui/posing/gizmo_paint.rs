@@ -51,7 +51,7 @@ pub(super) fn readout(ui: &Ui, view: Rect, session: &Session, gesture: &PoseGest
     let (margin, gap) = (vec2(6.0, 3.0), 8.0);
     // Names come from files and may be as long as they like: the value stays readable.
     let room = view.width() - value.size().x - gap - 2.0 * (margin.x + AWAY_FROM_EDGE);
-    let name = joint_name(session, gesture.shape(), gesture.joint()).unwrap_or_default();
+    let name = joint_name(session, gesture.shape(), gesture.named()).unwrap_or_default();
     let mut line = LayoutJob::simple_singleline(name, font, color);
     line.wrap = TextWrapping::truncate_at_width(room.max(0.0));
     let name = painter.layout_job(line);

@@ -2,7 +2,7 @@ use super::gesture::{Held, PoseGesture};
 use super::{Place, PoseState, is_pickable};
 use crate::editor::{
     BoneDrag, GizmoHit, Handle, MoveDrag, MoveGizmo, MoveTarget, RingDrag, RotationGizmo, Session,
-    Tool,
+    Tool, root_of,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -45,7 +45,10 @@ pub(super) fn shown(session: &Session, state: &PoseState, place: Place) -> Optio
         }
         Tool::Move => {
             let target = match joint {
-                Some(joint) => MoveTarget::Root { shape, joint },
+                Some(joint) => MoveTarget::Root {
+                    shape,
+                    joint: root_of(session, shape, joint)?,
+                },
                 None => MoveTarget::Shape(shape),
             };
             let arrows = MoveGizmo::new(session, target, state.axes, place.size())?;

@@ -187,7 +187,7 @@ fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<H
 fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Held> {
     let root = MoveTarget::Root {
         shape: hit.shape,
-        joint: hit.joint,
+        joint: root_of(session, hit.shape, hit.joint)?,
     };
     let target = if all { root.all_roots() } else { root };
     let drag = MoveDrag::begin(session, target, across_view(session), ray)?;

@@ -8,7 +8,7 @@ pub(in crate::ui) fn sentence(
     state: &PoseState,
 ) -> Option<(Option<String>, &'static str)> {
     if let Some(gesture) = &state.gesture {
-        let over = joint_name(session, gesture.shape(), gesture.joint());
+        let over = joint_name(session, gesture.shape(), gesture.named());
         let next = if gesture.snaps() {
             "Ctrl snaps · Esc or right click cancels"
         } else {
@@ -21,13 +21,22 @@ pub(in crate::ui) fn sentence(
         let over = joint_name(session, shape, Some(grip.joint()));
         return Some((over, ik_sentence(session, state, shape, grip)));
     }
-    let next = match state.tool {
-        Tool::Select => "Click to select the joint · B turns bones by hand",
-        Tool::Pose => "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
-        Tool::Move => "Drag to move its root · Shift: all roots · Ctrl snaps",
-        Tool::Ik => "Drag to bring it somewhere",
+    let (joint, next) = match state.tool {
+        Tool::Select => (
+            Some(hit.joint),
+            "Click to select the joint · B turns bones by hand",
+        ),
+        Tool::Pose => (
+            Some(hit.joint),
+            "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
+        ),
+        Tool::Move => (
+            root_of(session, hit.shape, hit.joint),
+            "Drag to move it and what hangs on it · Shift: all roots · Ctrl snaps",
+        ),
+        Tool::Ik => (Some(hit.joint), "Drag to bring it somewhere"),
     };
-    Some((joint_name(session, hit.shape, Some(hit.joint)), next))
+    Some((joint_name(session, hit.shape, joint), next))
 }
 
 /// What the IK tool would do with what is under the pointer.
