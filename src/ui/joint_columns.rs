@@ -1,7 +1,7 @@
 //! Where things stand in the rows of the joint list.
 
 use super::joint_tree::Row;
-use super::number_field::ROOM_FOR_LETTER;
+use super::number_field::ROOM_FOR_LETTER_AND_ANGLE;
 use crate::character::SkeletalModel;
 use egui::{Color32, FontId, Rect, TextStyle, Ui, pos2, vec2};
 
@@ -12,8 +12,8 @@ const DEEPEST: usize = 8;
 const ARROW: f32 = 12.0;
 const RESET: f32 = 16.0;
 const GAP: f32 = 2.0;
-/// A field's width: at least that of `329.5`, and no more than is comfortable.
-const FIELD: std::ops::RangeInclusive<f32> = 36.0..=64.0;
+/// A field's width: at least that of `329.5°`, and no more than is comfortable.
+const FIELD: std::ops::RangeInclusive<f32> = 41.0..=64.0;
 
 /// Of lists with more rows than this only the rows in sight are shown to egui, and names are
 /// not measured: the panel must stay quick whatever a file holds.
@@ -61,7 +61,7 @@ impl Columns {
     /// Whether letters above the columns are needed to tell the axes, since the fields are too
     /// narrow to have their own.
     pub(super) fn need_header(&self) -> bool {
-        !self.stacked && self.field < ROOM_FOR_LETTER
+        self.field < ROOM_FOR_LETTER_AND_ANGLE
     }
 
     /// Makes room for the letters above the columns.

@@ -16,7 +16,13 @@ const COARSER: f64 = 10.0;
 /// No number is larger: what is worked out from it must stay finite.
 const FARTHEST: f64 = MAX_COORDINATE as f64;
 /// Fields narrower than this show their axis as a line below rather than as a letter.
-pub(super) const ROOM_FOR_LETTER: f32 = 44.0;
+const ROOM_FOR_LETTER: f32 = 44.0;
+/// The same for angles: in a narrower field `359.9°` has no room beside a letter.
+pub(super) const ROOM_FOR_LETTER_AND_ANGLE: f32 = 51.0;
+/// What numbers keep clear of the field's edges.
+const EDGE: f32 = 2.0;
+/// What an axis' letter takes from the field.
+const LETTER: f32 = 10.25;
 /// Fields narrower than this grow while they are typed into.
 const ROOM_TO_TYPE: f32 = 76.0;
 
@@ -75,10 +81,11 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// An angle in degrees, shown between 0 and 360.
+    /// An angle in degrees, shown between 0 and 360 with a decimal at most: nobody sees less.
     pub(super) fn degrees(name: &'a str, value: f32) -> Self {
         Self {
             unit: "°",
+            decimals: 0..=1,
             wrap: Some(360.0),
             ..Self::new(name, value, 1.0)
         }
@@ -271,6 +278,13 @@ impl<'a> NumberField<'a> {
         Some(clean((after / grid).round() * grid))
     }
 
+    fn room_for_letter(&self) -> f32 {
+        match self.wrap {
+            Some(_) => ROOM_FOR_LETTER_AND_ANGLE,
+            None => ROOM_FOR_LETTER,
+        }
+    }
+
     fn paint(&self, ui: &Ui, response: &Response, rect: Rect) {
         if !ui.is_rect_visible(rect) {
             return;
@@ -286,14 +300,14 @@ impl<'a> NumberField<'a> {
             StrokeKind::Inside,
         );
         let font = number_font();
-        let mut room = rect.width() - 6.0;
+        let mut room = rect.width() - 2.0 * EDGE;
         if let Some(axis) = self.axis {
             let color = palette.axes[axis.min(2)];
-            if rect.width() >= ROOM_FOR_LETTER {
-                let at = rect.left_center() + vec2(5.0, 0.0);
+            if rect.width() >= self.room_for_letter() {
+                let at = rect.left_center() + vec2(4.0, 0.0);
                 let letter = ["X", "Y", "Z"][axis.min(2)];
                 painter.text(at, Align2::LEFT_CENTER, letter, font.clone(), color);
-                room -= 11.0;
+                room -= LETTER;
             } else {
                 let line = Rect::from_min_max(
                     pos2(rect.left() + 2.0, rect.bottom() - 2.0),
@@ -310,7 +324,7 @@ impl<'a> NumberField<'a> {
                 .x
                 <= room
         });
-        let at = rect.right_center() - vec2(3.0, 0.0);
+        let at = rect.right_center() - vec2(EDGE, 0.0);
         painter.text(at, Align2::RIGHT_CENTER, text, font, visuals.text_color());
     }
 

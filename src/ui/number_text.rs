@@ -8,7 +8,8 @@ pub(super) fn precise(value: f64) -> String {
 }
 
 /// `value` with as many of the decimals as `fits` lets through, and with `unit` if that costs
-/// none of them; the fewest, where nothing fits. What would round up to a whole `turn` is 0.
+/// none of them; the fewest, where nothing fits. What would round up to a whole `turn` is 0, and
+/// angles have their unit only where every angle has room for it, so that rows look alike.
 pub(super) fn fitted(
     value: f64,
     unit: &str,
@@ -17,6 +18,11 @@ pub(super) fn fitted(
     fits: impl Fn(&str) -> bool,
 ) -> String {
     let (least, most) = (*decimals.start(), *decimals.end());
+    let widest = turn.map(|turn| rounded(turn - 0.1_f64.powi(most as i32), most, most));
+    let unit = match widest {
+        Some(widest) if !fits(&format!("{widest}{unit}")) => "",
+        _ => unit,
+    };
     let mut number = String::new();
     for places in (0..=most).rev() {
         let half = 0.5 / 10_f64.powi(places as i32);
@@ -80,7 +86,17 @@ mod tests {
     #[test]
     fn an_angle_that_rounds_up_to_360_is_shown_as_0() {
         let short = |text: &str| text.chars().count() <= 4;
-        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), short), "0°");
+        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), short), "0");
         assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), |_| true), "359.97°");
+    }
+
+    #[test]
+    fn an_angle_has_its_unit_where_every_angle_has_room_for_it() {
+        let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
+        for (angle, shown) in [(7.0, "7"), (354.744, "354.7"), (350.66, "350.7")] {
+            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(5)), shown);
+            let with_unit = format!("{shown}°");
+            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(6)), with_unit);
+        }
     }
 }

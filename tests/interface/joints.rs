@@ -288,3 +288,48 @@ fn what_is_typed_right_after_a_click_on_a_number_goes_there_and_nowhere_else() {
     assert_eq!(editor.joint(CHEST).x, 3.0);
     assert_eq!(editor.session().view().camera, camera);
 }
+
+/// What the field of that name shows.
+fn shown(editor: &Editor, field: &str) -> String {
+    let place = editor.widget(field).rect();
+    let inside = |text: &(String, egui::Rect)| {
+        place.contains(text.1.center()) && !["X", "Y", "Z"].contains(&text.0.as_str())
+    };
+    let found = editor.painted().into_iter().find(inside);
+    found.map(|(text, _)| text).unwrap_or_default()
+}
+
+#[test]
+fn angles_have_one_decimal_at_most_and_their_sign_at_every_width_of_the_panel() {
+    for width in [640.0, 800.0, 1000.0, 1280.0, 1920.0] {
+        for wider in [-32.0, -16.0, -9.0, -4.0, 0.0, 30.0, 60.0, 120.0] {
+            let mut editor = Editor::sized(egui::vec2(width, 1400.0));
+            editor.add_character(figure::figure());
+            let edge = egui::pos2(editor.harness.state().view.right(), 300.0);
+            editor.press(edge);
+            editor.go_to(edge - egui::vec2(wider, 0.0));
+            editor.release(edge - egui::vec2(wider, 0.0));
+            editor.type_into("Neck X", "354.744");
+            editor.type_into("Neck Y", "350.66");
+            editor.type_into("Neck Z", "8.125");
+            editor.type_into("Waist X", "-0.04");
+            editor.type_into("Rotation Y", "299.96");
+            let fields = [
+                "Neck X",
+                "Neck Y",
+                "Neck Z",
+                "Waist X",
+                "Chest X",
+                "Rotation Y",
+            ];
+            let shown = fields.map(|field| shown(&editor, field));
+            let bare = shown.each_ref().map(|text| text.trim_end_matches('°'));
+            let expected = ["354.7", "350.7", "8.1", "0", "0", "300"];
+            assert_eq!(bare, expected, "{width} {wider}");
+            let all = shown.iter().all(|text| text.ends_with('°'));
+            assert!(all, "{width} {wider}: {shown:?}");
+            let whole = editor.value("Neck X");
+            assert!(whole.starts_with("354.74"), "{whole}: all of it is kept");
+        }
+    }
+}
