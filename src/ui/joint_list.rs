@@ -112,12 +112,12 @@ fn show_rows(
         let place = columns.place(ui);
         all.places.push(place);
         let selected = session.selected_joint() == Some(row.joint);
-        if selected && scroll_to_selected {
-            ui.scroll_to_rect(place, None);
-        }
         let is_root = skeleton.joints()[row.joint].parent.is_none();
         let below = is_root.then(|| columns.place(ui));
         let both = place.union(below.unwrap_or(place));
+        if selected && scroll_to_selected {
+            scroll_to(ui, both);
+        }
         if rows.len() > MANY && !ui.is_rect_visible(both) {
             continue;
         }
@@ -141,6 +141,17 @@ fn show_rows(
         }
     }
     all
+}
+
+/// Scrolls to a row so that it is clear of where the panel fades out; what is clicked in the list
+/// itself stays under the pointer.
+fn scroll_to(ui: &Ui, row: Rect) {
+    let fade = if ui.rect_contains_pointer(row) {
+        0.0
+    } else {
+        ui.spacing().scroll.fade.size
+    };
+    ui.scroll_to_rect(row.expand2(vec2(0.0, fade)), None);
 }
 
 fn select(joint: usize, actions: &mut Vec<Action>) {

@@ -333,3 +333,21 @@ fn angles_have_one_decimal_at_most_and_their_sign_at_every_width_of_the_panel() 
         }
     }
 }
+
+#[test]
+fn a_joint_selected_in_the_view_has_its_row_where_nothing_dims_it() {
+    // As much of the panel fades out.
+    const FADE: f32 = 20.0;
+    let mut editor = Editor::new();
+    editor.add_character(figure::chain(60));
+    // Below the list of shapes and above the window's edge.
+    let top = editor.widget("[1] Model1 (ID: 1)").rect().bottom() + 12.0;
+    let bottom = editor.harness.ctx.content_rect().bottom() - 4.0;
+    for joint in [40, 10, 50, 30, 5] {
+        editor.view(View::SelectJoint(Some(joint)));
+        editor.harness.run_steps(40);
+        let row = editor.widget(&format!("Joint {joint}")).rect();
+        assert!(row.bottom() + FADE <= bottom, "{joint}: {row}");
+        assert!(row.top() >= top + FADE, "{joint}: {row}");
+    }
+}
