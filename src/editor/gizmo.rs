@@ -64,6 +64,13 @@ impl Screen {
         self.camera.pixel(world, self.size)
     }
 
+    /// How long something of this length of the world is in the picture where it is seen from its
+    /// side, at a point of the world; `None` behind the eye.
+    pub fn length(&self, world: Vec3, length: f32) -> Option<f32> {
+        let beside = world + self.camera.right() * length;
+        Some(self.pixel(world)?.distance(self.pixel(beside)?))
+    }
+
     /// The ray under a point of the picture.
     pub fn ray(&self, pixel: Vec2) -> Ray {
         self.camera.ray(pixel, self.size)

@@ -88,3 +88,26 @@ pub fn forest() -> Arc<Character> {
     let mesh = Mesh::new(Vec::new(), Vec::new());
     Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
 }
+
+/// An arm with a hand of two fingers, all in a row but for the fingers: shoulder, elbow, wrist,
+/// and twice a knuckle and a finger's middle.
+pub fn arm() -> Arc<Character> {
+    const PARTS: [(&str, Option<usize>, [f32; 3]); 7] = [
+        ("Shoulder", None, [-0.4, 0.0, 0.0]),
+        ("Elbow", Some(0), [0.35, 0.0, 0.0]),
+        ("Wrist", Some(1), [0.35, 0.05, 0.0]),
+        ("Knuckle 1", Some(2), [0.06, 0.03, 0.0]),
+        ("Finger 1", Some(3), [0.04, 0.0, 0.0]),
+        ("Knuckle 2", Some(2), [0.06, -0.03, 0.0]),
+        ("Finger 2", Some(5), [0.04, 0.0, 0.0]),
+    ];
+    let joints = PARTS.iter().map(|&(name, parent, offset)| Joint {
+        name: name.to_owned(),
+        parent,
+        offset: offset.into(),
+        ..Joint::default()
+    });
+    let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
+    let mesh = Mesh::new(Vec::new(), Vec::new());
+    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+}

@@ -218,6 +218,38 @@ fn front_is_the_figures_own_wherever_it_looks() {
 }
 
 #[test]
+fn a_hand_too_small_for_its_fingers_is_taken_by_the_wrist() {
+    const WRIST: usize = 2;
+    const KNUCKLE: usize = 5;
+    const FINGER: usize = 6;
+    let mut editor = Editor::new();
+    editor.add_character(figure::arm());
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::I);
+    let wrist = editor.joint_at(WRIST);
+    for (to, from) in [(FINGER, KNUCKLE), (KNUCKLE, WRIST)] {
+        let at = editor.near(to, from);
+        editor.bring(at, vec2(-15.0, -20.0));
+        assert_eq!(
+            editor.session().selected_joint(),
+            Some(WRIST),
+            "from {from}"
+        );
+        let off = editor.joint_at(WRIST) - (wrist + vec2(-15.0, -20.0));
+        assert!(off.length() < 0.1, "{off:?}");
+        editor.bring(editor.near(to, from), vec2(15.0, 20.0));
+    }
+    // Seen from near, each finger is its own.
+    let mut camera = editor.session().view().camera;
+    camera.target = editor.joint_place(WRIST);
+    camera.radius *= 0.1;
+    editor.view(View::SetCamera(camera));
+    let at = editor.near(FINGER, KNUCKLE);
+    editor.bring(at, vec2(-5.0, -10.0));
+    assert_eq!(editor.session().selected_joint(), Some(FINGER));
+}
+
+#[test]
 fn pinned_feet_stay_while_the_root_is_dragged() {
     let mut editor = Editor::with_ik();
     editor.pin(LEFT_FOOT);

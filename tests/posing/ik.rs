@@ -2,7 +2,7 @@
 
 use crate::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::character::Facing;
-use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Session, apply_edit};
+use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Screen, Session, apply_edit};
 use editor_core::scene::{BoneHit, Camera, ShapeId, bones_in_world};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -30,6 +30,13 @@ fn drag(session: &Session, id: ShapeId, grip: IkGrip, at: Vec2, length: usize) -
     IkDrag::begin(session, id, grip, &settings, &ray)
 }
 
+fn screen(session: &Session) -> Screen {
+    Screen {
+        camera: session.view().camera,
+        size: SIZE,
+    }
+}
+
 fn is_near(length: f32, to: f32) -> bool {
     (length - to).abs() < 1e-3
 }
@@ -39,7 +46,7 @@ fn the_nearer_end_of_a_bone_is_taken_and_a_joint_where_there_is_one() {
     let (session, id) = session(Camera::default(), Default::default(), &Default::default());
     let grip = |joint, along| {
         let hit = hit(&session, id, joint, along);
-        IkGrip::of(&session, &hit).expect("there is such a bone")
+        IkGrip::of(&session, &hit, &screen(&session)).expect("there is such a bone")
     };
     assert_eq!(grip(0, 0.2), IkGrip::Joint(0));
     assert_eq!(grip(0, 0.8), IkGrip::Joint(1));
@@ -79,7 +86,7 @@ fn what_does_not_exist_is_not_taken() {
         bone: 9,
         ..hit(&session, id, 0, 0.5)
     };
-    assert!(IkGrip::of(&session, &nowhere).is_none());
+    assert!(IkGrip::of(&session, &nowhere, &screen(&session)).is_none());
 }
 
 proptest! {
@@ -94,7 +101,7 @@ proptest! {
         let grip = if is_joint {
             IkGrip::Joint(2)
         } else {
-            IkGrip::of(&session, &hit(&session, id, 2, 0.9)).unwrap()
+            IkGrip::of(&session, &hit(&session, id, 2, 0.9), &screen(&session)).unwrap()
         };
         let held_at = grip.place(&session, id).and_then(|world| pixel(&session, world));
         prop_assume!(held_at.is_some());

@@ -1,6 +1,6 @@
 use super::Place;
 use super::gesture::{Held, PoseGesture};
-use crate::editor::{IkDrag, IkGrip, IkSettings, Session};
+use crate::editor::{IkDrag, IkGrip, IkSettings, Screen, Session};
 use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::state::UiState;
@@ -68,8 +68,14 @@ impl IkState {
     }
 
     /// Takes what the IK tool would bring somewhere, with the cursor on `ray`.
-    pub(super) fn take(&self, session: &Session, hit: &BoneHit, ray: &Ray) -> Option<Held> {
-        let grip = IkGrip::of(session, hit)?;
+    pub(super) fn take(
+        &self,
+        session: &Session,
+        hit: &BoneHit,
+        screen: &Screen,
+        ray: &Ray,
+    ) -> Option<Held> {
+        let grip = IkGrip::of(session, hit, screen)?;
         let settings = self.settings(hit.shape);
         let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray);
         let stuck = Held::Stuck(hit.shape, grip.joint());

@@ -38,18 +38,22 @@ pub(in crate::ui) fn pointer(
         .hover_pos()
         .filter(|_| !view.dragged())
         .map_or(Under::Nothing, |at| under(session, state, places, at));
-    state.hovered = match under {
-        Under::Bone(hit) => Some(hit),
+    let bone = match under {
+        Under::Bone(hit, place) => Some((hit, place)),
         _ => None,
     };
-    state.ik.hovered = state
-        .hovered
+    state.hovered = bone.map(|(hit, _)| hit);
+    state.ik.hovered = bone
         .filter(|_| state.tool == Tool::Ik)
-        .and_then(|hit| Some((hit.shape, IkGrip::of(session, &hit)?)));
+        .and_then(|(hit, place)| {
+            let grip = IkGrip::of(session, &hit, &place.screen(session))?;
+            Some((hit.shape, grip))
+        });
     let in_list = session.selected().zip(list);
-    let in_view = state
-        .hovered
-        .map(|hit| (hit.shape, target_joint(session, state.tool, &hit)));
+    let in_view = bone.map(|(hit, place)| {
+        let joint = target_joint(session, state.tool, &hit, place);
+        (hit.shape, joint)
+    });
     mark(session, in_view.or(in_list), actions);
     match under {
         Under::Nothing => return PointerUse::Free,
@@ -58,13 +62,13 @@ pub(in crate::ui) fn pointer(
             return PointerUse::Free;
         }
         Under::Handle => {}
-        Under::Bone(hit) if view.clicked() => {
-            let joint = target_joint(session, state.tool, &hit);
+        Under::Bone(hit, place) if view.clicked() => {
+            let joint = target_joint(session, state.tool, &hit, place);
             state.taken = Some(hit);
             state.without_gizmo = None;
             select(session, hit.shape, Some(joint), actions);
         }
-        Under::Bone(_) => {}
+        Under::Bone(..) => {}
     }
     if state.tool != Tool::Select {
         view.ctx.set_cursor_icon(CursorIcon::Grab);
@@ -76,7 +80,8 @@ pub(in crate::ui) fn pointer(
 enum Under {
     Nothing,
     Handle,
-    Bone(BoneHit),
+    /// In this picture of the scene.
+    Bone(BoneHit, Place),
     /// With the Move tool alone.
     Shape,
 }
@@ -91,7 +96,7 @@ fn under(session: &Session, state: &PoseState, places: &ScenePlaces, at: Pos2) -
         return Under::Handle;
     }
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
-        return Under::Bone(hit);
+        return Under::Bone(hit, place);
     }
     if state.tool == Tool::Move && shape_at(session, place, pixel).is_some() {
         return Under::Shape;
@@ -119,11 +124,11 @@ fn shape_at(session: &Session, place: Place, pixel: Vec2) -> Option<ShapeId> {
 }
 
 /// The joint that a tool means by a bone.
-fn target_joint(session: &Session, tool: Tool, hit: &BoneHit) -> usize {
+fn target_joint(session: &Session, tool: Tool, hit: &BoneHit, place: Place) -> usize {
     let meant = match tool {
         Tool::Select | Tool::Pose => None,
         Tool::Move => root_of(session, hit.shape, hit.joint),
-        Tool::Ik => IkGrip::of(session, hit).map(IkGrip::joint),
+        Tool::Ik => IkGrip::of(session, hit, &place.screen(session)).map(IkGrip::joint),
     };
     meant.unwrap_or(hit.joint)
 }
@@ -146,7 +151,8 @@ fn begin(
     let index = places.index_at(pressed?)?;
     let place = Place::of(places, index)?;
     let pixel = place.pixel(pressed?);
-    let ray = place.screen(session).ray(pixel);
+    let screen = place.screen(session);
+    let ray = screen.ray(pixel);
     if let Some(gizmo) = gizmos::shown(session, state, place)
         && let Some(hit) = gizmo.hit(pixel)
     {
@@ -155,11 +161,11 @@ fn begin(
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
         let held = match state.tool {
             Tool::Pose => turn_bone(session, state, hit)?,
-            Tool::Ik => state.ik.take(session, &hit, &ray)?,
+            Tool::Ik => state.ik.take(session, &hit, &screen, &ray)?,
             _ => move_root(session, hit, &ray, all)?,
         };
         state.taken = Some(hit);
-        let joint = target_joint(session, state.tool, &hit);
+        let joint = target_joint(session, state.tool, &hit, place);
         select(session, hit.shape, Some(joint), actions);
         return Some(PoseGesture::new(held, None, index));
     }
