@@ -26,9 +26,16 @@ pub struct IkDrag {
     from: DVec3,
     target: Vec3,
     off: f32,
+    /// Where each pin was, in the character's space.
+    pinned: Vec<(usize, Vec3)>,
+    lost: Vec<(usize, Vec3)>,
 }
 
 impl IkDrag {
+    /// What the grip or a pin is off its place by before it counts as out of reach, in the
+    /// character's space.
+    pub const OUT_OF_REACH: f32 = 5e-3;
+
     /// Takes `grip` of the character `shape` with the cursor on `ray`. `None` if there is no such
     /// thing, the shape is scaled to nothing, or nothing can turn: a pin is above.
     pub fn begin(
@@ -57,6 +64,8 @@ impl IkDrag {
             from: DVec3::ZERO,
             target,
             off: 0.0,
+            pinned: pins_at(character.character.skeleton(), character.pose(), settings),
+            lost: Vec::new(),
         };
         drag.from = drag.meeting(ray)?;
         Some(drag)
@@ -102,6 +111,11 @@ impl IkDrag {
         self.off
     }
 
+    /// The pinned joints that could not be held, and where they were, in the character's space.
+    pub fn lost_pins(&self) -> &[(usize, Vec3)] {
+        &self.lost
+    }
+
     /// Puts everything back to how it started.
     pub fn cancel(&self) -> Edit {
         Edit::SetPose(self.shape, self.start.clone())
@@ -130,7 +144,16 @@ impl IkDrag {
             }
         };
         let pins = &self.settings.pins;
-        Some(hold_pins(skeleton, &self.start, &moved, pins, &busy))
+        let held = hold_pins(skeleton, &self.start, &moved, pins, &busy);
+        let now = pins_at(skeleton, &held, &self.settings);
+        let held_back = self.pinned.iter().zip(now);
+        let lost = held_back.filter(|(was, now)| {
+            let off = was.1.distance(now.1);
+            // A pin that is dragged itself goes where it is brought.
+            off > Self::OUT_OF_REACH && !busy.contains(&was.0)
+        });
+        self.lost = lost.map(|(was, _)| *was).collect();
+        Some(held)
     }
 
     /// Where the ray meets the plane.
@@ -139,4 +162,14 @@ impl IkDrag {
         let distance = (self.anchor - origin).dot(self.normal) / direction.dot(self.normal);
         (distance > 0.0 && distance.is_finite()).then(|| origin + direction * distance)
     }
+}
+
+/// Where the pinned joints are under `pose`, in the character's space.
+fn pins_at(skeleton: &SkeletalModel, pose: &Pose, settings: &IkSettings) -> Vec<(usize, Vec3)> {
+    if settings.pins.is_empty() {
+        return Vec::new();
+    }
+    let frames = skeleton.update_current_joint_to_world_transforms(pose);
+    let place = |&pin: &usize| Some((pin, frames.get(pin)?.w_axis.truncate()));
+    settings.pins.iter().filter_map(place).collect()
 }

@@ -218,6 +218,22 @@ fn front_is_the_figures_own_wherever_it_looks() {
 }
 
 #[test]
+fn a_pinned_foot_that_gets_out_of_reach_is_said_to() {
+    const SAID: &str = "2 pins are out of reach";
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_FOOT);
+    editor.pin(RIGHT_FOOT);
+    let root = editor.joint_at(ROOT);
+    let from = root + (editor.joint_at(3) - root) * 0.2;
+    let says = |editor: &Editor| editor.painted_over_view().iter().any(|text| text == SAID);
+    editor.press(from);
+    editor.go_to(from + vec2(0.0, 20.0));
+    assert!(!says(&editor), "the feet hold");
+    editor.go_to(from - vec2(0.0, 70.0));
+    assert!(says(&editor), "{:?}", editor.painted_over_view());
+}
+
+#[test]
 fn a_hand_too_small_for_its_fingers_is_taken_by_the_wrist() {
     const WRIST: usize = 2;
     const KNUCKLE: usize = 5;

@@ -7,9 +7,6 @@ use crate::ui::ScenePlaces;
 use crate::ui::pointer_use::released_at;
 use egui::{Key, Modifiers, PointerButton, Pos2, Response};
 
-/// What a chain misses its target by before it is said, in the character's space.
-const OUT_OF_REACH: f32 = 5e-3;
-
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.
 #[derive(Clone, Debug)]
 pub(in crate::ui) struct PoseGesture {
@@ -104,8 +101,12 @@ impl PoseGesture {
                 let by = drag.moved();
                 format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
             }
-            Held::Ik(drag) if drag.off() > OUT_OF_REACH => {
+            Held::Ik(drag) if drag.off() > IkDrag::OUT_OF_REACH => {
                 format!("out of reach by {:.2}", drag.off())
+            }
+            Held::Ik(drag) if drag.lost_pins().len() == 1 => "a pin is out of reach".to_owned(),
+            Held::Ik(drag) if !drag.lost_pins().is_empty() => {
+                format!("{} pins are out of reach", drag.lost_pins().len())
             }
             Held::Ik(drag) => match drag.chain().map(|chain| chain.joints().len()) {
                 Some(1) => "1 joint follows".to_owned(),

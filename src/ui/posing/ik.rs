@@ -5,6 +5,7 @@ use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::state::UiState;
 use egui::Pos2;
+use glam::Vec3;
 use std::collections::{BTreeSet, HashMap};
 
 /// What the IK tool remembers.
@@ -106,6 +107,29 @@ pub(super) struct Followed {
 
 /// A grip that is farther from its target than this part of a pixel is seen to miss it.
 const MISSED: f32 = 2.0;
+
+/// Pins that are out of reach while something is dragged: where they got to, and where they
+/// should be.
+pub(super) fn lost_pins(
+    session: &Session,
+    gesture: Option<&PoseGesture>,
+    place: Place,
+) -> Vec<(Pos2, Pos2)> {
+    let Some(drag) = gesture.and_then(PoseGesture::ik) else {
+        return Vec::new();
+    };
+    let Some(shape) = session.evaluated().shape(drag.shape()) else {
+        return Vec::new();
+    };
+    let screen = place.screen(session);
+    let position = |world| Some(place.position(screen.pixel(world)?));
+    let ends = |&(pin, wanted): &(usize, Vec3)| {
+        let now = IkGrip::Joint(pin).place(session, drag.shape())?;
+        let wanted = shape.world_from_model.transform_point3(wanted);
+        Some((position(now)?, position(wanted)?))
+    };
+    drag.lost_pins().iter().filter_map(ends).collect()
+}
 
 pub(super) fn followed(
     session: &Session,

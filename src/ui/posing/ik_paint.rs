@@ -10,7 +10,7 @@ const MISSED: Color32 = Color32::from_rgb(0xff, 0x6e, 0x5e);
 const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
 /// Paints pins as squares, the chain that would follow or does, the point that is brought
-/// somewhere as a ring, and a dashed line to where it cannot get.
+/// somewhere as a ring, and dashed lines to where it or a pin cannot get.
 pub(super) fn show(
     painter: &Painter,
     place: Place,
@@ -27,13 +27,17 @@ pub(super) fn show(
             dot(painter, joint, 4.5);
         }
         if let Some(target) = followed.missed {
-            let dashes =
-                Shape::dashed_line(&[followed.grip, target], Stroke::new(1.5, MISSED), 5.0, 4.0);
-            painter.extend(dashes);
+            dashes(painter, followed.grip, target);
             painter.circle_stroke(target, 5.0, Stroke::new(1.5, MISSED));
         }
         painter.circle_stroke(followed.grip, 7.5, Stroke::new(4.0, SHADE));
         painter.circle_stroke(followed.grip, 7.5, Stroke::new(2.0, CHAIN));
+    }
+    for (now, wanted) in ik::lost_pins(session, gesture, place) {
+        dashes(painter, now, wanted);
+        let square = Rect::from_center_size(wanted, Vec2::splat(9.0));
+        let stroke = Stroke::new(1.5, MISSED);
+        painter.rect_stroke(square, 0.0, stroke, StrokeKind::Middle);
     }
     let screen = place.screen(session);
     let evaluated = session.evaluated();
@@ -47,6 +51,11 @@ pub(super) fn show(
             }
         }
     }
+}
+
+fn dashes(painter: &Painter, from: Pos2, to: Pos2) {
+    let stroke = Stroke::new(1.5, MISSED);
+    painter.extend(Shape::dashed_line(&[from, to], stroke, 5.0, 4.0));
 }
 
 fn dot(painter: &Painter, at: Pos2, radius: f32) {
