@@ -157,7 +157,7 @@ fn a_scene_file_holds_posed_characters_on_a_flattened_cube() {
     assert!(!floor.placement.uniform_scaling);
     assert_eq!((floor.visible, floor.locked), (true, false));
     assert_eq!((twin.visible, twin.locked), (false, true));
-    assert_eq!(floor.start.transform.scale, Vec3::ONE);
+    assert_eq!(floor.start, floor.placement, "what Reset brings back");
     assert_eq!(
         man.placement.color,
         ShapeColor::Custom(Vec3::new(0.2, 0.4, 0.6))

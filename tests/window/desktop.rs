@@ -167,6 +167,20 @@ impl<'a> Program<'a> {
         }
     }
 
+    /// The same once it stands still for long, so that every key and click is surely in it.
+    pub fn settled_picture(&self) -> Vec<u8> {
+        let since = Instant::now();
+        let mut last = self.picture();
+        loop {
+            std::thread::sleep(Duration::from_secs(2));
+            let now = self.picture();
+            if now == last || since.elapsed() > PATIENCE {
+                return now;
+            }
+            last = now;
+        }
+    }
+
     /// Colors of the pixels in `dump`, row by row from the upper left.
     pub fn colors(dump: &[u8], width: u32, height: u32) -> Vec<[u8; 3]> {
         let bytes = 4 * width as usize * height as usize;

@@ -79,8 +79,7 @@ fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
     assert!(dragged != before, "the drag does nothing");
     program.keys(&["Right", "Right"]);
     // On a busy machine a picture stands still before the last key is in it.
-    std::thread::sleep(std::time::Duration::from_secs(1));
-    let rolled = program.picture();
+    let rolled = program.settled_picture();
     assert!(rolled != dragged, "the key does not roll");
 
     program.keys(&["ctrl+c", "alt+shift+r"]);
