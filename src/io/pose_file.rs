@@ -5,7 +5,7 @@ use crate::scene::{Scene, ShapeId, ShapeKind};
 use glam::Vec3;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use serde::{Deserialize, Serialize, Serializer};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 /// A pose as files have it: joints by name or index, angles in degrees.
@@ -40,7 +40,7 @@ impl PoseFile {
     /// "roots": {"Root": [0, 0.2, 0]}}`.
     ///
     /// # Errors
-    /// If it is no JSON, or not of this form, or names a joint twice.
+    /// If it is no JSON, or not of this form, or has a name or an index twice.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
         Ok(Self {
             path: path.to_owned(),
@@ -58,8 +58,8 @@ impl PoseFile {
     /// those it has; its other joints go back to rest. Characters without any stay as they are.
     ///
     /// # Errors
-    /// If there is no character, or a joint that none has; the message lists names like it. Then
-    /// nothing is changed.
+    /// If there is no character, or a joint that none has; the message lists names like it. Or if
+    /// two entries mean one joint. Then nothing is changed.
     pub fn apply_to(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
         let characters: Vec<(ShapeId, &SkeletalModel)> = scene
             .shapes()
@@ -90,7 +90,7 @@ impl PoseFile {
     /// The pose for `skeleton`, which must have all its joints.
     ///
     /// # Errors
-    /// If it lacks one; the message lists names like it.
+    /// If it lacks one; the message lists names like it. Or if two entries mean one joint.
     pub fn pose_of(&self, skeleton: &SkeletalModel) -> Result<Pose, Diagnostic> {
         self.check(&[skeleton])?;
         Ok(self.data.pose_of(skeleton).unwrap_or_default())
@@ -126,10 +126,10 @@ impl PoseData {
         any.then_some(pose)
     }
 
-    /// Checks that every joint it names is in one of `skeletons`.
+    /// Checks that every joint it names is in one of `skeletons`, and named once.
     ///
     /// # Errors
-    /// With the section and the key of the first that is in none, and what to say about it.
+    /// With the section and the key of the first of which it is not so, and what to say about it.
     pub(super) fn check(
         &self,
         skeletons: &[&SkeletalModel],
@@ -153,6 +153,17 @@ impl PoseData {
                 no_such_joint(&key, skeletons)
             };
             return Err(("roots", key, message));
+        }
+        for skeleton in skeletons {
+            for (section, entries) in [("joints", &self.joints), ("roots", &self.roots)] {
+                if let Some((earlier, key)) = entries.same_joint(skeleton) {
+                    let [key_told, earlier] = [key, earlier].map(scanner::quoted);
+                    let message = format!(
+                        "expected each joint once, found {key_told} and {earlier}, which are the same"
+                    );
+                    return Err((section, key.to_owned(), message));
+                }
+            }
         }
         Ok(())
     }
@@ -215,6 +226,15 @@ impl Entries {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// The first two keys that mean one joint of `skeleton`, by its name, sid or index.
+    fn same_joint(&self, skeleton: &SkeletalModel) -> Option<(&str, &str)> {
+        let mut seen: HashMap<usize, &str> = HashMap::new();
+        self.0.iter().find_map(|(key, _)| {
+            let joint = Pose::find_joint(skeleton, key).ok()?;
+            Some((seen.insert(joint, key)?, key.as_str()))
+        })
     }
 }
 
@@ -347,6 +367,14 @@ mod tests {
             (
                 "{\"joints\": {\"0\": [1, 0, 0],\n \"0\": [0, 0, 0]}}",
                 "p.json:2:2: expected each joint once, found “0” again",
+            ),
+            (
+                "{\"joints\": {\"Left elbow\": [1, 0, 0],\n \"1\": [0, 0, 0]}}",
+                "p.json:2:2: expected each joint once, found “1” and “Left elbow”, which are the same",
+            ),
+            (
+                "{\"roots\": {\"0\": [1, 0, 0],\n \"Root\": [0, 0, 0]}}",
+                "p.json:2:2: expected each joint once, found “Root” and “0”, which are the same",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, 0],}}",
