@@ -1,30 +1,40 @@
 use super::read::in_words;
 use crate::io::Diagnostic;
 use std::io::{self, ErrorKind, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Links that lead to links are followed so often: as Linux does.
+const MOST_LINKS: usize = 40;
 
 /// Writes `bytes` to `path` so that there is at any time either what was there before or all that
-/// is new: into a temporary file beside it, which then takes its name. A link stays a link, and a
-/// file that was there keeps its permissions.
+/// is new: into a temporary file beside it, which then takes its name. A link stays a link, even
+/// one to a file that is still to come, and a file that was there keeps its permissions.
 ///
 /// # Errors
-/// If the folder does not exist or must not be written, the disk is full, or `path` is a folder.
-/// Then nothing is left behind.
+/// If the folder does not exist or must not be written, the disk is full, or `path` is a folder,
+/// a device or a pipe. Then nothing is left behind.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
-    // The file behind a link, so that the link is not replaced; a new file stays as named.
-    let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let Some(target) = behind_links(path) else {
+        let message = "expected a file to write, found a link that leads to itself";
+        return Err(Diagnostic::new(path, message));
+    };
     let folder = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    if target.is_dir() {
-        return Err(Diagnostic::new(
-            path,
-            "expected a file to write, found a folder",
-        ));
-    }
-    if std::fs::metadata(&target).is_ok_and(|data| data.permissions().readonly()) {
-        return Err(Diagnostic::new(path, "this file is write-protected"));
+    if let Ok(found) = std::fs::metadata(&target) {
+        let wrong = if found.is_dir() {
+            Some("expected a file to write, found a folder")
+        } else if !found.is_file() {
+            Some("expected an ordinary file to write, found a device or a pipe")
+        } else if found.permissions().readonly() {
+            Some("this file is write-protected")
+        } else {
+            None
+        };
+        if let Some(wrong) = wrong {
+            return Err(Diagnostic::new(path, wrong));
+        }
     }
     if !folder.is_dir() {
         let message = format!("there is no folder {}", folder.display());
@@ -39,6 +49,19 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
         };
         Diagnostic::new(path, message)
     })
+}
+
+/// What `path` leads to, be it there or not; `None` for links that lead round in a circle.
+fn behind_links(path: &Path) -> Option<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        // What is no link, or is not there, cannot be read as one.
+        let Ok(next) = std::fs::read_link(&target) else {
+            return Some(target);
+        };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    None
 }
 
 /// Whether two names stand for one file that is there.
@@ -124,5 +147,43 @@ mod tests {
         assert_eq!(mode(&path), 0o640);
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(fs::read(&path).unwrap(), b"two");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_is_no_ordinary_file_is_left_as_it_is() {
+        use std::os::unix::fs::{FileTypeExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (socket, link) = (folder.path().join("a.obj"), folder.path().join("b.obj"));
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        symlink(&socket, &link).unwrap();
+        for path in [&socket, &link] {
+            let error = write_whole(path, b"one").unwrap_err();
+            let message = "expected an ordinary file to write, found a device or a pipe";
+            assert_eq!((&error.path, error.message.as_str()), (path, message));
+        }
+        let kept = fs::symlink_metadata(&socket).unwrap().file_type();
+        assert!(kept.is_socket());
+        assert_eq!(entries(folder.path()), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_file_that_is_still_to_come_stays_a_link() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("inner");
+        fs::create_dir(&inner).unwrap();
+        let (link, round) = (inner.join("link.obj"), inner.join("round.obj"));
+        symlink("../over", &link).unwrap();
+        symlink("new.obj", folder.path().join("over")).unwrap();
+        write_whole(&link, b"one").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(folder.path().join("new.obj")).unwrap(), b"one");
+
+        symlink("round.obj", &round).unwrap();
+        let error = write_whole(&round, b"one").unwrap_err();
+        let message = "expected a file to write, found a link that leads to itself";
+        assert_eq!(error.message, message);
     }
 }
