@@ -144,6 +144,70 @@ fn one_mesh_instanced_often_cannot_fill_the_memory() {
 }
 
 #[test]
+fn meshes_instanced_without_end_are_refused() {
+    // Without positions they would pass the count of these.
+    let library = |mesh: &str, inside: &str| {
+        geometries(mesh) + &format!("<library_nodes><node id=\"n\">{inside}</node></library_nodes>")
+    };
+    let unfolded = r##"<instance_node url="#n"/>"##.repeat(20_000);
+    let empty = geometry("g", "", "", "");
+    says(
+        document("", &library(&empty, &instance("g").repeat(200)), &unfolded),
+        "expected positions, found none",
+    );
+    let point = geometry("g", "0 0 0", "", "");
+    says(
+        document("", &library(&point, &instance("g").repeat(200)), &unfolded),
+        "expected at most 100000 meshes in a scene, found more",
+    );
+    // Nodes are few here, and what is in them is nothing to show, but looked at each time.
+    let start = Instant::now();
+    says(
+        document("", &library(&point, &"<extra/>".repeat(50_000)), &unfolded),
+        "expected at most 4000000 elements in the nodes of a scene, found more",
+    );
+    assert!(
+        start.elapsed() < Duration::from_secs(5),
+        "{:?}",
+        start.elapsed()
+    );
+}
+
+#[test]
+fn a_skin_instanced_without_end_is_refused() {
+    let joints = "a ".repeat(20_000);
+    let skin = Skin {
+        joints: &joints,
+        ..Skin::default()
+    };
+    let nodes = joint("a", "0 1 0", "") + &skinned("c", &["ID-a"]).repeat(5_000);
+    let libraries = geometries(&triangle("g")) + &controllers(&skin.xml());
+    says(
+        document("", &libraries, &nodes),
+        "expected at most 32000000 joints and weights, found more",
+    );
+}
+
+#[test]
+fn primitives_without_triangles_cost_nothing() {
+    let none = triangles("g", "").repeat(20_000);
+    let mesh = geometry(
+        "g",
+        "0 0 0 1 0 0 0 1 0",
+        "",
+        &(none + &triangles("g", "0 1 2")),
+    );
+    let node = format!("<node>{}</node>", instance("g").repeat(20_000));
+    let start = Instant::now();
+    survive(document("", &geometries(&mesh), &node));
+    assert!(
+        start.elapsed() < Duration::from_secs(5),
+        "{:?}",
+        start.elapsed()
+    );
+}
+
+#[test]
 fn deep_nesting_is_refused_without_recursion() {
     let deep = |tag: &str, depth: usize| {
         let close = tag.split(' ').next().unwrap_or(tag);
@@ -169,6 +233,31 @@ fn what_makes_the_xml_reader_slow_is_refused() {
         format!("<COLLADA{attributes}/>"),
         "expected at most 256 attributes",
     );
+    let attributes: String = (0..60_000).map(|i| format!(" a{i}=\"\"")).collect();
+    let start = Instant::now();
+    for before in ["x='>'", "x='<!--'", "x='a=b=c'"] {
+        says(
+            format!("<COLLADA {before}{attributes}/>"),
+            "error a.dae:1:1: expected at most 256 attributes",
+        );
+    }
+    for before in ["<!-- ' -->", "<?a ' ?>", "<?a <b ' ?>"] {
+        says(
+            format!("{before}<COLLADA{attributes}/>"),
+            "error a.dae:1:1: expected at most 256 attributes",
+        );
+    }
+    says(
+        format!("<COLLADA><![CDATA[<a ']]><b{attributes}/></COLLADA>"),
+        "error a.dae:1:1: expected at most 256 attributes",
+    );
+    assert!(
+        start.elapsed() < Duration::from_secs(5),
+        "{:?}",
+        start.elapsed()
+    );
+    let equal = format!("<COLLADA x='{}'/>", "=".repeat(1_000));
+    says(equal, "expected <library_visual_scenes>");
     let spaces: String = (0..20_000)
         .map(|i| format!("<a xmlns:p{i}=\"u\">"))
         .collect();

@@ -1,4 +1,4 @@
-use super::guard;
+use super::guard::{self, MOST_XML_NODES};
 use crate::io::{Diagnostic, Position};
 use roxmltree::{Document, ParsingOptions};
 use std::cell::{Cell, RefCell};
@@ -29,8 +29,6 @@ struct Notes {
 
 /// More warnings than anyone reads are counted instead of kept.
 const MOST_WARNINGS: usize = 100;
-/// Enough for two million triangles written as `<polygons>`; memory for others.
-const MOST_XML_NODES: u32 = 4_000_000;
 
 /// Parses the XML of the file at `path`.
 ///

@@ -59,6 +59,9 @@ pub(super) fn read<'a>(
         ));
     };
     let positions: Vec<Vec3> = positions.rows().map(Vec3::from_array).collect();
+    if positions.is_empty() {
+        return Err(dae.error(node, "expected positions, found none"));
+    }
     let vertices = Vertices {
         id: vertices.attribute("id").unwrap_or_default(),
         others,
@@ -68,6 +71,7 @@ pub(super) fn read<'a>(
         .filter(Node::is_element)
         .filter_map(|node| dae.or_warn(primitives::read(dae, sources, node, &vertices, &positions)))
         .flatten()
+        .filter(|primitive| !primitive.positions.is_empty())
         .collect();
     let name = node.attribute("name").or(node.attribute("id"));
     Ok(Geometry {

@@ -2,10 +2,12 @@
 
 use super::document::{Dae, Node, children};
 use super::geometry::Geometry;
+use super::guard::{MOST_BOUND, MOST_INSTANCES};
 use super::nodes::{SceneNode, subtree};
 use super::numbers::text;
 use super::quoted;
 use super::skin::{self, Controller, Geometries, Skin};
+use crate::io::Diagnostic;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -20,6 +22,15 @@ pub(super) struct Instance<'a> {
     pub binding: Option<Binding<'a>>,
 }
 
+impl Instance<'_> {
+    /// How much it binds to the mesh, whose own size is counted elsewhere.
+    fn bound(&self) -> usize {
+        let skin = self.binding.as_ref().map(|binding| &binding.skin);
+        let of_skin = skin.map_or(0, |skin| skin.joints.len() + skin.weights.len());
+        self.xml.descendants().count() + of_skin
+    }
+}
+
 /// How a skin hangs on the scene.
 pub(super) struct Binding<'a> {
     pub skin: Rc<Skin<'a>>,
@@ -31,17 +42,38 @@ pub(super) struct Binding<'a> {
 
 /// All meshes of the scene, in the order of the document. Nodes that a skin calls its joints
 /// become joints.
-pub(super) fn collect<'a>(dae: &Dae<'a>, nodes: &mut [SceneNode<'a>]) -> Vec<Instance<'a>> {
+///
+/// # Errors
+/// If there are too many, or too much is bound by them.
+pub(super) fn collect<'a>(
+    dae: &Dae<'a>,
+    nodes: &mut [SceneNode<'a>],
+) -> Result<Vec<Instance<'a>>, Diagnostic> {
     let mut reader = Reader {
         dae,
         geometries: Geometries::default(),
         controllers: HashMap::new(),
         lookup: Lookup::new(nodes),
     };
-    let mut instances = Vec::new();
+    let mut instances: Vec<Instance> = Vec::new();
+    let mut bound = 0;
     for (at, node) in nodes.iter().enumerate() {
         for xml in node.xml.children().filter(Node::is_element) {
-            instances.extend(reader.instance(nodes, at, xml));
+            let Some(instance) = reader.instance(nodes, at, xml) else {
+                continue;
+            };
+            bound += instance.bound();
+            instances.push(instance);
+            if instances.len() > MOST_INSTANCES {
+                let message =
+                    format!("expected at most {MOST_INSTANCES} meshes in a scene, found more");
+                return Err(dae.error(xml, message));
+            }
+            if bound > MOST_BOUND {
+                let message =
+                    format!("expected at most {MOST_BOUND} joints and weights, found more");
+                return Err(dae.error(xml, message));
+            }
         }
     }
     let bindings = instances
@@ -50,7 +82,7 @@ pub(super) fn collect<'a>(dae: &Dae<'a>, nodes: &mut [SceneNode<'a>]) -> Vec<Ins
     for &joint in bindings.flat_map(|binding| &binding.joints).flatten() {
         nodes[joint].is_joint = true;
     }
-    instances
+    Ok(instances)
 }
 
 struct Reader<'d, 'a> {

@@ -108,7 +108,7 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
     let space = FileSpace::read(dae);
     let ours_from_file = space.ours_from_file();
     let mut nodes = nodes::flatten(dae)?;
-    let instances = collect(dae, &mut nodes);
+    let instances = collect(dae, &mut nodes)?;
     ignore_libraries(dae);
     let rigs = Rigs::new(&nodes, &instances);
     let mut assembler = Assembler::new(dae, Materials::new(files), DaeReport::new(space));

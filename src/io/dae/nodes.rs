@@ -1,7 +1,7 @@
 //! The scene as a flat list of nodes, parents before children, instances of nodes unfolded.
 
 use super::document::{Dae, Node, child};
-use super::guard::{MOST_DEPTH, MOST_NODES};
+use super::guard::{MOST_CHILDREN, MOST_DEPTH, MOST_NODES};
 use super::numbers::{fixed, matrix};
 use crate::io::Diagnostic;
 use glam::{DMat4, DVec3};
@@ -30,14 +30,14 @@ impl<'a> SceneNode<'a> {
 /// All nodes of the file's scene in the order of the document.
 ///
 /// # Errors
-/// If there is no scene or it has too many nodes.
+/// If there is no scene, or it or its nodes have too much in them.
 pub(super) fn flatten<'a>(dae: &Dae<'a>) -> Result<Vec<SceneNode<'a>>, Diagnostic> {
     let scene = visual_scene(dae)?;
     let mut nodes: Vec<SceneNode> = Vec::new();
     // What is still to visit, next last, with the place of the parent in `nodes`.
     let mut open: Vec<(Node, Option<usize>)> = Vec::new();
     push_children(dae, scene, None, &mut open);
-    let mut visited = 0;
+    let (mut visited, mut children) = (0, 0);
     while let Some((xml, parent)) = open.pop() {
         let depth = parent.map_or(0, |parent| nodes[parent].depth + 1);
         visited += 1;
@@ -53,6 +53,14 @@ pub(super) fn flatten<'a>(dae: &Dae<'a>) -> Result<Vec<SceneNode<'a>>, Diagnosti
                 "expected a tree of nodes, found one that holds itself: left out",
             );
             continue;
+        }
+        // They are walked here and again for the meshes among them.
+        children += xml.children().count();
+        if children > MOST_CHILDREN {
+            let message = format!(
+                "expected at most {MOST_CHILDREN} elements in the nodes of a scene, found more"
+            );
+            return Err(dae.error(xml, message));
         }
         let local = local(dae, xml)?;
         let world = parent.map_or(local, |parent| nodes[parent].world * local);

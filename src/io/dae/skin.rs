@@ -31,6 +31,11 @@ pub(super) struct Rows {
 }
 
 impl Rows {
+    /// How many pairs there are.
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
     /// The pairs of `position`; none beyond the last.
     pub fn get(&self, position: usize) -> &[(u32, f32)] {
         let Some(&end) = self.ends.get(position) else {
