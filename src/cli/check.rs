@@ -1,6 +1,7 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
 use super::check_collada::ColladaReport;
+use super::output::tell;
 use super::told::Told;
 use super::{CliError, files, print};
 use crate::character::Influence;
@@ -90,7 +91,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             Err(error) => (FileReport::new(path), Some(error)),
         };
         if let Some(error) = &error {
-            eprintln!("error: {error}");
+            tell(format_args!("error: {error}"));
             failed = true;
         }
         report.files.push(FileReport {

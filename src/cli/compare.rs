@@ -1,6 +1,6 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
-use super::output::{picture_format, refuse_input};
+use super::output::{self, picture_format, refuse_input};
 use super::told::Told;
 use super::{CliError, files, print};
 use crate::compare::{
@@ -167,7 +167,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     let read = |path: &Path| -> Result<_, CliError> {
         let imported = read_character_obj(path, &files.read(path)?)?;
         for warning in &imported.warnings {
-            eprintln!("warning: {warning}");
+            output::tell(format_args!("warning: {warning}"));
         }
         Ok(imported.value)
     };

@@ -1,3 +1,4 @@
+use super::output::tell;
 use crate::gpu::GpuError;
 use crate::io::Diagnostic;
 use crate::render::{InterfaceError, OffscreenError};
@@ -44,9 +45,11 @@ impl CliError {
         match self {
             Self::Told => {}
             Self::Usage(message) => {
-                eprintln!("error: {message}\n\nFor more information, try '--help'.")
+                tell(format_args!(
+                    "error: {message}\n\nFor more information, try '--help'."
+                ));
             }
-            Self::Failed(_) | Self::Other(_) => eprintln!("error: {self}"),
+            Self::Failed(_) | Self::Other(_) => tell(format_args!("error: {self}")),
         }
     }
 

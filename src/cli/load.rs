@@ -1,4 +1,5 @@
 use super::CliError;
+use super::output::tell;
 use crate::disk::Disk;
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Files, Loaded, PoseFile, builtin};
@@ -21,7 +22,7 @@ pub fn load(paths: &[PathBuf], pose: Option<&Path>) -> Result<Loaded, CliError> 
         loaded.add(&files, path)?;
     }
     for warning in &loaded.warnings {
-        eprintln!("warning: {warning}");
+        tell(format_args!("warning: {warning}"));
     }
     if let Some(path) = pose {
         let path = builtin::resolve(path)?;

@@ -2,6 +2,7 @@ use super::CliError;
 use crate::disk;
 use crate::io::Diagnostic;
 use crate::io::image::PictureFormat;
+use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -18,6 +19,11 @@ pub fn print(text: &str) -> Result<(), CliError> {
         ))),
         _ => Ok(()),
     }
+}
+
+/// Says something on standard error. Where that cannot be written there is nobody to tell.
+pub fn tell(what: impl Display) {
+    let _ = writeln!(std::io::stderr().lock(), "{what}");
 }
 
 /// The format of the picture to write, by the extension of its name.

@@ -1,7 +1,7 @@
 //! `editor render`: a picture without a window.
 
 use super::display_options::DisplayOptions;
-use super::output::picture_format;
+use super::output::{picture_format, tell};
 use super::panels::{self, PanelOptions};
 use super::{CliError, arguments, load};
 use crate::disk;
@@ -124,7 +124,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         offscreen.picture(&frame, args.size, args.samples)?
     };
     for notice in offscreen.renderer().take_notices() {
-        eprintln!("warning: {notice}");
+        tell(format_args!("warning: {notice}"));
     }
     let bytes = io::image::encode(&picture, format)
         .map_err(|message| io::Diagnostic::new(&args.output, message))?;

@@ -38,6 +38,29 @@ fn wrong_usage_ends_with_2_and_prints_no_result() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn what_cannot_be_said_on_standard_error_changes_no_exit_code() {
+    let folder = folder();
+    for (code, line) in [
+        (1, "check bad.obj"),
+        (1, "export builtin:nobody -o out.obj"),
+        (2, "export man.obj -o out.stl"),
+        (0, "export man.obj -o out.obj"),
+        (1, "compare bad.obj man.obj"),
+    ] {
+        let full = std::fs::File::create("/dev/full").unwrap();
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_editor"))
+            .args(line.split(' '))
+            .current_dir(folder.path())
+            .stdout(std::process::Stdio::null())
+            .stderr(full)
+            .status()
+            .unwrap();
+        assert_eq!(status.code(), Some(code), "{line}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_reader_that_goes_away_is_no_failure() {
