@@ -74,13 +74,10 @@ impl PoseFile {
             return Err(Diagnostic::new(&self.path, message));
         }
         let skeletons: Vec<_> = characters.iter().map(|(_, skeleton)| *skeleton).collect();
-        self.check(&skeletons)?;
-        let poses: Vec<(ShapeId, Pose)> = characters
-            .iter()
-            .filter_map(|(id, skeleton)| Some((*id, self.data.pose_of(skeleton)?)))
-            .collect();
-        for (id, pose) in poses {
-            if let Some(character) = scene.character_mut(id) {
+        let poses = self.poses_of(&skeletons)?;
+        let ids: Vec<ShapeId> = characters.into_iter().map(|(id, _)| id).collect();
+        for (id, pose) in ids.into_iter().zip(poses) {
+            if let (Some(character), Some(pose)) = (scene.character_mut(id), pose) {
                 character.set_pose(pose);
             }
         }
@@ -92,13 +89,17 @@ impl PoseFile {
     /// # Errors
     /// If it lacks one; the message lists names like it. Or if two entries mean one joint.
     pub fn pose_of(&self, skeleton: &SkeletalModel) -> Result<Pose, Diagnostic> {
-        self.check(&[skeleton])?;
-        Ok(self.data.pose_of(skeleton).unwrap_or_default())
+        let pose = self.poses_of(&[skeleton])?.pop().flatten();
+        Ok(pose.unwrap_or_default())
     }
 
-    fn check(&self, skeletons: &[&SkeletalModel]) -> Result<(), Diagnostic> {
+    /// See [`PoseData::poses_of`].
+    pub(super) fn poses_of(
+        &self,
+        skeletons: &[&SkeletalModel],
+    ) -> Result<Vec<Option<Pose>>, Diagnostic> {
         self.data
-            .check(skeletons)
+            .poses_of(skeletons)
             .map_err(|(section, key, message)| Diagnostic {
                 position: json::position_of_key(&self.text, section, &key),
                 ..Diagnostic::new(&self.path, message)
@@ -106,9 +107,27 @@ impl PoseFile {
     }
 }
 
+/// The section and the key of an entry that fits no skeleton, and what to say about it.
+type Misfit = (&'static str, String, String);
+
 impl PoseData {
-    /// This pose for `skeleton`, by the joints that it has; `None` if it has none of them.
-    pub(super) fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
+    /// This pose for each of `skeletons`, by the joints that it has; `None` for one that has none
+    /// of them.
+    ///
+    /// # Errors
+    /// If a joint is in none of them, or named twice.
+    pub(super) fn poses_of(
+        &self,
+        skeletons: &[&SkeletalModel],
+    ) -> Result<Vec<Option<Pose>>, Misfit> {
+        self.check(skeletons)?;
+        Ok(skeletons
+            .iter()
+            .map(|skeleton| self.pose_of(skeleton))
+            .collect())
+    }
+
+    fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
         let mut pose = Pose::new();
         let mut any = false;
         for (key, degrees) in &self.joints.0 {
@@ -127,13 +146,7 @@ impl PoseData {
     }
 
     /// Checks that every joint it names is in one of `skeletons`, and named once.
-    ///
-    /// # Errors
-    /// With the section and the key of the first of which it is not so, and what to say about it.
-    pub(super) fn check(
-        &self,
-        skeletons: &[&SkeletalModel],
-    ) -> Result<(), (&'static str, String, String)> {
+    fn check(&self, skeletons: &[&SkeletalModel]) -> Result<(), Misfit> {
         let missing = |entries: &Entries, find: &dyn Fn(&SkeletalModel, &str) -> bool| {
             let in_none = |key: &str| !skeletons.iter().any(|skeleton| find(skeleton, key));
             let mut keys = entries.0.iter().map(|(key, _)| key.clone());

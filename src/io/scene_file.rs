@@ -100,21 +100,31 @@ impl SceneReader<'_> {
                 return Err(self.wrong(index, "expected a kind or a source, found neither"));
             }
         };
+        let skeletons: Vec<&SkeletalModel> = new
+            .iter()
+            .filter_map(|(kind, ..)| match kind {
+                ShapeKind::Character(shape) => Some(shape.character.skeleton()),
+                _ => None,
+            })
+            .collect();
+        let has_character = !skeletons.is_empty();
+        let poses = match &data.pose {
+            Some(pose) if has_character => self.poses(index, pose, &skeletons)?,
+            _ => Vec::new(),
+        };
+        let mut poses = poses.into_iter();
         let mut shapes = Vec::new();
-        let (mut has_character, mut has_curves) = (false, false);
+        let mut has_curves = false;
         for (mut kind, name, source) in new {
             let placement = data.placement(&kind);
             if let ShapeKind::Character(character) = &mut kind {
-                has_character = true;
                 if let Some(display) = data.display {
                     character.display = display;
                     // Beyond this no driver draws, and no one wants it.
                     character.display.point_size = display.point_size.clamp(1.0, 64.0);
                     character.display.line_width = display.line_width.clamp(1.0, 64.0);
                 }
-                if let Some(pose) = &data.pose {
-                    let skeleton = character.character.skeleton();
-                    let pose = self.pose(index, pose, skeleton)?;
+                if let Some(pose) = poses.next().flatten() {
                     character.set_pose(pose);
                 }
             }
@@ -155,21 +165,20 @@ impl SceneReader<'_> {
         Ok(read.value)
     }
 
-    fn pose(
+    /// The pose of each of a shape's characters; `None` for one that has no joint of it.
+    fn poses(
         &self,
         index: usize,
         pose: &PoseReference,
-        skeleton: &SkeletalModel,
-    ) -> Result<Pose, Diagnostic> {
+        skeletons: &[&SkeletalModel],
+    ) -> Result<Vec<Option<Pose>>, Diagnostic> {
         match pose {
-            PoseReference::Inline(data) => {
-                data.check(&[skeleton])
-                    .map_err(|(_, _, message)| self.wrong(index, &message))?;
-                Ok(data.pose_of(skeleton).unwrap_or_default())
-            }
+            PoseReference::Inline(data) => data
+                .poses_of(skeletons)
+                .map_err(|(_, _, message)| self.wrong(index, &message)),
             PoseReference::File(name) => {
                 let path = builtin::resolve(&self.beside(name))?;
-                PoseFile::read(&path, &self.files.read(&path)?)?.pose_of(skeleton)
+                PoseFile::read(&path, &self.files.read(&path)?)?.poses_of(skeletons)
             }
         }
     }

@@ -99,3 +99,51 @@ fn a_character_with_materials_starts_white_so_that_these_show_as_they_are() {
     assert!(white(colored));
     assert!(!white(plain));
 }
+
+/// Two characters, with the joints `a` and `b`, and `c`; and a scene that gives them `pose`.
+fn posed_pair(pose: &str) -> Result<Loaded, String> {
+    let other = Skin {
+        id: "c2",
+        joints: "c",
+        ..Skin::default()
+    };
+    let controllers = format!("{}</library_controllers>", other.xml());
+    let nodes = joint("c", "5 0 0", "") + &skinned("c2", &["ID-c"]) + "</visual_scene>";
+    let pair = arm(&Skin::default())
+        .replace("</library_controllers>", &controllers)
+        .replace("</visual_scene>", &nodes);
+    let scene = format!(
+        r#"{{"format": "editor-scene", "version": 1, "shapes": [{{"source": "pair.dae", "pose": {pose}}}]}}"#
+    );
+    let files = Memory::default()
+        .with("pair.dae", pair)
+        .with("bend.json", r#"{"joints": {"Name c": [0, 0, 70]}}"#)
+        .with("a.scene", scene);
+    let mut loaded = Loaded::default();
+    let added = loaded.add(files.files(), Path::new("a.scene"));
+    added.map(|()| loaded).map_err(|error| error.to_string())
+}
+
+#[test]
+fn a_pose_in_a_scene_goes_to_those_characters_of_its_file_that_have_the_joints() {
+    let degrees = |pose: &str| {
+        let loaded = posed_pair(pose).unwrap();
+        let shapes = loaded.scene.shapes().iter();
+        let posed = shapes.map(|shape| match &shape.kind {
+            ShapeKind::Character(character) => {
+                let last = character.character.skeleton().joints().len() - 1;
+                character.pose().rotation(last).degrees().z.round()
+            }
+            _ => panic!("expected two characters"),
+        });
+        posed.collect::<Vec<_>>()
+    };
+    let both = r#"{"joints": {"Name b": [0, 0, 50], "Name c": [0, 0, 60]}}"#;
+    assert_eq!(degrees(both), [50.0, 60.0]);
+    assert_eq!(degrees("\"bend.json\""), [0.0, 70.0]);
+    let none = posed_pair(r#"{"joints": {"Name d": [0, 0, 50]}}"#).unwrap_err();
+    assert_eq!(
+        none,
+        "a.scene: shape 1: expected the name or index of a joint, such as “Name a”, “Name b”, “Name c”, found “Name d”"
+    );
+}
