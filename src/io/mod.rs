@@ -24,6 +24,7 @@ mod swp;
 mod to_pose;
 mod to_swp;
 
+mod warnings;
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::export_obj;

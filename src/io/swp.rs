@@ -1,4 +1,5 @@
 use super::scanner::{quoted, utf8};
+use super::warnings::Warnings;
 use super::{Diagnostic, Imported, Position, number};
 use crate::geometry::{Basis, Curve, MAX_CURVE_POINTS, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet};
@@ -23,7 +24,7 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
         words: Words::new(path, utf8(path, bytes)?),
         set: CurveSet::new(),
         names: HashSet::new(),
-        warnings: Vec::new(),
+        warnings: Warnings::default(),
     };
     while let Some(keyword) = reader.words.next() {
         reader.item(keyword)?;
@@ -33,7 +34,7 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
     }
     Ok(Imported {
         value: reader.set,
-        warnings: reader.warnings,
+        warnings: reader.warnings.into_vec(path),
     })
 }
 
@@ -46,7 +47,7 @@ struct Reader<'a> {
     set: CurveSet,
     /// Of the curves so far.
     names: HashSet<&'a str>,
-    warnings: Vec<Diagnostic>,
+    warnings: Warnings,
 }
 
 impl<'a> Reader<'a> {
@@ -63,12 +64,15 @@ impl<'a> Reader<'a> {
         };
         let is_curve = matches!(kind, CurveItemKind::Curve(_));
         if is_curve && name.text != NAMELESS && !self.names.insert(name.text) {
-            let message = format!(
-                "expected another name for each curve, found {} again: surfaces after it are \
-                 made of this one",
-                quoted(name.text)
-            );
-            self.warnings.push(self.words.error(name, message));
+            let words = &self.words;
+            self.warnings.push_with(|| {
+                let message = format!(
+                    "expected another name for each curve, found {} again: surfaces after it are \
+                     made of this one",
+                    quoted(name.text)
+                );
+                words.error(name, message)
+            });
         }
         let pushed = self.set.push(name.text, kind);
         pushed.map_err(|error| self.words.error(name, error.to_string()))?;

@@ -142,6 +142,27 @@ fn each_fault_is_told_where_it_is() {
 }
 
 #[test]
+fn many_warnings_are_counted_and_not_kept() {
+    let text = "circ a 1 1\n".repeat(20_000);
+    let start = std::time::Instant::now();
+    let imported = editor_core::io::read_swp(std::path::Path::new("a.swp"), text.as_bytes());
+    let told: Vec<String> = imported
+        .unwrap()
+        .warnings
+        .iter()
+        .map(|w| w.to_string())
+        .collect();
+    assert_eq!(told.len(), 101);
+    assert!(
+        told[99].starts_with("a.swp:101:6: expected another name"),
+        "{}",
+        told[99]
+    );
+    assert_eq!(told[100], "a.swp: 19899 more warnings are not shown");
+    assert!(start.elapsed().as_secs_f32() < 1.0, "{:?}", start.elapsed());
+}
+
+#[test]
 fn every_beginning_of_a_file_is_an_error_or_a_smaller_file() {
     let whole = read(GOOD).unwrap();
     for end in 0..GOOD.len() {

@@ -1,4 +1,5 @@
 use super::guard::{self, MOST_XML_NODES};
+use crate::io::warnings::Warnings;
 use crate::io::{Diagnostic, Position};
 use roxmltree::{Document, ParsingOptions};
 use std::cell::{Cell, RefCell};
@@ -22,13 +23,9 @@ pub(super) struct Dae<'a> {
 
 #[derive(Default)]
 struct Notes {
-    warnings: Vec<Diagnostic>,
-    unshown: usize,
+    warnings: Warnings,
     ignored: BTreeMap<String, usize>,
 }
-
-/// More warnings than anyone reads are counted instead of kept.
-const MOST_WARNINGS: usize = 100;
 
 /// Parses the XML of the file at `path`.
 ///
@@ -195,13 +192,7 @@ impl<'a> Dae<'a> {
 
     /// Keeps a warning.
     pub fn warn_with(&self, warning: impl FnOnce() -> Diagnostic) {
-        let full = self.notes.borrow().warnings.len() >= MOST_WARNINGS;
-        if full {
-            self.notes.borrow_mut().unshown += 1;
-        } else {
-            let warning = warning();
-            self.notes.borrow_mut().warnings.push(warning);
-        }
+        self.notes.borrow_mut().warnings.push_with(warning);
     }
 
     /// The value, or none and its error kept as a warning.
@@ -232,16 +223,8 @@ impl<'a> Dae<'a> {
 
     /// All that was noticed: warnings, and what was ignored how often.
     pub fn into_notes(self) -> (Vec<Diagnostic>, BTreeMap<String, usize>) {
-        let Notes {
-            mut warnings,
-            unshown,
-            ignored,
-        } = self.notes.into_inner();
-        if unshown > 0 {
-            let message = format!("{unshown} more warnings are not shown");
-            warnings.push(Diagnostic::new(self.path, message));
-        }
-        (warnings, ignored)
+        let Notes { warnings, ignored } = self.notes.into_inner();
+        (warnings.into_vec(self.path), ignored)
     }
 }
 
