@@ -95,6 +95,34 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
 /// # Errors
 /// If it is none of these, is damaged, or would take an unreasonable amount of memory.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
+    let (name, reader) = open(path, bytes)?;
+    let rgba = reader
+        .decode()
+        .map_err(|error| damaged(path, name, &error))?
+        .into_rgba8();
+    Ok(Picture {
+        width: rgba.width(),
+        height: rgba.height(),
+        rgba: rgba.into_raw(),
+    })
+}
+
+/// How many bytes the [`Picture`] of [`decode`] would have, by its head.
+///
+/// # Errors
+/// If it is no picture, or its head is damaged.
+pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
+    let (name, reader) = open(path, bytes)?;
+    let size = reader.into_dimensions();
+    let (width, height) = size.map_err(|error| damaged(path, name, &error))?;
+    let pixels = u64::from(width) * u64::from(height);
+    Ok(usize::try_from(pixels.saturating_mul(4)).unwrap_or(usize::MAX))
+}
+
+/// What kind of picture it is, and what reads it.
+type Opened<'a> = (&'static str, ImageReader<Cursor<&'a [u8]>>);
+
+fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
     let wrong = |expected: &str, found: &str| {
         Diagnostic::new(path, format!("expected {expected}, found {found}"))
     };
@@ -109,21 +137,19 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
     let reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| wrong(pictures, &error.to_string()))?;
-    let rgba = reader
-        .decode()
-        .map_err(|error| match error {
-            ImageError::Limits(_) => wrong("a smaller picture", "one too large for the memory"),
-            error => wrong(
-                &format!("a whole {name} picture"),
-                &format!("one that is damaged or cut short ({error})"),
-            ),
-        })?
-        .into_rgba8();
-    Ok(Picture {
-        width: rgba.width(),
-        height: rgba.height(),
-        rgba: rgba.into_raw(),
-    })
+    Ok((name, reader))
+}
+
+fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
+    let message = match error {
+        ImageError::Limits(_) => {
+            "expected a smaller picture, found one too large for the memory".to_owned()
+        }
+        error => format!(
+            "expected a whole {name} picture, found one that is damaged or cut short ({error})"
+        ),
+    };
+    Diagnostic::new(path, message)
 }
 
 #[cfg(test)]

@@ -1,9 +1,10 @@
+use super::pictures::Pictures;
 use super::scanner::{Scanner, quoted};
-use super::{Diagnostic, Files, Imported, image, scanner};
-use crate::geometry::{Material, Picture};
+use super::{Diagnostic, Files, Imported, scanner};
+use crate::geometry::Material;
 use glam::Vec3;
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// What a material looks like before `Kd` says so.
 const UNSAID: Vec3 = Vec3::splat(0.8);
@@ -57,18 +58,18 @@ pub(super) fn materials(
     folder: &Path,
     found: Vec<tobj::Material>,
 ) -> Imported<Vec<Material>> {
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<Diagnostic> = Vec::new();
+    let mut told = HashSet::new();
+    let mut pictures = Pictures::new(files);
     let materials = found
         .into_iter()
         .map(|material| {
             let texture = material.diffuse_texture.and_then(|named| {
-                match read_picture(files, folder, &named) {
-                    Ok(picture) => Some(Arc::new(picture)),
-                    Err(warning) => {
-                        warnings.push(warning);
-                        None
-                    }
-                }
+                let path = picture_path(&pictures, folder, &named);
+                let picture = pictures.get(&path);
+                picture
+                    .map_err(|warning| told.insert(path).then(|| warnings.push(warning)))
+                    .ok()
             });
             let white = texture.as_ref().map(|_| Vec3::ONE);
             Material {
@@ -84,17 +85,16 @@ pub(super) fn materials(
     }
 }
 
-/// Reads the picture that a `map_Kd` line names: all of it as a path, or, where options come
-/// before it, its last word.
-fn read_picture(files: &dyn Files, folder: &Path, named: &str) -> Result<Picture, Diagnostic> {
+/// The picture that a `map_Kd` line names: all of it as a path, or, where options come before
+/// it, its last word.
+fn picture_path(pictures: &Pictures, folder: &Path, named: &str) -> PathBuf {
     let whole = beside(folder, named);
-    let path = if files.exists(&whole) {
+    if pictures.exists(&whole) {
         whole
     } else {
         let last = named.split_whitespace().next_back().unwrap_or(named);
         beside(folder, last)
-    };
-    image::decode(&path, &files.read(&path)?)
+    }
 }
 
 /// The file that another one in `folder` names; it may have been made on Windows.
@@ -108,4 +108,48 @@ pub(super) fn unknown(name: scanner::Word) -> String {
         "expected a material of the .mtl file, found {}",
         quoted(name.text)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Picture;
+    use crate::io::{image, read_shape_obj};
+    use std::collections::HashMap;
+    use std::sync::Arc;
+
+    #[test]
+    fn materials_of_one_picture_share_it_and_what_is_wrong_with_it_is_told_once() {
+        let picture = Picture {
+            width: 2,
+            height: 1,
+            rgba: vec![7; 8],
+        };
+        let png = image::encode(&picture, image::PictureFormat::Png).unwrap();
+        let named = |name: &str, file: &str| format!("newmtl {name}\nmap_Kd {file}\n");
+        let mtl = [
+            named("a", "a.png"),
+            named("b", "a.png"),
+            named("c", "gone.png"),
+            named("d", "gone.png"),
+        ];
+        let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned()
+            + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\nusemtl d\nf 1 2 3\n";
+        let files = HashMap::from([
+            (PathBuf::from("a.mtl"), mtl.concat().into_bytes()),
+            (PathBuf::from("a.png"), png),
+        ]);
+        let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
+        let textures = read
+            .value
+            .groups
+            .iter()
+            .map(|group| &group.material.texture);
+        let [Some(a), Some(b), None, None] = textures.collect::<Vec<_>>()[..] else {
+            panic!("{:?}", read.value.groups);
+        };
+        assert!(Arc::ptr_eq(a, b));
+        let told: Vec<String> = read.warnings.iter().map(|w| w.to_string()).collect();
+        assert_eq!(told, ["gone.png: there is no such file"]);
+    }
 }

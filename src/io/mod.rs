@@ -15,6 +15,7 @@ mod json;
 mod material;
 mod number;
 mod obj;
+mod pictures;
 mod pose_file;
 mod scanner;
 mod scene_data;

@@ -4,29 +4,25 @@ use super::document::{Dae, Node, child};
 use super::numbers::text;
 use super::quoted;
 use crate::geometry::Picture;
-use crate::io::{Diagnostic, Files, image};
+use crate::io::pictures::Pictures;
+use crate::io::{Diagnostic, Files};
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Bytes of all pictures of a file together, when decoded.
-const MOST_BYTES: usize = 1 << 29;
-
 /// The pictures of a document, each read once.
 pub(super) struct Textures<'a> {
-    files: &'a dyn Files,
+    pictures: Pictures<'a>,
     read: HashMap<NodeId, Option<Arc<Picture>>>,
-    bytes: usize,
 }
 
 impl<'a> Textures<'a> {
     /// None yet; they will come from `files`.
     pub fn new(files: &'a dyn Files) -> Self {
         Self {
-            files,
+            pictures: Pictures::new(files),
             read: HashMap::new(),
-            bytes: 0,
         }
     }
 
@@ -47,22 +43,12 @@ impl<'a> Textures<'a> {
         let path = candidates(url)
             .into_iter()
             .map(|candidate| folder.join(candidate))
-            .find(|path| self.files.exists(path));
+            .find(|path| self.pictures.exists(path));
         let Some(path) = path else {
             let found = quoted(url);
             return Err(dae.error(init, format!("expected a picture, found no file {found}")));
         };
-        let bytes = self.files.read(&path)?;
-        let picture = image::decode(&path, &bytes)?;
-        self.bytes += picture.rgba.len();
-        if self.bytes > MOST_BYTES {
-            let found = quoted(url);
-            let message = format!(
-                "expected at most {MOST_BYTES} bytes of pictures, found more: {found} is left out"
-            );
-            return Err(dae.error(init, message));
-        }
-        Ok(Arc::new(picture))
+        self.pictures.get(&path)
     }
 }
 
