@@ -19,7 +19,8 @@ pub(super) enum Matching {
 
 impl Matching {
     /// Finds for each of `b` one of `a` of its own within `tolerance`. Unless all have one, and
-    /// some another than their own, the order is what it is.
+    /// some another than their own, the order is what it is; so it is where too many lie within
+    /// the tolerance of one another for it to mean anything.
     pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Self {
         let mut grid = Grid::new(a, tolerance);
         let first = |(own, &point)| grid.nearest(point).map_or(own, |index| index as u32);
@@ -37,7 +38,7 @@ impl Matching {
             }
         }
         let found: Option<Vec<u32>> = found.into_iter().collect();
-        match found {
+        match found.filter(|_| !grid.is_spent()) {
             Some(from_a) if moved(&from_a) > 0 => Self::Permuted { from_a, places },
             _ => Self::InOrder,
         }
@@ -74,12 +75,18 @@ fn moved(from_a: &[u32]) -> u64 {
     order.filter(|&(&index, own)| index != own).count() as u64
 }
 
-/// Whether every place of each mesh is one of the other, however often.
+/// Whether every place of each mesh is one of the other, however often. Not if too many lie within
+/// the tolerance of one another for it to mean anything.
 pub(super) fn same_places(a: &[DVec3], b: &[DVec3], tolerance: f64) -> bool {
-    let holds =
-        |grid: &Grid, points: &[DVec3]| points.iter().all(|&point| grid.nearest(point).is_some());
-    holds(&Grid::new(a, tolerance), b) && holds(&Grid::new(b, tolerance), a)
+    let holds = |grid: &mut Grid, points: &[DVec3]| {
+        points.iter().all(|&point| grid.nearest(point).is_some()) && !grid.is_spent()
+    };
+    holds(&mut Grid::new(a, tolerance), b) && holds(&mut Grid::new(b, tolerance), a)
 }
+
+/// How many neighbors are looked at for each point, on average, before the search is given up:
+/// where cells hold that many the time would grow with the square of the points.
+const MOST_NEIGHBORS: usize = 256;
 
 /// Points by the cell they lie in. Cells are as wide as twice the tolerance, so that what is
 /// within the tolerance of a point lies in one of eight cells.
@@ -87,6 +94,8 @@ struct Grid<'a> {
     points: &'a [DVec3],
     tolerance: f64,
     cells: HashMap<I64Vec3, Vec<u32>>,
+    /// How many neighbors may still be looked at.
+    left: usize,
 }
 
 impl<'a> Grid<'a> {
@@ -99,18 +108,31 @@ impl<'a> Grid<'a> {
             points,
             tolerance,
             cells,
+            left: points.len().saturating_mul(MOST_NEIGHBORS),
         }
     }
 
+    /// Whether the search was given up: then nothing that it found counts.
+    fn is_spent(&self) -> bool {
+        self.left == 0
+    }
+
     /// The nearest point within the tolerance that was not taken; the first of equals.
-    fn nearest(&self, point: DVec3) -> Option<usize> {
+    fn nearest(&mut self, point: DVec3) -> Option<usize> {
         let low = cell(point - self.tolerance, self.tolerance);
         let high = cell(point + self.tolerance, self.tolerance);
         let mut best: Option<(f64, u32)> = None;
         for x in low.x..=high.x {
             for y in low.y..=high.y {
                 for z in low.z..=high.z {
-                    for &index in self.cells.get(&I64Vec3::new(x, y, z)).into_iter().flatten() {
+                    let Some(members) = self.cells.get(&I64Vec3::new(x, y, z)) else {
+                        continue;
+                    };
+                    self.left = self.left.saturating_sub(members.len());
+                    if self.left == 0 {
+                        return None;
+                    }
+                    for &index in members {
                         let distance = point.distance(self.points[index as usize]);
                         let nearer = best.is_none_or(|best| (distance, index) < best);
                         if distance <= self.tolerance && nearer {
@@ -128,6 +150,10 @@ impl<'a> Grid<'a> {
         let members = self
             .cells
             .get_mut(&cell(self.points[index], self.tolerance))?;
+        self.left = self.left.saturating_sub(members.len());
+        if self.left == 0 {
+            return None;
+        }
         let place = members
             .iter()
             .position(|&member| member as usize == index)?;
@@ -177,6 +203,16 @@ mod tests {
         let b = [DVec3::splat(2e-3 + 1e-5)];
         assert!(same_places(&a, &b, 1e-3));
         assert!(!same_places(&a, &b, 3e-5));
+    }
+
+    #[test]
+    fn points_closer_than_the_tolerance_leave_the_order_unknown() {
+        let b: Vec<DVec3> = (0..1_000).map(|i| DVec3::X * f64::from(i) * 1e-4).collect();
+        let mut a = b.clone();
+        a.swap(1, 990);
+        assert_eq!(Matching::find(&a, &b, 0.5), Matching::InOrder);
+        assert!(!same_places(&a, &b[1..], 0.5));
+        assert_ne!(Matching::find(&a, &b, 1e-5), Matching::InOrder);
     }
 
     #[test]
