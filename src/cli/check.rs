@@ -5,7 +5,7 @@ use super::output::tell;
 use super::told::Told;
 use super::{CliError, files, print};
 use crate::character::Influence;
-use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin};
+use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Evaluator, Shape, ShapeKind};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -140,15 +140,23 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
         });
     }
     let mut loaded = Loaded::default();
-    loaded.add(files, path)?;
+    let mut collada = None;
+    if is("dae") {
+        let read = import_collada(files, path)?;
+        loaded.add_imported(read.map(|(shapes, report)| {
+            collada = Some(ColladaReport::from(report));
+            shapes
+        }));
+    } else {
+        loaded.add(files, path)?;
+    }
     let evaluated = Evaluator::new().evaluate(&loaded.scene);
     let shapes = loaded.scene.shapes().iter().zip(&evaluated.shapes);
-    let collada = is("dae").then(|| ColladaReport::read(files, &file));
     Ok(FileReport {
         shapes: shapes
             .map(|(shape, evaluated)| look_at(shape, evaluated))
             .collect(),
-        collada: collada.transpose()?,
+        collada,
         warnings: loaded.warnings.iter().map(Told::from).collect(),
         ..FileReport::new(path)
     })
@@ -242,4 +250,37 @@ fn in_words(file: &FileReport) -> String {
         line("warning", warning.in_words.clone());
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::disk::Disk;
+    use crate::io::builtin::WithBuiltin;
+    use std::cell::RefCell;
+
+    /// Files, and how often which was read.
+    #[derive(Default)]
+    struct Counted(RefCell<Vec<PathBuf>>);
+
+    impl Files for Counted {
+        fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+            self.0.borrow_mut().push(path.to_owned());
+            WithBuiltin(Disk).read(path)
+        }
+
+        fn exists(&self, path: &Path) -> bool {
+            WithBuiltin(Disk).exists(path)
+        }
+    }
+
+    #[test]
+    fn a_collada_file_and_its_picture_are_read_once() {
+        let files = Counted::default();
+        let report = check(&files, Path::new("builtin:rigs/crate")).unwrap();
+        assert!(!report.collada.unwrap().in_words().is_empty());
+        assert_eq!(report.shapes[0].kind, "Character");
+        let read = files.0.into_inner();
+        assert_eq!(read.len(), 2, "{read:?}");
+    }
 }

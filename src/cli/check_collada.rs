@@ -1,8 +1,6 @@
-use crate::io::dae::{DaeReport, UpAxis, read_dae};
-use crate::io::{Diagnostic, Files};
+use crate::io::dae::{DaeReport, UpAxis};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::path::Path;
 
 /// What `editor check` tells of a Collada file besides its shapes.
 #[derive(Debug, Serialize)]
@@ -25,14 +23,6 @@ struct Difference {
 }
 
 impl ColladaReport {
-    /// Reads the file at `path` for what does not become part of a scene.
-    ///
-    /// # Errors
-    /// If it cannot be read.
-    pub fn read(files: &dyn Files, path: &Path) -> Result<Self, Diagnostic> {
-        Ok(read_dae(files, path)?.value.report.into())
-    }
-
     /// Lines of a report for people: what, and how much.
     pub fn in_words(&self) -> Vec<(&'static str, String)> {
         let mut lines = vec![(

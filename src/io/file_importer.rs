@@ -1,6 +1,6 @@
 use super::{
     Diagnostic, Files, Imported, builtin,
-    dae::{DaeScene, read_dae},
+    dae::{DaeReport, DaeScene, read_dae},
     files, is_character, read_character, read_shape_obj, read_swp, scene_file,
 };
 use crate::character::Character;
@@ -38,7 +38,7 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
         "obj" if is_character(files, &file) => import_character(files, path),
         "obj" => import_shape(files, path),
         "swp" => import_curve(files, path),
-        "dae" => Ok(read_dae(files, &file)?.map(|scene| shapes_of(path, scene))),
+        "dae" => Ok(import_collada(files, path)?.map(|(shapes, _)| shapes)),
         extension => Err(cannot_open(
             files,
             path,
@@ -47,6 +47,21 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
             IMPORTABLE,
         )),
     }
+}
+
+/// Imports the Collada file at `path`, and says what else was found in it.
+///
+/// # Errors
+/// If it cannot be read or is not well formed.
+pub fn import_collada(
+    files: &dyn Files,
+    path: &Path,
+) -> Result<Imported<(Vec<NewShape>, DaeReport)>, Diagnostic> {
+    let read = read_dae(files, &to_open(path)?)?;
+    Ok(read.map(|scene| {
+        let report = scene.report.clone();
+        (shapes_of(path, scene), report)
+    }))
 }
 
 /// Import Character: the `.obj` file at `path` with the `.skel` and `.attach` files beside it, or
@@ -173,15 +188,17 @@ impl Loaded {
                     &openable,
                 ));
             }
-            _ => {
-                let imported = import_any(files, path)?;
-                self.warnings.extend(imported.warnings);
-                for NewShape { name, kind, source } in imported.value {
-                    self.scene.add(name, kind, Some(source));
-                }
-            }
+            _ => self.add_imported(import_any(files, path)?),
         }
         Ok(())
+    }
+
+    /// Adds what was imported.
+    pub fn add_imported(&mut self, imported: Imported<Vec<NewShape>>) {
+        self.warnings.extend(imported.warnings);
+        for NewShape { name, kind, source } in imported.value {
+            self.scene.add(name, kind, Some(source));
+        }
     }
 }
 

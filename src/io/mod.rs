@@ -24,13 +24,14 @@ mod skel;
 mod swp;
 mod to_pose;
 mod to_swp;
-
 mod warnings;
+
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::export_obj;
 pub use file_importer::{
-    IMPORTABLE, Loaded, NewShape, import_any, import_character, import_curve, import_shape,
+    IMPORTABLE, Loaded, NewShape, import_any, import_character, import_collada, import_curve,
+    import_shape,
 };
 pub use files::Files;
 pub use import_character::{is_character, read_character};
