@@ -36,4 +36,4 @@ pub use revision::{Revision, SharedMesh};
 pub use sphere::{Poles, sphere};
 pub use surface::{generalized_cylinder, surface_of_revolution, wireframe};
 pub use teapot::teapot;
-pub use triangulate::triangulate;
+pub use triangulate::Triangulator;

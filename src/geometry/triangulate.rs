@@ -3,29 +3,50 @@ use glam::{Vec2, Vec3};
 /// Above this many corners the search for ears, whose time grows with the cube of it, gives way
 /// to a fan.
 const MOST_CORNERS: usize = 512;
+/// How often a corner is looked at in the search for ears, over all polygons of a mesh: about a
+/// second.
+const MOST_WORK: usize = 1_000_000_000;
 
-/// Cuts a polygon into triangles that wind as it does, as indices into `corners`; two fewer than
-/// corners, none below three. A polygon that turns one way only becomes a fan round its first
-/// corner. Others, dents in them or not quite flat, are cut ear by ear in the plane of their mean
-/// normal (Meisters 1975); where none is left, as in a polygon that crosses itself, a fan is made
-/// of the rest.
-pub fn triangulate(corners: &[Vec3]) -> Vec<[usize; 3]> {
-    let count = corners.len();
-    let mut left: Vec<usize> = (0..count).collect();
-    let mut triangles = Vec::with_capacity(count.saturating_sub(2));
-    if (4..=MOST_CORNERS).contains(&count) {
-        let flat = in_their_plane(corners);
-        let dents = |left: &[usize]| (0..left.len()).any(|at| turn(&flat, left, at) < 0.0);
-        while left.len() > 3 && dents(&left) {
-            let Some(ear) = (0..left.len()).find(|&at| is_ear(&flat, &left, at)) else {
-                break;
-            };
-            triangles.push(around(&left, ear));
-            left.remove(ear);
-        }
+/// Cuts polygons into triangles, in bounded time: a mesh full of large polygons with dents gets
+/// fans once its share of work is spent.
+#[derive(Debug)]
+pub struct Triangulator {
+    /// How often corners may still be looked at.
+    left: usize,
+}
+
+impl Default for Triangulator {
+    fn default() -> Self {
+        Self { left: MOST_WORK }
     }
-    triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
-    triangles
+}
+
+impl Triangulator {
+    /// Cuts a polygon into triangles that wind as it does, as indices into `corners`; two fewer
+    /// than corners, none below three. A polygon that turns one way only becomes a fan round its
+    /// first corner. Others, dents in them or not quite flat, are cut ear by ear in the plane of
+    /// their mean normal (Meisters 1975); where none is left, as in a polygon that crosses itself,
+    /// a fan is made of the rest.
+    pub fn cut(&mut self, corners: &[Vec3]) -> Vec<[usize; 3]> {
+        let count = corners.len();
+        let mut left: Vec<usize> = (0..count).collect();
+        let mut triangles = Vec::with_capacity(count.saturating_sub(2));
+        if (4..=MOST_CORNERS).contains(&count) && self.left > 0 {
+            let flat = in_their_plane(corners);
+            let dents = |left: &[usize]| (0..left.len()).any(|at| turn(&flat, left, at) < 0.0);
+            while left.len() > 3 && self.left > 0 && dents(&left) {
+                let ear = (0..left.len()).find(|&at| is_ear(&flat, &left, at));
+                // Each that was asked looked at all others, at most.
+                let asked = ear.map_or(left.len(), |ear| ear + 1);
+                self.left = self.left.saturating_sub(asked * left.len());
+                let Some(ear) = ear else { break };
+                triangles.push(around(&left, ear));
+                left.remove(ear);
+            }
+        }
+        triangles.extend((2..left.len()).map(|at| [left[0], left[at - 1], left[at]]));
+        triangles
+    }
 }
 
 /// The corners seen from the side from which they wind counter-clockwise.
@@ -80,6 +101,10 @@ fn is_ear(flat: &[Vec2], left: &[usize], at: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn triangulate(corners: &[Vec3]) -> Vec<[usize; 3]> {
+        Triangulator::default().cut(corners)
+    }
 
     fn area(corners: &[Vec3], triangles: &[[usize; 3]]) -> f32 {
         let doubled = |[a, b, c]: [Vec3; 3]| (b - a).cross(c - a).length();
@@ -143,5 +168,16 @@ mod tests {
         let circle = |i: usize| Vec3::new((i as f32).cos(), (i as f32).sin(), 0.0);
         let star: Vec<Vec3> = (0..2000).map(circle).collect();
         assert_eq!(triangulate(&star).len(), 1998);
+    }
+
+    #[test]
+    fn polygons_become_fans_once_the_work_is_spent() {
+        let dented = [(0.0, 2.0), (-1.0, -1.0), (0.0, 0.0), (1.0, -1.0)];
+        let dented = dented.map(|(x, y)| Vec3::new(x, y, 0.0));
+        let turned: Vec<Vec3> = (1..5).map(|at| dented[at % 4]).collect();
+        let mut triangulator = Triangulator { left: 3 };
+        assert_eq!(triangulator.cut(&turned), triangulate(&turned));
+        assert_ne!(triangulate(&turned), [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(triangulator.cut(&turned), [[0, 1, 2], [0, 2, 3]]);
     }
 }

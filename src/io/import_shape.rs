@@ -1,7 +1,7 @@
 use super::obj::{self, Corner, FaceReader};
 use super::scanner::Scanner;
 use super::{Diagnostic, Files, Imported, material};
-use crate::geometry::{Material, MaterialGroup, Mesh, Normals, face_normal};
+use crate::geometry::{Material, MaterialGroup, Mesh, Normals, Triangulator, face_normal};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -239,6 +239,7 @@ struct Parts {
     texture_coordinates: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
     groups: Vec<MaterialGroup>,
+    cutter: Triangulator,
 }
 
 impl Parts {
@@ -256,7 +257,7 @@ impl Parts {
         } else {
             &mesh.face_arities
         };
-        let triangles = obj::triangles(&positions, &mesh.indices, arities);
+        let triangles = obj::triangles(&mut self.cutter, &positions, &mesh.indices, arities);
         let start = self.triangles.len();
         self.triangles
             .extend(triangles.iter().map(|t| t.map(|index| first + index)));

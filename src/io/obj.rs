@@ -1,6 +1,6 @@
 use super::scanner::{Scanner, Word, quoted};
 use super::{Diagnostic, Imported, Position};
-use crate::geometry::{Mesh, triangulate};
+use crate::geometry::{Mesh, Triangulator};
 use glam::Vec3;
 use std::path::Path;
 
@@ -41,7 +41,8 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
     }
     faces.check(&scanner)?;
     check_not_empty(path, positions.len(), arities.len())?;
-    let triangles = triangles(&positions, &corners, &arities);
+    let mut cutter = Triangulator::default();
+    let triangles = triangles(&mut cutter, &positions, &corners, &arities);
     Ok(Imported {
         value: Mesh::new(positions, triangles),
         warnings: faces.warnings(&scanner),
@@ -50,7 +51,12 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
 
 /// The faces whose corners, all in one row, are indices into `positions`, as triangles;
 /// `arities` are the counts of their corners.
-pub(super) fn triangles(positions: &[Vec3], corners: &[u32], arities: &[u32]) -> Vec<[u32; 3]> {
+pub(super) fn triangles(
+    cutter: &mut Triangulator,
+    positions: &[Vec3],
+    corners: &[u32],
+    arities: &[u32],
+) -> Vec<[u32; 3]> {
     let mut triangles = Vec::with_capacity(arities.len());
     let mut left = corners;
     for &arity in arities {
@@ -60,7 +66,7 @@ pub(super) fn triangles(positions: &[Vec3], corners: &[u32], arities: &[u32]) ->
             triangles.push([a, b, c]);
         } else {
             let around: Vec<Vec3> = face.iter().map(|&i| positions[i as usize]).collect();
-            triangles.extend(triangulate(&around).iter().map(|t| t.map(|i| face[i])));
+            triangles.extend(cutter.cut(&around).iter().map(|t| t.map(|i| face[i])));
         }
     }
     triangles

@@ -4,3 +4,4 @@
 mod broken;
 mod everything;
 mod original_crashes;
+mod slow;

@@ -1,8 +1,9 @@
 use super::guard::{self, MOST_XML_NODES};
+use crate::geometry::Triangulator;
 use crate::io::warnings::Warnings;
 use crate::io::{Diagnostic, Position};
 use roxmltree::{Document, ParsingOptions};
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
@@ -18,7 +19,8 @@ pub(super) struct Dae<'a> {
     /// Byte at which each line starts.
     lines: Vec<usize>,
     notes: RefCell<Notes>,
-    ear_work: Cell<usize>,
+    /// Cuts the polygons of all its meshes.
+    pub cutter: RefCell<Triangulator>,
 }
 
 #[derive(Default)]
@@ -70,7 +72,7 @@ impl<'a> Dae<'a> {
             ids: HashMap::new(),
             lines,
             notes: RefCell::default(),
-            ear_work: Cell::default(),
+            cutter: RefCell::default(),
         };
         if dae.root.tag_name().name() != "COLLADA" {
             let message = format!("expected <COLLADA>, found {}", label(dae.root));
@@ -208,17 +210,6 @@ impl<'a> Dae<'a> {
             .ignored
             .entry(what.into())
             .or_default() += 1;
-    }
-
-    /// Whether a polygon may be cut ear by ear, which can take the cube of its corners. A file
-    /// full of large polygons gets fans once its share is spent.
-    pub fn may_cut_ears(&self, corners: usize) -> bool {
-        if corners > 16 {
-            let spent = self.ear_work.get();
-            self.ear_work
-                .set(spent.saturating_add(corners.saturating_pow(3)));
-        }
-        self.ear_work.get() < guard::MOST_EAR_WORK
     }
 
     /// All that was noticed: warnings, and what was ignored how often.

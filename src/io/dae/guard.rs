@@ -18,8 +18,6 @@ pub(super) const MOST_BOUND: usize = 32_000_000;
 pub(super) const MOST_XML_NODES: u32 = 4_000_000;
 /// Nodes inside one another.
 pub(super) const MOST_DEPTH: usize = 1_000;
-/// Cubes of the corners of large polygons, summed over a file.
-pub(super) const MOST_EAR_WORK: usize = 2_000_000_000;
 /// A coordinate beyond this is a fault: its square must stay finite.
 pub(super) const FARTHEST: f64 = 1e15;
 

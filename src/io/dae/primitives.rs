@@ -4,7 +4,6 @@ use super::document::{Dae, Node, child, children};
 use super::geometry::Vertices;
 use super::numbers::integers;
 use super::source::{Input, Source, Sources, inputs};
-use crate::geometry::triangulate;
 use crate::io::Diagnostic;
 use glam::Vec3;
 use std::rc::Rc;
@@ -296,7 +295,7 @@ impl Indices {
     fn polygon(&mut self, dae: &Dae, corners: std::ops::Range<u32>, positions: &[Vec3]) {
         let start = corners.start;
         let count = (corners.end - start) as usize;
-        if count <= 3 || !dae.may_cut_ears(count) {
+        if count <= 3 {
             let count = count as u32;
             return self.triangles("trifans", start..start + count);
         }
@@ -306,7 +305,7 @@ impl Indices {
                 .copied()
         };
         let outline: Vec<Vec3> = corners.map(|c| place(c).unwrap_or_default()).collect();
-        let triangles = triangulate(&outline);
+        let triangles = dae.cutter.borrow_mut().cut(&outline);
         self.corners.extend(
             triangles
                 .iter()
