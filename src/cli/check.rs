@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// are null if it is about the file as a whole.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, or .dae), shapes (.obj,
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
     /// .dae), curves (.swp), poses (.json), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,

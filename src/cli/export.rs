@@ -10,11 +10,12 @@ use std::path::PathBuf;
 /// Write the current geometry of all FILEs into one .obj file.
 ///
 /// Vertices keep the order of their file, are posed, and stand where the scene has them; numbers
-/// have as many digits as it takes to read back the same ones. Polygons become triangles.
+/// have as many digits as it takes to read back the same ones. Polygons become triangles, as do
+/// surfaces; curves become lines.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, or .dae), shapes (.obj,
-    /// .dae), or builtin:NAME
+    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
+    /// .dae), curves (.swp), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The .obj file to write

@@ -38,6 +38,18 @@ fn wrong_usage_ends_with_2_and_prints_no_result() {
     }
 }
 
+#[test]
+fn the_help_of_what_reads_files_names_every_kind_of_them() {
+    let folder = folder();
+    for command in ["check", "export", "render"] {
+        let help = editor_in(folder.path(), &[command, "--help"]).out;
+        let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
+        let kinds = "Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), \
+                     shapes (.obj, .dae), curves (.swp)";
+        assert!(words.contains(kinds), "{help}");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn what_cannot_be_said_on_standard_error_changes_no_exit_code() {
