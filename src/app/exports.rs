@@ -1,7 +1,7 @@
 use super::workspace::Workspace;
 use crate::disk;
 use crate::editor::Severity;
-use crate::io::{self, Diagnostic};
+use crate::io;
 use crate::scene::ShapeId;
 use std::path::Path;
 
@@ -24,28 +24,18 @@ impl Workspace {
         self.write(path, "obj", &text);
     }
 
-    /// Writes `text` whole or not at all, and tells how that went.
+    /// Writes `text` whole or not at all, and tells how that went. A name without the extension
+    /// that it needs to be read again is refused rather than changed: the file dialog has asked
+    /// whether to replace a file of the name that was typed.
     pub(super) fn write(&mut self, path: &Path, extension: &str, text: &str) {
-        let written =
-            ends_in(path, extension).and_then(|()| disk::write_whole(path, text.as_bytes()));
+        let written = io::expect_extension(path, extension)
+            .and_then(|()| disk::write_whole(path, text.as_bytes()));
         let (severity, text) = match written {
             Ok(()) => (Severity::Info, format!("Saved {}", path.display())),
             Err(error) => (Severity::Error, format!("Not saved: {error}")),
         };
         self.session.messages.tell(severity, text);
         self.request_redraw();
-    }
-}
-
-/// A name without the extension that it needs to be read again is refused rather than changed:
-/// the file dialog has asked whether to replace a file of the name that was typed.
-fn ends_in(path: &Path, extension: &str) -> Result<(), Diagnostic> {
-    let is_it = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case(extension);
-    if path.extension().is_some_and(is_it) {
-        Ok(())
-    } else {
-        let message = format!("expected a name that ends in .{extension}");
-        Err(Diagnostic::new(path, message))
     }
 }
 
@@ -71,13 +61,5 @@ mod tests {
         assert_eq!(file_stem("Bézier Curve"), "bézier-curve");
         assert_eq!(file_stem("../A:b"), "a-b");
         assert_eq!(file_stem("///"), "shape");
-    }
-
-    #[test]
-    fn only_a_name_that_can_be_read_again_is_written_to() {
-        assert!(ends_in(Path::new("a.SWP"), "swp").is_ok());
-        for name in ["a", "a.obj", ".swp"] {
-            assert!(ends_in(Path::new(name), "swp").is_err(), "{name}");
-        }
     }
 }

@@ -1,7 +1,6 @@
 use super::workspace::Workspace;
-use crate::disk::Disk;
+use crate::disk::files;
 use crate::editor::{Edit, Session, Severity, apply_edit};
-use crate::io::builtin::WithBuiltin;
 use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic, Imported, Loaded, NewShape};
 use std::path::{Path, PathBuf};
@@ -108,9 +107,4 @@ fn is_pose(path: &Path) -> bool {
 
 fn is_picture(path: &Path) -> bool {
     PictureFormat::of(path).is_ok()
-}
-
-/// What the program reads: files on disk, and those it brings.
-pub(super) fn files() -> WithBuiltin<Disk> {
-    WithBuiltin(Disk)
 }

@@ -2,9 +2,8 @@ use super::exports::file_stem;
 use super::file_dialogs::Purpose;
 use super::workspace::Workspace;
 use crate::character::Pose;
-use crate::disk::Disk;
+use crate::disk::files;
 use crate::editor::{Edit, Severity, apply_edit};
-use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, PoseData, PoseFile};
 use crate::scene::ShapeId;
 use std::path::Path;
@@ -54,7 +53,7 @@ impl Workspace {
 
     /// Pose ▸ Load Pose.
     pub(super) fn load_pose(&mut self, shape: ShapeId, path: &Path) {
-        match WithBuiltin(Disk).read(path) {
+        match files().read(path) {
             Ok(bytes) => self.take_pose(shape, path, &bytes),
             Err(error) => self.tell_error(error),
         }

@@ -3,8 +3,9 @@
 use super::check_collada::ColladaReport;
 use super::output::tell;
 use super::told::Told;
-use super::{CliError, files, print};
+use super::{CliError, print};
 use crate::character::Influence;
+use crate::disk::files;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Evaluator, Shape, ShapeKind};
 use serde::Serialize;
@@ -255,8 +256,6 @@ fn in_words(file: &FileReport) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::disk::Disk;
-    use crate::io::builtin::WithBuiltin;
     use std::cell::RefCell;
 
     /// Files, and how often which was read.
@@ -266,11 +265,11 @@ mod tests {
     impl Files for Counted {
         fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
             self.0.borrow_mut().push(path.to_owned());
-            WithBuiltin(Disk).read(path)
+            crate::disk::files().read(path)
         }
 
         fn exists(&self, path: &Path) -> bool {
-            WithBuiltin(Disk).exists(path)
+            crate::disk::files().exists(path)
         }
     }
 

@@ -2,11 +2,11 @@
 
 use super::output::{self, picture_format, refuse_input};
 use super::told::Told;
-use super::{CliError, files, print};
+use super::{CliError, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
 };
-use crate::disk;
+use crate::disk::{self, files};
 use crate::io::image;
 use crate::io::{Diagnostic, Files, builtin, read_character_obj};
 use serde::Serialize;

@@ -1,14 +1,8 @@
 use super::CliError;
 use super::output::tell;
-use crate::disk::Disk;
-use crate::io::builtin::WithBuiltin;
+use crate::disk::files;
 use crate::io::{Files, Loaded, PoseFile, builtin};
 use std::path::{Path, PathBuf};
-
-/// The files that commands read: those on disk, and `builtin:NAME`.
-pub fn files() -> WithBuiltin<Disk> {
-    WithBuiltin(Disk)
-}
 
 /// Loads `paths` into one scene, and poses its characters by the file `pose` if there is one.
 /// Warnings go to standard error.

@@ -17,7 +17,7 @@ mod told;
 
 pub use arguments::SkinningName;
 pub use error::CliError;
-pub use load::{files, load};
+pub use load::load;
 pub use output::print;
 
 use crate::io::builtin;

@@ -1,7 +1,7 @@
 use super::CliError;
 use crate::disk;
-use crate::io::Diagnostic;
 use crate::io::image::PictureFormat;
+use crate::io::{Diagnostic, expect_extension};
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -39,14 +39,7 @@ pub fn picture_format(output: &Path) -> Result<PictureFormat, CliError> {
 /// # Errors
 /// If it does not: wrong usage, told before any work is done.
 pub fn expect_obj(output: &Path) -> Result<(), CliError> {
-    let is_obj = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("obj");
-    if output.extension().is_some_and(is_obj) {
-        return Ok(());
-    }
-    let message = "expected a name that ends in .obj to export to";
-    Err(CliError::Usage(
-        Diagnostic::new(output, message).to_string(),
-    ))
+    expect_extension(output, "obj").map_err(|error| CliError::Usage(error.to_string()))
 }
 
 /// Refuses to write over one of the files that are read.

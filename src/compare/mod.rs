@@ -5,7 +5,6 @@
 //! [`compare_meshes`] do everything at once; a [`Pair`] of pictures gives each measure alone, for
 //! a view that must stay live.
 
-mod area;
 mod convolve;
 mod diagnosis;
 mod differences;
@@ -20,7 +19,7 @@ mod ssim;
 mod test_pictures;
 mod told;
 
-pub use area::Area;
+pub use crate::math::Area;
 pub use diagnosis::{Finding, Which};
 pub use differences::Differences;
 pub use error::CompareError;

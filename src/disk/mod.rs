@@ -4,5 +4,11 @@
 mod read;
 mod write;
 
+use crate::io::builtin::WithBuiltin;
 pub use read::Disk;
 pub use write::{is_same_file, write_whole};
+
+/// What the program reads: files on disk, and those it brings.
+pub fn files() -> WithBuiltin<Disk> {
+    WithBuiltin(Disk)
+}

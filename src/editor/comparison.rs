@@ -1,5 +1,7 @@
 //! How a picture is held against the live view: what a person chooses in the Compare panel.
 
+use crate::math::Area;
+
 /// What is asked of a comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CompareAction {
@@ -26,8 +28,8 @@ pub struct CompareSettings {
     pub threshold: u8,
     /// Whether the live view has smooth edges; the course's program has none.
     pub smooth_edges: bool,
-    /// What is left out.
-    pub masks: Vec<Mask>,
+    /// What is left out, each of at least a pixel.
+    pub masks: Vec<Area>,
 }
 
 impl Default for CompareSettings {
@@ -80,94 +82,70 @@ impl CompareMode {
     }
 }
 
-/// A rectangle of pixels that is left out, from the upper left corner of the picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Mask {
-    /// First column.
-    pub x: u32,
-    /// First row.
-    pub y: u32,
-    /// Columns, at least 1.
-    pub width: u32,
-    /// Rows, at least 1.
-    pub height: u32,
-}
-
 /// What the panels of the course's editor cover, in pixels.
 const COURSE_MENU_HEIGHT: u32 = 20;
 const COURSE_PANEL_WIDTH: u32 = 280;
 
-impl Mask {
-    /// The nearest mask that lies inside of a picture of this size, which has a pixel.
-    #[must_use]
-    pub fn inside(self, (width, height): (u32, u32)) -> Self {
-        let x = self.x.min(width.saturating_sub(1));
-        let y = self.y.min(height.saturating_sub(1));
-        Self {
-            x,
-            y,
-            width: self.width.clamp(1, (width - x).max(1)),
-            height: self.height.clamp(1, (height - y).max(1)),
-        }
-    }
-
-    /// A mask of half the picture's width and height, in its middle.
-    pub fn in_the_middle(size: (u32, u32)) -> Self {
-        Self {
-            x: size.0 / 4,
-            y: size.1 / 4,
-            width: size.0 / 2,
-            height: size.1 / 2,
-        }
-        .inside(size)
-    }
-
-    /// What the menu bar and the panel of the course's editor cover in its window.
-    pub fn course_panels(size: (u32, u32)) -> [Self; 2] {
-        let (width, height) = size;
-        let menu_bar = Self {
-            x: 0,
-            y: 0,
-            width,
-            height: COURSE_MENU_HEIGHT,
-        };
-        let panel = Self {
-            x: width.saturating_sub(COURSE_PANEL_WIDTH),
-            y: COURSE_MENU_HEIGHT,
-            width: COURSE_PANEL_WIDTH,
-            height,
-        };
-        [menu_bar, panel].map(|mask| mask.inside(size))
-    }
+/// What the menu bar and the panel of the course's editor cover in its window.
+pub fn course_panels(size: (u32, u32)) -> [Area; 2] {
+    let (width, height) = size;
+    let menu_bar = Area {
+        x: 0,
+        y: 0,
+        width,
+        height: COURSE_MENU_HEIGHT,
+    };
+    let panel = Area {
+        x: width.saturating_sub(COURSE_PANEL_WIDTH),
+        y: COURSE_MENU_HEIGHT,
+        width: COURSE_PANEL_WIDTH,
+        height,
+    };
+    [menu_bar, panel].map(|mask| mask.inside(size))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn mask(x: u32, y: u32, width: u32, height: u32) -> Mask {
-        Mask {
-            x,
-            y,
-            width,
-            height,
-        }
-    }
-
-    #[test]
-    fn a_mask_is_brought_inside_of_the_picture_and_keeps_a_pixel() {
-        let size = (80, 60);
-        assert_eq!(mask(10, 5, 20, 7).inside(size), mask(10, 5, 20, 7));
-        assert_eq!(mask(70, 50, 90, 90).inside(size), mask(70, 50, 10, 10));
-        assert_eq!(mask(500, 600, 5, 0).inside(size), mask(79, 59, 1, 1));
-    }
-
     #[test]
     fn the_courses_panels_lie_at_the_top_and_right_of_its_window() {
-        let [menu_bar, panel] = Mask::course_panels((800, 600));
-        assert_eq!(menu_bar, mask(0, 0, 800, 20));
-        assert_eq!(panel, mask(520, 20, 280, 580));
-        let small = Mask::course_panels((100, 10));
-        assert_eq!(small, [mask(0, 0, 100, 10), mask(0, 9, 100, 1)]);
+        let [menu_bar, panel] = course_panels((800, 600));
+        assert_eq!(
+            menu_bar,
+            Area {
+                x: 0,
+                y: 0,
+                width: 800,
+                height: 20
+            }
+        );
+        assert_eq!(
+            panel,
+            Area {
+                x: 520,
+                y: 20,
+                width: 280,
+                height: 580
+            }
+        );
+        let small = course_panels((100, 10));
+        assert_eq!(
+            small,
+            [
+                Area {
+                    x: 0,
+                    y: 0,
+                    width: 100,
+                    height: 10
+                },
+                Area {
+                    x: 0,
+                    y: 9,
+                    width: 100,
+                    height: 1
+                }
+            ]
+        );
     }
 }

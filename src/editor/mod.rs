@@ -22,7 +22,7 @@ mod tool;
 
 pub use apply::{apply_edit, apply_view};
 pub use command::{Action, Ask, Edit, Screenshot, View};
-pub use comparison::{CompareAction, CompareMode, CompareSettings, Mask};
+pub use comparison::{CompareAction, CompareMode, CompareSettings, course_panels};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use gizmo::{GizmoAxes, GizmoHit, Handle, Screen};
 pub use ik_grip::IkGrip;

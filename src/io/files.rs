@@ -35,11 +35,38 @@ pub(super) fn extension(path: &Path) -> String {
         .unwrap_or_default()
 }
 
+/// Checks that the name of a file to write ends in `.extension`, so that it can be read again.
+///
+/// # Errors
+/// If it does not.
+pub fn expect_extension(path: &Path, expected: &str) -> Result<(), Diagnostic> {
+    if extension(path) == expected {
+        Ok(())
+    } else {
+        let message = format!("expected a name that ends in .{expected}");
+        Err(Diagnostic::new(path, message))
+    }
+}
+
 /// An extension as a message shows it.
 pub(super) fn shown_extension(extension: &str) -> String {
     if extension.is_empty() {
         "none".to_owned()
     } else {
         format!(".{extension}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_name_that_can_be_read_again_is_written_to() {
+        assert!(expect_extension(Path::new("a.SWP"), "swp").is_ok());
+        for name in ["a", "a.obj", ".swp"] {
+            let error = expect_extension(Path::new(name), "swp").unwrap_err();
+            assert_eq!(error.message, "expected a name that ends in .swp");
+        }
     }
 }

@@ -33,7 +33,7 @@ pub use file_importer::{
     IMPORTABLE, Loaded, NewShape, import_any, import_character, import_collada, import_curve,
     import_shape,
 };
-pub use files::Files;
+pub use files::{Files, expect_extension};
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;

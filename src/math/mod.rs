@@ -1,8 +1,10 @@
-//! Transforms and small geometry: the matrix stack, Euler angles, boxes, cylinders and rays.
+//! Transforms and small geometry: the matrix stack, Euler angles, boxes, cylinders, rays and
+//! areas of pictures.
 //!
 //! Right-handed, +Y up, column vectors (`world = world_from_model * model`), angles in radians.
 
 mod aabb;
+mod area;
 mod cylinder;
 mod euler;
 mod frame;
@@ -11,9 +13,10 @@ mod ray;
 mod transform;
 
 pub use aabb::Aabb;
+pub use area::Area;
 pub use cylinder::Cylinder;
 pub use euler::Euler;
 pub use frame::{Frame, bone_frame};
 pub use matrix_stack::MatrixStack;
 pub use ray::{Ray, TriangleHit};
-pub use transform::Transform;
+pub use transform::{Transform, cofactors};

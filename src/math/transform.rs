@@ -1,5 +1,5 @@
 use super::Euler;
-use glam::{Mat4, Vec3};
+use glam::{Mat3, Mat4, Vec3};
 
 /// Where a shape stands: `world_from_model = T · Rx · Ry · Rz · S` (course editor, "Euler
 /// angles").
@@ -33,4 +33,15 @@ impl Default for Transform {
     fn default() -> Self {
         Self::IDENTITY
     }
+}
+
+/// The inverse transpose times the determinant: the way in which areas turn, and so normals, up to
+/// their length. It exists where the inverse does not, and agrees with the winding of triangles
+/// even under a mirror.
+pub fn cofactors(m: Mat3) -> Mat3 {
+    Mat3::from_cols(
+        m.y_axis.cross(m.z_axis),
+        m.z_axis.cross(m.x_axis),
+        m.x_axis.cross(m.y_axis),
+    )
 }

@@ -1,8 +1,9 @@
 //! The Compare panel, and the pictures that take the place of the view.
 
 use crate::{Editor, curves};
-use editor_core::editor::{Ask, CompareAction, CompareMode, CompareSettings, Mask, View};
+use editor_core::editor::{Ask, CompareAction, CompareMode, CompareSettings, View, course_panels};
 use editor_core::geometry::Picture;
+use editor_core::math::Area;
 use editor_core::scene::{Look, Shading};
 use editor_core::ui::{CompareCounts, CompareJudgment, CompareReport, CompareView, ShownPicture};
 use egui::{Key, TextureId, vec2};
@@ -127,13 +128,13 @@ fn the_line_between_the_pictures_is_dragged_in_the_view() {
 fn masks_are_added_for_the_courses_panels_and_by_hand_and_taken_away() {
     let mut editor = comparing();
     editor.click("Mask its panels");
-    assert_eq!(settings(&editor).masks, Mask::course_panels((800, 600)));
+    assert_eq!(settings(&editor).masks, course_panels((800, 600)));
     editor.click("Add mask");
     editor.type_into("Mask 3 X", "100");
     editor.type_into("Mask 3 Y", "600/4");
     editor.type_into("Mask 3 width", "5000");
     editor.type_into("Mask 3 height", "0");
-    let third = Mask {
+    let third = Area {
         x: 100,
         y: 150,
         width: 700,
@@ -157,7 +158,7 @@ fn a_mask_is_moved_by_its_label() {
     let after = settings(&editor).masks[0];
     assert_eq!(
         after,
-        Mask {
+        Area {
             x: before.x + 50,
             ..before
         }

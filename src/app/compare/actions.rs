@@ -2,9 +2,9 @@ use super::measurer::Measurer;
 use super::{Comparison, Textured};
 use crate::app::application::Wake;
 use crate::app::file_dialogs::Purpose;
-use crate::app::imports::files;
 use crate::app::workspace::Workspace;
 use crate::compare::{CompareError, Pair, side_by_side};
+use crate::disk::files;
 use crate::editor::{CompareAction, CompareSettings, Severity};
 use crate::geometry::Picture;
 use crate::gpu::Framebuffer;
@@ -99,7 +99,7 @@ impl Comparison {
     fn picture(&self) -> Option<Result<Picture, CompareError>> {
         let live = self.live.as_ref()?;
         let (a, b) = (&*self.reference.picture, &*live.picture);
-        let pair = Pair::new(a, b, &self.areas());
+        let pair = Pair::new(a, b, &self.settings.masks);
         Some(pair.map(|pair| side_by_side(&[a, b, &pair.heat_map()])))
     }
 }

@@ -4,7 +4,6 @@ mod actions;
 mod drawing;
 mod measurer;
 
-use crate::compare::Area;
 use crate::editor::CompareSettings;
 use crate::geometry::{Picture, Revision};
 use crate::gpu::Framebuffer;
@@ -87,7 +86,7 @@ impl Comparison {
             reference: Arc::clone(&self.reference.picture),
             live: Arc::clone(&live.picture),
             threshold: self.settings.threshold,
-            ignore: self.areas(),
+            ignore: self.settings.masks.clone(),
         });
     }
 
@@ -99,15 +98,5 @@ impl Comparison {
             }
             measured.into_report(&mut self.report, self.job);
         }
-    }
-
-    fn areas(&self) -> Vec<Area> {
-        let area = |mask: &crate::editor::Mask| Area {
-            x: mask.x,
-            y: mask.y,
-            width: mask.width,
-            height: mask.height,
-        };
-        self.settings.masks.iter().map(area).collect()
     }
 }

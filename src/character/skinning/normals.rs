@@ -1,4 +1,5 @@
 use crate::character::{Attachments, Influence};
+use crate::math::cofactors;
 use glam::{Mat3, Mat4, Vec3};
 
 /// Turns normals as the surface around them is turned: by the inverse transpose of the same
@@ -33,16 +34,6 @@ fn blend(palette: &[Mat4], influences: &[Influence]) -> Mat3 {
     influences.iter().fold(Mat3::ZERO, |sum, influence| {
         sum + Mat3::from_mat4(palette[influence.joint as usize]) * influence.weight
     })
-}
-
-/// The inverse transpose times the determinant: the way in which areas turn, which exists where
-/// the inverse does not, and agrees with the winding of triangles even under a mirror.
-fn cofactors(m: Mat3) -> Mat3 {
-    Mat3::from_cols(
-        m.y_axis.cross(m.z_axis),
-        m.z_axis.cross(m.x_axis),
-        m.x_axis.cross(m.y_axis),
-    )
 }
 
 #[cfg(test)]

@@ -9,7 +9,8 @@ use super::report::DaeReport;
 use crate::character::{Attachments, Influence};
 use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
 use crate::io::Diagnostic;
-use glam::{DMat3, DMat4, Vec2, Vec3};
+use crate::math::cofactors;
+use glam::{DMat3, DMat4, Mat3, Vec2, Vec3};
 use std::collections::HashMap;
 
 /// A mesh under construction, with the weights of its positions so far.
@@ -187,7 +188,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
 
 /// What a transform does to normals and to the side that triangles show.
 struct Turn {
-    normals: DMat3,
+    normals: Mat3,
     mirrors: bool,
 }
 
@@ -195,12 +196,11 @@ impl Turn {
     fn new(ours_from_mesh: DMat4) -> Self {
         let linear = DMat3::from_mat4(ours_from_mesh);
         let mirrors = linear.determinant() < 0.0;
-        // The inverse transpose but for its length, and there even if there is no inverse.
-        let cofactors = DMat3::from_cols(
-            linear.y_axis.cross(linear.z_axis),
-            linear.z_axis.cross(linear.x_axis),
-            linear.x_axis.cross(linear.y_axis),
-        );
+        // Of about unit size, so that no product of a unit's scale leaves the numbers of `f32`.
+        let columns = [linear.x_axis, linear.y_axis, linear.z_axis];
+        let size = columns.map(|column| column.abs().max_element());
+        let size = size.into_iter().fold(f64::MIN_POSITIVE, f64::max);
+        let cofactors = cofactors((linear * size.recip()).as_mat3());
         Self {
             normals: if mirrors { -cofactors } else { cofactors },
             mirrors,
@@ -208,8 +208,8 @@ impl Turn {
     }
 
     fn normal(&self, normal: [f32; 3]) -> Option<Vec3> {
-        let normal = self.normals * Vec3::from_array(normal).as_dvec3();
-        normal.try_normalize().map(|normal| normal.as_vec3())
+        let normal = Vec3::from_array(normal).as_dvec3().try_normalize()?;
+        (self.normals * normal.as_vec3()).try_normalize()
     }
 }
 

@@ -1,4 +1,5 @@
-use crate::editor::Mask;
+use crate::editor::course_panels;
+use crate::math::Area as Mask;
 use crate::ui::number_field::NumberField;
 use crate::ui::widgets::named;
 use egui::{Button, Ui, vec2};
@@ -9,7 +10,7 @@ const MOST: usize = 32;
 /// What adds masks.
 pub(super) fn buttons(ui: &mut Ui, size: (u32, u32), masks: &mut Vec<Mask>) {
     let room = masks.len() < MOST;
-    let panels = Mask::course_panels(size);
+    let panels = course_panels(size);
     let masked = panels.iter().all(|panel| masks.contains(panel));
     let course = ui
         .add_enabled(room && !masked, Button::new("Mask its panels"))

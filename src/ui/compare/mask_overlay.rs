@@ -1,4 +1,4 @@
-use crate::editor::Mask;
+use crate::math::Area as Mask;
 use crate::ui::ScenePlaces;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;

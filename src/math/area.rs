@@ -26,8 +26,32 @@ impl Area {
         (clipped.width > 0 && clipped.height > 0).then_some(clipped)
     }
 
+    /// The nearest area of at least a pixel inside a picture of this size, which has one.
+    #[must_use]
+    pub fn inside(self, (width, height): (u32, u32)) -> Self {
+        let x = self.x.min(width.saturating_sub(1));
+        let y = self.y.min(height.saturating_sub(1));
+        Self {
+            x,
+            y,
+            width: self.width.clamp(1, (width - x).max(1)),
+            height: self.height.clamp(1, (height - y).max(1)),
+        }
+    }
+
+    /// Half the width and height of a picture of this size, in its middle.
+    pub fn in_the_middle(size: (u32, u32)) -> Self {
+        Self {
+            x: size.0 / 4,
+            y: size.1 / 4,
+            width: size.0 / 2,
+            height: size.1 / 2,
+        }
+        .inside(size)
+    }
+
     /// The smallest area around all pixels `(x, y)`; `None` without any.
-    pub(super) fn around(pixels: impl IntoIterator<Item = (u32, u32)>) -> Option<Self> {
+    pub fn around(pixels: impl IntoIterator<Item = (u32, u32)>) -> Option<Self> {
         let mut ends: Option<[u32; 4]> = None;
         for (x, y) in pixels {
             let [left, top, right, bottom] = ends.unwrap_or([x, y, x, y]);
@@ -93,6 +117,22 @@ mod tests {
         assert_eq!(area.clipped(8, 6), "6,4,2,2".parse().ok());
         assert_eq!(area.clipped(6, 6), None);
         assert_eq!(area.clipped(5, 6), None);
+    }
+
+    #[test]
+    fn an_area_is_brought_inside_of_the_picture_and_keeps_a_pixel() {
+        let inside = |x, y, width, height| {
+            let area = Area {
+                x,
+                y,
+                width,
+                height,
+            };
+            area.inside((80, 60)).to_string()
+        };
+        assert_eq!(inside(10, 5, 20, 7), "10,5,20,7");
+        assert_eq!(inside(70, 50, 90, 90), "70,50,10,10");
+        assert_eq!(inside(500, 600, 5, 0), "79,59,1,1");
     }
 
     #[test]
