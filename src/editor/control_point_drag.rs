@@ -1,6 +1,6 @@
 use super::{Edit, Session};
 use crate::scene::{self, CurveSet, ShapeId};
-use glam::{Mat4, Vec2, Vec3};
+use glam::{Mat3, Mat4, Vec2, Vec3};
 
 /// A plane seen at less than this (sine, about 1°) cannot be pointed at.
 const EDGE_ON: f32 = 0.02;
@@ -93,14 +93,12 @@ impl ControlPointDrag {
         if distance <= 0.0 || !camera.is_in_depth(world) {
             return None;
         }
-        let model_from_world = session
-            .evaluated()
-            .shape(self.shape)?
-            .world_from_model
-            .inverse();
-        let position = model_from_world.transform_point3(world);
-        let eye = model_from_world.transform_point3(ray.origin);
-        let rounding = ROUNDING * eye.distance(self.start);
+        let world_from_model = session.evaluated().shape(self.shape)?.world_from_model;
+        let position = world_from_model.inverse().transform_point3(world);
+        // Each axis of the model has its own length in the world.
+        let lengths = Mat3::from_mat4(world_from_model);
+        let lengths = [lengths.x_axis, lengths.y_axis, lengths.z_axis].map(Vec3::length);
+        let rounding = ROUNDING * ray.origin.distance(self.plane.origin) / Vec3::from(lengths);
         let position = without_rounding(position, self.start, rounding);
         position.is_finite().then_some(Edit::SetControlPoint {
             shape: self.shape,
@@ -124,7 +122,7 @@ fn flat_normal(world_from_model: Mat4) -> Option<Vec3> {
 
 /// A curve that is drawn flat in a straight view stays flat: coordinates that differ from `start`
 /// by rounding alone do not change.
-fn without_rounding(position: Vec3, start: Vec3, rounding: f32) -> Vec3 {
-    let same = (position - start).abs().cmple(Vec3::splat(rounding));
+fn without_rounding(position: Vec3, start: Vec3, rounding: Vec3) -> Vec3 {
+    let same = (position - start).abs().cmple(rounding);
     Vec3::select(same, start, position)
 }

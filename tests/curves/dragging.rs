@@ -102,7 +102,8 @@ proptest! {
         let drag = ControlPointDrag::begin(&session, pressed, SIZE);
         let drag = drag.expect("a point within reach is grabbed");
         let (_, held) = drag.control_point();
-        let grip = pixel(&session, held).unwrap_or(at) - pressed;
+        // It may lie just outside of the picture.
+        let grip = camera.pixel(world(&session, held), SIZE).unwrap_or(at) - pressed;
         let (held_before, depth_before) = (world(&session, held), camera.depth(world(&session, held)));
         for (x, y) in path {
             let pointer = Vec2::new(x, y) * SIZE;
