@@ -117,7 +117,6 @@ fn pictures(args: &Args) -> Result<(), CliError> {
     let options = PictureOptions {
         threshold: picture_threshold(args.threshold)?,
         allowed: args.max_pixels,
-        ignore: args.ignore.clone(),
     };
     let output = match &args.output {
         Some(path) => Some((path, picture_format(path)?)),
@@ -126,7 +125,7 @@ fn pictures(args: &Args) -> Result<(), CliError> {
     let files = files();
     let read = |path: &Path| image::decode(path, &files.read(path)?);
     let (a, b) = (read(&args.a)?, read(&args.b)?);
-    let pair = Pair::new(&a, &b, &options.ignore).map_err(cannot_compare)?;
+    let pair = Pair::new(&a, &b, &args.ignore).map_err(cannot_compare)?;
     let comparison = pair.compare(&options);
     if let Some((path, format)) = output {
         let picture = side_by_side(&[&a, &b, &pair.heat_map()]);

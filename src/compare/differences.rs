@@ -22,20 +22,12 @@ pub struct Differences {
     pub psnr: f64,
     /// Smallest area around the differing pixels.
     pub differing_area: Option<Area>,
-    /// How many compared pixels differ by exactly so much, by difference.
-    #[serde(skip)]
-    histogram: Vec<u64>,
-    /// The same among the drawn pixels.
+    /// How many drawn pixels differ by exactly so much, by difference.
     #[serde(skip)]
     drawn_histogram: Vec<u64>,
 }
 
 impl Differences {
-    /// Compared pixels of which a channel differs by more than `threshold`.
-    pub fn pixels_above(&self, threshold: u8) -> u64 {
-        self.histogram[usize::from(threshold) + 1..].iter().sum()
-    }
-
     /// Drawn pixels of which a channel differs by more than `threshold`.
     pub fn drawn_pixels_above(&self, threshold: u8) -> u64 {
         self.drawn_histogram[usize::from(threshold) + 1..]
@@ -72,7 +64,6 @@ impl Pair<'_> {
             rmse,
             psnr: 20.0 * (255.0 / rmse).log10(),
             differing_area: self.differing_area(threshold),
-            histogram: sums.histogram.to_vec(),
             drawn_histogram: sums.drawn_histogram.to_vec(),
         }
     }
@@ -158,8 +149,6 @@ mod tests {
         assert_eq!(differences.rmse, ((2.0 * 16.0 + 300.0) / 18.0_f64).sqrt());
         assert!((differences.psnr - 10.0 * (65025.0 * 18.0 / 332.0_f64).log10()).abs() < 1e-12);
         assert_eq!(differences.differing_area, "1,1,1,1".parse().ok());
-        assert_eq!(differences.pixels_above(3), 2);
-        assert_eq!(differences.pixels_above(255), 0);
     }
 
     #[test]
@@ -174,8 +163,6 @@ mod tests {
         assert_eq!(differences.drawn_pixels, 1);
         assert_eq!(differences.drawn_pixels_above(2), 1);
         assert_eq!(differences.drawn_pixels_above(9), 0);
-        let black = Pair::new(&a, &b, &[]).unwrap().with_background([0; 3]);
-        assert_eq!(black.differences(0).drawn_pixels, 24);
     }
 
     #[test]

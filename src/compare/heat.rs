@@ -22,7 +22,7 @@ const RAMP: [[f32; 3]; 6] = [
 ];
 
 /// The color (RGBA) of a heat from 0 (black) to 1 (nearly white); values outside are clamped.
-pub fn heat_color(heat: f32) -> [u8; 4] {
+fn heat_color(heat: f32) -> [u8; 4] {
     let last = (RAMP.len() - 1) as f32;
     let place = (heat.clamp(0.0, 1.0) * last).min(last - 1e-4);
     let (stop, share) = (place as usize, place.fract());
@@ -45,15 +45,13 @@ impl Pair<'_> {
                 heat_color(SMALLEST_HEAT + (1.0 - SMALLEST_HEAT) * root)
             }
         });
-        let pixels = self.a().iter().zip(self.b());
-        self.map_picture(pixels.map(|(&a, &b)| colors[usize::from(difference(a, b))]))
-    }
-
-    /// A picture of the pair's size from the color of each pixel; ignored areas become gray.
-    pub(super) fn map_picture(&self, colors: impl Iterator<Item = [u8; 4]>) -> Picture {
         let mut rgba = Vec::with_capacity(4 * self.kept().len());
-        for (color, &kept) in colors.zip(self.kept()) {
-            rgba.extend(if kept { color } else { IGNORED_COLOR });
+        for ((&a, &b), &kept) in self.a().iter().zip(self.b()).zip(self.kept()) {
+            rgba.extend(if kept {
+                colors[usize::from(difference(a, b))]
+            } else {
+                IGNORED_COLOR
+            });
         }
         Picture {
             width: self.width(),

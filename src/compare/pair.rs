@@ -68,14 +68,6 @@ impl<'a> Pair<'a> {
         Ok(pair)
     }
 
-    /// Says which background to measure from instead of the ones found along the border.
-    pub fn with_background(self, color: [u8; 3]) -> Self {
-        Self {
-            backgrounds: [Some(color); 2],
-            ..self
-        }
-    }
-
     /// Pixels a row.
     pub fn width(&self) -> u32 {
         self.width

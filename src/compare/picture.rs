@@ -1,19 +1,16 @@
 use super::told::with_messages;
-use super::{Area, CompareError, Differences, Finding, Pair};
-use crate::geometry::Picture;
+use super::{Differences, Finding, Pair};
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;
 
 /// How to compare pictures, and what still passes.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PictureOptions {
     /// A pixel differs if a channel does by more than this, of 255.
     pub threshold: u8,
     /// How many pixels may differ.
     pub allowed: Allowance,
-    /// Areas to leave out.
-    pub ignore: Vec<Area>,
 }
 
 /// How many elements may differ. Written `12`, or `0.5%`.
@@ -52,21 +49,8 @@ pub struct PictureComparison {
     pub findings: Vec<Finding>,
 }
 
-/// Measures `b` against the reference `a`, and says what is wrong with it.
-///
-/// # Errors
-/// If the pictures differ in size, one is malformed, or no pixel is left to compare.
-pub fn compare_pictures(
-    a: &Picture,
-    b: &Picture,
-    options: &PictureOptions,
-) -> Result<PictureComparison, CompareError> {
-    Ok(Pair::new(a, b, &options.ignore)?.compare(options))
-}
-
 impl Pair<'_> {
-    /// Every measure at once, and what is wrong. The pair knows its ignored areas already; those
-    /// in `options` have no effect here.
+    /// Every measure at once, and what is wrong.
     pub fn compare(&self, options: &PictureOptions) -> PictureComparison {
         let differences = self.differences(options.threshold);
         let allowed_pixels = options.allowed.of(differences.drawn_pixels);

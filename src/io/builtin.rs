@@ -90,18 +90,6 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "poses/tentacle-curl.json",
 ];
 
-/// The scenes of the Virtual Mannequin, one rig or two in each: what the keys 1 to 7 open, in their
-/// order. They stand on its floor, at a height of −2, and look along −Z at its eye.
-pub const MANNEQUIN_SCENES: [&str; 7] = [
-    "builtin:mannequin-1",
-    "builtin:mannequin-2",
-    "builtin:mannequin-3",
-    "builtin:mannequin-4",
-    "builtin:mannequin-5",
-    "builtin:mannequin-6",
-    "builtin:mannequin-7",
-];
-
 /// Everything that has a name of its own, in the order of the kinds and then of the names.
 pub fn catalogue() -> Vec<Builtin> {
     [

@@ -1,5 +1,5 @@
 use crate::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
-use editor_core::compare::{Finding, Pair, PictureOptions, Which, compare_pictures};
+use editor_core::compare::{Finding, Pair, PictureOptions, Which};
 use editor_core::geometry::Picture;
 use glam::Vec3;
 
@@ -19,7 +19,9 @@ fn blank(gray: u8) -> Picture {
 #[test]
 fn nothing_is_wrong_with_equal_pictures() {
     let a = SCENE.paint();
-    let comparison = compare_pictures(&a, &a, &PictureOptions::default()).unwrap();
+    let comparison = Pair::new(&a, &a, &[])
+        .unwrap()
+        .compare(&PictureOptions::default());
     assert!(comparison.passed);
     assert_eq!((comparison.ssim, comparison.flip), (Some(1.0), 0.0));
     assert_eq!(comparison.findings, []);
@@ -412,19 +414,15 @@ fn what_is_ignored_is_not_found_to_be_wrong() {
     }
     .paint();
     let slab = "20,92,30,12".parse().unwrap();
-    let options = PictureOptions {
-        ignore: vec![slab],
-        ..PictureOptions::default()
+    let compare = |ignore: &[_]| {
+        let pair = Pair::new(&a, &b, ignore).unwrap();
+        pair.compare(&PictureOptions::default())
     };
-    let comparison = compare_pictures(&a, &b, &options).unwrap();
+    let comparison = compare(&[slab]);
     assert!(comparison.passed);
     assert_eq!(comparison.ignored_pixels, 360);
     assert_eq!(comparison.findings, []);
-    assert!(
-        !compare_pictures(&a, &b, &PictureOptions::default())
-            .unwrap()
-            .passed
-    );
+    assert!(!compare(&[]).passed);
 }
 
 /// A line on a dark background, and a cube of one color that hides a part of it.
@@ -560,9 +558,8 @@ fn as_many_pixels_may_differ_as_are_allowed() {
         let options = PictureOptions {
             allowed: allowed.parse().unwrap(),
             threshold,
-            ignore: Vec::new(),
         };
-        compare_pictures(&a, &b, &options).unwrap().passed
+        Pair::new(&a, &b, &[]).unwrap().compare(&options).passed
     };
     assert!(passes("360", 0) && !passes("359", 0));
     assert!(passes("0", 153) && !passes("0", 152));

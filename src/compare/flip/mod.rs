@@ -8,9 +8,7 @@ mod color;
 mod features;
 
 use super::convolve::Plane;
-use super::heat::heat_color;
 use super::pair::{Pair, Pixel};
-use crate::geometry::Picture;
 use color::{ColorSpaces, color_errors};
 use features::feature_errors;
 use glam::Vec3;
@@ -59,11 +57,6 @@ impl Pair<'_> {
         Flip { mean, map }
     }
 
-    /// The map of `flip` as a picture; ignored areas are gray.
-    pub fn flip_heat_map(&self, flip: &Flip) -> Picture {
-        self.map_picture(flip.map.iter().map(|&error| heat_color(error)))
-    }
-
     /// The planes Y, Cx and Cz (section 4.1) of a picture.
     fn opponent_planes(&self, spaces: &ColorSpaces, pixels: &[Pixel]) -> [Plane; 3] {
         let linear: [f32; 256] = std::array::from_fn(|step| color::linear(step as f32 / 255.0));
@@ -85,6 +78,7 @@ impl Pair<'_> {
 mod tests {
     use super::*;
     use crate::compare::test_pictures::{alike, filled, painted};
+    use crate::geometry::Picture;
 
     fn flip(a: &Picture, b: &Picture) -> Flip {
         Pair::new(a, b, &[]).unwrap().flip()
