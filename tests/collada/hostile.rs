@@ -70,25 +70,28 @@ fn good() -> String {
 
 #[test]
 fn errors_name_line_and_column() {
-    says("", "error a.dae:1:1: expected well-formed XML");
+    let empty = document("", "", "");
+    let word = static_document(&geometry("g", "0 0 0 1 0\n zero", "", ""));
+    for (text, part) in [
+        ("", "1:1: expected well-formed XML"),
+        ("not xml at all", "1:1:"),
+        (
+            "<COLLADA>\n  <a>\n</COLLADA>",
+            "3:1: expected well-formed XML",
+        ),
+        ("<svg/>", "1:1: expected <COLLADA>, found <svg>"),
+        (
+            "<COLLADA/>",
+            "1:1: expected <library_visual_scenes> in <COLLADA>",
+        ),
+        (&word, "5:2: expected a number, found “zero”"),
+    ] {
+        says(text, &format!("error a.dae:{part}"));
+    }
     says(
-        "<COLLADA>\n  <a>\n</COLLADA>",
-        "error a.dae:3:1: expected well-formed XML",
-    );
-    says("<svg/>", "error a.dae:1:1: expected <COLLADA>, found <svg>");
-    says(
-        "<COLLADA/>",
-        "error a.dae:1:1: expected <library_visual_scenes> in <COLLADA>",
-    );
-    says(
-        document("", "", ""),
+        empty,
         "error a.dae: expected meshes or joints in the scene, found none",
     );
-    says(
-        static_document(&geometry("g", "0 0 0 1 0\n zero", "", "")),
-        "error a.dae:5:2: expected a number, found “zero”",
-    );
-    says("not xml at all", "error a.dae:1:1:");
 }
 
 #[test]
@@ -268,28 +271,38 @@ fn what_makes_the_xml_reader_slow_is_refused() {
 fn counts_in_attributes_reserve_nothing() {
     let huge = "18446744073709551615";
     let text = static_document(&triangle("g"));
-    says(
-        text.replace("count=\"3\" stride", &format!("count=\"{huge}\" stride")),
-        "expected numbers for 18446744073709551615 rows, found 9, enough for 3",
-    );
-    says(
-        text.replace("stride=\"3\"", &format!("stride=\"{huge}\"")),
-        "expected numbers for 3 rows",
-    );
-    says(
-        text.replace("stride=\"3\"", "stride=\"0\""),
-        "error a.dae:5:19: expected a stride of at least 3, found 0",
-    );
-    says(
-        text.replace("stride=\"3\"", "stride=\"-1\""),
-        "expected stride=\"a count\", found “-1”",
-    );
-    says(
-        text.replace("offset=\"0\"", &format!("offset=\"{huge}\"")),
-        "expected an offset of at most 64",
-    );
-    survive(text.replace("<accessor", &format!("<accessor offset=\"{huge}\"")));
-    survive(text.replace("count=\"1\"", &format!("count=\"{huge}\"")));
+    let changed = |from: &str, to: &str| text.replace(from, &to.replace("HUGE", huge));
+    for (from, to, part) in [
+        (
+            "count=\"3\" stride",
+            "count=\"HUGE\" stride",
+            "expected numbers for 18446744073709551615 rows, found 9, enough for 3",
+        ),
+        (
+            "stride=\"3\"",
+            "stride=\"HUGE\"",
+            "expected numbers for 3 rows",
+        ),
+        (
+            "stride=\"3\"",
+            "stride=\"0\"",
+            "error a.dae:5:19: expected a stride of at least 3, found 0",
+        ),
+        (
+            "stride=\"3\"",
+            "stride=\"-1\"",
+            "expected stride=\"a count\", found “-1”",
+        ),
+        (
+            "offset=\"0\"",
+            "offset=\"HUGE\"",
+            "expected an offset of at most 64",
+        ),
+    ] {
+        says(changed(from, to), part);
+    }
+    survive(changed("<accessor", "<accessor offset=\"HUGE\""));
+    survive(changed("count=\"1\"", "count=\"HUGE\""));
     let skin = Skin {
         vcount: "4294967295 1 1",
         ..Skin::default()
@@ -304,56 +317,38 @@ fn counts_in_attributes_reserve_nothing() {
 
 #[test]
 fn indices_out_of_range_leave_their_triangle_or_weight_out() {
-    let text = static_document(&geometry(
-        "g",
-        "0 0 0 1 0 0 0 1 0",
-        "",
-        &triangles("g", "0 1 2 0 1 3 0 4294967295 2"),
-    ));
-    says(text, "found others in 2 triangles: left out");
-    let negative = static_document(&geometry(
-        "g",
-        "0 0 0 1 0 0 0 1 0",
-        "",
-        &triangles("g", "0 1 -2"),
-    ));
-    says(negative, "expected an index, found “-2”");
-    let skin = Skin {
-        joints: "a b",
-        v: "0 0 2 0 0 1",
-        ..Skin::default()
-    };
-    says(arm(&skin), "found others 2 times: left out");
-    says(
-        arm(&Skin {
-            v: "-1 0 0 0 0 0",
+    for (corners, part) in [
+        (
+            "0 1 2 0 1 3 0 4294967295 2",
+            "found others in 2 triangles: left out",
+        ),
+        ("0 1 -2", "expected an index, found “-2”"),
+    ] {
+        let corners = triangles("g", corners);
+        says(
+            static_document(&geometry("g", "0 0 0 1 0 0 0 1 0", "", &corners)),
+            part,
+        );
+    }
+    for (vcount, v, part) in [
+        ("1 1 1", "0 0 2 0 0 1", "found others 2 times: left out"),
+        ("1 1 1", "-1 0 0 0 0 0", "found others 1 times"),
+        ("1 1 1", "0 0 0", "expected <v> as long as <vcount> says"),
+        (
+            "1 1",
+            "0 0 0 0",
+            "expected weights for 3 positions, found 2",
+        ),
+        ("1 1 1 1", "0 0 0 0 0 0 0 0", "found 4"),
+    ] {
+        let skin = Skin {
+            joints: "a b",
+            vcount,
+            v,
             ..Skin::default()
-        }),
-        "found others 1 times",
-    );
-    says(
-        arm(&Skin {
-            v: "0 0 0",
-            ..Skin::default()
-        }),
-        "expected <v> as long as <vcount> says",
-    );
-    says(
-        arm(&Skin {
-            vcount: "1 1",
-            v: "0 0 0 0",
-            ..Skin::default()
-        }),
-        "expected weights for 3 positions, found 2",
-    );
-    says(
-        arm(&Skin {
-            vcount: "1 1 1 1",
-            v: "0 0 0 0 0 0 0 0",
-            ..Skin::default()
-        }),
-        "found 4",
-    );
+        };
+        says(arm(&skin), part);
+    }
 }
 
 #[test]
@@ -409,49 +404,53 @@ fn numbers_that_are_not_finite_count_as_zero() {
 
 #[test]
 fn a_missing_or_mistaken_reference_is_told_where_it_is() {
-    let text = good();
-    says(
-        text.replace("#g-p\"", "#gone\""),
-        "expected the id of an element, found “#gone”",
-    );
-    says(
-        text.replace("url=\"#c\"", "url=\"#g\""),
-        "expected a reference to <controller>, found <geometry> “g”",
-    );
-    says(
-        text.replace("url=\"#c\"", "url=\"other.dae#c\""),
-        "found “other.dae#c”",
-    );
-    says(
-        text.replace("url=\"#c\"", ""),
-        "expected url=\"#…\" in <instance_controller>",
-    );
-    says(
-        text.replace("skin source=\"#g\"", "skin source=\"#c\""),
-        "expected a reference to <geometry>",
-    );
-    says(
-        text.replace("semantic=\"WEIGHT\"", "semantic=\"W\""),
-        "expected an <input> with the WEIGHT",
-    );
-    says(
-        text.replace("semantic=\"POSITION\"", "semantic=\"P\""),
-        "expected an <input> with the POSITION",
-    );
-    says(
-        text.replace("<mesh>", "<spline>")
-            .replace("</mesh>", "</spline>"),
-        "expected <mesh>",
-    );
-    says(text.replace("url=\"#Scene\"", "url=\"#x\""), "found “#x”");
-    says(
-        text.replace("<skeleton>#ID-a", "<skeleton>#c-w"),
-        "expected a node of the scene",
-    );
-    says(
-        text.replace("id=\"ID-b\"", "id=\"ID-a\""),
-        "expected every id once, found “ID-a” again",
-    );
+    for (from, to, part) in [
+        (
+            "#g-p\"",
+            "#gone\"",
+            "expected the id of an element, found “#gone”",
+        ),
+        (
+            "url=\"#c\"",
+            "url=\"#g\"",
+            "expected a reference to <controller>, found <geometry> “g”",
+        ),
+        ("url=\"#c\"", "url=\"other.dae#c\"", "found “other.dae#c”"),
+        (
+            "url=\"#c\"",
+            "",
+            "expected url=\"#…\" in <instance_controller>",
+        ),
+        (
+            "skin source=\"#g\"",
+            "skin source=\"#c\"",
+            "expected a reference to <geometry>",
+        ),
+        (
+            "semantic=\"WEIGHT\"",
+            "semantic=\"W\"",
+            "expected an <input> with the WEIGHT",
+        ),
+        (
+            "semantic=\"POSITION\"",
+            "semantic=\"P\"",
+            "expected an <input> with the POSITION",
+        ),
+        ("mesh>", "spline>", "expected <mesh>"),
+        ("url=\"#Scene\"", "url=\"#x\"", "found “#x”"),
+        (
+            "<skeleton>#ID-a",
+            "<skeleton>#c-w",
+            "expected a node of the scene",
+        ),
+        (
+            "id=\"ID-b\"",
+            "id=\"ID-a\"",
+            "expected every id once, found “ID-a” again",
+        ),
+    ] {
+        says(good().replace(from, to), part);
+    }
 }
 
 #[test]

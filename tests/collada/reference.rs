@@ -1,5 +1,6 @@
 //! Files of a real exporter, with poses worked out by another program.
 
+use crate::reference_data::reference;
 use editor_core::character::{Character, Pose};
 use editor_core::io::dae::{DaeScene, read_dae};
 use editor_core::io::{Diagnostic, Files, Imported};
@@ -24,13 +25,7 @@ impl Files for Disk {
 const NAMES: [&str; 5] = ["split_cube", "long_cubes", "mapped_cube", "robot", "head"];
 
 fn folder() -> Option<PathBuf> {
-    let folder = std::env::var_os("EDITOR_REFERENCE_DATA")
-        .map(|data| PathBuf::from(data).join("data/mannequin"))
-        .filter(|folder| folder.is_dir());
-    if folder.is_none() {
-        eprintln!("left out: EDITOR_REFERENCE_DATA is not set to a folder with data/mannequin");
-    }
-    folder
+    reference("mannequin")
 }
 
 fn import(folder: &Path, name: &str) -> Imported<DaeScene> {

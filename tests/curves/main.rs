@@ -2,6 +2,9 @@
 //! frames, surfaces of revolution, generalized cylinders, and the `.swp` files that describe
 //! them.
 
+#[path = "../support/reference_data.rs"]
+mod reference_data;
+
 mod curves;
 mod degenerate;
 mod dragging;

@@ -1,11 +1,10 @@
-//! Against curves and frames that the course's own program made. They are not part of this
-//! package: `EDITOR_REFERENCE_DATA` names the folder that has them below `data/course`.
+//! Against curves and frames that the course's own program made.
 
+use crate::reference_data::reference;
 use crate::support::{evaluate, read};
 use editor_core::geometry::{CurvePoint, Normals};
 use editor_core::scene::{CurveItemKind, CurveSet};
 use glam::Vec3;
-use std::path::PathBuf;
 
 const FILES: [&str; 7] = [
     "circles",
@@ -18,11 +17,7 @@ const FILES: [&str; 7] = [
 ];
 
 fn course_file(path: &str) -> Option<String> {
-    let Some(root) = std::env::var_os("EDITOR_REFERENCE_DATA") else {
-        eprintln!("left out: EDITOR_REFERENCE_DATA is not set, so {path} was not compared");
-        return None;
-    };
-    let path = PathBuf::from(root).join("data/course").join(path);
+    let path = reference(&format!("course/{path}"))?;
     Some(std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path:?}: {error}")))
 }
 

@@ -1,6 +1,9 @@
 //! The same picture as the course's editor: its own pictures, drawn again in the Course look and
 //! compared pixel by pixel. Needs the reference data, see CONTRIBUTING.md.
 
+#[path = "../support/reference_data.rs"]
+mod reference_data;
+
 mod reference;
 mod scenes;
 
@@ -73,7 +76,7 @@ fn each(
     wanted: impl Fn(&Render) -> bool,
     fault: impl Fn(&Render, &Picture, &Picture) -> Option<String>,
 ) {
-    let Some(renders) = Renders::read(what) else {
+    let Some(renders) = Renders::read() else {
         return;
     };
     let context = HeadlessContext::new(Backend::Auto).expect("a context");

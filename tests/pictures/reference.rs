@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use crate::reference_data::reference;
 use editor_core::geometry::Picture;
 use serde::Deserialize;
 
@@ -48,15 +49,9 @@ pub struct Renders {
 }
 
 impl Renders {
-    /// `None`, and a word about what is left out, where there is no reference data.
-    pub fn read(what: &str) -> Option<Self> {
-        let Some(root) = std::env::var_os("EDITOR_REFERENCE_DATA") else {
-            let required = std::env::var_os("EDITOR_REQUIRE_REFERENCE").is_some();
-            assert!(!required, "EDITOR_REFERENCE_DATA is not set");
-            eprintln!("left out, since EDITOR_REFERENCE_DATA is not set: {what}");
-            return None;
-        };
-        let course = Path::new(&root).join("data/course");
+    /// `None` where there is no reference data.
+    pub fn read() -> Option<Self> {
+        let course = reference("course")?;
         let list = std::fs::read(course.join("reference/renders.json")).expect("renders.json");
         Some(Self {
             all: serde_json::from_slice(&list).expect("a list of renders"),

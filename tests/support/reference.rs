@@ -1,27 +1,15 @@
-//! Where the golden results of the course's editor are. They are not part of this project:
-//! `EDITOR_REFERENCE_DATA` names the folder that holds `data/course`.
+//! The golden results of the course's editor.
 
+#[path = "reference_data.rs"]
+mod data;
+
+use data::reference;
 use std::fs;
 use std::path::PathBuf;
 
-/// The file `name` below `data/course`; `None`, told on standard error, where there is no
-/// reference data.
-///
-/// # Panics
-/// If it is missing although `EDITOR_REQUIRE_REFERENCE=1` says that it must be there.
+/// The file `name` below `data/course`, as [`reference`] finds it.
 pub fn course(name: &str) -> Option<PathBuf> {
-    let folder = std::env::var_os("EDITOR_REFERENCE_DATA");
-    let path = folder.map(|folder| PathBuf::from(folder).join("data/course").join(name));
-    if let Some(path) = path.filter(|path| path.exists()) {
-        return Some(path);
-    }
-    let required = std::env::var_os("EDITOR_REQUIRE_REFERENCE").is_some_and(|value| value == "1");
-    assert!(
-        !required,
-        "{name} is required but not in EDITOR_REFERENCE_DATA"
-    );
-    eprintln!("left out: {name}, for EDITOR_REFERENCE_DATA does not lead to it");
-    None
+    reference(&format!("course/{name}"))
 }
 
 /// Joint and degrees about X, Y and Z of the course's pose `name`.

@@ -1,5 +1,6 @@
 //! Who is skinned: a column made here, the program's own characters, and the reference files.
 
+use crate::reference_data::reference;
 use editor_core::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
 use editor_core::disk::Disk;
 use editor_core::geometry::{Corner, MeshBuilder};
@@ -33,21 +34,11 @@ pub fn all() -> Vec<(String, Scene)> {
 }
 
 fn reference_files() -> Vec<PathBuf> {
-    let required = std::env::var_os("EDITOR_REQUIRE_REFERENCE").is_some_and(|value| value == "1");
-    let Some(data) = std::env::var_os("EDITOR_REFERENCE_DATA").map(PathBuf::from) else {
-        assert!(!required, "EDITOR_REFERENCE_DATA is required but not set");
-        eprintln!("left out: the reference characters, for EDITOR_REFERENCE_DATA is not set");
-        return Vec::new();
-    };
-    let mut files: Vec<PathBuf> = ["head", "robot", "long_cubes", "mapped_cube"]
-        .map(|name| data.join(format!("data/mannequin/{name}.dae")))
-        .into();
-    files.extend([1, 2].map(|n| data.join(format!("data/course/characters/Model{n}.obj"))));
-    files.retain(|file| {
-        assert!(!required || file.exists(), "{} is missing", file.display());
-        file.exists()
-    });
-    files
+    let figures = ["head", "robot", "long_cubes", "mapped_cube"];
+    let figures = figures.iter().map(|name| format!("mannequin/{name}.dae"));
+    let models = [1, 2].map(|number| format!("course/characters/Model{number}.obj"));
+    let names = figures.chain(models);
+    names.filter_map(|name| reference(&name)).collect()
 }
 
 fn load(path: &Path) -> Scene {
