@@ -64,9 +64,19 @@ impl Workspace {
             return;
         };
         let skeleton = character.character.skeleton();
-        let pose = PoseFile::read(path, bytes).and_then(|file| file.pose_of(skeleton));
+        let file = PoseFile::read(path, bytes);
+        let pose = match &file {
+            Ok(file) => file.what_fits(skeleton),
+            Err(error) => Err(error.clone()),
+        };
         match pose {
-            Ok(pose) => apply_edit(&mut self.session, Edit::SetPose(shape, pose)),
+            Ok((pose, missing)) => {
+                if !missing.is_empty() {
+                    let text = without(path, &missing);
+                    self.session.messages.tell(Severity::Warning, text);
+                }
+                apply_edit(&mut self.session, Edit::SetPose(shape, pose));
+            }
             Err(error) => self.tell_error(error),
         }
     }
@@ -84,5 +94,36 @@ impl Workspace {
         self.session
             .messages
             .tell(Severity::Error, error.to_string());
+    }
+}
+
+/// What is told of a pose that went only to some of its joints.
+fn without(path: &Path, missing: &[&str]) -> String {
+    const NAMED: usize = 3;
+    let named: Vec<&str> = missing.iter().take(NAMED).copied().collect();
+    let more = match missing.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let named = named.join(", ");
+    format!(
+        "{}: taken on without {named}{more}, which this character has not",
+        path.display()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn joints_that_a_character_has_not_are_named_and_many_are_counted() {
+        let clipboard = Path::new(CLIPBOARD);
+        assert_eq!(
+            without(clipboard, &["Tail"]),
+            "clipboard: taken on without Tail, which this character has not"
+        );
+        let many = ["A", "B", "C", "D", "E"];
+        assert!(without(clipboard, &many).contains("A, B, C and 2 more,"));
     }
 }

@@ -33,7 +33,7 @@ pub(super) struct PanelOptions {
     tool: ToolName,
     /// Press the left mouse button at a pixel of the picture and drag to another, without letting
     /// go; Z,W the same as X,Y is to point and click.
-    #[arg(long, requires = "ui", value_name = "X,Y,Z,W", value_parser = drag)]
+    #[arg(long, requires = "ui", value_name = "X,Y,Z,W", allow_hyphen_values = true, value_parser = drag)]
     drag: Option<Drag>,
 }
 

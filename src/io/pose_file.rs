@@ -93,17 +93,38 @@ impl PoseFile {
         Ok(pose.unwrap_or_default())
     }
 
+    /// As much of the pose as `skeleton` has joints for, and the joints and roots that it has
+    /// not, as the file has them.
+    ///
+    /// # Errors
+    /// If it has none of them, or if two entries mean one joint.
+    pub fn what_fits(&self, skeleton: &SkeletalModel) -> Result<(Pose, Vec<&str>), Diagnostic> {
+        let Some(pose) = self.data.pose_of(skeleton) else {
+            return Ok((self.pose_of(skeleton)?, Vec::new()));
+        };
+        let once = self.data.check_once(skeleton);
+        once.map_err(|misfit| self.diagnostic(misfit))?;
+        let is_joint = |key: &str| Pose::find_joint(skeleton, key).is_ok();
+        let is_root = |key: &str| find_root(skeleton, key).is_ok();
+        let joints = self.data.joints.keys().filter(|key| !is_joint(key));
+        let roots = self.data.roots.keys().filter(|key| !is_root(key));
+        Ok((pose, joints.chain(roots).collect()))
+    }
+
     /// See [`PoseData::poses_of`].
     pub(super) fn poses_of(
         &self,
         skeletons: &[&SkeletalModel],
     ) -> Result<Vec<Option<Pose>>, Diagnostic> {
-        self.data
-            .poses_of(skeletons)
-            .map_err(|(section, key, message)| Diagnostic {
-                position: json::position_of_key(&self.text, section, &key),
-                ..Diagnostic::new(&self.path, message)
-            })
+        let poses = self.data.poses_of(skeletons);
+        poses.map_err(|misfit| self.diagnostic(misfit))
+    }
+
+    fn diagnostic(&self, (section, key, message): Misfit) -> Diagnostic {
+        Diagnostic {
+            position: json::position_of_key(&self.text, section, &key),
+            ..Diagnostic::new(&self.path, message)
+        }
     }
 }
 
@@ -167,15 +188,20 @@ impl PoseData {
             };
             return Err(("roots", key, message));
         }
-        for skeleton in skeletons {
-            for (section, entries) in [("joints", &self.joints), ("roots", &self.roots)] {
-                if let Some((earlier, key)) = entries.same_joint(skeleton) {
-                    let [key_told, earlier] = [key, earlier].map(scanner::quoted);
-                    let message = format!(
-                        "expected each joint once, found {key_told} and {earlier}, which are the same"
-                    );
-                    return Err((section, key.to_owned(), message));
-                }
+        skeletons
+            .iter()
+            .try_for_each(|skeleton| self.check_once(skeleton))
+    }
+
+    /// Checks that no two entries mean one joint.
+    fn check_once(&self, skeleton: &SkeletalModel) -> Result<(), Misfit> {
+        for (section, entries) in [("joints", &self.joints), ("roots", &self.roots)] {
+            if let Some((earlier, key)) = entries.same_joint(skeleton) {
+                let [key_told, earlier] = [key, earlier].map(scanner::quoted);
+                let message = format!(
+                    "expected each joint once, found {key_told} and {earlier}, which are the same"
+                );
+                return Err((section, key.to_owned(), message));
             }
         }
         Ok(())
@@ -239,6 +265,10 @@ impl Entries {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    fn keys(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|(key, _)| key.as_str())
     }
 
     /// The first two keys that mean one joint of `skeleton`, by its name, sid or index.
@@ -327,6 +357,23 @@ mod tests {
     fn degrees(scene: &Scene, shape: u32, joint: usize) -> Vec3 {
         let pose = scene.character(ShapeId(shape)).unwrap().pose();
         pose.rotation(joint).degrees()
+    }
+
+    #[test]
+    fn as_much_of_a_pose_as_fits_goes_to_another_character_and_the_rest_is_named() {
+        let scene = scene_with(&[&["Root", "Elbow"]]);
+        let skeleton = scene.character(ShapeId(1)).unwrap().character.skeleton();
+        let read = |text: &str| PoseFile::read(Path::new("p.json"), text.as_bytes()).unwrap();
+        let file = read(
+            r#"{"joints": {"Tail": [1, 2, 3], "Elbow": [0, 0, 50]}, "roots": {"Elbow": [0, 1, 0]}}"#,
+        );
+        let (pose, missing) = file.what_fits(skeleton).unwrap();
+        assert!(pose.rotation(1).degrees().abs_diff_eq(Vec3::Z * 50.0, 1e-4));
+        assert_eq!(missing, ["Tail", "Elbow"]);
+        let error = |text: &str| read(text).what_fits(skeleton).unwrap_err().to_string();
+        assert!(error(r#"{"joints": {"Tail": [1, 2, 3]}}"#).starts_with("p.json:1:13: expected"));
+        let twice = error(r#"{"joints": {"Elbow": [0, 0, 5], "1": [0, 0, 6], "Tail": [0, 0, 1]}}"#);
+        assert!(twice.contains("each joint once"), "{twice}");
     }
 
     #[test]

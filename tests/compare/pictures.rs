@@ -489,7 +489,7 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     };
     assert_eq!(
         text(&rounded),
-        "the same but for rounding: at most 2 of 255"
+        "the same but for rounding (at most 2 of 255)"
     );
     let with_spots = |picture: &Picture, spots: &[([u32; 2], u8)]| {
         let mut picture = picture.clone();
@@ -502,11 +502,11 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     let far = [([5, 5], 128), ([6, 7], 128), ([7, 5], 128)];
     assert_eq!(
         text(&with_spots(&rounded, &far)),
-        "the same but for rounding: at most 2 of 255; 3 pixels by more than 8, within 5,5,3,3"
+        "the same but for rounding (at most 2 of 255) and 3 pixels by more than 8, within 5,5,3,3"
     );
     assert_eq!(
         text(&with_spots(&rounded, &[([5, 5], 128), ([6, 5], 4)])),
-        "the same but for rounding: at most 2 of 255; 2 pixels by more, 1 of them by more than 8, within 5,5,2,1"
+        "the same but for rounding (at most 2 of 255) and 2 pixels by more, 1 of them by more than 8, within 5,5,2,1"
     );
     assert_eq!(
         text(&with_spots(&a, &far[..1])),
@@ -514,7 +514,7 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     );
     let near = text(&with_spots(&rounded, &[([6, 5], 4)]));
     assert!(
-        near.ends_with("; 1 pixel by more, up to 8, within 6,5,1,1"),
+        near.ends_with("and 1 pixel by more, up to 8, within 6,5,1,1"),
         "{near}"
     );
     // As many as a small thing has.

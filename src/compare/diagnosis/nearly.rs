@@ -45,20 +45,20 @@ pub(super) fn fmt(
         _ => format!("{count} pixels"),
     };
     if rounding > 0 {
-        write!(f, "the same but for rounding: at most {rounding} of 255")?;
+        write!(f, "the same but for rounding (at most {rounding} of 255)")?;
     }
     let Some(area) = area else {
         return Ok(());
     };
     match (rounding, other_color) {
         (0, _) => write!(f, "the same but for {}", pixels(others))?,
-        (_, 0) => write!(f, "; {} by more, up to {OTHER_COLOR}", pixels(others))?,
+        (_, 0) => write!(f, " and {} by more, up to {OTHER_COLOR}", pixels(others))?,
         _ if other_color == others => {
-            write!(f, "; {} by more than {OTHER_COLOR}", pixels(others))?;
+            write!(f, " and {} by more than {OTHER_COLOR}", pixels(others))?;
         }
         _ => write!(
             f,
-            "; {} by more, {other_color} of them by more than {OTHER_COLOR}",
+            " and {} by more, {other_color} of them by more than {OTHER_COLOR}",
             pixels(others)
         )?,
     }
