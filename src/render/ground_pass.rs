@@ -57,8 +57,9 @@ impl GroundPass {
             ..DrawState::opaque(context.width, context.height)
         };
         state.apply(gl);
-        // Reaches as far as it can be told from the horizon, and follows the camera.
-        let reach = (camera.radius * 12.0).clamp(20.0, camera.far);
+        // Reaches as far as it can be told from the horizon, and follows the camera. The far plane
+        // may be nearer than the least of it.
+        let reach = (camera.radius * 12.0).max(20.0).min(camera.far);
         self.program
             .set_mat4("clip_from_world", context.clip_from_world);
         self.program

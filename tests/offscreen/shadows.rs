@@ -144,3 +144,16 @@ fn shadows_are_the_same_whoever_skins() {
         assert!(cpu != draw(gl, &bare, &studio(), Skinning::Cpu));
     });
 }
+
+#[test]
+fn a_far_plane_nearer_than_the_ground_reaches_is_where_the_ground_ends() {
+    on_each_backend(|gl| {
+        let mut view = studio();
+        view.camera.near = 0.1;
+        view.camera.far = 10.0;
+        let with_ground = draw(gl, &cube_at(0.5), &view, Skinning::Cpu);
+        view.grid = false;
+        let without = draw(gl, &cube_at(0.5), &view, Skinning::Cpu);
+        assert!(with_ground.rgba != without.rgba, "no ground");
+    });
+}
