@@ -8,7 +8,11 @@ const POLE_MARGIN: f32 = 0.1;
 const PAN_PER_PIXEL: f32 = 0.01;
 const TURN_PER_PIXEL: f32 = 0.005;
 const ZOOM_PER_NOTCH: f32 = 0.5;
+/// As near to its target as the wheel moves the eye.
 const NEAREST: f32 = 0.5;
+/// As near as the eye goes to a target one unit away from the origin: nearer, `f32` could hardly
+/// tell the two apart.
+const LEAST_RADIUS: f32 = 1e-4;
 
 /// A camera that looks at a target from a distance:
 /// `eye = target + r (cosφ cosθ, sinφ, cosφ sinθ)`, +Y up. Angles in radians.
@@ -238,9 +242,11 @@ impl Camera {
         self.target += self.right() * by.x + Vec3::Y * by.y - self.outward() * by.z;
     }
 
-    /// Moves the eye towards the target by `notches` of the wheel.
+    /// Moves the eye towards the target by `notches` of the wheel, to a distance of 0.5. Where it
+    /// is nearer already, as [`Camera::fit`] brings it to small things, it stays.
     pub fn zoom(&mut self, notches: f32) {
-        self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(NEAREST);
+        let nearest = NEAREST.min(self.radius);
+        self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(nearest);
     }
 
     /// Moves and, if need be, pulls the planes apart so that all of `bounds` is in a picture of
@@ -253,7 +259,7 @@ impl Camera {
         let half_height = (self.fovy * 0.5).tan();
         let half_width = half_height * aspect;
         let center = bounds.center();
-        let mut radius = NEAREST;
+        let mut radius = 0.0_f32;
         let mut half_depth = 0.0_f32;
         for corner in bounds.corners() {
             let offset = corner - center;
@@ -263,6 +269,11 @@ impl Camera {
             radius = radius.max(towards_eye + across * MARGIN);
             half_depth = half_depth.max(towards_eye.abs());
         }
+        // What has no size can be seen from anywhere.
+        if radius == 0.0 {
+            radius = NEAREST;
+        }
+        radius = radius.max(center.abs().max_element() * LEAST_RADIUS);
         self.target = center;
         self.radius = radius;
         let course = Self::default();
@@ -392,5 +403,47 @@ mod tests {
                 );
             }
         }
+    }
+
+    #[test]
+    fn fitting_fills_the_picture_with_things_of_every_size() {
+        let aspect = 1.0;
+        for (size, place) in [(1e-4, 0.0), (0.02, 3.0), (1.0, -7.0), (3e4, 0.0)] {
+            let half = Vec3::splat(size / 2.0);
+            let at = Vec3::splat(place);
+            let bounds = Aabb {
+                min: at - half,
+                max: at + half,
+            };
+            let mut camera = Camera::default();
+            camera.fit(&bounds, aspect);
+            let clip_from_world = camera.clip_from_world(aspect);
+            let reach = bounds.corners().into_iter().map(|corner| {
+                let clip = clip_from_world * corner.extend(1.0);
+                assert!(clip.z.abs() < clip.w, "{size}: {clip}");
+                (clip.truncate() / clip.w).truncate().abs().max_element()
+            });
+            let most = reach.fold(0.0, f32::max);
+            assert!((0.8..=1.0).contains(&most), "{size}: {most}");
+        }
+    }
+
+    #[test]
+    fn what_has_no_size_is_looked_at_from_nearby() {
+        let mut camera = Camera::default();
+        camera.fit(&Aabb::from_points([Vec3::ONE]), 1.0);
+        assert_eq!((camera.target, camera.radius), (Vec3::ONE, 0.5));
+    }
+
+    #[test]
+    fn the_wheel_never_moves_the_eye_away_when_it_should_come_nearer() {
+        let mut camera = Camera {
+            radius: 0.05,
+            ..Camera::default()
+        };
+        camera.zoom(1.0);
+        assert_eq!(camera.radius, 0.05);
+        camera.zoom(-1.0);
+        assert_eq!(camera.radius, 0.55);
     }
 }
