@@ -72,9 +72,10 @@ pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
 }
 
 fn curves(set: &CurveSet, frame_closing: bool) -> Vec<EvaluatedCurve> {
+    let sweeps = set.sweeps();
     let evaluated = |(item, curve): (usize, &crate::geometry::Curve)| {
         let mut points = curve.evaluate();
-        let closing_angle = if frame_closing && set.is_sweep(item) {
+        let closing_angle = if frame_closing && sweeps.contains(&item) {
             close_frames(&mut points)
         } else {
             None

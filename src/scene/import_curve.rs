@@ -1,5 +1,6 @@
 use crate::geometry::{Basis, Curve, CurveError, CurveForm, MAX_STEPS};
 use glam::Vec3;
+use std::collections::HashSet;
 
 /// The curves and surfaces of one `.swp` file, in its order; any number of either.
 ///
@@ -277,6 +278,15 @@ impl CurveSet {
         self.items
             .iter()
             .any(|other| matches!(other.kind, CurveItemKind::Sweep { sweep, .. } if sweep == item))
+    }
+
+    /// The curves that a surface is swept along, as [`CurveSet::is_sweep`] says of one.
+    pub fn sweeps(&self) -> HashSet<usize> {
+        let sweep = |item: &CurveItem| match item.kind {
+            CurveItemKind::Sweep { sweep, .. } => Some(sweep),
+            _ => None,
+        };
+        self.items.iter().filter_map(sweep).collect()
     }
 
     /// A name that no item has, made from `base`.
