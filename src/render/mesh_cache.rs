@@ -4,7 +4,7 @@ use super::texture_cache::TextureCache;
 use crate::character::Skinning;
 use crate::gpu::{Gl, GpuError, Program};
 use crate::scene::{Evaluated, Shading, ShapeId};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// The meshes of a scene in the memory of the graphics card. Only what has a new revision is
 /// uploaded: a shape that nobody touches costs nothing but its draw.
@@ -38,7 +38,8 @@ impl MeshCache {
         shading: Shading,
         skinning: Skinning,
     ) -> Result<(), GpuError> {
-        self.meshes.retain(|&id, _| evaluated.shape(id).is_some());
+        let there: HashSet<ShapeId> = evaluated.shapes.iter().map(|shape| shape.id).collect();
+        self.meshes.retain(|id, _| there.contains(id));
         for shape in &evaluated.shapes {
             let geometry = &shape.geometry;
             match self.meshes.get_mut(&shape.id) {

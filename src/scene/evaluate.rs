@@ -4,7 +4,7 @@ use crate::character::StickFigure;
 use crate::geometry::{Normals, Revision, SharedMesh};
 use crate::math::Aabb;
 use glam::{Mat4, Vec3};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
 
 /// Everything that follows from a scene: matrices, deformed vertices, bounds.
@@ -126,7 +126,8 @@ impl Evaluator {
 
     /// Works out all that follows from `scene`.
     pub fn evaluate(&mut self, scene: &Scene) -> Evaluated {
-        self.cache.retain(|&id, _| scene.shape(id).is_some());
+        let there: HashSet<ShapeId> = scene.shapes().iter().map(|shape| shape.id).collect();
+        self.cache.retain(|id, _| there.contains(id));
         let shapes = scene
             .shapes()
             .iter()
