@@ -19,6 +19,8 @@ pub(super) struct FramePictures {
     window: Option<Framebuffer>,
     /// What the scene's picture shows: drawn again only when this changes.
     shown: Option<(Revision, Marks)>,
+    /// Whether the last frame could not have pictures of the size it needed.
+    has_wrong_size: bool,
 }
 
 impl FramePictures {
@@ -98,14 +100,17 @@ impl Workspace {
             .viewport_output
             .get(&egui::ViewportId::ROOT)
             .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
-        if let Err(error) = self.draw_scene(&shown, output.pixels_per_point, size) {
-            self.painter.skip(output);
-            return Err(error.into());
-        }
+        let place = Self::place(&shown, output.pixels_per_point, size);
+        let fitted = self.fit_pictures(place, size);
+        let drawn = self.draw_scene(matches!(fitted, Ok(true)));
+        let has_wrong_size = matches!(fitted, Err(GpuError::Size { .. }));
+        let mut told = self.tell_fault(fitted.map(drop))?;
+        self.pictures.has_wrong_size = has_wrong_size;
+        told |= self.tell_fault(drawn)?;
         let compared = self.draw_comparison();
-        self.show_frame(&shown, output, size, screenshot_due)?;
+        self.show_frame(place, output, size, screenshot_due)?;
         // The panels were laid out before what they asked for was done.
-        Ok(if changed || compared {
+        Ok(if changed || compared || told {
             Duration::ZERO
         } else {
             delay
@@ -165,17 +170,25 @@ impl Workspace {
         view_place((min.x, min.y), (max.x, max.y), pixels_per_point, size)
     }
 
-    fn draw_scene(
-        &mut self,
-        shown: &ui::UiOutput,
-        pixels_per_point: f32,
-        size: PhysicalSize<u32>,
-    ) -> Result<(), GpuError> {
-        let place = Self::place(shown, pixels_per_point, size);
+    /// Makes the pictures fit the view and the window; whether that of the view is a new one. Where
+    /// they cannot be made, those before stay and are stretched.
+    fn fit_pictures(&mut self, place: Rect, size: PhysicalSize<u32>) -> Result<bool, GpuError> {
         let gl = self.window.gl();
         let samples = globals::SAMPLES.min(gl.info().max_samples);
-        let (width, height) = (place.width.unsigned_abs(), place.height.unsigned_abs());
-        let fresh = fit(gl, &mut self.pictures.scene, (width, height), samples)?;
+        let pictures = &mut self.pictures;
+        let window = fit(gl, &mut pictures.window, (size.width, size.height), 0);
+        let view = (place.width.unsigned_abs(), place.height.unsigned_abs());
+        let scene = fit(gl, &mut pictures.scene, view, samples);
+        if pictures.scene.is_none() {
+            // The panels can be shown without the view.
+            fit(gl, &mut pictures.scene, (1, 1), 0)?;
+        }
+        let fresh = scene?;
+        window.map(|_| fresh)
+    }
+
+    /// Draws the scene, if something changed or its picture is `fresh`.
+    fn draw_scene(&mut self, fresh: bool) -> Result<(), GpuError> {
         let marks = Marks {
             selected: self.session.selected(),
             hovered: self.hovered_shape,
@@ -202,26 +215,48 @@ impl Workspace {
             view: self.session.view(),
             marks,
         };
-        self.renderer.draw(&frame, target)?;
+        let drawn = self.renderer.draw(&frame, target);
+        // What failed is not tried again before something changes.
         self.pictures.shown = now;
         for notice in self.renderer.take_notices() {
             self.session.messages.tell(Severity::Warning, notice);
         }
-        Ok(())
+        drawn
+    }
+
+    /// Tells what went wrong with drawing, once, so that work can go on; whether there is something
+    /// new to tell.
+    ///
+    /// # Errors
+    /// If nothing can be drawn any more, or nothing ever could.
+    fn tell_fault(&mut self, drawn: Result<(), GpuError>) -> Result<bool, AppError> {
+        let Err(error) = drawn else {
+            return Ok(false);
+        };
+        if matches!(error, GpuError::Lost { .. }) || self.pictures.window.is_none() {
+            return Err(error.into());
+        }
+        // While the size of the window changes, so does the text of what is the same failure.
+        let is_same = matches!(error, GpuError::Size { .. }) && self.pictures.has_wrong_size;
+        let text = format!("The picture is not as it should be: {error}");
+        let mut told = self.session.messages.history().iter();
+        if is_same || told.any(|message| message.text == text) {
+            return Ok(false);
+        }
+        self.session.messages.tell(Severity::Error, text);
+        Ok(true)
     }
 
     fn show_frame(
         &mut self,
-        shown: &ui::UiOutput,
+        place: Rect,
         output: egui::FullOutput,
         size: PhysicalSize<u32>,
         screenshot_due: bool,
     ) -> Result<(), AppError> {
-        let place = Self::place(shown, output.pixels_per_point, size);
-        let gl = self.window.gl();
-        fit(gl, &mut self.pictures.window, (size.width, size.height), 0)?;
         let pictures = &self.pictures;
         let (Some(scene), Some(target)) = (&pictures.scene, &pictures.window) else {
+            self.painter.skip(output);
             return Ok(());
         };
         let context = self.egui.egui_ctx();
@@ -236,8 +271,10 @@ impl Workspace {
         self.window.window().pre_present_notify();
         self.window.swap_buffers()?;
         if let Some(path) = self.pending_screenshot.take_if(|_| screenshot_due) {
-            let picture = read_picture(target)?;
-            self.save_picture(&path, &picture);
+            match read_picture(target) {
+                Ok(picture) => self.save_picture(&path, &picture),
+                Err(error) => self.tell_undrawn(&error),
+            }
         }
         Ok(())
     }

@@ -20,11 +20,14 @@ impl Workspace {
         let view = self.pictures.view_size().unwrap_or((800, 600));
         match self.view_picture(shot.size.unwrap_or(view)) {
             Ok(picture) => self.save_picture(path, &picture),
-            Err(error) => self.session.messages.tell(
-                Severity::Error,
-                format!("The picture could not be drawn: {error}"),
-            ),
+            Err(error) => self.tell_undrawn(&error),
         }
+    }
+
+    pub(super) fn tell_undrawn(&mut self, error: &GpuError) {
+        let text = format!("The picture could not be drawn: {error}");
+        self.session.messages.tell(Severity::Error, text);
+        self.request_redraw();
     }
 
     /// Writes a picture in the format of its name, and tells how that went.

@@ -73,9 +73,11 @@ impl Storage {
 
     fn write(&self, bytes: &[u8]) -> Result<(), GpuError> {
         let capacity = self.capacity.get().max(bytes.len());
-        let size = i32::try_from(capacity).map_err(|_| GpuError::Data {
+        let most = self.gl.most_buffer_bytes();
+        let size = i32::try_from(capacity).ok().filter(|&size| size <= most);
+        let size = size.ok_or_else(|| GpuError::Data {
             what: "buffer",
-            problem: format!("{capacity} bytes are more than the 2 GiB it can hold"),
+            problem: format!("{capacity} bytes are more than the {most} it can hold"),
         })?;
         let glow = self.gl.raw();
         // SAFETY: current context; the size is at least that of the data. An index buffer would

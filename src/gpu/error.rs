@@ -67,6 +67,18 @@ pub enum GpuError {
         /// The driver's reason.
         why: String,
     },
+    /// Parts of a picture that could not be drawn, where all the rest was.
+    #[error("not everything is shown: {}", parts.join("; "))]
+    LeftOut {
+        /// One entry a part, with its reason.
+        parts: Vec<String>,
+    },
+    /// The context and all that it held are gone.
+    #[error("the graphics driver was reset while {what}: restart the program")]
+    Lost {
+        /// What was being done.
+        what: String,
+    },
     /// Errors that the driver, or this layer, noticed since the last check.
     #[error("OpenGL reports errors in {what}: {}", faults.join("; "))]
     Faults {

@@ -20,6 +20,7 @@ struct Inner {
     driver_messages: Arc<Mutex<Vec<String>>>,
     faults: RefCell<Vec<String>>,
     viewport: Cell<[i32; 4]>,
+    most_buffer_bytes: Cell<i32>,
     /// The last field: `glow` says good-bye to the driver while the context is still there.
     native: OwnedNative,
 }
@@ -60,6 +61,7 @@ impl Gl {
         let driver_messages = driver::collect_messages(&mut glow);
         let info = driver::read_info(&glow);
         let viewport = Cell::new([0; 4]);
+        let most_buffer_bytes = Cell::new(i32::MAX);
         let faults = RefCell::default();
         let glow = Arc::new(glow);
         Ok(Self {
@@ -69,6 +71,7 @@ impl Gl {
                 driver_messages,
                 faults,
                 viewport,
+                most_buffer_bytes,
                 native,
             }),
         })
@@ -106,7 +109,8 @@ impl Gl {
     ///
     /// # Errors
     /// [`GpuError::Faults`] with the driver's error codes and messages of errors or high severity,
-    /// and the mistakes that this layer caught before they reached the driver.
+    /// and the mistakes that this layer caught before they reached the driver; [`GpuError::Lost`]
+    /// if the context is gone.
     pub fn check(&self, what: &str) -> Result<(), GpuError> {
         let mut faults = Vec::new();
         // A lost context may report errors for ever, hence the bound.
@@ -114,6 +118,10 @@ impl Gl {
             // SAFETY: current context.
             match unsafe { self.raw().get_error() } {
                 glow::NO_ERROR => break,
+                glow::CONTEXT_LOST => {
+                    let what = what.to_owned();
+                    return Err(GpuError::Lost { what });
+                }
                 code => faults.push(error_name(code)),
             }
         }
@@ -145,6 +153,17 @@ impl Gl {
         }
     }
 
+    /// The most that a buffer holds: what OpenGL can count.
+    pub(in crate::gpu) fn most_buffer_bytes(&self) -> i32 {
+        self.inner.most_buffer_bytes.get()
+    }
+
+    /// Lets buffers hold `bytes` at most, as with a driver that is out of memory.
+    #[cfg(test)]
+    pub(crate) fn limit_buffers(&self, bytes: i32) {
+        self.inner.most_buffer_bytes.set(bytes);
+    }
+
     /// The viewport that was set last: x, y, width, height in pixels.
     pub(in crate::gpu) fn viewport(&self) -> [i32; 4] {
         self.inner.viewport.get()
@@ -165,9 +184,6 @@ fn error_name(code: u32) -> String {
         glow::INVALID_OPERATION => "GL_INVALID_OPERATION".to_owned(),
         glow::INVALID_FRAMEBUFFER_OPERATION => "GL_INVALID_FRAMEBUFFER_OPERATION".to_owned(),
         glow::OUT_OF_MEMORY => "GL_OUT_OF_MEMORY (out of graphics memory)".to_owned(),
-        glow::CONTEXT_LOST => {
-            "GL_CONTEXT_LOST (the driver was reset: restart the program)".to_owned()
-        }
         other => format!("GL error 0x{other:04x}"),
     }
 }

@@ -152,19 +152,20 @@ impl CachedMesh {
         skin_fits && self.mesh == geometry.mesh.revision() && self.shading == shading
     }
 
-    /// Uploads new positions, if it holds others and the vertex shader does not make them.
-    pub fn update_positions(&mut self, geometry: &EvaluatedGeometry) -> Result<(), GpuError> {
+    /// Uploads new positions, if it holds others and the vertex shader does not make them. Whether
+    /// it did.
+    pub fn update_positions(&mut self, geometry: &EvaluatedGeometry) -> Result<bool, GpuError> {
         let Some(moving) = &mut self.moving else {
-            return Ok(());
+            return Ok(false);
         };
         if moving.revision == geometry.revision {
-            return Ok(());
+            return Ok(false);
         }
         let (positions, normals) = current_vertices(geometry, self.facets.as_ref());
         moving.positions.update(&positions)?;
         moving.normals.update(&normals)?;
         moving.revision = geometry.revision;
-        Ok(())
+        Ok(true)
     }
 }
 

@@ -2,7 +2,8 @@ use super::InterfacePainter;
 use crate::gpu::{Framebuffer, GpuError, Rect};
 
 /// Puts a picture of the scene into `target` at `place` (pixels from the bottom left) and paints
-/// the panels over it: what the window shows, and what a picture with panels is.
+/// the panels over it: what the window shows, and what a picture with panels is. A picture of
+/// another size is scaled.
 ///
 /// # Errors
 /// When `target` has samples.
@@ -18,8 +19,8 @@ pub fn compose(
     let whole = Rect {
         x: 0,
         y: 0,
-        width: place.width,
-        height: place.height,
+        width: scene.width() as i32,
+        height: scene.height() as i32,
     };
     let placed = scene.blit_into(target, whole, place);
     painter.paint(context, output, target);

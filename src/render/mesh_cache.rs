@@ -1,9 +1,11 @@
 use super::cached_mesh::CachedMesh;
+use super::frame::Frame;
 use super::palettes::Palettes;
 use super::texture_cache::TextureCache;
 use crate::character::Skinning;
+use crate::geometry::Revision;
 use crate::gpu::{Gl, GpuError, Program};
-use crate::scene::{Evaluated, Shading, ShapeId};
+use crate::scene::{Evaluated, EvaluatedGeometry, EvaluatedShape, Shading, Shape, ShapeId};
 use std::collections::{HashMap, HashSet};
 
 /// The meshes of a scene in the memory of the graphics card. Only what has a new revision is
@@ -11,10 +13,20 @@ use std::collections::{HashMap, HashSet};
 #[derive(Debug)]
 pub(super) struct MeshCache {
     meshes: HashMap<ShapeId, CachedMesh>,
+    /// Meshes that the driver could not take.
+    refused: HashMap<ShapeId, Refused>,
     palettes: Palettes,
     textures: TextureCache,
     /// Rows of the largest table for skinning.
     most_rows: u32,
+}
+
+/// A mesh that is left out, and not tried again as long as it is the same.
+#[derive(Debug)]
+struct Refused {
+    mesh: Revision,
+    asked: (Shading, Skinning),
+    why: GpuError,
 }
 
 impl MeshCache {
@@ -22,6 +34,7 @@ impl MeshCache {
     pub fn new(most_rows: u32) -> Self {
         Self {
             meshes: HashMap::new(),
+            refused: HashMap::new(),
             palettes: Palettes::default(),
             textures: TextureCache::default(),
             most_rows,
@@ -31,6 +44,10 @@ impl MeshCache {
     /// Brings all shapes up to date and forgets those that are gone. What a shader cannot do for a
     /// mesh is done on the processor, whatever `skinning` says: smooth normals of a mesh that has
     /// none are sums over the moved triangles round each vertex.
+    ///
+    /// # Errors
+    /// When the driver cannot skin. A mesh that it cannot take otherwise is left out, see
+    /// [`MeshCache::left_out`].
     pub fn update(
         &mut self,
         gl: &Gl,
@@ -40,18 +57,21 @@ impl MeshCache {
     ) -> Result<(), GpuError> {
         let there: HashSet<ShapeId> = evaluated.shapes.iter().map(|shape| shape.id).collect();
         self.meshes.retain(|id, _| there.contains(id));
+        self.refused.retain(|id, _| there.contains(id));
         for shape in &evaluated.shapes {
-            let geometry = &shape.geometry;
-            match self.meshes.get_mut(&shape.id) {
-                Some(cached) if cached.fits(geometry, shading, skinning) => {
-                    cached.update_positions(geometry)?;
+            let asked = (shading, skinning);
+            let mesh = shape.geometry.mesh.revision();
+            let is_same = |refused: &Refused| (refused.mesh, refused.asked) == (mesh, asked);
+            if self.refused.get(&shape.id).is_some_and(is_same) {
+                continue;
+            }
+            self.refused.remove(&shape.id);
+            if let Err(why) = self.update_shape(gl, shape, shading, skinning) {
+                self.meshes.remove(&shape.id);
+                if skinning == Skinning::Gpu && shape.geometry.deformation.is_some() {
+                    return Err(why);
                 }
-                _ => {
-                    let most_rows = self.most_rows;
-                    let mut cached = CachedMesh::new(gl, geometry, shading, skinning, most_rows)?;
-                    cached.add_textures(gl, &geometry.mesh, &mut self.textures);
-                    self.meshes.insert(shape.id, cached);
-                }
+                self.refused.insert(shape.id, Refused { mesh, asked, why });
             }
         }
         self.textures.forget_unused();
@@ -59,6 +79,37 @@ impl MeshCache {
         let is_skinned = |id: &ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
         let skinned = evaluated.shapes.iter().filter(|s| is_skinned(&s.id));
         self.palettes.update(gl, skinned, self.most_rows)
+    }
+
+    fn update_shape(
+        &mut self,
+        gl: &Gl,
+        shape: &EvaluatedShape,
+        shading: Shading,
+        skinning: Skinning,
+    ) -> Result<(), GpuError> {
+        let geometry: &EvaluatedGeometry = &shape.geometry;
+        let known = self.meshes.get_mut(&shape.id);
+        if let Some(cached) = known.filter(|cached| cached.fits(geometry, shading, skinning)) {
+            if cached.update_positions(geometry)? {
+                gl.check("moving a mesh")?;
+            }
+            return Ok(());
+        }
+        let mut cached = CachedMesh::new(gl, geometry, shading, skinning, self.most_rows)?;
+        gl.check("uploading a mesh")?;
+        cached.add_textures(gl, &geometry.mesh, &mut self.textures);
+        self.meshes.insert(shape.id, cached);
+        Ok(())
+    }
+
+    /// The visible shapes whose meshes the driver could not take, in words for the user.
+    pub fn left_out(&self, frame: &Frame) -> Vec<String> {
+        let told = |(shape, _): (&Shape, &EvaluatedShape)| {
+            let refused = self.refused.get(&shape.id)?;
+            Some(format!("“{}” ({})", shape.name, refused.why))
+        };
+        frame.shapes().filter_map(told).collect()
     }
 
     pub fn get(&self, id: ShapeId) -> Option<&CachedMesh> {

@@ -53,12 +53,28 @@ impl Renderer {
         })
     }
 
-    /// Draws the whole of `target` anew. Whatever state the context is in does not matter.
+    /// Draws the whole of `target` anew. Whatever state the context is in does not matter. What
+    /// fails is left out, and all the rest is drawn.
     ///
     /// # Errors
-    /// When something does not fit into the driver's memory or limits, or a GL error occurred.
+    /// When something does not fit into the driver's memory or limits, or a GL error occurred:
+    /// whatever was first.
     pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
-        self.update_meshes(frame)?;
+        // What others left behind is no fault of a mesh.
+        let before = self.gl.check("what came before the scene");
+        let updated = self.update_meshes(frame);
+        let drawn = self.draw_passes(frame, target);
+        let after = self.gl.check("drawing the scene");
+        let parts = self.meshes.left_out(frame);
+        let whole = if parts.is_empty() {
+            Ok(())
+        } else {
+            Err(GpuError::LeftOut { parts })
+        };
+        before.and(updated).and(whole).and(drawn).and(after)
+    }
+
+    fn draw_passes(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
         let Self {
             gl,
             meshes,
@@ -84,26 +100,32 @@ impl Renderer {
         if frame.view.axis {
             draw_axis(gl, immediate, &context);
         }
+        let mut drawn = Ok(());
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
         draw_curves(gl, &context, frame, immediate);
         if is_mannequin {
             draw_bone_lines(gl, &context, frame, immediate);
         } else {
-            self.skeletons.draw(gl, &context, frame, immediate)?;
+            drawn = self.skeletons.draw(gl, &context, frame, immediate);
             self.surfaces.draw_translucent(gl, &context, frame, meshes);
         }
         if frame.view.grid && frame.view.look == Look::Studio {
-            let shadows = self.shadows.draw(gl, &context, frame, meshes)?;
+            let shadows = self.shadows.draw(gl, &context, frame, meshes);
+            let (shadows, result) = match shadows {
+                Ok(shadows) => (shadows, Ok(())),
+                Err(error) => (None, Err(error)),
+            };
+            drawn = drawn.and(result);
             self.ground.draw(gl, &context, camera, shadows, target);
         }
-        self.outline.draw(
+        let outlined = self.outline.draw(
             gl,
             &context,
             frame,
             meshes,
             (&mut self.skeletons, immediate),
             target,
-        )?;
-        gl.check("drawing the scene")
+        );
+        drawn.and(outlined)
     }
 }

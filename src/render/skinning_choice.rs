@@ -126,6 +126,12 @@ mod tests {
     }
 
     fn picture(renderer: &mut Renderer, gl: &Gl, scene: &Scene) -> Picture {
+        let (told, picture) = drawn(renderer, gl, scene);
+        told.unwrap();
+        picture
+    }
+
+    fn drawn(renderer: &mut Renderer, gl: &Gl, scene: &Scene) -> (Result<(), GpuError>, Picture) {
         let evaluated = Evaluator::new().evaluate(scene);
         let frame = Frame {
             scene,
@@ -134,8 +140,8 @@ mod tests {
             marks: Marks::default(),
         };
         let target = Framebuffer::new(gl, 64, 48, 0).unwrap();
-        renderer.draw(&frame, &target).unwrap();
-        read_picture(&target).unwrap()
+        let told = renderer.draw(&frame, &target);
+        (told, read_picture(&target).unwrap())
     }
 
     #[test]
@@ -157,6 +163,35 @@ mod tests {
         let mut plain = Renderer::new(gl).unwrap();
         plain.set_skinning(Some(Skinning::Cpu));
         assert_eq!(picture(&mut plain, gl, &scene), fallen_back);
+    }
+
+    #[test]
+    fn a_mesh_that_the_driver_cannot_take_is_left_out_and_told_and_all_else_is_drawn() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = context.gl();
+        let mut scene = Scene::new();
+        let cube = scene.add("Cube".into(), ShapeKind::Cube, None);
+        scene.shape_mut(cube).unwrap().placement.transform.position = Vec3::X;
+        let alone = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+        scene.add("Ball".into(), ShapeKind::Sphere, None);
+        let both = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+
+        let mut renderer = Renderer::new(gl).unwrap();
+        gl.limit_buffers(2000);
+        for _ in 0..2 {
+            let (told, found) = drawn(&mut renderer, gl, &scene);
+            let told = told.unwrap_err().to_string();
+            assert!(told.contains("“Ball”") && !told.contains("Cube"), "{told}");
+            assert_eq!(found, alone);
+        }
+        // Once there is memory, another way of drawing it is tried, and not before.
+        gl.limit_buffers(i32::MAX);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_err());
+        let ball = scene.shapes()[1].id;
+        scene.delete(ball);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_ok());
+        scene.add("Ball".into(), ShapeKind::Sphere, None);
+        assert_eq!(picture(&mut renderer, gl, &scene), both);
     }
 
     #[test]

@@ -22,6 +22,11 @@ pub struct Desktop {
 impl Desktop {
     /// Starts one on a display number of its own choosing.
     pub fn start() -> Self {
+        Self::of_size(1400, 900)
+    }
+
+    /// Starts one with so many pixels.
+    pub fn of_size(width: u32, height: u32) -> Self {
         let turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
         let mut server = Command::new("Xvfb")
             .args([
@@ -29,7 +34,7 @@ impl Desktop {
                 "1",
                 "-screen",
                 "0",
-                "1400x900x24",
+                &format!("{width}x{height}x24"),
                 "-noreset",
                 "-nolisten",
                 "tcp",
@@ -109,6 +114,14 @@ impl<'a> Program<'a> {
                 .then_some(())
         });
         program
+    }
+
+    /// Makes the window so many pixels large.
+    pub fn resize(&self, width: u32, height: u32) {
+        let (width, height) = (width.to_string(), height.to_string());
+        self.desktop
+            .xdotool(&["windowsize", &self.window, &width, &height]);
+        pause();
     }
 
     pub fn title(&self) -> String {

@@ -242,6 +242,28 @@ fn a_file_that_cannot_be_opened_is_told_in_the_window_which_stays() {
 }
 
 #[test]
+fn a_window_larger_than_the_driver_draws_ends_nothing_and_is_told() {
+    let desktop = Desktop::of_size(17_000, 900);
+    let home = tempfile::tempdir().expect("a folder");
+    home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let before = program.picture();
+    program.resize(17_000, 500);
+    program.picture();
+    program.resize(1280, 800);
+    let after = program.picture();
+    assert!(
+        after.len() == before.len() && after != before,
+        "nothing is told"
+    );
+    program.keys(&["shift+c"]);
+    assert!(program.picture() != after, "it does not draw any more");
+    program.keys(&["Escape"]);
+    let (status, told) = program.end();
+    assert!(status.success(), "{status}: {told}");
+}
+
+#[test]
 fn without_a_display_the_program_says_what_to_do_and_exits_with_1() {
     let home = tempfile::tempdir().expect("a folder");
     let output = command(home.path()).output().expect("the program runs");
