@@ -31,6 +31,9 @@ impl Usage {
     }
 }
 
+/// Bytes that a buffer keeps however little is written.
+const SMALL: usize = 1 << 16;
+
 /// The driver's object, shared with the vertex arrays that read it.
 pub(in crate::gpu) struct Storage {
     gl: Gl,
@@ -72,7 +75,14 @@ impl Storage {
     }
 
     fn write(&self, bytes: &[u8]) -> Result<(), GpuError> {
-        let capacity = self.capacity.get().max(bytes.len());
+        // Memory much larger than its content would be asked for again with every write.
+        let kept = bytes.len()..=bytes.len().saturating_mul(4).max(SMALL);
+        let capacity = self.capacity.get();
+        let capacity = if kept.contains(&capacity) {
+            capacity
+        } else {
+            bytes.len()
+        };
         let most = self.gl.most_buffer_bytes();
         let size = i32::try_from(capacity).ok().filter(|&size| size <= most);
         let size = size.ok_or_else(|| GpuError::Data {
@@ -194,5 +204,27 @@ impl IndexBuffer {
 
     pub(in crate::gpu) fn storage(&self) -> &Rc<Storage> {
         &self.buffer.storage
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::{Backend, HeadlessContext};
+
+    #[test]
+    fn a_buffer_keeps_memory_that_fits_and_gives_back_what_is_far_too_large() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let buffer = Buffer::vertices(context.gl(), Usage::Stream, &[0_u8; 4000]).unwrap();
+        let capacity_for = |count: usize| {
+            buffer.update(&vec![0_u8; count]).unwrap();
+            assert_eq!(buffer.len(), count);
+            buffer.storage.capacity.get()
+        };
+        let sizes = [1000, 5000, 10, 10_000_000, 3_000_000, 1000, 0];
+        assert_eq!(
+            sizes.map(capacity_for),
+            [4000, 5000, 5000, 10_000_000, 10_000_000, 1000, 1000]
+        );
     }
 }

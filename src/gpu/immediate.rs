@@ -3,8 +3,9 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
+use super::display_list::{self, Group, PointLook};
 use super::thick_line::{self, Point};
-use super::{Attribute, Buffer, Gl, GpuError, Primitive, Program, Usage, VertexArray};
+use super::{Buffer, Gl, GpuError, Primitive, Program, Usage, VertexArray};
 
 /// What the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,10 +43,13 @@ pub enum PointShape {
 
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
-struct Vertex {
-    position: Vec4,
-    color: Vec4,
+pub(in crate::gpu) struct Vertex {
+    pub(in crate::gpu) position: Vec4,
+    pub(in crate::gpu) color: Vec4,
 }
+
+/// Room for so many vertices is kept from one group to the next.
+const KEPT_VERTICES: usize = 1 << 16;
 
 /// Draws points, lines and triangles given vertex by vertex, one draw call for each
 /// `begin … end`, into what is bound and with the [`DrawState`](super::DrawState) applied last.
@@ -53,16 +57,20 @@ struct Vertex {
 /// As in OpenGL, the matrix, color, sizes and shape stay until changed. A vertex outside of
 /// `begin … end`, or those two in a wrong order, are faults told by [`Gl::check`].
 pub struct Immediate {
-    gl: Gl,
-    program: Program,
+    pub(in crate::gpu) gl: Gl,
+    pub(in crate::gpu) program: Program,
     buffer: Buffer<Vertex>,
     vertex_array: VertexArray,
-    vertices: Vec<Vertex>,
+    /// Those of the group, behind those of the groups before it in a list.
+    pub(in crate::gpu) vertices: Vec<Vertex>,
+    pub(in crate::gpu) group_start: usize,
+    /// The groups of the list that is recorded, if one is.
+    pub(in crate::gpu) list: Option<Vec<Group>>,
     mode: Option<Mode>,
     color: Vec4,
     normal: Vec3,
     towards_light: Option<Vec3>,
-    clip_from_world: Mat4,
+    pub(in crate::gpu) clip_from_world: Mat4,
     point_size: f32,
     point_shape: PointShape,
     line_width: f32,
@@ -86,17 +94,15 @@ impl Immediate {
         let fragment_body = include_str!("../../shaders/immediate_fragment.glsl");
         let program = Program::new(gl, "immediate", vertex_body, fragment_body)?;
         let buffer = Buffer::vertices(gl, Usage::Stream, &[])?;
-        let color_offset = std::mem::offset_of!(Vertex, color);
-        let vertex_array = VertexArray::builder(gl)
-            .attribute(&buffer, Attribute::f32(0, 4))
-            .attribute(&buffer, Attribute::f32(1, 4).offset(color_offset))
-            .build()?;
+        let vertex_array = display_list::attributes(gl, &buffer).build()?;
         Ok(Self {
             gl: gl.clone(),
             program,
             buffer,
             vertex_array,
             vertices: Vec::new(),
+            group_start: 0,
+            list: None,
             mode: None,
             color: Vec4::ONE,
             normal: Vec3::Z,
@@ -140,7 +146,11 @@ impl Immediate {
             self.gl
                 .report("immediate: begin without end before it".to_owned());
         }
-        self.vertices.clear();
+        if self.list.is_none() {
+            self.vertices.clear();
+            self.vertices.shrink_to(KEPT_VERTICES);
+        }
+        self.group_start = self.vertices.len();
         self.mode = Some(mode);
     }
 
@@ -201,6 +211,14 @@ impl Immediate {
             return;
         };
         let is_line = matches!(mode, Mode::Lines | Mode::LineStrip | Mode::LineLoop);
+        if self.list.is_some() {
+            if is_line && self.line_width > 1.0 {
+                let fault = "immediate: a list holds lines of one pixel alone";
+                self.gl.report(fault.to_owned());
+            }
+            self.record(mode);
+            return;
+        }
         let (primitive, clip_from_vertex) = if is_line && self.line_width > 1.0 {
             self.widen_lines(mode);
             (Primitive::Triangles, Mat4::IDENTITY)
@@ -211,28 +229,41 @@ impl Immediate {
             self.gl.report(error.to_string());
             return;
         }
-        let shape = if mode == Mode::Points {
-            self.point_shape
+        self.program.set_mat4("clip_from_world", clip_from_vertex);
+        self.set_look(self.look(mode));
+        let count = self.vertex_array.vertex_count();
+        self.vertex_array.draw(&self.program, primitive, 0..count);
+    }
+
+    /// How the points of a group look; what are none do not.
+    pub(in crate::gpu) fn look(&self, mode: Mode) -> PointLook {
+        if mode == Mode::Points {
+            PointLook {
+                size: self.point_size,
+                shape: self.point_shape,
+            }
         } else {
-            PointShape::Square
-        };
+            PointLook {
+                size: 1.0,
+                shape: PointShape::Square,
+            }
+        }
+    }
+
+    pub(in crate::gpu) fn set_look(&self, PointLook { size, shape }: PointLook) {
         // A smooth edge reaches half a pixel beyond the disc.
         let margin = if shape == PointShape::SmoothDisc {
             1.0
         } else {
             0.0
         };
-        self.program.set_mat4("clip_from_world", clip_from_vertex);
-        self.program.set_f32("point_size", self.point_size);
-        self.program
-            .set_f32("sprite_size", self.point_size + margin);
+        self.program.set_f32("point_size", size);
+        self.program.set_f32("sprite_size", size + margin);
         self.program.set_i32("point_shape", shape as i32);
-        let count = self.vertex_array.vertex_count();
-        self.vertex_array.draw(&self.program, primitive, 0..count);
     }
 
     /// The primitive for a mode that OpenGL draws; quads become triangles first.
-    fn plain(&mut self, mode: Mode) -> Primitive {
+    pub(in crate::gpu) fn plain(&mut self, mode: Mode) -> Primitive {
         match mode {
             Mode::Points => Primitive::Points,
             Mode::Lines => Primitive::Lines,
@@ -242,10 +273,10 @@ impl Immediate {
             Mode::TriangleStrip => Primitive::TriangleStrip,
             Mode::TriangleFan => Primitive::TriangleFan,
             Mode::Quads => {
-                let quads = self.vertices.chunks_exact(4);
-                self.vertices = quads
-                    .flat_map(|q| [q[0], q[1], q[2], q[0], q[2], q[3]])
-                    .collect();
+                let quads = self.vertices.split_off(self.group_start);
+                let corners = quads.chunks_exact(4);
+                let corners = corners.flat_map(|q| [q[0], q[1], q[2], q[0], q[2], q[3]]);
+                self.vertices.extend(corners);
                 Primitive::Triangles
             }
         }

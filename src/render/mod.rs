@@ -7,6 +7,7 @@ mod background_pass;
 mod bone_lines;
 mod cached_mesh;
 mod compose;
+mod curve_lines;
 mod curve_pass;
 mod floor_pass;
 mod frame;

@@ -1,7 +1,7 @@
 use super::axis_pass::draw_axis;
 use super::background_pass::BackgroundPass;
 use super::bone_lines::draw_bone_lines;
-use super::curve_pass::draw_curves;
+use super::curve_pass::CurvePass;
 use super::floor_pass::FloorPass;
 use super::frame::{Frame, PassContext};
 use super::ground_pass::GroundPass;
@@ -23,6 +23,7 @@ pub struct Renderer {
     pub(super) notices: Vec<String>,
     background: BackgroundPass,
     pub(super) surfaces: SurfacePass,
+    curves: CurvePass,
     skeletons: SkeletonPass,
     pub(super) shadows: ShadowPass,
     ground: GroundPass,
@@ -44,6 +45,7 @@ impl Renderer {
             notices: Vec::new(),
             background: BackgroundPass::new(gl)?,
             surfaces: SurfacePass::new(gl)?,
+            curves: CurvePass::default(),
             skeletons: SkeletonPass::new(gl)?,
             shadows: ShadowPass::new(gl)?,
             ground: GroundPass::new(gl)?,
@@ -63,9 +65,11 @@ impl Renderer {
         // What others left behind is no fault of a mesh.
         let before = self.gl.check("what came before the scene");
         let updated = self.update_meshes(frame);
+        self.curves.update(&self.gl, frame, &mut self.immediate);
         let drawn = self.draw_passes(frame, target);
         let after = self.gl.check("drawing the scene");
-        let parts = self.meshes.left_out(frame);
+        let mut parts = self.meshes.left_out(frame);
+        parts.extend(self.curves.left_out(frame));
         let whole = if parts.is_empty() {
             Ok(())
         } else {
@@ -102,7 +106,7 @@ impl Renderer {
         }
         let mut drawn = Ok(());
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
-        draw_curves(gl, &context, frame, immediate);
+        self.curves.draw(gl, &context, frame, immediate);
         if is_mannequin {
             draw_bone_lines(gl, &context, frame, immediate);
         } else {

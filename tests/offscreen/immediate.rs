@@ -234,6 +234,50 @@ fn colors_belong_to_vertices_and_stay_until_changed() {
 }
 
 #[test]
+fn a_list_draws_what_its_groups_would_and_again_wherever_the_matrix_says() {
+    let groups = |immediate: &mut Immediate| {
+        for (index, mode) in [
+            Mode::Points,
+            Mode::Lines,
+            Mode::Lines,
+            Mode::LineStrip,
+            Mode::LineLoop,
+            Mode::Quads,
+            Mode::Quads,
+            Mode::TriangleFan,
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            let (x, y) = (
+                2.0 + 12.0 * (index % 4) as f32,
+                3.0 + 15.0 * (index / 4) as f32,
+            );
+            immediate.point_size(3.0 + index as f32);
+            immediate.color(Vec3::new(0.5, index as f32 * 0.1, 1.0));
+            let corners = [[x, y], [x + 9.0, y + 1.0], [x + 8.0, y + 9.0], [x, y + 7.0]];
+            draw(immediate, mode, &corners);
+        }
+    };
+    on_each_backend(|gl| {
+        let (framebuffer, mut immediate) = on_pixels(gl, 64, 32);
+        groups(&mut immediate);
+        let wanted = Picture::of(&framebuffer);
+        let (framebuffer, mut immediate) = on_pixels(gl, 64, 32);
+        immediate.begin_list();
+        groups(&mut immediate);
+        let list = immediate.end_list().expect("a list");
+        assert_eq!(Picture::of(&framebuffer).count(|pixel| pixel != BLACK), 0);
+        immediate.load_matrix(Mat4::from_translation(Vec3::X * 9.0));
+        immediate.call_list(&list);
+        assert_eq!(Picture::of(&framebuffer).count(|pixel| pixel != BLACK), 0);
+        immediate.load_matrix(clip_from_pixels(64, 32));
+        immediate.call_list(&list);
+        assert!(Picture::of(&framebuffer) == wanted);
+    });
+}
+
+#[test]
 fn calls_in_a_wrong_order_draw_nothing_and_are_told() {
     on_each_backend(|gl| {
         let (framebuffer, mut immediate) = on_pixels(gl, 4, 4);

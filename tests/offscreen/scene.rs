@@ -8,8 +8,9 @@ use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::math::Euler;
 use editor_core::render::{Frame, Marks, Renderer};
 use editor_core::scene::{
-    BoneStyle, CharacterShape, CurveSet, CurveShape, Evaluator, JointStyle, Look, ModelDisplay,
-    Scene, Shading, ShapeId, ShapeKind, ViewSettings,
+    BoneStyle, CharacterShape, CurveItemKind, CurveSet, CurveShape, CurveVisibility, Evaluator,
+    JointStyle, Look, ModelDisplay, Scene, Shading, ShapeId, ShapeKind, SurfaceVisibility,
+    ViewSettings,
 };
 use glam::Vec3;
 
@@ -304,6 +305,46 @@ fn what_the_renderer_kept_from_other_frames_does_not_show() {
         let fresh_picture = draw(gl, &mut fresh, &other, &no_axis(), Marks::default());
         assert!(used_picture == fresh_picture);
         assert!(first != fresh_picture);
+    });
+}
+
+#[test]
+fn lines_of_curves_follow_every_change() {
+    let change = |shape: &mut CurveShape, step: usize| match step {
+        0 => {}
+        1 => shape.display.curve = CurveVisibility::OnWithFrames,
+        2 => shape.display.surface = SurfaceVisibility::WireframeWithNormals,
+        3 => shape.display.control_points = false,
+        4 => {
+            let moved = shape.curves().with_control_point(0, 1, Vec3::Y);
+            shape.set_curves(moved.expect("a moved point"));
+        }
+        _ => shape.display.curve = CurveVisibility::Off,
+    };
+    on_each_backend(|gl| {
+        let mut used = Renderer::new(gl).expect("a renderer");
+        let mut curves = CurveSet::start_spline(Basis::Bezier);
+        let surface = CurveItemKind::Revolution {
+            steps: 12,
+            profile: 0,
+        };
+        curves.push("surface", surface).expect("a surface");
+        let (mut scene, id) = scene_of(ShapeKind::Curve(CurveShape::new(curves)));
+        let mut before: Option<Picture> = None;
+        for step in 0..6 {
+            change(scene.curve_mut(id).expect("the curve"), step);
+            for _ in 0..2 {
+                let kept = draw(gl, &mut used, &scene, &no_axis(), Marks::default());
+                let mut fresh = Renderer::new(gl).expect("a renderer");
+                let fresh = draw(gl, &mut fresh, &scene, &no_axis(), Marks::default());
+                assert!(kept == fresh, "step {step}");
+                before = Some(fresh);
+            }
+            let shape = scene.shape_mut(id).expect("the curve");
+            shape.placement.transform.position.x += 0.01;
+            let moved = draw(gl, &mut used, &scene, &no_axis(), Marks::default());
+            assert!(before.as_ref() != Some(&moved), "step {step}: it stays");
+        }
     });
 }
 
