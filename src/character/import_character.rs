@@ -1,5 +1,7 @@
+use super::reach::Reach;
 use super::{Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, bone, skinning};
 use crate::geometry::{Mesh, Normals, SharedMesh};
+use crate::math::Aabb;
 use glam::{Mat4, Vec3};
 
 /// A skeleton with the mesh bound to it: what Import Character brings in.
@@ -10,6 +12,7 @@ pub struct Character {
     attachments: Attachments,
     bind_mesh: SharedMesh,
     bones: Vec<JointBone>,
+    reach: Reach,
 }
 
 /// Why mesh, weights and skeleton do not make a character.
@@ -44,12 +47,15 @@ impl Character {
             return Err(CharacterError::RowCount { vertices, rows });
         }
         attachments.check(skeleton.joints().len())?;
+        let joints = skeleton.joints().len();
+        let reach = Reach::new(&attachments, &bind_mesh.positions, joints);
         let bones = bone::bones(&skeleton, &attachments, &bind_mesh.positions);
         Ok(Self {
             skeleton,
             attachments,
             bind_mesh: SharedMesh::new(bind_mesh),
             bones,
+            reach,
         })
     }
 
@@ -83,6 +89,12 @@ impl Character {
         skinned
     }
 
+    /// A box that the mesh does not leave where the joints stand at `model_from_joint`: larger than
+    /// the tightest one, but found without moving a vertex.
+    pub fn reach(&self, model_from_joint: &[Mat4]) -> Aabb {
+        self.reach.around(&self.skeleton.palette(model_from_joint))
+    }
+
     /// The mesh's normals, one a vertex of the mesh, where the joints stand at
     /// `model_from_joint`; `None` for a mesh whose triangles are flat, whose normals follow from
     /// their corners.
@@ -101,8 +113,11 @@ impl Character {
 
     /// The same character with at most `most` influences a vertex, see [`Attachments::limited`].
     pub fn limited(&self, most: usize) -> Self {
+        let attachments = self.attachments.limited(most);
+        let joints = self.skeleton.joints().len();
         Self {
-            attachments: self.attachments.limited(most),
+            reach: Reach::new(&attachments, &self.bind_mesh.positions, joints),
+            attachments,
             ..self.clone()
         }
     }

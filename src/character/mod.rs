@@ -11,6 +11,7 @@ mod import_character;
 mod joint;
 mod mirror;
 mod pose;
+mod reach;
 mod skeletal_model;
 pub mod skinning;
 mod stick_figure;

@@ -55,17 +55,23 @@ impl Ray {
         })
     }
 
-    /// Whether the half-line touches the box (slab method).
+    /// Whether the half-line touches the box.
     pub fn meets(&self, aabb: &Aabb) -> bool {
+        self.entry(aabb).is_some()
+    }
+
+    /// Where the half-line comes into the box, in multiples of its direction; 0 if it starts in it
+    /// (slab method).
+    pub fn entry(&self, aabb: &Aabb) -> Option<f32> {
         if aabb.is_empty() {
-            return false;
+            return None;
         }
         let (mut near, mut far) = (0.0_f32, f32::INFINITY);
         for axis in 0..3 {
             let (origin, direction) = (self.origin[axis], self.direction[axis]);
             if direction == 0.0 {
                 if origin < aabb.min[axis] || origin > aabb.max[axis] {
-                    return false;
+                    return None;
                 }
                 continue;
             }
@@ -74,7 +80,7 @@ impl Ray {
             near = near.max(a.min(b));
             far = far.min(a.max(b));
         }
-        near <= far
+        (near <= far).then_some(near)
     }
 }
 

@@ -1,4 +1,5 @@
 use crate::character::Character;
+use crate::math::Aabb;
 use glam::{Mat4, Vec3};
 use std::sync::{Arc, OnceLock};
 
@@ -52,6 +53,11 @@ impl Deformation {
         self.normals
             .get_or_init(|| self.character.skin_normals(&self.model_from_joint))
             .as_deref()
+    }
+
+    /// A box that the mesh does not leave, in model space, found without moving a vertex.
+    pub fn reach(&self) -> Aabb {
+        self.character.reach(&self.model_from_joint)
     }
 
     /// Whether the positions have been worked out.

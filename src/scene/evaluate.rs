@@ -87,6 +87,15 @@ impl EvaluatedGeometry {
             None => self.fixed_bounds,
         })
     }
+
+    /// A box that the mesh does not leave, in model space: what is around it where that is known,
+    /// else a larger one that follows from the joints, without moving a vertex.
+    pub(super) fn reach(&self) -> Aabb {
+        match &self.deformation {
+            Some(deformation) if !deformation.is_worked_out() => deformation.reach(),
+            _ => self.bounds(),
+        }
+    }
 }
 
 impl EvaluatedShape {

@@ -1,9 +1,9 @@
 use super::curve_gestures;
 use super::pointer_use::PointerUse;
-use super::posing;
+use super::posing::{self, Picked};
 use super::{ScenePlaces, UiState};
 use crate::editor::{Action, Session, Tool, View};
-use crate::scene::{ShapeId, pick_shape};
+use crate::scene::ShapeId;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
 use glam::Vec2;
 
@@ -57,14 +57,15 @@ pub fn view_gestures(
     }
     if view.clicked() {
         let clicked = view.interact_pointer_pos();
-        let shape = clicked.and_then(|position| shape_at(session, places, position));
+        let picked = &mut state.pose.picked;
+        let shape = clicked.and_then(|position| shape_at(picked, session, places, position));
         actions.push(Action::View(View::Select(shape)));
         if state.pose.tool != Tool::Select {
             actions.push(Action::View(View::SelectJoint(None)));
         }
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    shape_at(session, places, position)
+    shape_at(&mut state.pose.picked, session, places, position)
 }
 
 /// Notes where the camera was before a drag, and puts it back there on Esc, by which egui ends it.
@@ -88,10 +89,14 @@ fn put_back_on_esc(
     }
 }
 
-fn shape_at(session: &Session, places: &ScenePlaces, position: Pos2) -> Option<ShapeId> {
+fn shape_at(
+    picked: &mut Picked,
+    session: &Session,
+    places: &ScenePlaces,
+    position: Pos2,
+) -> Option<ShapeId> {
     let (pixel, size) = places.pixel(places.index_at(position)?, position)?;
-    let ray = session.view().camera.ray(pixel, size);
-    pick_shape(session.evaluated(), &ray).map(|(id, _)| id)
+    picked.shape_at(session, pixel, size)
 }
 
 /// How far the wheel went since the last frame. egui's own smoothing would spread a notch over

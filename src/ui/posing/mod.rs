@@ -14,7 +14,7 @@ mod tool_bar;
 
 pub(super) use gesture::PoseGesture;
 pub(super) use ik::{IkState, joint_to_pin};
-pub(super) use pointer::pointer;
+pub(super) use pointer::{Picked, pointer};
 pub(super) use roll::roll_by_keys;
 pub(super) use sentence::sentence;
 pub(super) use tool_bar::BAR_HEIGHT;
@@ -36,6 +36,8 @@ pub(super) struct PoseState {
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
     pub hovered: Option<BoneHit>,
+    /// The shape that was found under the pointer last.
+    pub picked: Picked,
     /// Whether the view itself was under the pointer in the last frame.
     pub over_view: bool,
     /// The bone that was taken last: the one of its joint that keys roll.

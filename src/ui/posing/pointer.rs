@@ -3,6 +3,7 @@ use super::{Place, PoseState, gizmos};
 use crate::editor::{
     Action, BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
 };
+use crate::geometry::Revision;
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
 use crate::ui::ScenePlaces;
@@ -76,6 +77,29 @@ pub(in crate::ui) fn pointer(
     PointerUse::Over
 }
 
+/// The shape that was found under the pointer last. It is looked for once, however often it is
+/// asked for, until the pointer, the camera or the scene moves.
+#[derive(Clone, Debug, Default)]
+pub(in crate::ui) struct Picked {
+    last: Option<(Revision, [Vec2; 2], Option<ShapeId>)>,
+}
+
+impl Picked {
+    /// The shape under `pixel`, from the top left of a picture of `size`.
+    pub fn shape_at(&mut self, session: &Session, pixel: Vec2, size: Vec2) -> Option<ShapeId> {
+        let (revision, place) = (session.revision(), [pixel, size]);
+        if let Some((of, at, shape)) = self.last
+            && (of, at) == (revision, place)
+        {
+            return shape;
+        }
+        let ray = session.view().camera.ray(pixel, size);
+        let shape = pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape);
+        self.last = Some((revision, place, shape));
+        shape
+    }
+}
+
 /// What a gesture would take.
 enum Under {
     Nothing,
@@ -86,7 +110,7 @@ enum Under {
     Shape,
 }
 
-fn under(session: &Session, state: &PoseState, places: &ScenePlaces, at: Pos2) -> Under {
+fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos2) -> Under {
     let Some(place) = Place::at(places, at) else {
         return Under::Nothing;
     };
@@ -98,7 +122,13 @@ fn under(session: &Session, state: &PoseState, places: &ScenePlaces, at: Pos2) -
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
         return Under::Bone(hit, place);
     }
-    if state.tool == Tool::Move && shape_at(session, place, pixel).is_some() {
+    let mut is_shape = || {
+        state
+            .picked
+            .shape_at(session, pixel, place.size())
+            .is_some()
+    };
+    if state.tool == Tool::Move && is_shape() {
         return Under::Shape;
     }
     Under::Nothing
@@ -116,11 +146,6 @@ fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<B
     )?;
     let display = session.scene().character(hit.shape)?.display;
     (tool != Tool::Select || display.mode != ModelDisplay::Mesh).then_some(hit)
-}
-
-fn shape_at(session: &Session, place: Place, pixel: Vec2) -> Option<ShapeId> {
-    let ray = place.screen(session).ray(pixel);
-    pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape)
 }
 
 /// The joint that a tool means by a bone.
@@ -172,7 +197,7 @@ fn begin(
     if state.tool != Tool::Move {
         return None;
     }
-    let shape = shape_at(session, place, pixel)?;
+    let shape = state.picked.shape_at(session, pixel, place.size())?;
     let drag = MoveDrag::begin(
         session,
         MoveTarget::Shape(shape),
@@ -217,5 +242,40 @@ fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut
 fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Action>) {
     if bone != session.hovered_bone() {
         actions.push(Action::View(View::HoverBone(bone)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::{Edit, apply_edit, apply_view};
+    use crate::scene::ShapeKind;
+
+    #[test]
+    fn a_shape_is_looked_for_again_once_pointer_camera_or_scene_moved_and_not_before() {
+        let mut session = Session::new();
+        let insert = Edit::Insert {
+            name: "Cube".into(),
+            kind: ShapeKind::Cube,
+            source: None,
+        };
+        apply_edit(&mut session, insert);
+        let cube = session.selected();
+        let (size, middle) = (Vec2::new(800.0, 600.0), Vec2::new(400.0, 300.0));
+        let mut picked = Picked::default();
+        assert_eq!(picked.shape_at(&session, middle, size), cube);
+        // What was found is told again, whatever it was.
+        picked.last = picked.last.map(|(of, at, _)| (of, at, None));
+        assert_eq!(picked.shape_at(&session, middle, size), None);
+        assert_eq!(picked.shape_at(&session, middle + Vec2::X, size), cube);
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
+        let mut camera = session.view().camera;
+        camera.pan_with_pointer(Vec2::ONE - middle, size.y);
+        apply_view(&mut session, View::SetCamera(camera));
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), cube);
+        if let Some(id) = cube {
+            apply_edit(&mut session, Edit::Delete(id));
+        }
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
     }
 }
