@@ -167,7 +167,8 @@ fn reset_unused(glow: &glow::Context, is_gles: bool) {
     unsafe {
         off.iter().for_each(|&capability| glow.disable(capability));
         glow.front_face(glow::CCW);
-        glow.depth_range_f32(0.0, 1.0);
+        // Of `f64` where that is, as in OpenGL 3.3, and of `f32` in OpenGL ES.
+        glow.depth_range(0.0, 1.0);
         glow.line_width(1.0);
         glow.active_texture(glow::TEXTURE0);
         if !is_gles {

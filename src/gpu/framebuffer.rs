@@ -119,7 +119,9 @@ impl Framebuffer {
             glow.color_mask(true, true, true, true);
             glow.depth_mask(true);
             glow.clear_color(red, green, blue, alpha);
-            glow.clear_depth_f32(1.0);
+            // The function of `f32` is not in OpenGL 3.3, that of `f64` not in OpenGL ES: this is
+            // whichever there is.
+            glow.clear_depth(1.0);
             glow.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
         }
     }

@@ -187,3 +187,56 @@ fn error_name(code: u32) -> String {
         other => format!("GL error 0x{other:04x}"),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gpu::{Api, Backend, DrawState, Framebuffer, HeadlessContext};
+
+    /// A context that another handle owns.
+    struct Borrowed(Gl);
+
+    impl NativeContext for Borrowed {
+        fn make_current(&self) -> Result<(), ContextError> {
+            self.0.make_current()
+        }
+        fn release(&self) {}
+    }
+
+    /// Functions that OpenGL 3.3 does not promise and OpenGL ES has.
+    const NEWER: [&CStr; 6] = [
+        c"glClearDepthf",
+        c"glDepthRangef",
+        c"glGetShaderPrecisionFormat",
+        c"glInvalidateFramebuffer",
+        c"glTexStorage2D",
+        c"glTexStorage2DMultisample",
+    ];
+
+    #[test]
+    fn a_driver_of_exactly_opengl_3_3_has_all_that_pictures_need() {
+        type Load = unsafe extern "system" fn(*const std::ffi::c_char) -> *const c_void;
+        // SAFETY: the library's own initialization asks for nothing.
+        let Ok(library) = (unsafe { libloading::Library::new("libEGL.so.1") }) else {
+            return;
+        };
+        let context = HeadlessContext::with_api(Backend::Egl, Api::Gl).unwrap();
+        // SAFETY: this is what the specification says `eglGetProcAddress` is.
+        let load = unsafe { library.get::<Load>(b"eglGetProcAddress\0") }.unwrap();
+        let native = Rc::new(Borrowed(context.gl().clone()));
+        let gl = Gl::new(native, |name| {
+            if NEWER.contains(&name) {
+                return std::ptr::null();
+            }
+            // SAFETY: names end with zero; an unknown name gives null.
+            unsafe { load(name.as_ptr()) }
+        });
+        let gl = gl.unwrap();
+        for samples in [0, 4] {
+            let picture = Framebuffer::new(&gl, 4, 4, samples).unwrap();
+            picture.clear([1.0; 4]);
+            DrawState::opaque(4, 4).apply(&gl);
+            assert!(picture.read_rgba().unwrap().iter().all(|&c| c == 255));
+        }
+    }
+}
