@@ -10,7 +10,6 @@ use super::buffer::Storage;
 enum Kind {
     F32,
     U32,
-    Unorm8,
 }
 
 /// How one `in` variable of a vertex shader is read from the elements of a buffer.
@@ -48,18 +47,6 @@ impl Attribute {
         }
     }
 
-    /// A `float` or `vec2` to `vec4` in 0..1, from `components` (1 to 4) `u8` in 0..255.
-    #[must_use]
-    pub const fn unorm8(location: u32, components: u32) -> Self {
-        Self {
-            location,
-            components,
-            kind: Kind::Unorm8,
-            offset: 0,
-            divisor: 0,
-        }
-    }
-
     /// Where it starts in each element, in bytes (0 unless told).
     #[must_use]
     pub const fn offset(self, bytes: usize) -> Self {
@@ -90,8 +77,7 @@ impl Attribute {
     }
 
     fn byte_len(&self) -> usize {
-        let component = if self.kind == Kind::Unorm8 { 1 } else { 4 };
-        (self.components as usize).saturating_mul(component)
+        (self.components as usize).saturating_mul(size_of::<f32>())
     }
 }
 
@@ -145,16 +131,6 @@ pub(in crate::gpu) unsafe fn attach(glow: &glow::Context, source: &Source) {
                 stride,
                 offset,
             ),
-            Kind::Unorm8 => {
-                glow.vertex_attrib_pointer_f32(
-                    location,
-                    components,
-                    glow::UNSIGNED_BYTE,
-                    true,
-                    stride,
-                    offset,
-                );
-            }
         }
         glow.vertex_attrib_divisor(location, divisor);
     }

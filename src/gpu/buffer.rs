@@ -15,8 +15,6 @@ use super::{Gl, GpuError};
 pub enum Usage {
     /// Written once, drawn often.
     Static,
-    /// Written again now and then.
-    Dynamic,
     /// Written for each picture.
     Stream,
 }
@@ -25,7 +23,6 @@ impl Usage {
     fn raw(self) -> u32 {
         match self {
             Self::Static => glow::STATIC_DRAW,
-            Self::Dynamic => glow::DYNAMIC_DRAW,
             Self::Stream => glow::STREAM_DRAW,
         }
     }

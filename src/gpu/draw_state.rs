@@ -30,18 +30,6 @@ pub enum Blend {
     Premultiplied,
 }
 
-/// Which triangles are left out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Cull {
-    /// None.
-    #[default]
-    None,
-    /// Those seen from behind: clockwise on the screen.
-    Back,
-    /// Those seen from the front: counter-clockwise on the screen.
-    Front,
-}
-
 /// Everything about a draw that is neither shader nor data.
 ///
 /// [`apply`](Self::apply) sets the whole of it every time, since a user interface painter leaves
@@ -50,19 +38,12 @@ pub enum Cull {
 pub struct DrawState {
     /// Where the picture goes.
     pub viewport: [i32; 4],
-    /// Nothing outside changes, if set.
-    pub scissor: Option<[i32; 4]>,
     /// Which fragments pass.
     pub depth_test: DepthTest,
     /// Whether those that pass leave their depth.
     pub depth_write: bool,
     /// How colors combine.
     pub blend: Blend,
-    /// Which triangles are left out.
-    pub cull: Cull,
-    /// Moves filled triangles away from the eye: factor (slopes) and units (smallest steps), so
-    /// that lines on them win.
-    pub polygon_offset: Option<[f32; 2]>,
     /// Which of red, green, blue, alpha change.
     pub color_mask: [bool; 4],
 }
@@ -74,12 +55,9 @@ impl DrawState {
         let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX);
         Self {
             viewport: [0, 0, side(width), side(height)],
-            scissor: None,
             depth_test: DepthTest::Less,
             depth_write: true,
             blend: Blend::None,
-            cull: Cull::None,
-            polygon_offset: None,
             color_mask: [true; 4],
         }
     }
@@ -92,10 +70,6 @@ impl DrawState {
         let [red, green, blue, alpha] = self.color_mask;
         // SAFETY: current context; all values are constants that OpenGL knows.
         unsafe {
-            if let Some([x, y, width, height]) = self.scissor {
-                glow.scissor(x, y, width.max(0), height.max(0));
-            }
-            set_enabled(glow, glow::SCISSOR_TEST, self.scissor.is_some());
             set_enabled(glow, glow::DEPTH_TEST, self.depth_test != DepthTest::Off);
             glow.depth_func(match self.depth_test {
                 DepthTest::Less => glow::LESS,
@@ -104,19 +78,6 @@ impl DrawState {
             });
             glow.depth_mask(self.depth_write);
             glow.color_mask(red, green, blue, alpha);
-            set_enabled(glow, glow::CULL_FACE, self.cull != Cull::None);
-            glow.cull_face(if self.cull == Cull::Front {
-                glow::FRONT
-            } else {
-                glow::BACK
-            });
-            let [factor, units] = self.polygon_offset.unwrap_or_default();
-            set_enabled(
-                glow,
-                glow::POLYGON_OFFSET_FILL,
-                self.polygon_offset.is_some(),
-            );
-            glow.polygon_offset(factor, units);
         }
         self.blend.apply(glow);
     }
@@ -146,7 +107,10 @@ impl Blend {
 /// State that no draw of ours changes, but others may have.
 fn reset_unused(glow: &glow::Context, is_gles: bool) {
     let off = [
+        glow::CULL_FACE,
         glow::DITHER,
+        glow::POLYGON_OFFSET_FILL,
+        glow::SCISSOR_TEST,
         glow::STENCIL_TEST,
         glow::SAMPLE_ALPHA_TO_COVERAGE,
         glow::SAMPLE_COVERAGE,

@@ -43,7 +43,7 @@ pub use attribute::Attribute;
 pub use buffer::{Buffer, IndexBuffer, Usage};
 pub use context::{Api, Backend, ContextError, HeadlessContext, WindowContext};
 pub use display_list::DisplayList;
-pub use draw_state::{Blend, Cull, DepthTest, DrawState};
+pub use draw_state::{Blend, DepthTest, DrawState};
 pub use driver::Info;
 pub use error::GpuError;
 pub use framebuffer::{Framebuffer, Rect};

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::{BTreeSet, HashMap};
 
-use glam::{Mat3, Mat4, Vec2, Vec3, Vec4};
+use glam::{Mat3, Mat4, Vec2, Vec3};
 use glow::HasContext as _;
 
 use super::{Gl, GpuError};
@@ -130,15 +130,6 @@ impl Program {
         // SAFETY: as in `set_f32`.
         self.set(name, &[glow::FLOAT_VEC3], |gl, at| unsafe {
             gl.uniform_3_f32(Some(at), v.x, v.y, v.z)
-        });
-    }
-
-    /// Sets a `vec4`.
-    pub fn set_vec4(&self, name: &str, v: Vec4) {
-        let kinds = &[glow::FLOAT_VEC4];
-        // SAFETY: as in `set_f32`.
-        self.set(name, kinds, |gl, at| unsafe {
-            gl.uniform_4_f32(Some(at), v.x, v.y, v.z, v.w)
         });
     }
 

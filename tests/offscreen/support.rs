@@ -1,6 +1,7 @@
 //! Contexts for tests, and ways to look at pictures.
 
 use editor_core::gpu::{Api, Backend, DrawState, Framebuffer, Gl, HeadlessContext, Program};
+use glam::Vec4;
 
 /// Runs `body` on EGL, on EGL's OpenGL ES, and on OSMesa. A missing backend fails the test, and so
 /// does any OpenGL error that `body` leaves.
@@ -69,7 +70,13 @@ pub fn black(gl: &Gl, width: u32, height: u32, samples: u32) -> Framebuffer {
 pub fn flat_program(gl: &Gl) -> Program {
     let vertex = "layout(location = 0) in vec3 position;\n\
          void main() { gl_Position = vec4(position, 1.0); gl_PointSize = 1.0; }";
-    let fragment = "uniform vec4 color;\nout vec4 fragment_color;\n\
-         void main() { fragment_color = color; }";
+    let fragment = "uniform vec3 color;\nuniform float alpha;\nout vec4 fragment_color;\n\
+         void main() { fragment_color = vec4(color, alpha); }";
     Program::new(gl, "flat", vertex, fragment).expect("the flat shader")
+}
+
+/// The color of [`flat_program`].
+pub fn set_color(program: &Program, color: Vec4) {
+    program.set_vec3("color", color.truncate());
+    program.set_f32("alpha", color.w);
 }
