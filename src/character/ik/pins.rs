@@ -15,8 +15,8 @@ const HELD: f32 = 1e-5;
 ///
 /// The joints above a pin make up for what those of `busy` did, which are left alone, as are
 /// joints above several pins: the two next to it if they can, as those of an arm or a leg; else
-/// the whole limb, up to where others branch off; else as many as there are. A pin that gets out
-/// of reach is pointed at.
+/// the whole limb, up to where others branch off; else as many as there are, but for those that
+/// would turn the whole figure. A pin that gets out of reach is pointed at.
 pub fn hold_pins(
     skeleton: &SkeletalModel,
     before: &Pose,
@@ -54,7 +54,13 @@ fn brought_back(
     let branches = |joint: &usize| skeleton.children(*joint).len() > 1;
     let mut limb = fixed.clone();
     limb.extend(above(skeleton, pin).filter(branches));
-    for (length, fixed) in [(2, &limb), (usize::MAX, &limb), (usize::MAX, fixed)] {
+    // A step too long for the legs shall not tip the figure over.
+    let mut figure = fixed.clone();
+    if let Some(base) = above(skeleton, pin).filter(branches).last() {
+        figure.insert(base);
+        figure.extend(above(skeleton, base));
+    }
+    for (length, fixed) in [(2, &limb), (usize::MAX, &limb), (usize::MAX, &figure)] {
         let chain = IkChain::to_joint(skeleton, before, pin, length, fixed);
         let solution = chain.and_then(|chain| chain.solve(skeleton, &pose, &goal));
         if let Some(solution) = solution {
