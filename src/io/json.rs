@@ -3,17 +3,22 @@
 use super::{Diagnostic, scanner};
 use glam::Vec3;
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, Deserializer, Error as _, SeqAccess, Visitor};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{
+    DeserializeOwned, Deserializer, Error as _, IgnoredAny, MapAccess, SeqAccess, Visitor,
+};
 use std::fmt;
+use std::marker::PhantomData;
 use std::path::Path;
 
-/// Reads `bytes` as one value.
+/// Reads `bytes` as one object.
 ///
 /// # Errors
-/// With line and column, for what is no JSON and for what is no such value.
+/// With line and column, for what is no JSON and for what is no such object.
 pub(super) fn read<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Diagnostic> {
     let text = scanner::utf8(path, bytes)?;
-    serde_json::from_str(text).map_err(|error| {
+    let read: Result<Object<T>, _> = serde_json::from_str(text);
+    read.map(|object| object.0).map_err(|error| {
         let line = text.lines().nth(error.line().saturating_sub(1));
         let line = line.unwrap_or("").as_bytes();
         // The library counts columns in bytes.
@@ -52,16 +57,103 @@ fn in_words(error: &serde_json::Error, found: Option<char>) -> String {
     if message == "trailing characters" {
         return format!("expected the end of the file, found {found}");
     }
+    if message == "number out of range" {
+        return "expected a number below 3.4e38, found a larger one".to_owned();
+    }
+    if let Some(field) = message.strip_prefix("missing field ") {
+        return format!("expected {field}, found none");
+    }
+    if let Some(field) = message.strip_prefix("duplicate field ") {
+        return format!("expected each name once, found {field} again");
+    }
     let told = split(message, "invalid type: ", ", expected ")
         .or_else(|| split(message, "invalid value: ", ", expected "))
         .or_else(|| split(message, "invalid length ", ", expected "))
         .or_else(|| split(message, "unknown field ", ", expected "))
         .or_else(|| split(message, "unknown variant ", ", expected "));
     match told {
-        Some((found, "f32")) => format!("expected a number, found {found}"),
-        Some((found, expected)) => format!("expected {expected}, found {found}"),
+        Some((found, expected)) => {
+            let (expected, found) = (in_plain_words(expected), in_plain_words(found));
+            format!("expected {expected}, found {found}")
+        }
         None => message.to_owned(),
     }
+}
+
+/// The libraries' names for values, as the format's description would have them.
+fn in_plain_words(library: &str) -> &str {
+    match library {
+        "f32" => "a number",
+        "u32" => "a whole number from 0",
+        "a boolean" => "true or false",
+        "sequence" | "a sequence" => "a list",
+        "map" | "a map" => "an object",
+        _ => library
+            .strip_prefix("integer `")
+            .or_else(|| library.strip_prefix("floating point `"))
+            .or_else(|| library.strip_prefix("boolean `"))
+            .and_then(|value| value.strip_suffix('`'))
+            .unwrap_or(library),
+    }
+}
+
+/// What is written as an object. Left to itself the library takes a list of values in the order of
+/// the fields as well, which no description of our formats has.
+struct Object<T>(T);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Fields<T>(PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for Fields<T> {
+            type Value = T;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
+                T::deserialize(MapAccessDeserializer::new(map))
+            }
+        }
+        deserializer.deserialize_any(Fields(PhantomData)).map(Self)
+    }
+}
+
+/// A value that is written as an object.
+///
+/// # Errors
+/// If it is something else, or a wrong one.
+pub(super) fn object<'de, T, D>(deserializer: D) -> Result<T, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    Object::deserialize(deserializer).map(|object| object.0)
+}
+
+/// The same where it may be left out.
+///
+/// # Errors
+/// See [`object`].
+pub(super) fn optional_object<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    object(deserializer).map(Some)
+}
+
+/// A list of such values.
+///
+/// # Errors
+/// See [`object`].
+pub(super) fn objects<'de, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
+where
+    T: Deserialize<'de>,
+    D: Deserializer<'de>,
+{
+    let objects: Vec<Object<T>> = Vec::deserialize(deserializer)?;
+    Ok(objects.into_iter().map(|object| object.0).collect())
 }
 
 /// What stands in `message` between `before` and `between`, and what after.
@@ -90,8 +182,27 @@ fn start_of_token(line: &[u8], end: usize) -> usize {
 pub(super) fn position_of_key(text: &str, after: &str, key: &str) -> Option<super::Position> {
     let spelled = serde_json::to_string(key).ok()?;
     let from = text.find(&format!("\"{after}\""))? + after.len() + 2;
-    let at = from + text[from..].find(&spelled)?;
-    let before = &text[..at];
+    position_of_byte(text, from + text[from..].find(&spelled)?)
+}
+
+/// Where the value at `index` begins in the list that follows the first key `list`; for faults
+/// that show only when the whole file is known.
+pub(super) fn position_of_item(text: &str, list: &str, index: usize) -> Option<super::Position> {
+    let key = text.find(&format!("\"{list}\""))?;
+    let mut at = key + text[key..].find('[')? + 1;
+    let between = |c: char| c.is_whitespace() || c == ',';
+    for _ in 0..index {
+        at = text.len() - text[at..].trim_start_matches(between).len();
+        let mut values = serde_json::Deserializer::from_str(&text[at..]).into_iter::<IgnoredAny>();
+        values.next()?.ok()?;
+        at += values.byte_offset();
+    }
+    at = text.len() - text[at..].trim_start_matches(between).len();
+    position_of_byte(text, at)
+}
+
+fn position_of_byte(text: &str, at: usize) -> Option<super::Position> {
+    let before = text.get(..at)?;
     let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
     Some(super::Position {
         line: before.matches('\n').count() + 1,

@@ -22,9 +22,9 @@ const VERSION: u32 = 1;
 pub(super) struct SceneData {
     pub format: Format,
     pub version: Version,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "json::object")]
     pub view: ViewData,
-    #[serde(default)]
+    #[serde(default, deserialize_with = "json::objects")]
     pub shapes: Vec<ShapeData>,
 }
 
@@ -85,6 +85,7 @@ impl<'de> Deserialize<'de> for Version {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct ViewData {
+    #[serde(deserialize_with = "json::object")]
     pub camera: CameraData,
     pub look: Look,
     pub axis: bool,
@@ -219,9 +220,17 @@ pub(super) struct ShapeData {
     pub locked: Option<bool>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pose: Option<PoseReference>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "json::optional_object"
+    )]
     pub display: Option<CharacterDisplay>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(
+        default,
+        skip_serializing_if = "Option::is_none",
+        deserialize_with = "json::optional_object"
+    )]
     pub curves: Option<CurveData>,
 }
 

@@ -1,6 +1,6 @@
 use super::file_importer::{NewShape, import_any};
 use super::scene_data::{Head, PoseReference, SceneData, ShapeData};
-use super::{Diagnostic, Files, Imported, PoseFile, builtin, json};
+use super::{Diagnostic, Files, Imported, PoseFile, Position, builtin, json, scanner};
 use crate::character::{Pose, SkeletalModel};
 use crate::scene::{Placement, Scene, ShapeId, ShapeKind, Source, ViewSettings};
 use std::collections::HashMap;
@@ -60,6 +60,7 @@ pub fn read_scene(files: &dyn Files, path: &Path) -> Result<Imported<SceneFile>,
     let mut reader = SceneReader {
         files,
         path,
+        text: scanner::utf8(path, &bytes)?,
         imported: HashMap::new(),
         warnings: Vec::new(),
     };
@@ -79,6 +80,7 @@ pub fn read_scene(files: &dyn Files, path: &Path) -> Result<Imported<SceneFile>,
 struct SceneReader<'a> {
     files: &'a dyn Files,
     path: &'a Path,
+    text: &'a str,
     /// A file that several shapes name is read once, and its mesh shared.
     imported: HashMap<PathBuf, Vec<NewShape>>,
     warnings: Vec<Diagnostic>,
@@ -88,8 +90,12 @@ impl SceneReader<'_> {
     fn shape(&mut self, index: usize, data: &ShapeData) -> Result<Vec<SceneShape>, Diagnostic> {
         let new = match (&data.kind, &data.source) {
             (Some(kind), None) => vec![(kind.kind(), kind.kind().label().to_owned(), None)],
+            (None, Some(source)) if source.is_empty() => {
+                return Err(self.wrong(index, "expected the name of a file, found an empty one"));
+            }
             (None, Some(source)) => self
-                .import(source)?
+                .import(source)
+                .map_err(|error| self.named_by(index, error))?
                 .into_iter()
                 .map(|new| (new.kind, new.name, Some(new.source)))
                 .collect(),
@@ -177,8 +183,10 @@ impl SceneReader<'_> {
                 .poses_of(skeletons)
                 .map_err(|(_, _, message)| self.wrong(index, &message)),
             PoseReference::File(name) => {
-                let path = builtin::resolve(&self.beside(name))?;
-                PoseFile::read(&path, &self.files.read(&path)?)?.poses_of(skeletons)
+                let path = builtin::resolve(&self.beside(name));
+                let read = path.and_then(|path| Ok((self.files.read(&path)?, path)));
+                let (bytes, path) = read.map_err(|error| self.named_by(index, error))?;
+                PoseFile::read(&path, &bytes)?.poses_of(skeletons)
             }
         }
     }
@@ -193,6 +201,27 @@ impl SceneReader<'_> {
     }
 
     fn wrong(&self, index: usize, message: &str) -> Diagnostic {
-        Diagnostic::new(self.path, format!("shape {}: {message}", index + 1))
+        Diagnostic {
+            position: self.place(index),
+            ..Diagnostic::new(self.path, format!("shape {}: {message}", index + 1))
+        }
+    }
+
+    /// `error` about a file as a whole, with who named that file.
+    fn named_by(&self, index: usize, error: Diagnostic) -> Diagnostic {
+        if error.position.is_some() {
+            return error;
+        }
+        let scene = self.path.display();
+        let place = self.place(index).map_or(String::new(), |place| {
+            format!(":{}:{}", place.line, place.column)
+        });
+        let shape = index + 1;
+        let message = format!("{} (shape {shape} of {scene}{place})", error.message);
+        Diagnostic { message, ..error }
+    }
+
+    fn place(&self, index: usize) -> Option<Position> {
+        json::position_of_item(self.text, "shapes", index)
     }
 }

@@ -25,7 +25,8 @@ fn a_blank_line_at_the_end_of_a_skel_is_none() {
 #[test]
 fn an_empty_skel_is_told() {
     let message = "man.skel: expected a line `x y z parent` for each joint, found none";
-    assert_eq!(error(&with("man.skel", "")), message);
+    let told = error(&with("man.skel", ""));
+    assert_eq!(told, format!("{message} (shape 2 of a.scene:3:19)"));
 }
 
 #[test]
@@ -212,6 +213,24 @@ fn a_scene_file_is_held_to_its_schema() {
             "expected a radius above 0, found -4",
         ),
         (
+            "\"shapes\": [{",
+            "\"shapes\": [[], {",
+            "], {",
+            "expected an object, found a list",
+        ),
+        (
+            "\"phi\": 30",
+            "\"theta\": 30",
+            "\"theta\": 30",
+            "expected each name once, found `theta` again",
+        ),
+        (
+            "\"name\": \"é\"",
+            "\"name\": true",
+            "true",
+            "expected a string, found true",
+        ),
+        (
             "\"mode\": \"both\"",
             "\"mode\": 7",
             "7",
@@ -226,42 +245,56 @@ fn a_scene_file_is_held_to_its_schema() {
 }
 
 #[test]
-fn what_does_not_fit_together_in_a_scene_is_told_by_shape() {
+fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
     for (good, bad, message) in [
         (
             "\"kind\": \"cube\"",
             "\"kind\": \"cube\", \"source\": \"box.obj\"",
-            "shape 1: expected a kind or a source, found both",
+            "2:69: shape 1: expected a kind or a source, found both",
         ),
         (
             "\"source\": \"box.obj\", ",
             "",
-            "shape 3: expected a kind or a source, found neither",
+            "4:48: shape 3: expected a kind or a source, found neither",
         ),
         (
             "\"source\": \"man.obj\"",
             "\"source\": \"box.obj\"",
-            "shape 2: expected a character, for it has a pose or display, found a shape",
+            "3:19: shape 2: expected a character, for it has a pose or display, found a shape",
         ),
         (
             "\"name\": \"é\"",
             "\"curves\": {\"curve\": \"off\"}",
-            "shape 3: expected curves, for it says how they are drawn, found a shape",
+            "4:48: shape 3: expected curves, for it says how they are drawn, found a shape",
         ),
         (
             "\"Tip\"",
             "\"Top\"",
-            "shape 2: expected the name or index of a joint, such as “Tip”, “Root”, “Joint 2”, found “Top”",
-        ),
-        (
-            "man.obj",
-            "a.scene",
-            "expected a file that can be imported (.obj, .swp, .dae), found .scene",
+            "3:19: shape 2: expected the name or index of a joint, such as “Tip”, “Root”, “Joint 2”, found “Top”",
         ),
     ] {
         let text = SCENE.replacen(good, bad, 1);
         assert_ne!(text, SCENE, "{good}");
-        assert_eq!(error(&with("a.scene", text)), format!("a.scene: {message}"));
+        let expected = format!("a.scene:{message}");
+        assert_eq!(error(&with("a.scene", text)), expected);
+    }
+    for (missing, told) in [
+        (
+            "a.scene",
+            "a.scene: expected a file that can be imported (.obj, .swp, .dae), found .scene (shape 2 of a.scene:3:19)",
+        ),
+        (
+            "",
+            "a.scene:3:19: shape 2: expected the name of a file, found an empty one",
+        ),
+        (
+            "none.obj",
+            "none.obj: there is no such file (shape 2 of a.scene:3:19)",
+        ),
+    ] {
+        let text = SCENE.replacen("man.obj", missing, 1);
+        let error = error(&with("a.scene", text));
+        assert!(error.contains(told), "{error}");
     }
     let told = error(&with(
         "a.scene",
