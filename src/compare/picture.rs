@@ -149,6 +149,9 @@ impl fmt::Display for PictureComparison {
         for finding in &self.findings {
             write!(f, "\nfound: {finding}")?;
         }
+        if differing_pixels > 0 && self.findings.is_empty() {
+            write!(f, "\nno single cause explains the differences")?;
+        }
         let verdict = if self.passed { "passed" } else { "failed" };
         write!(f, "\n{verdict}: at most {} may differ", self.allowed_pixels)
     }

@@ -296,3 +296,58 @@ fn a_threshold_larger_than_the_distances_of_vertices_does_not_take_for_ever() {
     }
     assert!(start.elapsed().as_secs() < 5, "{:?}", start.elapsed());
 }
+
+#[test]
+fn differences_without_a_cause_are_told_by_how_many_vertices_agree_and_where_the_others_lie() {
+    let a = reference();
+    let mut b = a.clone();
+    let moved = |p: Vec3| p.y > 0.5 && p.x > 0.4;
+    for position in b.positions.iter_mut().filter(|p| moved(**p)) {
+        position.x *= 1.1;
+    }
+    let comparison = compare(&a, &b);
+    assert_eq!(comparison.findings, []);
+    let differing = || a.positions.iter().copied().filter(|p| moved(*p));
+    let min = differing().reduce(Vec3::min).unwrap().as_dvec3();
+    let max = differing().reduce(Vec3::max).unwrap().as_dvec3();
+    let bounds = [min.to_array(), max.to_array()];
+    assert_eq!(comparison.differing_bounds, Some(bounds));
+    let all = a.positions.len();
+    let agreeing = all - differing().count();
+    let told = format!(
+        "no single cause explains the differences: {agreeing} of {all} vertices agree; \
+         those that differ lie in A within ({:.6}, {:.6}, {:.6}) to ({:.6}, {:.6}, {:.6})\n",
+        min.x, min.y, min.z, max.x, max.y, max.z
+    );
+    assert!(comparison.to_string().contains(&told), "{comparison}");
+
+    let unknown = "no single cause";
+    let text = |b: &Mesh| compare(&a, b).to_string();
+    assert!(!text(&a).contains(unknown));
+    assert_eq!(compare(&a, &a).differing_bounds, None);
+    let with = |change: fn(Vec3) -> Vec3| {
+        let positions = a.positions.iter().map(|p| change(*p)).collect();
+        text(&Mesh::new(positions, a.triangles.clone()))
+    };
+    assert!(!with(|p| p + Vec3::X).contains(unknown));
+    let none = with(|p| p * Vec3::new(1.1, 1.2, 1.3));
+    let told = "no single cause explains the differences: no vertex agrees\n";
+    assert!(none.contains(told), "{none}");
+    // Neither other triangles nor a vertex that is no number account for the others.
+    b.triangles.pop();
+    assert!(text(&b).contains(unknown));
+    b.positions[0].x = f32::NAN;
+    assert!(text(&b).contains(unknown));
+    let mut hole = a.clone();
+    hole.positions[0].x = f32::NAN;
+    assert!(!text(&hole).contains(unknown));
+}
+
+#[test]
+fn what_rounds_to_nothing_has_no_sign() {
+    let offset = MeshFinding::Offset {
+        by: [0.1, -4e-7, -0.0],
+    };
+    let told = "B is A moved by (0.100000, 0.000000, 0.000000)";
+    assert_eq!(offset.to_string(), told);
+}

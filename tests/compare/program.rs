@@ -70,6 +70,31 @@ fn equal_pictures_end_with_0_and_different_ones_with_1() {
 }
 
 #[test]
+fn differences_of_pictures_without_a_cause_are_told_to_have_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut random = 1_u32;
+    let mut noise = || {
+        let bytes = (0..64 * 64).flat_map(|_| {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let [_, r, g, b] = random.to_be_bytes();
+            [r, g, b, 255]
+        });
+        Picture {
+            width: 64,
+            height: 64,
+            rgba: bytes.collect(),
+        }
+    };
+    save(&folder, "a.png", &noise());
+    save(&folder, "b.png", &noise());
+    let (code, out, _) = compare(&folder, &["a.png", "b.png"]);
+    let told = "\nno single cause explains the differences\nfailed";
+    assert!(code == 1 && out.contains(told), "{out}");
+    let (_, out, _) = compare(&folder, &["a.png", "a.png"]);
+    assert!(!out.contains("cause"), "{out}");
+}
+
+#[test]
 fn threshold_allowance_and_ignored_areas_decide() {
     let folder = pictures();
     let code = |options: &[&str]| compare(&folder, &[&["a.png", "b.png"], options].concat()).0;

@@ -67,9 +67,28 @@ pub(super) fn not_finite(a: &[DVec3], b: &[DVec3]) -> Vec<MeshFinding> {
         .collect()
 }
 
+/// A place or a movement in words. What rounds to nothing has no sign.
+pub(super) fn vector(of: [f64; 3]) -> String {
+    let [x, y, z] = of.map(|value| if value.abs() <= 5e-7 { 0.0 } else { value });
+    format!("({x:.6}, {y:.6}, {z:.6})")
+}
+
+impl MeshFinding {
+    /// Whether it accounts for `differing` vertices that are not where they should be.
+    pub(super) fn explains(&self, differing: u64) -> bool {
+        match self {
+            Self::NotFinite { vertices, .. } => *vertices == differing,
+            Self::Offset { .. }
+            | Self::Scaled { .. }
+            | Self::Axes { .. }
+            | Self::Permuted { .. } => true,
+            Self::Winding { .. } | Self::Triangles { .. } | Self::TriangleOrder => false,
+        }
+    }
+}
+
 impl fmt::Display for MeshFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let vector = |[x, y, z]: [f64; 3]| format!("({x:.6}, {y:.6}, {z:.6})");
         match self {
             Self::NotFinite { mesh, vertices } => {
                 write!(f, "{vertices} vertices of {mesh} are not finite numbers")

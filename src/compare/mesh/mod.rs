@@ -48,6 +48,9 @@ pub struct MeshComparison {
     pub allowed_vertices: u64,
     /// Vertices farther apart than the tolerance.
     pub differing_vertices: u64,
+    /// Lower and upper corner of the box around them in A, those left out that are not finite
+    /// there; `None` if there are none.
+    pub differing_bounds: Option<[[f64; 3]; 2]>,
     /// Size of A: the diagonal of the box around it, but for vertices that are not finite.
     pub size: f64,
     /// Largest distance of two vertices.
@@ -130,6 +133,7 @@ pub fn compare_meshes(
         tolerance,
         allowed_vertices,
         differing_vertices: differing,
+        differing_bounds: differing_bounds(&points_a, &distances, tolerance),
         size,
         max,
         max_by_size: if max > 0.0 { max / size } else { 0.0 },
@@ -156,6 +160,14 @@ fn distances(a: &[DVec3], b: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
+fn differing_bounds(a: &[DVec3], distances: &[f64], tolerance: f64) -> Option<[[f64; 3]; 2]> {
+    let points = a.iter().zip(distances);
+    let differing = points.filter(|(point, distance)| **distance > tolerance && point.is_finite());
+    let corners = differing.map(|(point, _)| (*point, *point));
+    let (low, high) = corners.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    Some([low.to_array(), high.to_array()])
+}
+
 fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVertex> {
     let mut order: Vec<usize> = (0..distances.len())
         .filter(|&index| distances[index] > tolerance)
@@ -170,6 +182,29 @@ fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVert
             b: b.positions[index].to_array(),
         })
         .collect()
+}
+
+impl MeshComparison {
+    /// What there is to say of vertices that differ where no cause accounts for them.
+    fn unexplained(&self) -> Option<String> {
+        let differing = self.differing_vertices;
+        let explained = self.findings.iter().any(|found| found.explains(differing));
+        if differing == 0 || explained {
+            return None;
+        }
+        let agreeing = self.vertices - differing;
+        let place = match self.differing_bounds {
+            _ if agreeing == 0 => "no vertex agrees".to_owned(),
+            None => format!("{agreeing} of {} vertices agree", self.vertices),
+            Some([low, high]) => format!(
+                "{agreeing} of {} vertices agree; those that differ lie in A within {} to {}",
+                self.vertices,
+                finding::vector(low),
+                finding::vector(high)
+            ),
+        };
+        Some(format!("no single cause explains the differences: {place}"))
+    }
 }
 
 impl fmt::Display for MeshComparison {
@@ -210,6 +245,9 @@ impl fmt::Display for MeshComparison {
         }
         for finding in &self.findings {
             writeln!(f, "found: {finding}")?;
+        }
+        if let Some(unexplained) = self.unexplained() {
+            writeln!(f, "{unexplained}")?;
         }
         let verdict = if self.passed { "passed" } else { "failed" };
         write!(f, "{verdict}: at most {} may differ", self.allowed_vertices)
