@@ -145,9 +145,42 @@ fn a_scale_is_measured_about_the_origin_or_elsewhere() {
     assert!((x + 1.0).abs() < 1e-5 && y.abs() < 1e-5 && z.abs() < 1e-5);
 }
 
+/// A number in millimeters as a program writes it in meters, or the other way round: worked out
+/// from the file's number, not from the one that was read.
+fn rescaled(mesh: &Mesh, factor: f64) -> Mesh {
+    let scaled = |v: f32| (f64::from((v * 1e6).round()) * 1e-6 * factor) as f32;
+    let of = |p: &Vec3| Vec3::from_array(p.to_array().map(scaled));
+    Mesh::new(
+        mesh.positions.iter().map(of).collect(),
+        mesh.triangles.clone(),
+    )
+}
+
+#[test]
+fn a_large_scale_leaves_room_for_rounding_as_large() {
+    let a = reference();
+    for expected in [0.001, 0.0254, 25.4, 100.0, 1000.0, 1e6] {
+        let found = compare(&a, &rescaled(&a, expected)).findings;
+        let [MeshFinding::Scaled { factor, .. }] = found[..] else {
+            panic!("{expected}: {found:?}");
+        };
+        assert!((factor / expected - 1.0).abs() < 1e-6, "{factor}");
+    }
+    let mut b = rescaled(&a, 1000.0);
+    b.positions[9].x += 0.2;
+    assert_eq!(compare(&a, &b).findings, []);
+}
+
 #[test]
 fn other_axes_are_named_one_by_one() {
-    let axes = |from_a, mirrored| [MeshFinding::Axes { from_a, mirrored }];
+    let axes = |from_a, mirrored| {
+        [MeshFinding::Axes {
+            from_a,
+            mirrored,
+            factor: 1.0,
+            offset: [0.0; 3],
+        }]
+    };
     assert_eq!(
         findings(|p| Vec3::new(p.x, -p.z, p.y)),
         axes(["x", "-z", "y"], false)
@@ -170,11 +203,132 @@ fn other_axes_are_named_one_by_one() {
     );
 }
 
+fn near(found: [f64; 3], expected: [f64; 3], tolerance: f64) -> bool {
+    let pairs = found.iter().zip(expected);
+    pairs.into_iter().all(|(a, b)| (a - b).abs() <= tolerance)
+}
+
 #[test]
-fn what_is_neither_moved_nor_scaled_nor_turned_by_a_quarter_has_no_such_cause() {
+fn other_axes_are_named_together_with_a_scale_and_a_movement() {
+    // As programs write whose units are centimeters and whose z points up.
+    let found = findings(|p| Vec3::new(p.x, -p.z, p.y) * 100.0);
+    let [
+        MeshFinding::Axes {
+            from_a,
+            mirrored: false,
+            factor,
+            offset,
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert_eq!((from_a, offset), (["x", "-z", "y"], [0.0; 3]));
+    assert!((factor / 100.0 - 1.0).abs() < 1e-6, "{factor}");
+    let told = "B's x, y, z are x, -z, y of A: turned, or another axis points up, \
+                and 100.000000 times as large";
+    assert_eq!(found[0].to_string(), told);
+
+    let found = findings(|p| Vec3::new(1.0 - p.x, p.y, p.z));
+    let [
+        MeshFinding::Axes {
+            from_a,
+            mirrored: true,
+            factor,
+            offset,
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert_eq!((from_a, factor), (["-x", "y", "z"], 1.0));
+    assert!(near(offset, [1.0, 0.0, 0.0], 1e-6), "{offset:?}");
+
+    let found = findings(|p| Vec3::new(p.z, p.y, p.x) * 0.5 + Vec3::Y);
+    let [
+        MeshFinding::Axes {
+            from_a,
+            mirrored: true,
+            factor,
+            offset,
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert_eq!(from_a, ["z", "y", "x"]);
+    assert!((factor - 0.5).abs() < 1e-6 && near(offset, [0.0, 1.0, 0.0], 1e-6));
+}
+
+#[test]
+fn a_turn_is_measured_with_a_mirror_a_scale_and_a_movement() {
+    let turn = |degrees: f32| glam::Quat::from_rotation_y(degrees.to_radians());
+    let measured = |found: &[MeshFinding]| match *found {
+        [
+            MeshFinding::Turned {
+                mirrored,
+                degrees,
+                axis,
+                factor,
+                offset,
+            },
+        ] => (mirrored, degrees, axis, factor, offset),
+        _ => panic!("{found:?}"),
+    };
+    let found = findings(|p| turn(30.0) * p);
+    let (mirrored, degrees, axis, factor, offset) = measured(&found);
+    assert_eq!((mirrored, factor, offset), (None, 1.0, [0.0; 3]));
+    assert!((degrees - 30.0).abs() < 1e-4 && near(axis, [0.0, 1.0, 0.0], 1e-6));
+    assert!(
+        found[0]
+            .to_string()
+            .starts_with("B is A turned by 30.0000 degrees about")
+    );
+
+    let found = findings(|p| turn(-170.0) * p * 1000.0 + Vec3::new(3.0, -2.0, 1.0));
+    let (mirrored, degrees, axis, factor, offset) = measured(&found);
+    assert_eq!(mirrored, None);
+    assert!((degrees - 170.0).abs() < 1e-4 && near(axis, [0.0, -1.0, 0.0], 1e-6));
+    assert!((factor - 1000.0).abs() < 1e-3 && near(offset, [3.0, -2.0, 1.0], 1e-3));
+
+    let found = findings(|p| turn(20.0) * (p * Vec3::new(1.0, 1.0, -1.0)) * 2.0);
+    let (mirrored, degrees, axis, factor, offset) = measured(&found);
+    assert_eq!((mirrored, offset), (Some("z"), [0.0; 3]));
+    assert!((degrees - 20.0).abs() < 1e-4 && near(axis, [0.0, 1.0, 0.0], 1e-6));
+    assert!((factor - 2.0).abs() < 1e-6);
+}
+
+#[test]
+fn a_flat_mesh_was_turned_before_it_was_mirrored() {
+    let grid = (0..30).map(|i| Vec3::new((i % 6) as f32, (i * i % 7) as f32, 0.0));
+    let a = Mesh::new(grid.collect(), vec![[0, 1, 2]]);
+    let turn = glam::Quat::from_axis_angle(Vec3::new(1.0, 2.0, 2.0) / 3.0, 0.7);
+    let turned = a.positions.iter().map(|p| turn * *p).collect();
+    let found = compare(&a, &Mesh::new(turned, a.triangles.clone())).findings;
+    let [
+        MeshFinding::Turned {
+            mirrored: None,
+            degrees,
+            axis,
+            ..
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert!((degrees.to_radians() - 0.7).abs() < 1e-6, "{degrees}");
+    assert!(
+        near(axis, [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0], 1e-6),
+        "{axis:?}"
+    );
+}
+
+#[test]
+fn what_is_neither_moved_nor_scaled_nor_turned_has_no_such_cause() {
     assert_eq!(findings(|p| p * Vec3::new(1.0, 1.1, 1.0)), []);
     assert_eq!(findings(|p| p + Vec3::X * p.y * 0.01), []);
-    assert_eq!(findings(|p| glam::Quat::from_rotation_y(0.3) * p), []);
+    let sheared = |p: Vec3| glam::Quat::from_rotation_y(0.3) * p + Vec3::X * p.y * 0.01;
+    assert_eq!(findings(sheared), []);
     let almost = findings(|p| if p.y > 0.5 { p + Vec3::Y } else { p });
     assert_eq!(almost, []);
 }

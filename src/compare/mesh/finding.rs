@@ -32,6 +32,23 @@ pub enum MeshFinding {
         from_a: [&'static str; 3],
         /// Whether that mirrors the mesh.
         mirrored: bool,
+        /// Size of B by size of A; one if they are as large.
+        factor: f64,
+        /// The movement after all that; zero if there is none.
+        offset: [f64; 3],
+    },
+    /// B is A turned, by no multiple of a quarter about an axis.
+    Turned {
+        /// Along which axis A was mirrored before, if it was.
+        mirrored: Option<&'static str>,
+        /// By how much, 0 to 180, counterclockwise seen from the tip of the axis.
+        degrees: f64,
+        /// About which axis through the origin; of length one.
+        axis: [f64; 3],
+        /// Size of B by size of A; one if they are as large.
+        factor: f64,
+        /// The movement after all that; zero if there is none.
+        offset: [f64; 3],
     },
     /// B has A's vertices in another order.
     Permuted {
@@ -73,6 +90,17 @@ pub(super) fn vector(of: [f64; 3]) -> String {
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
+/// What follows a turn, in words; nothing for a factor of one and no movement.
+fn scaled_and_moved(f: &mut fmt::Formatter<'_>, factor: f64, offset: [f64; 3]) -> fmt::Result {
+    if factor != 1.0 {
+        write!(f, ", and {factor:.6} times as large")?;
+    }
+    if offset != [0.0; 3] {
+        write!(f, ", then moved by {}", vector(offset))?;
+    }
+    Ok(())
+}
+
 impl MeshFinding {
     /// Whether it accounts for `differing` vertices that are not where they should be.
     pub(super) fn explains(&self, differing: u64) -> bool {
@@ -81,6 +109,7 @@ impl MeshFinding {
             Self::Offset { .. }
             | Self::Scaled { .. }
             | Self::Axes { .. }
+            | Self::Turned { .. }
             | Self::Permuted { .. } => true,
             Self::Winding { .. } | Self::Triangles { .. } | Self::TriangleOrder => false,
         }
@@ -102,13 +131,33 @@ impl fmt::Display for MeshFinding {
                     write!(f, ", then moved by {}", vector(*offset))
                 }
             }
-            Self::Axes { from_a, mirrored } => {
+            Self::Axes {
+                from_a,
+                mirrored,
+                factor,
+                offset,
+            } => {
                 let [x, y, z] = from_a;
                 let how = if *mirrored { "mirrored" } else { "turned" };
                 write!(
                     f,
                     "B's x, y, z are {x}, {y}, {z} of A: {how}, or another axis points up"
-                )
+                )?;
+                scaled_and_moved(f, *factor, *offset)
+            }
+            Self::Turned {
+                mirrored,
+                degrees,
+                axis,
+                factor,
+                offset,
+            } => {
+                f.write_str("B is A ")?;
+                if let Some(axis) = mirrored {
+                    write!(f, "mirrored along {axis} and ")?;
+                }
+                write!(f, "turned by {degrees:.4} degrees about {}", vector(*axis))?;
+                scaled_and_moved(f, *factor, *offset)
             }
             Self::Permuted { vertices } => write!(
                 f,

@@ -3,6 +3,7 @@
 mod finding;
 mod matching;
 mod placement;
+mod rotation;
 mod triangles;
 
 pub use finding::MeshFinding;

@@ -1,5 +1,7 @@
 use super::MeshFinding;
-use glam::DVec3;
+use super::rotation::rotations;
+use glam::{DQuat, DVec3};
+use std::f64::consts::PI;
 
 /// Factors nearer to one than this are rounding.
 const LEAST_SCALE: f64 = 1e-6;
@@ -16,12 +18,22 @@ const ORDERS: [[usize; 3]; 6] = [
 const AXIS_NAMES: [[&str; 2]; 3] = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
 
 /// What takes every vertex of `a` to that of `b` within `tolerance`: a movement, a scale about
-/// the origin, a scale and a movement, or other axes.
+/// the origin, a scale and a movement, other axes, or any turn; the last two with a scale and a
+/// movement or without. Where `b` is larger, so is the tolerance: the rounding of `a` grew too.
 pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
+    let (mean_a, mean_b) = (mean(a), mean(b));
+    let origin = DVec3::ZERO;
+    let scaled_axes = |center_a, center_b| {
+        let factor = size_by_size(a, b, center_a, center_b)?;
+        axes(a, b, (center_a, center_b), factor, tolerance)
+    };
     offset(a, b, tolerance)
-        .or_else(|| scale(a, b, DVec3::ZERO, DVec3::ZERO, tolerance))
-        .or_else(|| scale(a, b, mean(a), mean(b), tolerance))
-        .or_else(|| axes(a, b, tolerance))
+        .or_else(|| scale(a, b, origin, origin, tolerance))
+        .or_else(|| scale(a, b, mean_a, mean_b, tolerance))
+        .or_else(|| axes(a, b, (origin, origin), 1.0, tolerance))
+        .or_else(|| scaled_axes(origin, origin))
+        .or_else(|| scaled_axes(mean_a, mean_b))
+        .or_else(|| turned(a, b, tolerance))
 }
 
 fn offset(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
@@ -46,7 +58,7 @@ fn scale(
     let factor = product / square;
     let usable = factor.is_finite() && factor > 0.0 && (factor - 1.0).abs() > LEAST_SCALE;
     let agrees = usable
-        && agree(a, b, tolerance, |point| {
+        && agree(a, b, tolerance * factor.max(1.0), |point| {
             (point - center_a) * factor + center_b
         });
     agrees.then(|| MeshFinding::Scaled {
@@ -55,7 +67,14 @@ fn scale(
     })
 }
 
-fn axes(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
+/// Other axes, with a scale that takes the first of `centers` to the second.
+fn axes(
+    a: &[DVec3],
+    b: &[DVec3],
+    (center_a, center_b): (DVec3, DVec3),
+    factor: f64,
+    tolerance: f64,
+) -> Option<MeshFinding> {
     let all = ORDERS
         .iter()
         .flat_map(|&order| (0..8).map(move |signs| (order, signs)));
@@ -64,15 +83,21 @@ fn axes(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
             .filter(|&axes| is_mirrored(axes) == mirrored)
             .collect()
     });
-    let found = turned.into_iter().chain(mirrored).find(|&(order, signs)| {
-        agree(a, b, tolerance, |point| {
-            let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
-            DVec3::from_array(std::array::from_fn(|axis| sign(axis) * point[order[axis]]))
+    let placed = |(order, signs): ([usize; 3], usize), point: DVec3| {
+        let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
+        DVec3::from_array(std::array::from_fn(|axis| sign(axis) * point[order[axis]])) * factor
+    };
+    let room = tolerance * factor.max(1.0);
+    let found = turned.into_iter().chain(mirrored).find(|&axes| {
+        agree(a, b, room, |point| {
+            placed(axes, point - center_a) + center_b
         })
     });
     found.map(|(order, signs)| MeshFinding::Axes {
         from_a: std::array::from_fn(|axis| AXIS_NAMES[order[axis]][signs >> axis & 1]),
         mirrored: is_mirrored((order, signs)),
+        factor,
+        offset: (center_b - placed((order, signs), center_a)).to_array(),
     })
 }
 
@@ -81,6 +106,80 @@ fn is_mirrored((order, signs): ([usize; 3], usize)) -> bool {
     let kept = (0..3).filter(|&axis| order[axis] == axis).count();
     let exchanged = kept == 1;
     exchanged != (signs.count_ones() % 2 == 1)
+}
+
+/// A turn about any axis, with a scale and a movement; of the mirror image only where that of the
+/// mesh itself does not do.
+fn turned(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
+    let (center_a, center_b) = (mean(a), mean(b));
+    let factor = size_by_size(a, b, center_a, center_b)?;
+    let [turned, of_mirrored] = rotations(a, b, center_a, center_b)?;
+    let room = tolerance * factor.max(1.0);
+    [(turned, 1.0), (of_mirrored, -1.0)]
+        .into_iter()
+        .find_map(|(rotation, sign)| {
+            let linear = |point: DVec3| rotation * point * (sign * factor);
+            let offset = center_b - linear(center_a);
+            let offset = if agree(a, b, room, linear) {
+                DVec3::ZERO
+            } else if agree(a, b, room, |point| linear(point) + offset) {
+                offset
+            } else {
+                return None;
+            };
+            let (mirrored, rotation) = if sign > 0.0 {
+                (None, rotation)
+            } else {
+                let (axis, rotation) = mirrored_along_one_axis(rotation);
+                (Some(axis), rotation)
+            };
+            let (axis, angle) = positive(rotation).to_axis_angle();
+            Some(MeshFinding::Turned {
+                mirrored,
+                degrees: angle.to_degrees(),
+                axis: axis.to_array(),
+                factor,
+                offset: offset.to_array(),
+            })
+        })
+}
+
+/// Mirroring through a point and turning by `rotation` as mirroring along one axis and turning as
+/// little as that allows.
+fn mirrored_along_one_axis(rotation: DQuat) -> (&'static str, DQuat) {
+    let along = |axis: DVec3| rotation * DQuat::from_axis_angle(axis, PI);
+    let [x, y, z] = DVec3::AXES.map(along);
+    let less = |one: (&'static str, DQuat), other: (&'static str, DQuat)| {
+        if other.1.w.abs() > one.1.w.abs() {
+            other
+        } else {
+            one
+        }
+    };
+    less(less(("x", x), ("y", y)), ("z", z))
+}
+
+/// The same rotation, by at most half a turn.
+fn positive(rotation: DQuat) -> DQuat {
+    if rotation.w < 0.0 {
+        -rotation
+    } else {
+        rotation
+    }
+}
+
+/// How large `b` is by the size of `a`, as their points spread about the centers; one where it is
+/// but for rounding. `None` if that is no size.
+fn size_by_size(a: &[DVec3], b: &[DVec3], center_a: DVec3, center_b: DVec3) -> Option<f64> {
+    let spread = |points: &[DVec3], center: DVec3| -> f64 {
+        let squares = points.iter().map(|point| point.distance_squared(center));
+        squares.sum()
+    };
+    let factor = (spread(b, center_b) / spread(a, center_a)).sqrt();
+    if (factor - 1.0).abs() <= LEAST_SCALE {
+        return Some(1.0);
+    }
+    (factor.is_finite() && factor > 0.0).then_some(factor)
 }
 
 fn agree(a: &[DVec3], b: &[DVec3], tolerance: f64, b_from_a: impl Fn(DVec3) -> DVec3) -> bool {
