@@ -1,7 +1,7 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
 use super::check_collada::ColladaReport;
-use super::output::tell;
+use super::output::{tell, visible};
 use super::told::Told;
 use super::{CliError, print};
 use crate::character::Influence;
@@ -209,10 +209,10 @@ fn skeleton(kind: &ShapeKind) -> Option<SkeletonReport> {
 }
 
 fn in_words(file: &FileReport) -> String {
-    let mut out = format!("{}\n", file.path);
+    let mut out = format!("{}\n", visible(&file.path));
     // Writing to a string cannot fail.
     let mut line = |name: &str, value: String| {
-        let _ = writeln!(out, "  {name:<16} {value}");
+        let _ = writeln!(out, "  {name:<16} {}", visible(&value));
     };
     if let Some(joints) = file.posed_joints {
         line("pose", format!("of {joints} joints"));

@@ -45,11 +45,13 @@ impl CliError {
         match self {
             Self::Told => {}
             Self::Usage(message) => {
-                tell(format_args!(
-                    "error: {message}\n\nFor more information, try '--help'."
-                ));
+                tell(format_args!("error: {message}"));
+                tell("");
+                tell("For more information, try '--help'.");
             }
-            Self::Failed(_) | Self::Other(_) => tell(format_args!("error: {self}")),
+            Self::Failed(_) => tell(format_args!("error: {self}")),
+            // What the system says may have several lines.
+            Self::Other(_) => format!("error: {self}").lines().for_each(tell),
         }
     }
 

@@ -21,9 +21,26 @@ pub fn print(text: &str) -> Result<(), CliError> {
     }
 }
 
-/// Says something on standard error. Where that cannot be written there is nobody to tell.
+/// Says something on standard error, in one line. Where that cannot be written there is nobody to
+/// tell.
 pub fn tell(what: impl Display) {
-    let _ = writeln!(std::io::stderr().lock(), "{what}");
+    let _ = writeln!(std::io::stderr().lock(), "{}", visible(&what.to_string()));
+}
+
+/// `text` in one line that says what it holds: names in files that were handed in, and names of
+/// files, must neither steer the terminal nor look like lines of the program's own.
+pub fn visible(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for c in text.chars() {
+        let turns_writing_round = matches!(c, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+        let ends_a_line = matches!(c, '\u{2028}' | '\u{2029}');
+        if c.is_control() || turns_writing_round || ends_a_line {
+            shown.extend(c.escape_default());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown
 }
 
 /// The format of the picture to write, by the extension of its name.

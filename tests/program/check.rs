@@ -98,6 +98,41 @@ error: .: expected a file, found a folder
 }
 
 #[test]
+fn names_cannot_write_lines_of_their_own_on_a_terminal() {
+    let folder = folder();
+    let scene = r#"{"format": "editor-scene", "version": 1,
+        "shapes": [{"kind": "cube", "name": "\u001b[31mred\n\nerror: \u202eno"}]}"#;
+    std::fs::write(folder.path().join("a\nb.scene"), scene).unwrap();
+    let ran = editor_in(folder.path(), &["check", "a\nb.scene"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    assert!(ran.out.starts_with("a\\nb.scene\n  cube "), "{:?}", ran.out);
+    let name = " \\u{1b}[31mred\\n\\nerror: \\u{202e}no\n";
+    assert!(ran.out.contains(name), "{:?}", ran.out);
+    let ran = editor_in(folder.path(), &["check", "--json", "a\nb.scene"]);
+    let report = json(&ran.out);
+    assert_eq!(report["files"][0]["path"], "a\nb.scene");
+
+    let mtl = "newmtl m\nmap_Kd \u{1b}[31mx.png\n";
+    std::fs::write(folder.path().join("a.mtl"), mtl).unwrap();
+    let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+    std::fs::write(folder.path().join("a.obj"), obj).unwrap();
+    let told = "\\u{1b}[31mx.png: there is no such file\n";
+    let ran = editor_in(folder.path(), &["check", "a.obj"]);
+    assert!(ran.out.contains(told), "{:?}", ran.out);
+    let ran = editor_in(folder.path(), &["export", "a.obj", "-o", "b.obj"]);
+    assert_eq!(ran.err, format!("warning: {told}"));
+
+    let ran = editor_in(folder.path(), &["check", "no\nsuch\u{1b}[31m.obj"]);
+    assert_eq!(
+        ran.err,
+        "error: no\\nsuch\\u{1b}[31m.obj: there is no such file\n"
+    );
+    let ran = editor_in(folder.path(), &["no\u{1b}c"]);
+    assert!(!ran.err.contains('\u{1b}'), "{:?}", ran.err);
+    assert_eq!(ran.err.lines().count(), 3, "{:?}", ran.err);
+}
+
+#[test]
 fn check_knows_the_course_characters() {
     for name in ["characters/Model1.obj", "characters/Model2.obj"] {
         let Some(path) = course(name) else { return };
