@@ -72,10 +72,29 @@ struct Failure {
 /// If a file is wrong, the two cannot be compared, more differ than are allowed, or the output
 /// cannot be written.
 pub fn run(args: &Args) -> Result<(), CliError> {
+    let done = compare(args);
+    let error = match &done {
+        Err(CliError::Failed(diagnostic)) => Some(Told::from(diagnostic)),
+        Err(CliError::Other(message) | CliError::Usage(message)) => {
+            Some(Told::without_file(message.clone()))
+        }
+        Ok(()) | Err(CliError::Told) => None,
+    };
+    if let (true, Some(error)) = (args.json, error) {
+        let failure = Failure {
+            passed: false,
+            error,
+        };
+        print_json(args, &failure)?;
+    }
+    done
+}
+
+fn compare(args: &Args) -> Result<(), CliError> {
     if let Some(output) = &args.output {
         refuse_input(output, &[args.a.clone(), args.b.clone()])?;
     }
-    let done = match [&args.a, &args.b].map(|path| is_mesh(path)) {
+    match [&args.a, &args.b].map(|path| is_mesh(path)) {
         [true, true] => meshes(args),
         [false, false] => pictures(args),
         [mesh, _] => {
@@ -90,20 +109,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
                 other.display()
             )))
         }
-    };
-    let error = match &done {
-        Err(CliError::Failed(diagnostic)) => Some(Told::from(diagnostic)),
-        Err(CliError::Other(message)) => Some(Told::without_file(message.clone())),
-        Ok(()) | Err(CliError::Usage(_) | CliError::Told) => None,
-    };
-    if let (true, Some(error)) = (args.json, error) {
-        let failure = Failure {
-            passed: false,
-            error,
-        };
-        print_json(args, &failure)?;
     }
-    done
 }
 
 fn is_mesh(path: &Path) -> bool {

@@ -200,6 +200,32 @@ fn wrong_usage_ends_with_2() {
 }
 
 #[test]
+fn json_is_one_object_for_wrong_usage_too() {
+    let folder = pictures();
+    for name in ["a.obj", "b.obj"] {
+        fs::copy(meshes().path().join(name), folder.path().join(name)).unwrap();
+    }
+    for (expected, line, told) in [
+        (2, "a.png b.obj", "found the mesh b.obj and a.png"),
+        (2, "a.png b.png --threshold 256", "found 256"),
+        (2, "a.png b.png -o d.txt", "d.txt"),
+        (2, "a.obj b.obj -o d.png", "--output is for pictures"),
+        (1, "a.png b.png -o a.png", "expected another file"),
+    ] {
+        let arguments: Vec<&str> = line.split(' ').chain(["--json"]).collect();
+        let (code, out, err) = compare(&folder, &arguments);
+        assert_eq!(code, expected, "{line}");
+        let json: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(
+            (&json["a"], &json["passed"]),
+            (&arguments[0].into(), &false.into())
+        );
+        let message = json["error"].to_string();
+        assert!(message.contains(told) && err.contains(told), "{out}\n{err}");
+    }
+}
+
+#[test]
 fn meshes_are_compared_by_vertex() {
     let folder = meshes();
     assert_eq!(compare(&folder, &["a.obj", "a.obj"]).0, 0);
