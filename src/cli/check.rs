@@ -215,7 +215,8 @@ fn in_words(file: &FileReport) -> String {
         let _ = writeln!(out, "  {name:<16} {}", visible(&value));
     };
     if let Some(joints) = file.posed_joints {
-        line("pose", format!("of {joints} joints"));
+        let noun = if joints == 1 { "joint" } else { "joints" };
+        line("pose", format!("of {joints} {noun}"));
     }
     for shape in &file.shapes {
         line(&shape.kind.to_lowercase(), shape.name.clone());

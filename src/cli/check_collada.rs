@@ -40,10 +40,19 @@ impl ColladaReport {
         }
         if self.unweighted_vertices > 0 {
             let count = self.unweighted_vertices;
-            lines.push(("  unweighted", format!("{count} vertices stay at rest")));
+            let which = if count == 1 {
+                "vertex stays"
+            } else {
+                "vertices stay"
+            };
+            lines.push(("  unweighted", format!("{count} {which} at rest")));
         }
         if let Some(Difference { joint, difference }) = &self.inverse_bind_difference {
-            let most = format!("differs from the scene by at most {difference:.1e}, at {joint}");
+            let most = if *difference == 0.0 {
+                "as in the scene".to_owned()
+            } else {
+                format!("differs from the scene by at most {difference:.1e}, at {joint}")
+            };
             lines.push(("  bind pose", most));
         }
         for (what, count) in &self.ignored {
@@ -71,5 +80,35 @@ impl From<DaeReport> for ColladaReport {
             }),
             ignored: report.ignored,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bind_pose_without_a_difference_is_told_to_have_none() {
+        let told = |difference| {
+            let report = ColladaReport {
+                up_axis: "Y",
+                meters_per_unit: 1.0,
+                skins: 1,
+                weight_sums: None,
+                unweighted_vertices: 1,
+                inverse_bind_difference: Some(Difference {
+                    joint: "Bone.002".to_owned(),
+                    difference,
+                }),
+                ignored: BTreeMap::new(),
+            };
+            report.in_words()[2..]
+                .iter()
+                .map(|(_, words)| words.clone())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(told(0.0), ["1 vertex stays at rest", "as in the scene"]);
+        let most = "differs from the scene by at most 1.5e-3, at Bone.002";
+        assert_eq!(told(0.0015)[1], most);
     }
 }

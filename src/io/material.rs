@@ -27,7 +27,7 @@ pub(super) fn plain_mtl(path: &Path, bytes: &[u8]) -> Result<Imported<String>, D
                 }
                 None => return Err(scanner.expected("the name of the material", None)),
             },
-            Some("Kd") if named => match super::obj::read_vec3(&mut scanner) {
+            Some("Kd") if named => match read_color(&mut scanner) {
                 Ok(color) => {
                     let [r, g, b] = color.clamp(Vec3::ZERO, Vec3::ONE).to_array();
                     plain.push_str(&format!("Kd {r} {g} {b}\n"));
@@ -49,6 +49,14 @@ pub(super) fn plain_mtl(path: &Path, bytes: &[u8]) -> Result<Imported<String>, D
         value: plain,
         warnings,
     })
+}
+
+fn read_color(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
+    Ok(Vec3::new(
+        scanner.number("a number for red")?,
+        scanner.number("a number for green")?,
+        scanner.number("a number for blue")?,
+    ))
 }
 
 /// The materials that `tobj` found, with their pictures, whose paths are relative to `folder`.

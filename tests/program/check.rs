@@ -133,6 +133,38 @@ fn names_cannot_write_lines_of_their_own_on_a_terminal() {
 }
 
 #[test]
+fn one_joint_is_no_joints() {
+    let ran = editor_in(folder().path(), &["check", "bend.json"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    assert_eq!(ran.out, "bend.json\n  pose             of 1 joint\n");
+}
+
+#[test]
+fn colors_are_told_by_their_channels() {
+    let folder = folder();
+    for (line, told) in [
+        (
+            "Kd nan 0 0",
+            "a.mtl:2:4: expected a number for red, found “nan”",
+        ),
+        (
+            "Kd 0 x 0",
+            "a.mtl:2:6: expected a number for green, found “x”",
+        ),
+        (
+            "Kd 0 0",
+            "a.mtl:2:7: expected a number for blue, found the end of the line",
+        ),
+    ] {
+        std::fs::write(folder.path().join("a.mtl"), format!("newmtl m\n{line}\n")).unwrap();
+        let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
+        std::fs::write(folder.path().join("a.obj"), obj).unwrap();
+        let ran = editor_in(folder.path(), &["check", "a.obj"]);
+        assert!(ran.out.contains(told), "{}", ran.out);
+    }
+}
+
+#[test]
 fn check_knows_the_course_characters() {
     for name in ["characters/Model1.obj", "characters/Model2.obj"] {
         let Some(path) = course(name) else { return };
