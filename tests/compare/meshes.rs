@@ -324,6 +324,24 @@ fn a_flat_mesh_was_turned_before_it_was_mirrored() {
 }
 
 #[test]
+fn a_mesh_that_shrank_to_a_point_is_told_to_lie_in_one_place() {
+    assert_eq!(
+        findings(|_| Vec3::ZERO),
+        [MeshFinding::OnePlace { at: [0.0; 3] }]
+    );
+    assert_eq!(
+        findings(|_| Vec3::Y),
+        [MeshFinding::OnePlace {
+            at: [0.0, 1.0, 0.0]
+        }]
+    );
+    assert_eq!(
+        findings(|p| if p.x > 0.4 { Vec3::ZERO } else { Vec3::Y }),
+        []
+    );
+}
+
+#[test]
 fn what_is_neither_moved_nor_scaled_nor_turned_has_no_such_cause() {
     assert_eq!(findings(|p| p * Vec3::new(1.0, 1.1, 1.0)), []);
     assert_eq!(findings(|p| p + Vec3::X * p.y * 0.01), []);

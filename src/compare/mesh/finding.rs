@@ -50,6 +50,11 @@ pub enum MeshFinding {
         /// The movement after all that; zero if there is none.
         offset: [f64; 3],
     },
+    /// Every vertex of B lies in one place.
+    OnePlace {
+        /// Which, in model space.
+        at: [f64; 3],
+    },
     /// B has A's vertices in another order.
     Permuted {
         /// How many are in another place of the order.
@@ -110,6 +115,7 @@ impl MeshFinding {
             | Self::Scaled { .. }
             | Self::Axes { .. }
             | Self::Turned { .. }
+            | Self::OnePlace { .. }
             | Self::Permuted { .. } => true,
             Self::Winding { .. } | Self::Triangles { .. } | Self::TriangleOrder => false,
         }
@@ -158,6 +164,9 @@ impl fmt::Display for MeshFinding {
                 }
                 write!(f, "turned by {degrees:.4} degrees about {}", vector(*axis))?;
                 scaled_and_moved(f, *factor, *offset)
+            }
+            Self::OnePlace { at } => {
+                write!(f, "all vertices of B lie in one place, {}", vector(*at))
             }
             Self::Permuted { vertices } => write!(
                 f,

@@ -18,8 +18,8 @@ const ORDERS: [[usize; 3]; 6] = [
 const AXIS_NAMES: [[&str; 2]; 3] = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
 
 /// What takes every vertex of `a` to that of `b` within `tolerance`: a movement, a scale about
-/// the origin, a scale and a movement, other axes, or any turn; the last two with a scale and a
-/// movement or without. Where `b` is larger, so is the tolerance: the rounding of `a` grew too.
+/// the origin, a scale and a movement, other axes, or any turn, these two with a scale and a
+/// movement or without. Or else that `b` lies all in one place. Where `b` is larger, so is the tolerance: the rounding of `a` grew too.
 pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
     let (mean_a, mean_b) = (mean(a), mean(b));
     let origin = DVec3::ZERO;
@@ -34,6 +34,7 @@ pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFindi
         .or_else(|| scaled_axes(origin, origin))
         .or_else(|| scaled_axes(mean_a, mean_b))
         .or_else(|| turned(a, b, tolerance))
+        .or_else(|| one_place(b))
 }
 
 fn offset(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
@@ -142,6 +143,14 @@ fn turned(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
                 offset: offset.to_array(),
             })
         })
+}
+
+fn one_place(b: &[DVec3]) -> Option<MeshFinding> {
+    let first = b.first().filter(|point| point.is_finite())?;
+    let at = first.to_array();
+    b.iter()
+        .all(|point| point == first)
+        .then_some(MeshFinding::OnePlace { at })
 }
 
 /// Mirroring through a point and turning by `rotation` as mirroring along one axis and turning as

@@ -88,3 +88,42 @@ fn eigen(mut matrix: [[f64; 4]; 4]) -> ([f64; 4], [[f64; 4]; 4]) {
     }
     (std::array::from_fn(|i| matrix[i][i]), vectors)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_turn_and_any_turned_mirror_image_is_found_again() {
+        let mut random = 1_u32;
+        let mut number = || {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(random) / f64::from(u32::MAX) - 0.5
+        };
+        let mut vector = || DVec3::new(number(), number(), number());
+        let a: Vec<DVec3> = (0..20)
+            .map(|_| vector() * DVec3::new(1.0, 0.2, 0.05))
+            .collect();
+        for i in 0..300 {
+            let axis = vector().normalize_or(DVec3::X);
+            // Among them none, and half a turn.
+            let turn =
+                DQuat::from_axis_angle(axis, f64::from(i % 31) / 30.0 * std::f64::consts::PI);
+            for (which, sign) in [(0, 1.0), (1, -1.0)] {
+                let b: Vec<DVec3> = a.iter().map(|p| turn * *p * sign * 1e20).collect();
+                let found = rotations(&a, &b, DVec3::ZERO, DVec3::ZERO).unwrap()[which];
+                let likeness = found.dot(turn).abs();
+                assert!(likeness > 1.0 - 1e-12, "{i}: {found} for {turn}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_does_not_spread_or_is_no_number_has_no_turn() {
+        let find = |a, b| rotations(&[a, -a], &[b, -b], DVec3::ZERO, DVec3::ZERO);
+        assert_eq!(find(DVec3::X, DVec3::ZERO), None);
+        assert_eq!(find(DVec3::NAN, DVec3::X), None);
+        assert_eq!(find(DVec3::X, DVec3::INFINITY), None);
+        assert!(find(DVec3::X, DVec3::Y).is_some());
+    }
+}
