@@ -241,7 +241,11 @@ fn in_words(file: &FileReport) -> String {
             line("  materials", shape.materials.join(", "));
         }
         if let Some([min, max]) = shape.bounds {
-            let corner = |[x, y, z]: [f32; 3]| format!("({x:.4}, {y:.4}, {z:.4})");
+            let corner = |of: [f32; 3]| {
+                // What rounds to nothing has no sign.
+                let [x, y, z] = of.map(|value| if value.abs() <= 5e-5 { 0.0 } else { value });
+                format!("({x:.4}, {y:.4}, {z:.4})")
+            };
             line("  bounds", format!("{} to {}", corner(min), corner(max)));
         }
     }

@@ -140,6 +140,16 @@ fn one_joint_is_no_joints() {
 }
 
 #[test]
+fn bounds_that_round_to_nothing_have_no_sign() {
+    let folder = folder();
+    let obj = "v -0.00004 -0.0001 -0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::fs::write(folder.path().join("a.obj"), obj).unwrap();
+    let ran = editor_in(folder.path(), &["check", "a.obj"]);
+    let told = "bounds         (0.0000, -0.0001, 0.0000) to (1.0000, 1.0000, 0.0000)\n";
+    assert!(ran.out.contains(told), "{}", ran.out);
+}
+
+#[test]
 fn colors_are_told_by_their_channels() {
     let folder = folder();
     for (line, told) in [
