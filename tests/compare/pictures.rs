@@ -139,6 +139,125 @@ fn another_background_is_named_and_whether_it_is_all() {
 }
 
 #[test]
+fn another_background_hides_nothing_else_that_is_wrong() {
+    let alone = Scene {
+        slab: false,
+        ..SCENE
+    };
+    let [x, y] = SCENE.center;
+    let wrong = [
+        alone,
+        Scene {
+            center: [x + 3.0, y - 1.0],
+            ..alone
+        },
+        Scene {
+            center: [x + 0.5, y],
+            ..alone
+        },
+        Scene {
+            specular: 0.0,
+            ..alone
+        },
+        Scene {
+            radius: 34.0 * 1.25,
+            ..alone
+        },
+    ];
+    let mut pictures = wrong.map(|scene| {
+        [SCENE.background, [51; 3], [90, 120, 140]].map(|background| {
+            Scene {
+                background,
+                ..scene
+            }
+            .paint()
+        })
+    });
+    pictures[0] = pictures[0]
+        .each_ref()
+        .map(|picture| rearranged(picture, |x, y| (WIDTH - 1 - x, y)));
+    for [with_same, with_others @ ..] in pictures {
+        let expected = findings(&alone.paint(), &with_same);
+        assert_eq!(expected.len(), 1, "{expected:?}");
+        for picture in with_others {
+            let found = findings(&alone.paint(), &picture);
+            let (background, others): (Vec<_>, Vec<_>) = found
+                .into_iter()
+                .partition(|finding| matches!(finding, Finding::Background { alone: false, .. }));
+            assert_eq!((background.len(), others), (1, expected.clone()));
+        }
+    }
+}
+
+#[test]
+fn a_smooth_rim_over_another_background_is_no_other_difference() {
+    let smooth = Scene {
+        samples: 4,
+        ..SCENE
+    };
+    let found = findings(
+        &smooth.paint(),
+        &Scene {
+            background: [90, 120, 140],
+            ..smooth
+        }
+        .paint(),
+    );
+    assert!(
+        matches!(found[..], [Finding::Background { alone: true, .. }]),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn what_has_the_color_of_the_other_background_is_no_hole() {
+    let gray = Scene {
+        color: Vec3::splat(0.7),
+        specular: 0.0,
+        slab: false,
+        ..SCENE
+    };
+    let found = findings(
+        &SCENE.paint(),
+        &Scene {
+            background: [51; 3],
+            ..gray
+        }
+        .paint(),
+    );
+    let outlines: Vec<_> = found
+        .iter()
+        .filter_map(|finding| match finding {
+            Finding::Outline { only_a, .. } => Some(*only_a),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(outlines, [360], "{found:?}");
+}
+
+#[test]
+fn rounding_and_another_background_are_told_apart() {
+    let rounded = recolored(&SCENE.paint(), |[r, g, b, alpha]| match [r, g, b] {
+        [26, 26, 26] => [51, 51, 51, alpha],
+        _ => [r, g + g % 3, b, alpha],
+    });
+    let found = findings(&SCENE.paint(), &rounded);
+    assert!(
+        matches!(found[..], [Finding::Background { alone: true, .. }]),
+        "{found:?}"
+    );
+    let mut spotted = rounded;
+    spotted.rgba[0] ^= 128;
+    let found = findings(&SCENE.paint(), &spotted);
+    assert_eq!(
+        found.last().map(ToString::to_string).as_deref(),
+        Some(
+            "apart from the background the same but for rounding (at most 2 of 255) and 1 pixel by more than 8, within 0,0,1,1"
+        )
+    );
+}
+
+#[test]
 fn exchanged_channels_are_named() {
     let a = SCENE.paint();
     let b = recolored(&a, |[r, g, b, alpha]| [b, g, r, alpha]);

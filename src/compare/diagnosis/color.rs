@@ -1,8 +1,8 @@
-use super::evidence::{FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINED_ONE_IN};
+use super::evidence::{FEWEST_PIXELS, ROUNDING, UNEXPLAINED_ONE_IN};
 use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
-use crate::compare::pair::{Pixel, is_drawn};
+use crate::compare::pair::Pixel;
 
 /// Factors nearer to one than this are not worth a word.
 const LEAST_CHANGE: f64 = 0.03;
@@ -12,19 +12,17 @@ const MOST_CHANGE: f64 = 8.0;
 const SATURATED: u8 = 250;
 
 impl Pair<'_> {
-    /// Whether the backgrounds differ, and whether that is all.
-    pub(super) fn background(&self) -> Option<Finding> {
+    /// Whether the backgrounds differ, and whether that is all: `over_same` are the same pictures
+    /// over A's background.
+    pub(super) fn background_beside(&self, over_same: &Pair<'_>) -> Option<Finding> {
         let [Some(a), Some(b)] = self.backgrounds() else {
             return None;
         };
-        if a == b {
-            return None;
-        }
-        let alone = self.a().iter().zip(self.b()).all(|(&pixel_a, &pixel_b)| {
-            let drawn = is_drawn(pixel_a, Some(a)) || is_drawn(pixel_b, Some(b));
-            !drawn || difference(pixel_a, pixel_b) <= OTHER_COLOR
-        });
-        Some(Finding::Background { a, b, alone })
+        (a != b).then(|| Finding::Background {
+            a,
+            b,
+            alone: over_same.pixels_of_other_color() == 0,
+        })
     }
 
     /// Whether B has the color channels in the other order.

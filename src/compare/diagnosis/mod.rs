@@ -31,6 +31,8 @@ pub enum Finding {
         other_color: u64,
         /// Where the others are.
         area: Option<Area>,
+        /// Whether the backgrounds differ beside, which is told by itself.
+        other_background: bool,
     },
     /// B is A moved by whole pixels.
     Shifted {
@@ -123,16 +125,21 @@ impl Pair<'_> {
     /// What the differences come from, as far as the pictures prove it. Empty if nothing does,
     /// or if they are equal.
     pub fn findings(&self) -> Vec<Finding> {
+        // Another background must not hide what else is wrong.
+        let over_same = self.over_background_of_a();
+        let pair = over_same.as_ref().unwrap_or(self);
         let blank = self.blank();
         if self.a() == self.b() || blank.is_some() {
-            return blank.into_iter().chain(self.background()).collect();
+            let background = self.background_beside(pair);
+            return blank.into_iter().chain(background).collect();
         }
-        let mut findings: Vec<Finding> = self.motion().into_iter().collect();
+        let mut findings: Vec<Finding> = pair.motion().into_iter().collect();
         findings.extend(self.opacity());
         if findings.is_empty() {
-            findings.extend(self.red_blue_exchanged());
+            let exchanged = self.red_blue_exchanged();
+            findings.extend(exchanged.or_else(|| pair.red_blue_exchanged()));
         }
-        findings.extend(self.background());
+        findings.extend(self.background_beside(pair));
         let explained =
             |finding: &Finding| !matches!(finding, Finding::Background { alone: false, .. });
         if findings.iter().any(explained) {
@@ -141,21 +148,21 @@ impl Pair<'_> {
         let color = || {
             self.gamma()
                 .or_else(|| self.brightness())
-                .or_else(|| self.highlight())
+                .or_else(|| pair.highlight())
         };
-        let surface = self
-            .nearly_same()
+        let surface = pair
+            .nearly_same(over_same.is_some())
             .or_else(|| {
-                if self.outline_dominates() {
+                if pair.outline_dominates() {
                     None
                 } else {
                     color()
                 }
             })
-            .or_else(|| self.edges())
-            .or_else(|| self.scaled())
-            .or_else(|| self.outline())
-            .or_else(|| self.shading());
+            .or_else(|| pair.edges())
+            .or_else(|| pair.scaled())
+            .or_else(|| pair.outline())
+            .or_else(|| pair.shading());
         findings.extend(surface);
         findings
     }
@@ -204,7 +211,13 @@ impl fmt::Display for Finding {
                 others,
                 other_color,
                 area,
-            } => nearly::fmt(f, *rounding, [*others, *other_color], *area),
+                other_background,
+            } => {
+                if *other_background {
+                    f.write_str("apart from the background ")?;
+                }
+                nearly::fmt(f, *rounding, [*others, *other_color], *area)
+            }
             Self::Shifted { dx, dy } => {
                 write!(f, "B is A moved by {}", moved(*dx, *dy))
             }

@@ -8,8 +8,9 @@ use std::fmt;
 const OTHERS_ONE_IN: u64 = 200;
 
 impl Pair<'_> {
-    /// Whether the pictures agree but for rounding and a few single pixels.
-    pub(super) fn nearly_same(&self) -> Option<Finding> {
+    /// Whether the pictures agree but for rounding and a few single pixels; `other_background` if
+    /// B was put over A's background first.
+    pub(super) fn nearly_same(&self, other_background: bool) -> Option<Finding> {
         let differences: Vec<u8> = self
             .a()
             .iter()
@@ -29,6 +30,7 @@ impl Pair<'_> {
             others,
             other_color,
             area: self.area_of(&is_other),
+            other_background,
         })
     }
 }

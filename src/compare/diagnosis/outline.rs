@@ -32,17 +32,12 @@ impl Pair<'_> {
 
     /// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`.
     fn fits_among(&self, pixel: Pixel, pixels: &[Pixel], index: usize) -> bool {
-        let (width, height) = (self.width() as usize, self.height() as usize);
-        let (x, y) = (index % width, index / width);
         let mut least = [u8::MAX; 4];
         let mut most = [0; 4];
-        for row in y.saturating_sub(1)..=(y + 1).min(height - 1) {
-            for column in x.saturating_sub(1)..=(x + 1).min(width - 1) {
-                let neighbor = pixels[row * width + column];
-                for channel in 0..4 {
-                    least[channel] = least[channel].min(neighbor[channel]);
-                    most[channel] = most[channel].max(neighbor[channel]);
-                }
+        for near in self.around(index) {
+            for channel in 0..4 {
+                least[channel] = least[channel].min(pixels[near][channel]);
+                most[channel] = most[channel].max(pixels[near][channel]);
             }
         }
         (0..4).all(|channel| {
