@@ -20,7 +20,7 @@ mod test_pictures;
 mod told;
 
 pub use crate::math::Area;
-pub use diagnosis::{Finding, Which};
+pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::Differences;
 pub use error::CompareError;
 pub use flip::{Flip, PIXELS_PER_DEGREE};

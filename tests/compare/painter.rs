@@ -16,6 +16,8 @@ pub struct Scene {
     pub toward_light: Vec3,
     /// Strength of the white highlight.
     pub specular: f32,
+    /// Its exponent: the smaller, the wider.
+    pub shininess: i32,
     /// Facets a half turn; 0 for a smooth ball.
     pub facets: u32,
     pub slab: bool,
@@ -30,6 +32,7 @@ pub const SCENE: Scene = Scene {
     color: Vec3::new(0.65, 0.35, 0.25),
     toward_light: Vec3::new(0.48, 0.64, 0.6),
     specular: 0.6,
+    shininess: 20,
     facets: 0,
     slab: true,
     samples: 1,
@@ -85,7 +88,7 @@ impl Scene {
         let normal = self.faceted(normal);
         let diffuse = 0.2 + 0.8 * normal.dot(self.toward_light).max(0.0);
         let reflected = 2.0 * normal.dot(self.toward_light) * normal - self.toward_light;
-        let specular = self.specular * reflected.z.max(0.0).powi(20);
+        let specular = self.specular * reflected.z.max(0.0).powi(self.shininess);
         self.color * diffuse + Vec3::splat(specular)
     }
 

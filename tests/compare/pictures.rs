@@ -1,5 +1,5 @@
 use crate::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
-use editor_core::compare::{Finding, Pair, PictureOptions, Which};
+use editor_core::compare::{Finding, HighlightChange, Pair, PictureOptions, Which};
 use editor_core::geometry::Picture;
 use glam::Vec3;
 
@@ -358,6 +358,73 @@ fn a_missing_highlight_is_named_with_its_place() {
             );
         }
     }
+}
+
+#[test]
+fn another_highlight_is_not_taken_for_a_missing_one() {
+    use HighlightChange::{Narrower, Stronger, Weaker, Wider};
+    // So weak that nothing is cut off.
+    let lit = Scene {
+        specular: 0.3,
+        ..SCENE
+    };
+    let half = Scene {
+        specular: 0.15,
+        ..lit
+    };
+    let wide = Scene {
+        shininess: 7,
+        ..lit
+    };
+    let cases = [
+        (lit, half, Weaker),
+        (half, lit, Stronger),
+        (lit, wide, Wider),
+        (wide, lit, Narrower),
+    ];
+    for (a, b, expected) in cases {
+        let found = findings(&a.paint(), &b.paint());
+        let [Finding::HighlightChanged { in_b, .. }] = found[..] else {
+            panic!("{expected:?}: {found:?}");
+        };
+        assert_eq!(in_b, expected);
+    }
+}
+
+#[test]
+fn where_nothing_has_a_color_a_missing_highlight_may_be_a_weaker_one() {
+    let lit = Scene {
+        color: Vec3::splat(0.4),
+        specular: 0.5,
+        ..SCENE
+    };
+    let dull = Scene {
+        specular: 0.0,
+        ..lit
+    };
+    let less = findings(&lit.paint(), &dull.paint());
+    assert!(
+        matches!(
+            less[..],
+            [Finding::HighlightChanged {
+                in_b: HighlightChange::Less,
+                ..
+            }]
+        ),
+        "{less:?}"
+    );
+    let more = findings(&dull.paint(), &lit.paint());
+    assert!(
+        matches!(
+            more[..],
+            [Finding::HighlightChanged {
+                in_b: HighlightChange::More,
+                ..
+            }]
+        ),
+        "{more:?}"
+    );
+    assert!(!more[0].to_string().contains("missing"), "{}", more[0]);
 }
 
 #[test]

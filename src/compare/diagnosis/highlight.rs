@@ -1,5 +1,6 @@
 use super::evidence::{FEWEST_PIXELS, OTHER_COLOR};
-use super::{Finding, Which};
+use super::white_light::{Surface, WhiteLight};
+use super::{Finding, HighlightChange, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
@@ -16,22 +17,20 @@ const NEUTRAL: u8 = 4;
 const COLORED: u8 = 24;
 /// Channels that reach this may have been cut off, and say nothing about the color of the light.
 const SATURATED: u8 = 250;
+/// The brightest light is that which one in so many drawn pixels has.
+const PEAK_ONE_IN: usize = 1000;
 /// Share of the pixels that must bear each sign of a highlight.
 const NEARLY_ALL: f64 = 0.95;
 
 impl Pair<'_> {
-    /// Whether one picture lacks a highlight of white light that the other has.
+    /// Whether one picture has white light that the other lacks: a highlight that is missing
+    /// there, or another one.
     pub(super) fn highlight(&self) -> Option<Finding> {
-        self.highlight_only_in(self.a(), self.b(), Which::B)
-            .or_else(|| self.highlight_only_in(self.b(), self.a(), Which::A))
+        self.highlight_more_in(self.a(), self.b(), Which::A)
+            .or_else(|| self.highlight_more_in(self.b(), self.a(), Which::B))
     }
 
-    fn highlight_only_in(
-        &self,
-        lit: &[Pixel],
-        unlit: &[Pixel],
-        missing_in: Which,
-    ) -> Option<Finding> {
+    fn highlight_more_in(&self, lit: &[Pixel], unlit: &[Pixel], lit_in: Which) -> Option<Finding> {
         let [drawn_a, _] = self.drawn_masks()?;
         if self.outline().is_some() {
             return None;
@@ -56,9 +55,73 @@ impl Pair<'_> {
             telling && added_light(lit, unlit).is_some()
         });
         let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
-        (enough && fades(&differing))
-            .then(|| self.area_of(&differs))?
-            .map(|area| Finding::Highlight { missing_in, area })
+        if !enough || !fades(&differing) {
+            return None;
+        }
+        let area = self.area_of(&differs)?;
+        let drawn = pixels_in(lit, unlit, &drawn_a).collect::<Vec<_>>();
+        let change = match (lit_in, change(&drawn)) {
+            (Which::A, Change::Missing) => {
+                return Some(Finding::Highlight {
+                    missing_in: Which::B,
+                    area,
+                });
+            }
+            (_, Change::Missing) => {
+                return Some(Finding::Highlight {
+                    missing_in: Which::A,
+                    area,
+                });
+            }
+            (Which::A, Change::Strength) => HighlightChange::Weaker,
+            (_, Change::Strength) => HighlightChange::Stronger,
+            (Which::A, Change::Width) => HighlightChange::Narrower,
+            (_, Change::Width) => HighlightChange::Wider,
+            (Which::A, Change::Unknown) => HighlightChange::Less,
+            (_, Change::Unknown) => HighlightChange::More,
+        };
+        Some(Finding::HighlightChanged { in_b: change, area })
+    }
+}
+
+/// What the less lit picture lacks.
+enum Change {
+    /// The highlight.
+    Missing,
+    /// A part of its strength.
+    Strength,
+    /// Its rim.
+    Width,
+    /// One of these.
+    Unknown,
+}
+
+/// What the less lit of two pictures lacks, of which these are the drawn pixels.
+fn change(drawn: &[(Pixel, Pixel)]) -> Change {
+    let differs = |&&(lit, unlit): &&(Pixel, Pixel)| difference(lit, unlit) > OTHER_COLOR;
+    let unlit_pixels = |inside: bool| -> Vec<Pixel> {
+        let pixels = drawn.iter().filter(|pair| differs(pair) == inside);
+        pixels.map(|&(_, unlit)| unlit).collect()
+    };
+    let Some(surface) = Surface::of(&unlit_pixels(false)) else {
+        return Change::Unknown;
+    };
+    match surface.judge(&unlit_pixels(true)) {
+        WhiteLight::None => return Change::Missing,
+        WhiteLight::Unknown => return Change::Unknown,
+        WhiteLight::Some => {}
+    }
+    let peak = |pixel: fn(&(Pixel, Pixel)) -> Pixel| {
+        let light = drawn.iter().map(|pair| surface.white_light(pixel(pair)));
+        // What is cut off hides how bright it was.
+        let mut light: Vec<f64> = light.collect::<Option<_>>()?;
+        light.sort_unstable_by(f64::total_cmp);
+        light.iter().rev().nth(light.len() / PEAK_ONE_IN).copied()
+    };
+    match (peak(|pair| pair.0), peak(|pair| pair.1)) {
+        (Some(lit), Some(unlit)) if (lit - unlit).abs() <= f64::from(OTHER_COLOR) => Change::Width,
+        (Some(lit), Some(unlit)) if lit > unlit => Change::Strength,
+        _ => Change::Unknown,
     }
 }
 

@@ -7,6 +7,7 @@ mod highlight;
 mod motion;
 mod nearly;
 mod outline;
+mod white_light;
 
 use super::{Area, Pair};
 use serde::Serialize;
@@ -86,6 +87,13 @@ pub enum Finding {
         /// Where it is in the other.
         area: Area,
     },
+    /// A highlight is another one in B: the difference is white light that fades toward its rim.
+    HighlightChanged {
+        /// How B's is, held against A's.
+        in_b: HighlightChange,
+        /// Where it is another one.
+        area: Area,
+    },
     /// The differences lie along edges, where each color is between those around it in the other
     /// picture.
     Edges {
@@ -108,6 +116,24 @@ pub enum Finding {
         /// Pixels inside that differ by more than 8 of 255, by all drawn pixels.
         share: f64,
     },
+}
+
+/// How a highlight of B is, held against A's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HighlightChange {
+    /// Less bright; A's is in B too.
+    Weaker,
+    /// Brighter; B's is in A too.
+    Stronger,
+    /// As bright, but smaller.
+    Narrower,
+    /// As bright, but larger.
+    Wider,
+    /// Weaker, narrower or missing: the colors do not tell which.
+    Less,
+    /// Stronger, wider or missing in A: the colors do not tell which.
+    More,
 }
 
 /// One of the two pictures, or both.
@@ -249,10 +275,20 @@ impl fmt::Display for Finding {
                 f,
                 "{lighter} is encoded as sRGB once more often than the other picture: lighter, with washed-out shadows"
             ),
+            Self::Highlight {
+                missing_in: Which::A,
+                area,
+            } => write!(
+                f,
+                "B has a highlight that A has not, around {area}: the specular term of the light"
+            ),
             Self::Highlight { missing_in, area } => write!(
                 f,
                 "a highlight is missing in {missing_in}, around {area}: the specular term of the light"
             ),
+            Self::HighlightChanged { in_b, area } => {
+                write!(f, "{}, around {area}: {}", in_b.words()[0], in_b.words()[1])
+            }
             Self::Edges { share } => write!(
                 f,
                 "{:.1} % of the differences lie along edges: antialiasing, or a movement of less than about a pixel",
@@ -269,6 +305,28 @@ impl fmt::Display for Finding {
                 "the outlines agree, but {:.1} % of what is drawn is shaded otherwise: normals, light or material",
                 100.0 * share
             ),
+        }
+    }
+}
+
+impl HighlightChange {
+    /// What is seen, and what it comes from.
+    fn words(self) -> [&'static str; 2] {
+        let strength = "strength or exponent of the specular term";
+        let exponent = "the exponent of the specular term";
+        match self {
+            Self::Weaker => ["the highlight is weaker in B", strength],
+            Self::Stronger => ["the highlight is stronger in B", strength],
+            Self::Narrower => ["the highlight is narrower in B", exponent],
+            Self::Wider => ["the highlight is wider in B", exponent],
+            Self::Less => [
+                "the highlight is weaker or narrower in B, or missing",
+                strength,
+            ],
+            Self::More => [
+                "the highlight is stronger or wider in B than in A, if that has one",
+                strength,
+            ],
         }
     }
 }
