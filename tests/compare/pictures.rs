@@ -88,7 +88,17 @@ fn one_of_two_things_moved_is_not_a_moved_picture() {
         !found.iter().any(|f| matches!(f, Finding::Shifted { .. })),
         "{found:?}"
     );
-    assert!(matches!(found[..], [Finding::Outline { .. }]), "{found:?}");
+    let inside_too = matches!(
+        found[..],
+        [
+            Finding::Outline { .. },
+            Finding::Shading {
+                outlines_agree: false,
+                ..
+            }
+        ]
+    );
+    assert!(inside_too, "{found:?}");
 }
 
 #[test]
@@ -521,7 +531,7 @@ fn antialiasing_and_half_a_pixel_are_differences_along_edges() {
     for (a, b) in [(SCENE, smooth), (SCENE, half), (faceted, faceted_half)] {
         let found = findings(&a.paint(), &b.paint());
         assert!(
-            matches!(found[..], [Finding::Edges { share }] if share > 0.9),
+            matches!(found[..], [Finding::Edges { share, .. }] if share > 0.9),
             "{found:?}"
         );
     }
@@ -584,11 +594,81 @@ fn other_normals_and_another_light_are_differences_in_shading() {
     };
     for scene in [flat, other_light] {
         let found = findings_for(scene);
-        let [Finding::Shading { share }] = found[..] else {
+        let [Finding::Shading { share, .. }] = found[..] else {
             panic!("{found:?}");
         };
         assert!(share > 0.05, "{share}");
     }
+}
+
+#[test]
+fn differences_in_color_are_told_with_their_place_and_no_cause_that_is_not_known() {
+    let a = SCENE.paint();
+    let mut b = a.clone();
+    for y in 50..60 {
+        for x in 60..80 {
+            let start = (4 * (y * WIDTH + x)) as usize;
+            b.rgba[start..start + 4].copy_from_slice(&[30, 40, 200, 255]);
+        }
+    }
+    let found = findings(&a, &b);
+    let [Finding::Shading { area, .. }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert_eq!(Some(area), "60,50,20,10".parse().ok());
+    let text = found[0].to_string();
+    assert!(
+        text.starts_with("the outlines agree, but 5.")
+            && text.ends_with(
+                "within 60,50,20,10: shape, depth or shading (normals, light, material)"
+            ),
+        "{text}"
+    );
+}
+
+#[test]
+fn differences_along_edges_are_told_with_their_place() {
+    let mut half = SCENE.paint();
+    let moved = Scene {
+        center: [70.5, 55.0],
+        ..SCENE
+    };
+    // Only the upper half is moved.
+    let bytes = (4 * WIDTH * 55) as usize;
+    half.rgba[..bytes].copy_from_slice(&moved.paint().rgba[..bytes]);
+    let found = findings(&SCENE.paint(), &half);
+    let [Finding::Edges { area, .. }] = found[..] else {
+        panic!("{found:?}");
+    };
+    assert!(area.y >= 20 && area.y + area.height <= 55, "{area}");
+    assert!(found[0].to_string().contains(&area.to_string()));
+}
+
+#[test]
+fn a_thing_missing_does_not_hide_that_the_rest_is_shaded_otherwise() {
+    let other = Scene {
+        slab: false,
+        toward_light: Vec3::new(-0.48, 0.64, 0.6),
+        ..SCENE
+    };
+    let found = findings_for(other);
+    let [
+        Finding::Outline {
+            only_a: 360,
+            only_b: 0,
+            ..
+        },
+        Finding::Shading {
+            share,
+            area,
+            outlines_agree: false,
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert!(share > 0.5 && area.y + area.height <= 90, "{share} {area}");
+    assert!(!found[1].to_string().contains("agree"), "{}", found[1]);
 }
 
 #[test]

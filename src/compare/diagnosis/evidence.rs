@@ -31,6 +31,14 @@ impl Pair<'_> {
             .count() as u64
     }
 
+    /// Whether each pixel has another color in B than in A.
+    pub(super) fn other_colors(&self) -> Vec<bool> {
+        let pixels = self.a().iter().zip(self.b());
+        pixels
+            .map(|(&a, &b)| difference(a, b) > OTHER_COLOR)
+            .collect()
+    }
+
     /// Whether each pixel of A, and of B, shows something else than its background. Ignored
     /// pixels do not. `None` unless both pictures have a background.
     pub(super) fn drawn_masks(&self) -> Option<[Vec<bool>; 2]> {

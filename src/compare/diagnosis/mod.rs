@@ -99,6 +99,8 @@ pub enum Finding {
     Edges {
         /// So many of the pixels that differ by more than 8 of 255.
         share: f64,
+        /// Where all of these are.
+        area: Area,
     },
     /// Things are drawn in one picture where the other shows the background.
     Outline {
@@ -111,10 +113,16 @@ pub enum Finding {
         /// Where these are.
         area_b: Option<Area>,
     },
-    /// The outlines agree, but what is inside is shaded otherwise.
+    /// What is drawn has another color in B.
     Shading {
-        /// Pixels inside that differ by more than 8 of 255, by all drawn pixels.
+        /// Pixels that differ by more than 8 of 255, by all that are drawn: in both, unless the
+        /// outlines agree.
         share: f64,
+        /// Where these are.
+        area: Area,
+        /// Whether next to nothing is drawn in one picture alone. Otherwise that is told by
+        /// itself.
+        outlines_agree: bool,
     },
 }
 
@@ -187,9 +195,13 @@ impl Pair<'_> {
             })
             .or_else(|| pair.edges())
             .or_else(|| pair.scaled())
-            .or_else(|| pair.outline())
-            .or_else(|| pair.shading());
-        findings.extend(surface);
+            .or_else(|| pair.outline());
+        let beside = match surface {
+            None => pair.shading(None),
+            Some(Finding::Outline { only_a, only_b, .. }) => pair.shading(Some(only_a + only_b)),
+            Some(_) => None,
+        };
+        findings.extend(surface.into_iter().chain(beside));
         findings
     }
 
@@ -289,9 +301,9 @@ impl fmt::Display for Finding {
             Self::HighlightChanged { in_b, area } => {
                 write!(f, "{}, around {area}: {}", in_b.words()[0], in_b.words()[1])
             }
-            Self::Edges { share } => write!(
+            Self::Edges { share, area } => write!(
                 f,
-                "{:.1} % of the differences lie along edges: antialiasing, or a movement of less than about a pixel",
+                "{:.1} % of the differences lie along edges, all within {area}: antialiasing, or a movement of less than about a pixel",
                 100.0 * share
             ),
             Self::Outline {
@@ -300,11 +312,22 @@ impl fmt::Display for Finding {
                 only_b,
                 area_b,
             } => fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)]),
-            Self::Shading { share } => write!(
-                f,
-                "the outlines agree, but {:.1} % of what is drawn is shaded otherwise: normals, light or material",
-                100.0 * share
-            ),
+            Self::Shading {
+                share,
+                area,
+                outlines_agree,
+            } => {
+                let (before, both) = if *outlines_agree {
+                    ("the outlines agree, but ", "")
+                } else {
+                    ("", " in both")
+                };
+                write!(
+                    f,
+                    "{before}{:.1} % of what is drawn{both} has another color, within {area}: shape, depth or shading (normals, light, material)",
+                    100.0 * share
+                )
+            }
         }
     }
 }

@@ -1,7 +1,6 @@
 use super::Finding;
 use super::evidence::{FEWEST_PIXELS, OTHER_COLOR};
 use crate::compare::Pair;
-use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 
 /// Differences along edges must be so large a share of all. Small facets meet in fewer pixels
@@ -17,17 +16,19 @@ impl Pair<'_> {
     /// around the same pixel: what antialiasing and the smallest movements do.
     pub(super) fn edges(&self) -> Option<Finding> {
         let (mut differing, mut between) = (0_u64, 0_u64);
-        for index in 0..self.a().len() {
+        let differs = self.other_colors();
+        for index in (0..differs.len()).filter(|&index| differs[index]) {
             let (a, b) = (self.a()[index], self.b()[index]);
-            if difference(a, b) > OTHER_COLOR {
-                differing += 1;
-                let fits =
-                    self.fits_among(a, self.b(), index) && self.fits_among(b, self.a(), index);
-                between += u64::from(fits);
-            }
+            differing += 1;
+            let fits = self.fits_among(a, self.b(), index) && self.fits_among(b, self.a(), index);
+            between += u64::from(fits);
         }
         let share = between as f64 / differing as f64;
-        (differing >= FEWEST_PIXELS && share >= NEARLY_ALL).then_some(Finding::Edges { share })
+        if differing < FEWEST_PIXELS || share < NEARLY_ALL {
+            return None;
+        }
+        let area = self.area_of(&differs)?;
+        Some(Finding::Edges { share, area })
     }
 
     /// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`.
@@ -75,16 +76,33 @@ impl Pair<'_> {
         only_a + only_b > self.pixels_drawn_in_both().count() as u64
     }
 
-    /// How much of what is drawn in both has another color. To be asked once the outlines are
-    /// known to agree.
-    pub(super) fn shading(&self) -> Option<Finding> {
-        self.drawn_masks()?;
-        let (mut drawn, mut differing) = (0_u64, 0_u64);
-        for (a, b) in self.drawn_pixels() {
-            drawn += 1;
-            differing += u64::from(difference(a, b) > OTHER_COLOR);
+    /// How much of what is drawn has another color. `outlines` is how many pixels are drawn in
+    /// one picture alone, where that was told: then more pixels than these must have another
+    /// color among those drawn in both. Otherwise the outlines agree.
+    pub(super) fn shading(&self, outlines: Option<u64>) -> Option<Finding> {
+        let [drawn_a, drawn_b] = self.drawn_masks()?;
+        let drawn: Vec<bool> = drawn_a
+            .iter()
+            .zip(&drawn_b)
+            .map(|(&in_a, &in_b)| in_a && in_b || outlines.is_none() && (in_a || in_b))
+            .collect();
+        let differs: Vec<bool> = self
+            .other_colors()
+            .into_iter()
+            .zip(&drawn)
+            .map(|(differs, &drawn)| differs && drawn)
+            .collect();
+        let count = |mask: &[bool]| mask.iter().filter(|inside| **inside).count() as u64;
+        let differing = count(&differs);
+        let share = differing as f64 / count(&drawn) as f64;
+        if differing <= outlines.unwrap_or(0) || share <= LEAST_SHADING {
+            return None;
         }
-        let share = differing as f64 / drawn as f64;
-        (drawn > 0 && share > LEAST_SHADING).then_some(Finding::Shading { share })
+        let area = self.area_of(&differs)?;
+        Some(Finding::Shading {
+            share,
+            area,
+            outlines_agree: outlines.is_none(),
+        })
     }
 }
