@@ -29,6 +29,8 @@ pub struct Pair<'a> {
     kept: Vec<bool>,
     /// Background of A and of B, red, green, blue.
     backgrounds: [Option<[u8; 3]>; 2],
+    /// Whether A, and B, has colors of which none shows, as nothing is opaque at all.
+    hides_colors: [bool; 2],
 }
 
 impl<'a> Pair<'a> {
@@ -61,6 +63,7 @@ impl<'a> Pair<'a> {
         if !kept.contains(&true) {
             return Err(CompareError::NothingToCompare);
         }
+        let hides_colors = [a, b].map(|picture| hides_colors(picture, &kept));
         let mut pair = Self {
             width: a.width,
             height: a.height,
@@ -68,6 +71,7 @@ impl<'a> Pair<'a> {
             b: pixels_of_b,
             kept,
             backgrounds: [None; 2],
+            hides_colors,
         };
         pair.backgrounds = [pair.background_of(&pair.a), pair.background_of(&pair.b)];
         Ok(pair)
@@ -87,6 +91,11 @@ impl<'a> Pair<'a> {
     /// `None` where the border has no such color.
     pub fn backgrounds(&self) -> [Option<[u8; 3]>; 2] {
         self.backgrounds
+    }
+
+    /// Whether A, and B, has different colors that opacity 0 of every pixel hides.
+    pub(super) fn hides_colors(&self) -> [bool; 2] {
+        self.hides_colors
     }
 
     /// The same with B over A's background instead of its own; `None` where the backgrounds are
@@ -128,6 +137,7 @@ impl<'a> Pair<'a> {
             b: Cow::Owned(b.collect()),
             kept: self.kept.clone(),
             backgrounds: [Some(in_a); 2],
+            hides_colors: self.hides_colors,
         })
     }
 
@@ -243,6 +253,15 @@ fn pixels(which: char, picture: &Picture) -> Result<Cow<'_, [Pixel]>, CompareErr
     } else {
         Cow::Owned(pixels.iter().map(|&pixel| seen_over_black(pixel)).collect())
     })
+}
+
+/// Whether the kept pixels have different colors, all of opacity 0.
+fn hides_colors(picture: &Picture, kept: &[bool]) -> bool {
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    let kept = || pixels.iter().zip(kept).filter(|(_, kept)| **kept);
+    let first = kept().next();
+    kept().all(|(pixel, _)| pixel[3] == 0)
+        && kept().any(|(pixel, _)| Some(pixel) != first.map(|(pixel, _)| pixel))
 }
 
 fn seen_over_black([r, g, b, alpha]: Pixel) -> Pixel {

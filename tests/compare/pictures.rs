@@ -41,6 +41,21 @@ fn a_blank_picture_is_named() {
 }
 
 #[test]
+fn a_picture_of_opacity_0_is_called_transparent_and_not_blank() {
+    let a = SCENE.paint();
+    let clear = recolored(&a, |[r, g, b, _]| [r, g, b, 0]);
+    let found = |picture| Finding::Transparent { picture };
+    assert_eq!(findings(&a, &clear), [found(Which::B)]);
+    assert_eq!(findings(&clear, &a), [found(Which::A)]);
+    assert_eq!(findings(&clear, &clear), [found(Which::Both)]);
+    let nothing = recolored(&a, |_| [0; 4]);
+    assert_eq!(
+        findings(&a, &nothing)[0],
+        Finding::Blank { picture: Which::B }
+    );
+}
+
+#[test]
 fn a_picture_moved_by_whole_pixels_is_named_with_the_movement() {
     for (dx, dy) in [(1, 0), (0, -1), (-3, 5), (8, 8), (31, -17)] {
         let [x, y] = SCENE.center;

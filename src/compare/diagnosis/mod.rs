@@ -22,6 +22,11 @@ pub enum Finding {
         /// Which.
         picture: Which,
     },
+    /// Every pixel of one picture (or of each) has opacity 0, though they have different colors.
+    Transparent {
+        /// Which.
+        picture: Which,
+    },
     /// Nothing but rounding, and so few other pixels that they tell nothing.
     NearlySame {
         /// Largest difference that may be rounding: 0 to 3 of 255.
@@ -159,6 +164,9 @@ impl Pair<'_> {
     /// What the differences come from, as far as the pictures prove it. Empty if nothing does,
     /// or if they are equal.
     pub fn findings(&self) -> Vec<Finding> {
+        if let Some(picture) = Which::of(self.hides_colors()) {
+            return vec![Finding::Transparent { picture }];
+        }
         // Another background must not hide what else is wrong.
         let over_same = self.over_background_of_a();
         let pair = over_same.as_ref().unwrap_or(self);
@@ -206,14 +214,7 @@ impl Pair<'_> {
     }
 
     fn blank(&self) -> Option<Finding> {
-        let blank_a = self.is_even(self.a());
-        let blank_b = self.is_even(self.b());
-        let picture = match (blank_a, blank_b) {
-            (true, true) => Which::Both,
-            (true, false) => Which::A,
-            (false, true) => Which::B,
-            (false, false) => return None,
-        };
+        let picture = Which::of([self.a(), self.b()].map(|pixels| self.is_even(pixels)))?;
         Some(Finding::Blank { picture })
     }
 
@@ -221,6 +222,18 @@ impl Pair<'_> {
         let pixels = self.a().iter().zip(self.b());
         let pixels = pixels.filter(|(a, b)| a[3] != b[3]).count() as u64;
         (pixels > 0).then_some(Finding::Opacity { pixels })
+    }
+}
+
+impl Which {
+    /// Those of which something is true: of A, and of B.
+    fn of(is_true: [bool; 2]) -> Option<Self> {
+        match is_true {
+            [true, true] => Some(Self::Both),
+            [true, false] => Some(Self::A),
+            [false, true] => Some(Self::B),
+            [false, false] => None,
+        }
     }
 }
 
@@ -243,6 +256,15 @@ impl fmt::Display for Finding {
             Self::Blank { picture } => write!(
                 f,
                 "{picture} is blank: every pixel has one color, so nothing was drawn in view"
+            ),
+            Self::Transparent {
+                picture: Which::Both,
+            } => f.write_str(
+                "both pictures are transparent: every pixel has a color, but opacity 0, so that none shows",
+            ),
+            Self::Transparent { picture } => write!(
+                f,
+                "{picture} is transparent, not blank: every pixel has a color, but opacity 0 (saved with the alpha of the frame buffer?)"
             ),
             Self::NearlySame {
                 rounding,
@@ -386,7 +408,12 @@ fn fmt_brightness(f: &mut fmt::Formatter<'_>, factors: [f64; 3]) -> fmt::Result 
 fn fmt_outline(f: &mut fmt::Formatter<'_>, parts: [(u64, Option<Area>); 2]) -> fmt::Result {
     let parts = parts.iter().zip([Which::A, Which::B]);
     let parts = parts.filter_map(|((pixels, area), which)| {
-        area.map(|area| format!("{pixels} pixels are drawn only in {which}, within {area}"))
+        let are = if *pixels == 1 {
+            "pixel is"
+        } else {
+            "pixels are"
+        };
+        area.map(|area| format!("{pixels} {are} drawn only in {which}, within {area}"))
     });
     f.write_str(&parts.collect::<Vec<_>>().join("; "))
 }
