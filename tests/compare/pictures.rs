@@ -292,6 +292,27 @@ fn exchanged_channels_are_named() {
 }
 
 #[test]
+fn a_picture_without_colors_is_named_and_nothing_in_it_is_missing() {
+    let green = Scene {
+        color: Vec3::new(0.1, 0.4, 0.1),
+        ..SCENE
+    }
+    .paint();
+    let weights = [[0.299, 0.587, 0.114], [0.2126, 0.7152, 0.0722]];
+    for [red, green_share, blue] in weights {
+        let gray = recolored(&green, |[r, g, b, alpha]| {
+            let [r, g, b] = [r, g, b].map(f32::from);
+            let gray = (red * r + green_share * g + blue * b).round() as u8;
+            [gray, gray, gray, alpha]
+        });
+        assert_eq!(findings(&green, &gray), [Finding::Gray]);
+        assert_ne!(findings(&gray, &green), [Finding::Gray]);
+        let added = with_line(None);
+        assert!(!findings(&added, &gray).contains(&Finding::Gray));
+    }
+}
+
+#[test]
 fn other_opacity_is_named() {
     let a = SCENE.paint();
     let b = recolored(&a, |[r, g, b, _]| [r, g, b, if r == 26 { 0 } else { 255 }]);

@@ -8,6 +8,12 @@ use crate::compare::pair::Pixel;
 const LEAST_CHANGE: f64 = 0.03;
 /// Larger factors, or smaller than one by them, are no light or material but chance.
 const MOST_CHANGE: f64 = 8.0;
+/// Weights of red, green and blue in gray: ITU-R BT.601, BT.709, and the mean.
+const GRAYS: [[f32; 3]; 3] = [
+    [0.299, 0.587, 0.114],
+    [0.2126, 0.7152, 0.0722],
+    [1.0 / 3.0; 3],
+];
 /// Channels that reach this may have been cut off.
 const SATURATED: u8 = 250;
 
@@ -29,6 +35,30 @@ impl Pair<'_> {
     pub(super) fn red_blue_exchanged(&self) -> Option<Finding> {
         self.turns_into(|[r, g, b, alpha]| [b, g, r, alpha])
             .then_some(Finding::RedBlueExchanged)
+    }
+
+    /// Whether B is A in shades of gray, by one of the ways in which programs make these.
+    pub(super) fn gray(&self) -> Option<Finding> {
+        let colored = |&[r, g, b, _]: &Pixel| r != g || g != b;
+        if self
+            .b()
+            .iter()
+            .zip(self.kept())
+            .any(|(b, &kept)| kept && colored(b))
+        {
+            return None;
+        }
+        GRAYS
+            .iter()
+            .any(|weights| {
+                self.turns_into(|[r, g, b, alpha]| {
+                    let channels = [r, g, b].map(f32::from);
+                    let gray: f32 = channels.iter().zip(weights).map(|(c, w)| c * w).sum();
+                    let gray = gray.round() as u8;
+                    [gray, gray, gray, alpha]
+                })
+            })
+            .then_some(Finding::Gray)
     }
 
     /// Whether one picture is the sRGB encoding of the other.

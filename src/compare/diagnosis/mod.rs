@@ -61,6 +61,8 @@ pub enum Finding {
     },
     /// B has red and blue exchanged.
     RedBlueExchanged,
+    /// B is A in shades of gray.
+    Gray,
     /// The backgrounds differ.
     Background {
         /// Red, green, blue in A.
@@ -179,7 +181,8 @@ impl Pair<'_> {
         findings.extend(self.opacity());
         if findings.is_empty() {
             let exchanged = self.red_blue_exchanged();
-            findings.extend(exchanged.or_else(|| pair.red_blue_exchanged()));
+            let exchanged = exchanged.or_else(|| pair.red_blue_exchanged());
+            findings.extend(exchanged.or_else(|| self.gray()));
         }
         findings.extend(self.background_beside(pair));
         let explained =
@@ -294,6 +297,7 @@ impl fmt::Display for Finding {
                 "what is drawn in B has A's outline, {factor:.3} times as large: distance, field of view or scale"
             ),
             Self::RedBlueExchanged => f.write_str("B has red and blue exchanged (BGR for RGB?)"),
+            Self::Gray => f.write_str("B has no colors: it is A in shades of gray"),
             Self::Background { a, b, alone } => {
                 let [a, b] = [a, b].map(|[r, g, b]| format!("({r}, {g}, {b})"));
                 let rest = if *alone {
