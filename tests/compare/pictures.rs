@@ -573,6 +573,67 @@ fn antialiasing_and_half_a_pixel_are_differences_along_edges() {
     }
 }
 
+/// The mean of the pixels at most `by` away.
+fn blurred(picture: &Picture, by: i32) -> Picture {
+    let (pixels, _) = picture.rgba.as_chunks::<4>();
+    let mean = |index: usize| {
+        let (x, y) = (index as i32 % WIDTH as i32, index as i32 / WIDTH as i32);
+        let near = (-by..=by).flat_map(|dy| (-by..=by).map(move |dx| (x + dx, y + dy)));
+        let near: Vec<[u8; 4]> = near
+            .map(|(x, y)| (x.clamp(0, WIDTH as i32 - 1), y.clamp(0, HEIGHT as i32 - 1)))
+            .map(|(x, y)| pixels[(y * WIDTH as i32 + x) as usize])
+            .collect();
+        let sum = |channel: usize| near.iter().map(|pixel| u32::from(pixel[channel])).sum();
+        [0, 1, 2, 3].map(|channel| {
+            let sum: u32 = sum(channel);
+            (sum / near.len() as u32) as u8
+        })
+    };
+    Picture {
+        rgba: (0..pixels.len()).flat_map(mean).collect(),
+        ..*picture
+    }
+}
+
+#[test]
+fn a_blurred_picture_has_no_other_things_drawn() {
+    let a = Scene {
+        facets: 24,
+        ..SCENE
+    }
+    .paint();
+    let found = findings(&a, &blurred(&a, 2));
+    assert!(matches!(found[..], [Finding::Detail { .. }]), "{found:?}");
+}
+
+#[test]
+fn a_thin_line_moved_is_no_fine_detail_though_the_colors_even_out() {
+    let line = |y: u32| {
+        let mut picture = blank(26);
+        for x in 16..112 {
+            let start = (4 * (y * WIDTH + x)) as usize;
+            picture.rgba[start..start + 3].copy_from_slice(&[255, 0, 0]);
+        }
+        for corner in [0, 70] {
+            let start = (4 * (90 * WIDTH + corner)) as usize;
+            picture.rgba[start..start + 160].fill(255);
+        }
+        picture
+    };
+    let found = findings(&line(20), &line(26));
+    assert!(
+        matches!(
+            found[..],
+            [Finding::Outline {
+                only_a: 96,
+                only_b: 96,
+                ..
+            }]
+        ),
+        "{found:?}"
+    );
+}
+
 #[test]
 fn a_missing_thin_line_is_not_a_difference_along_edges() {
     let a = SCENE.paint();

@@ -2,6 +2,7 @@
 //! out pixel by pixel; where nothing explains the difference, nothing is said.
 
 mod color;
+mod detail;
 mod evidence;
 mod highlight;
 mod motion;
@@ -109,6 +110,14 @@ pub enum Finding {
         /// Where all of these are.
         area: Area,
     },
+    /// Fine detail differs: over 16×16 pixels the colors of A and B have the same means, and those
+    /// of B are near to those around in A.
+    Detail {
+        /// Largest difference of a channel, of 255.
+        max: u8,
+        /// Where pixels differ by more than 8.
+        area: Area,
+    },
     /// Things are drawn in one picture where the other shows the background.
     Outline {
         /// Pixels drawn only in A.
@@ -205,6 +214,7 @@ impl Pair<'_> {
                 }
             })
             .or_else(|| pair.edges())
+            .or_else(|| pair.detail())
             .or_else(|| pair.scaled())
             .or_else(|| pair.outline());
         let beside = match surface {
@@ -331,6 +341,10 @@ impl fmt::Display for Finding {
                 f,
                 "{:.1} % of the differences lie along edges, all within {area}: antialiasing, or a movement of less than about a pixel",
                 100.0 * share
+            ),
+            Self::Detail { max, area } => write!(
+                f,
+                "only fine detail differs, by at most {max}, within {area}: over 16×16 pixels the colors even out, as after compression (JPEG), blurring, scaling or smoothing of edges"
             ),
             Self::Outline {
                 only_a,

@@ -20,7 +20,8 @@ impl Pair<'_> {
         for index in (0..differs.len()).filter(|&index| differs[index]) {
             let (a, b) = (self.a()[index], self.b()[index]);
             differing += 1;
-            let fits = self.fits_among(a, self.b(), index) && self.fits_among(b, self.a(), index);
+            let fits = self.fits_among(a, self.b(), index, OTHER_COLOR)
+                && self.fits_among(b, self.a(), index, OTHER_COLOR);
             between += u64::from(fits);
         }
         let share = between as f64 / differing as f64;
@@ -31,8 +32,15 @@ impl Pair<'_> {
         Some(Finding::Edges { share, area })
     }
 
-    /// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`.
-    fn fits_among(&self, pixel: Pixel, pixels: &[Pixel], index: usize) -> bool {
+    /// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`, or
+    /// no more than `slack` beyond.
+    pub(super) fn fits_among(
+        &self,
+        pixel: Pixel,
+        pixels: &[Pixel],
+        index: usize,
+        slack: u8,
+    ) -> bool {
         let mut least = [u8::MAX; 4];
         let mut most = [0; 4];
         for near in self.around(index) {
@@ -42,8 +50,8 @@ impl Pair<'_> {
             }
         }
         (0..4).all(|channel| {
-            pixel[channel] >= least[channel].saturating_sub(OTHER_COLOR)
-                && pixel[channel] <= most[channel].saturating_add(OTHER_COLOR)
+            pixel[channel] >= least[channel].saturating_sub(slack)
+                && pixel[channel] <= most[channel].saturating_add(slack)
         })
     }
 
