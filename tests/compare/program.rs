@@ -52,6 +52,18 @@ fn meshes() -> TempDir {
 }
 
 #[test]
+fn a_jpeg_of_a_picture_is_not_explained_by_things_that_are_drawn() {
+    let folder = pictures();
+    save(&folder, "a.jpg", &SCENE.paint());
+    let (code, out, _) = compare(&folder, &["a.png", "a.jpg"]);
+    assert_eq!(code, 1);
+    assert!(
+        !out.contains("drawn only") && !out.contains("shading"),
+        "{out}"
+    );
+}
+
+#[test]
 fn equal_pictures_end_with_0_and_different_ones_with_1() {
     let folder = pictures();
     let (code, out, err) = compare(&folder, &["a.png", "a.png"]);

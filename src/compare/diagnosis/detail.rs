@@ -12,10 +12,8 @@ const SAME_MEAN: f64 = 3.0;
 const WORST_MEAN: f64 = 4.0;
 /// Differences of means must be so small a share of the differences of the pixels.
 const EVENED_OUT: f64 = 0.3;
-/// So many blocks must bear it out, ...
-const NEARLY_ALL: f64 = 0.95;
-/// ... and so many pixels.
-const MOST: f64 = 0.9;
+/// So many blocks, and pixels, must bear it out.
+const NEARLY_ALL: f64 = 0.9;
 /// How far colors overshoot those around, of 255, beside an edge that was compressed.
 const OVERSHOOT: u8 = 32;
 
@@ -47,7 +45,7 @@ impl Pair<'_> {
         let sizes = self.a().iter().zip(self.b());
         let max = sizes.map(|(&a, &b)| difference(a, b)).max()?;
         let area = self.area_of(&differs)?;
-        (share >= MOST).then_some(Finding::Detail { max, area })
+        (share >= NEARLY_ALL).then_some(Finding::Detail { max, area })
     }
 
     /// Whether the blocks that differ have nearly the same mean colors in A and B.
