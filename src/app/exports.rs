@@ -1,7 +1,7 @@
 use super::workspace::Workspace;
 use crate::disk;
 use crate::editor::Severity;
-use crate::io;
+use crate::io::{self, Diagnostic};
 use crate::scene::ShapeId;
 use std::path::Path;
 
@@ -30,6 +30,11 @@ impl Workspace {
     pub(super) fn write(&mut self, path: &Path, extension: &str, text: &str) {
         let written = io::expect_extension(path, extension)
             .and_then(|()| disk::write_whole(path, text.as_bytes()));
+        self.tell_saved(path, written);
+    }
+
+    /// Tells how writing a file went.
+    pub(super) fn tell_saved(&mut self, path: &Path, written: Result<(), Diagnostic>) {
         let (severity, text) = match written {
             Ok(()) => (Severity::Info, format!("Saved {}", path.display())),
             Err(error) => (Severity::Error, format!("Not saved: {error}")),

@@ -109,7 +109,7 @@ impl Workspace {
         told |= self.tell_fault(drawn)?;
         let compared = self.draw_comparison();
         self.show_frame(place, output, size, screenshot_due)?;
-        // The panels were laid out before what they asked for was done.
+        // What is under the pointer now is known to the next frame.
         Ok(if changed || compared || told {
             Duration::ZERO
         } else {

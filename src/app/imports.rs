@@ -93,7 +93,7 @@ impl Workspace {
         self.request_redraw();
     }
 
-    fn tell(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
+    pub(super) fn tell(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
         for diagnostic in diagnostics {
             self.session.messages.tell(severity, diagnostic.to_string());
         }

@@ -4,7 +4,7 @@ use super::workspace::Workspace;
 use crate::character::Pose;
 use crate::disk::files;
 use crate::editor::{Edit, Severity, apply_edit};
-use crate::io::{Diagnostic, Files, PoseData, PoseFile};
+use crate::io::{Files, PoseData, PoseFile};
 use crate::scene::ShapeId;
 use std::path::Path;
 
@@ -55,7 +55,7 @@ impl Workspace {
     pub(super) fn load_pose(&mut self, shape: ShapeId, path: &Path) {
         match files().read(path) {
             Ok(bytes) => self.take_pose(shape, path, &bytes),
-            Err(error) => self.tell_error(error),
+            Err(error) => self.tell(Severity::Error, vec![error]),
         }
     }
 
@@ -64,12 +64,11 @@ impl Workspace {
             return;
         };
         let skeleton = character.character.skeleton();
-        let file = PoseFile::read(path, bytes);
-        let pose = match &file {
-            Ok(file) => file.what_fits(skeleton),
-            Err(error) => Err(error.clone()),
+        let file = match PoseFile::read(path, bytes) {
+            Ok(file) => file,
+            Err(error) => return self.tell(Severity::Error, vec![error]),
         };
-        match pose {
+        match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 if !missing.is_empty() {
                     let text = without(path, &missing);
@@ -77,7 +76,7 @@ impl Workspace {
                 }
                 apply_edit(&mut self.session, Edit::SetPose(shape, pose));
             }
-            Err(error) => self.tell_error(error),
+            Err(error) => self.tell(Severity::Error, vec![error]),
         }
     }
 
@@ -88,12 +87,6 @@ impl Workspace {
             None => character.pose(),
         };
         Some(PoseData::new(character.character.skeleton(), pose).to_json())
-    }
-
-    fn tell_error(&mut self, error: Diagnostic) {
-        self.session
-            .messages
-            .tell(Severity::Error, error.to_string());
     }
 }
 

@@ -14,7 +14,7 @@ impl Workspace {
     pub(super) fn save_view(&mut self, path: &Path, shot: Screenshot) {
         // Large pictures take their time: what cannot be written is told before.
         if let Err(error) = PictureFormat::of(path) {
-            self.tell_not_saved(&error);
+            self.tell_saved(path, Err(error));
             return;
         }
         let view = self.pictures.view_size().unwrap_or((800, 600));
@@ -33,19 +33,7 @@ impl Workspace {
     /// Writes a picture in the format of its name, and tells how that went.
     pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture) {
         let written = encode(path, picture).and_then(|bytes| disk::write_whole(path, &bytes));
-        match written {
-            Ok(()) => {
-                let text = format!("Saved {}", path.display());
-                self.session.messages.tell(Severity::Info, text);
-            }
-            Err(error) => self.tell_not_saved(&error),
-        }
-        self.request_redraw();
-    }
-
-    fn tell_not_saved(&mut self, error: &Diagnostic) {
-        let text = format!("Not saved: {error}");
-        self.session.messages.tell(Severity::Error, text);
+        self.tell_saved(path, written);
     }
 
     fn view_picture(&mut self, (width, height): (u32, u32)) -> Result<Picture, GpuError> {

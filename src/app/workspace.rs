@@ -12,7 +12,7 @@ use crate::gpu::WindowContext;
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::{InterfacePainter, Renderer};
 use crate::scene::ShapeId;
-use crate::ui::UiState;
+use crate::ui::{self, UiState};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use winit::dpi::{LogicalSize, PhysicalSize};
@@ -57,11 +57,12 @@ impl Workspace {
         options: &Options,
     ) -> Result<Self, AppError> {
         let (width, height) = globals::WINDOW_SIZE;
+        let (least_width, least_height) = ui::LEAST_SIZE;
         let title = options.title.clone().unwrap_or_else(globals::title);
         let attributes = Window::default_attributes()
             .with_title(&title)
             .with_inner_size(LogicalSize::new(width, height))
-            .with_min_inner_size(LogicalSize::new(640.0, 400.0))
+            .with_min_inner_size(LogicalSize::new(least_width, least_height))
             // Accessibility must be set up before the window is first shown.
             .with_visible(false);
         let window = WindowContext::new(event_loop, attributes)?;

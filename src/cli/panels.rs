@@ -10,12 +10,9 @@ use egui::{Event, FullOutput, Modifiers, PointerButton, Pos2, RawInput, Rect, po
 /// Panels take a few frames to find their sizes.
 const FRAMES: usize = 4;
 
-/// The window's smallest size: in less, panels lie over each other.
-const LEAST_SIZE: (u32, u32) = (640, 400);
-
 /// Refuses a picture smaller than the window can be.
 pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), CliError> {
-    let (least_width, least_height) = LEAST_SIZE;
+    let (least_width, least_height) = ui::LEAST_SIZE;
     if width >= least_width && height >= least_height {
         return Ok(());
     }

@@ -5,7 +5,8 @@ use glam::Vec3;
 
 const SWATCH: Vec2 = vec2(24.0, 14.0);
 
-/// A picker, and the list of presets with their swatches; what is picked is Custom. Returns the color chosen.
+/// A picker, and the list of presets with their swatches; what is picked is Custom. Returns the
+/// color chosen.
 pub(super) fn show(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeColor> {
     let mut chosen = None;
     // Eight bits a channel as they end up on screen: the scene's colors are not linear.

@@ -12,7 +12,8 @@ use crate::scene::{CharacterShape, ShapeId};
 use egui::{Align, Button, Key, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
 use std::collections::HashMap;
 
-/// The angles of all joints, and below each root how far it has moved, as a tree that folds and can be searched.
+/// The angles of all joints, and below each root how far it has moved, as a tree that folds and can
+/// be searched.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,

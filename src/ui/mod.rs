@@ -111,6 +111,9 @@ fn aspect(rect: Rect) -> f32 {
     rect.width().max(1.0) / rect.height().max(1.0)
 }
 
+/// Width and height in points that the panels need: in less, they lie over each other.
+pub const LEAST_SIZE: (u32, u32) = (640, 400);
+
 /// Shows all panels in `root`, the `Ui` of the whole window.
 pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewInput) -> UiOutput {
     let ctx = root.ctx().clone();

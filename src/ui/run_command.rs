@@ -1,5 +1,5 @@
 use super::curve_commands;
-use super::keys::{self, Command, Primitive};
+use super::keys::{self, Command, Menu, Primitive};
 use super::pose_commands;
 use super::posing;
 use super::state::{Dialog, UiState};
@@ -143,14 +143,7 @@ pub(super) fn why_disabled(
         Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
             curve_commands::why_disabled(command, session)
         }
-        Command::ResetJoint
-        | Command::ResetPose
-        | Command::MirrorPose
-        | Command::CopyPose
-        | Command::PastePose
-        | Command::KeepPose
-        | Command::SavePose
-        | Command::LoadPose => pose_commands::why_disabled(command, session),
+        _ if keys::is_in(Menu::Pose, command) => pose_commands::why_disabled(command, session),
         Command::Fit if !session.scene().shapes().iter().any(|shape| shape.visible) => {
             Some("There is nothing to fit")
         }

@@ -11,8 +11,8 @@ pub(in crate::ui) const fn gesture(gesture: &'static str, does: &'static str) ->
     Gesture { gesture, does }
 }
 
-/// Gestures in the view other than those that move the camera ([`crate::ui::Navigation`]'s), then in the
-/// panels.
+/// Gestures in the view other than those that move the camera ([`crate::ui::Navigation`]'s), then in
+/// the panels.
 pub const GESTURES: &[Gesture] = &[
     gesture("Click in the view", "Select the shape under the pointer"),
     gesture(

@@ -70,30 +70,30 @@ fn short(shortcut: &str) -> String {
         .replace("Questionmark", "?")
 }
 
+fn entry_of(command: Command) -> Option<&'static Entry> {
+    COMMANDS.iter().find(|entry| entry.command == command)
+}
+
+/// Whether `command` is listed in `menu`.
+pub(super) fn is_in(menu: Menu, command: Command) -> bool {
+    entry_of(command).is_some_and(|entry| entry.menu == menu)
+}
+
 /// What menus call `command`.
 pub(super) fn label(command: Command) -> &'static str {
-    COMMANDS
-        .iter()
-        .find(|entry| entry.command == command)
-        .map_or("", |entry| entry.label)
+    entry_of(command).map_or("", |entry| entry.label)
 }
 
 /// The tooltip of `command`, with its key, one that no way of navigation uses otherwise.
 pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
-    COMMANDS
-        .iter()
-        .find(|entry| entry.command == command)
-        .map(|entry| entry.with_key(ctx, entry.tooltip))
-        .unwrap_or_default()
+    let entry = entry_of(command);
+    entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))
 }
 
 /// Other words for what `command` does, with its key as in [`tooltip`].
 pub(super) fn with_key(ctx: &Context, command: Command, words: &str) -> String {
-    COMMANDS
-        .iter()
-        .find(|entry| entry.command == command)
-        .map(|entry| entry.with_key(ctx, words))
-        .unwrap_or_default()
+    let entry = entry_of(command);
+    entry.map_or(String::new(), |entry| entry.with_key(ctx, words))
 }
 
 /// Takes the pressed keys of the table out of this frame's input and returns what they start.

@@ -105,7 +105,7 @@ pub(super) struct Followed {
     pub missed: Option<Pos2>,
 }
 
-/// A grip that is farther from its target than this part of a pixel is seen to miss it.
+/// A grip that is farther from its target than this, in points, is seen to miss it.
 const MISSED: f32 = 2.0;
 
 /// Pins that are out of reach while something is dragged: where they got to, and where they
@@ -131,6 +131,8 @@ pub(super) fn lost_pins(
     drag.lost_pins().iter().filter_map(ends).collect()
 }
 
+/// What the view marks: see [`Followed`]. `None` where there is neither a grip in the hand nor one
+/// under the pointer.
 pub(super) fn followed(
     session: &Session,
     state: &IkState,
