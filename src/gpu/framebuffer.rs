@@ -80,6 +80,25 @@ impl Framebuffer {
         })
     }
 
+    /// The one that was kept if it has this size and, as all of these, no samples; otherwise a new
+    /// one takes its place.
+    ///
+    /// # Errors
+    /// As [`Framebuffer::new`]; then none is kept.
+    pub(crate) fn fitting<'a>(
+        kept: &'a mut Option<Self>,
+        gl: &Gl,
+        width: u32,
+        height: u32,
+    ) -> Result<&'a Self, GpuError> {
+        let fits = |it: &Self| (it.width(), it.height()) == (width, height);
+        let fitting = match kept.take().filter(fits) {
+            Some(fitting) => fitting,
+            None => Self::new(gl, width, height, 0)?,
+        };
+        Ok(kept.insert(fitting))
+    }
+
     /// In pixels.
     #[must_use]
     pub fn width(&self) -> u32 {

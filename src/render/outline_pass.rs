@@ -59,16 +59,7 @@ impl OutlinePass {
             return Ok(());
         }
         let (width, height) = (context.width, context.height);
-        if self
-            .mask
-            .as_ref()
-            .is_none_or(|m| (m.width(), m.height()) != (width, height))
-        {
-            self.mask = Some(Framebuffer::new(gl, width, height, 0)?);
-        }
-        let Some(mask) = &self.mask else {
-            return Ok(());
-        };
+        let mask = Framebuffer::fitting(&mut self.mask, gl, width, height)?;
         mask.clear([0.0; 4]);
         let flat = DrawState {
             depth_test: DepthTest::Off,
@@ -79,7 +70,8 @@ impl OutlinePass {
         // The selected shape last, so that it keeps its pixels where the two overlap.
         for (id, color) in [(marks.hovered, Vec3::Y), (marks.selected, Vec3::X)] {
             if let Some(id) = id {
-                self.draw_mask(
+                draw_mask(
+                    &self.masks,
                     context,
                     frame,
                     meshes,
@@ -100,43 +92,43 @@ impl OutlinePass {
         self.whole_picture.draw(program, Primitive::Triangles, 0..3);
         Ok(())
     }
+}
 
-    fn draw_mask(
-        &self,
-        context: &PassContext,
-        frame: &Frame,
-        meshes: &MeshCache,
-        (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
-        id: ShapeId,
-        color: Vec3,
-    ) -> Result<(), GpuError> {
-        let (Some(shape), Some(evaluated), Some(cached)) = (
-            frame.scene.shape(id),
-            frame.evaluated.shape(id).filter(|shape| shape.visible),
-            meshes.get(id),
-        ) else {
-            return Ok(());
-        };
-        if let ShapeKind::Character(character) = &shape.kind
-            && character.display.mode == ModelDisplay::Skeleton
-        {
-            return skeletons.draw_mask(context, evaluated, color);
-        }
-        if let ShapeKind::Curve(curve) = &shape.kind {
-            draw_curve_mask(immediate, context, evaluated, color);
-            if curve.display.surface != SurfaceVisibility::Shaded {
-                return Ok(());
-            }
-        }
-        let program = self.masks.of(cached);
-        meshes.bind_skin(program, id);
-        program.set_mat4("clip_from_world", context.clip_from_world);
-        program.set_mat4("world_from_model", evaluated.world_from_model);
-        program.set_vec3("color", color);
-        let indices = cached.vertex_array.index_count();
-        cached
-            .vertex_array
-            .draw_indexed(program, Primitive::Triangles, 0..indices);
-        Ok(())
+fn draw_mask(
+    masks: &MeshPrograms,
+    context: &PassContext,
+    frame: &Frame,
+    meshes: &MeshCache,
+    (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
+    id: ShapeId,
+    color: Vec3,
+) -> Result<(), GpuError> {
+    let (Some(shape), Some(evaluated), Some(cached)) = (
+        frame.scene.shape(id),
+        frame.evaluated.shape(id).filter(|shape| shape.visible),
+        meshes.get(id),
+    ) else {
+        return Ok(());
+    };
+    if let ShapeKind::Character(character) = &shape.kind
+        && character.display.mode == ModelDisplay::Skeleton
+    {
+        return skeletons.draw_mask(context, evaluated, color);
     }
+    if let ShapeKind::Curve(curve) = &shape.kind {
+        draw_curve_mask(immediate, context, evaluated, color);
+        if curve.display.surface != SurfaceVisibility::Shaded {
+            return Ok(());
+        }
+    }
+    let program = masks.of(cached);
+    meshes.bind_skin(program, id);
+    program.set_mat4("clip_from_world", context.clip_from_world);
+    program.set_mat4("world_from_model", evaluated.world_from_model);
+    program.set_vec3("color", color);
+    let indices = cached.vertex_array.index_count();
+    cached
+        .vertex_array
+        .draw_indexed(program, Primitive::Triangles, 0..indices);
+    Ok(())
 }

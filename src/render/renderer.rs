@@ -116,7 +116,7 @@ impl Renderer {
         if frame.view.grid && frame.view.look == Look::Studio {
             let shadows = self.shadows.draw(gl, &context, frame, meshes);
             let (shadows, result) = match shadows {
-                Ok(shadows) => (shadows, Ok(())),
+                Ok(shadows) => (Some(shadows), Ok(())),
                 Err(error) => (None, Err(error)),
             };
             drawn = drawn.and(result);

@@ -41,15 +41,9 @@ impl ShadowPass {
         context: &PassContext,
         frame: &Frame,
         meshes: &MeshCache,
-    ) -> Result<Option<&Framebuffer>, GpuError> {
+    ) -> Result<&Framebuffer, GpuError> {
         let (width, height) = (context.width, context.height);
-        let fits = |s: &Framebuffer| (s.width(), s.height()) == (width, height);
-        if !self.shadows.as_ref().is_some_and(fits) {
-            self.shadows = Some(Framebuffer::new(gl, width, height, 0)?);
-        }
-        let Some(shadows) = &self.shadows else {
-            return Ok(None);
-        };
+        let shadows = Framebuffer::fitting(&mut self.shadows, gl, width, height)?;
         shadows.clear([0.0; 4]);
         let state = DrawState {
             depth_test: DepthTest::Off,
@@ -72,7 +66,7 @@ impl ShadowPass {
                 .vertex_array
                 .draw_indexed(program, Primitive::Triangles, indices);
         }
-        Ok(Some(shadows))
+        Ok(shadows)
     }
 }
 
