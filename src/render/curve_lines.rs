@@ -50,28 +50,23 @@ pub(super) fn draw_shape(
 }
 
 fn draw_control_points(immediate: &mut Immediate, curve: &EvaluatedCurve) {
+    let points = || curve.control_points.iter().copied();
     immediate.color(CONTROL);
-    immediate.begin(Mode::LineStrip);
-    curve
-        .control_points
-        .iter()
-        .for_each(|&point| immediate.vertex(point));
-    immediate.end();
+    draw_group(immediate, Mode::LineStrip, points());
     immediate.point_size(CONTROL_POINT_SIZE);
     immediate.point_shape(PointShape::Square);
-    immediate.begin(Mode::Points);
-    curve
-        .control_points
-        .iter()
-        .for_each(|&point| immediate.vertex(point));
-    immediate.end();
+    draw_group(immediate, Mode::Points, points());
 }
 
 /// The curve as a line.
 pub(super) fn draw_curve(immediate: &mut Immediate, curve: &EvaluatedCurve, color: Vec3) {
     immediate.color(color);
-    immediate.begin(Mode::LineStrip);
-    curve.positions().for_each(|point| immediate.vertex(point));
+    draw_group(immediate, Mode::LineStrip, curve.positions());
+}
+
+fn draw_group(immediate: &mut Immediate, mode: Mode, points: impl Iterator<Item = Vec3>) {
+    immediate.begin(mode);
+    points.for_each(|point| immediate.vertex(point));
     immediate.end();
 }
 
