@@ -26,11 +26,11 @@ impl Pair<'_> {
     /// Whether one picture has white light that the other lacks: a highlight that is missing
     /// there, or another one.
     pub(super) fn highlight(&self) -> Option<Finding> {
-        self.highlight_more_in(self.a(), self.b(), Which::A)
-            .or_else(|| self.highlight_more_in(self.b(), self.a(), Which::B))
+        self.highlight_less_in(Which::B, self.a(), self.b())
+            .or_else(|| self.highlight_less_in(Which::A, self.b(), self.a()))
     }
 
-    fn highlight_more_in(&self, lit: &[Pixel], unlit: &[Pixel], lit_in: Which) -> Option<Finding> {
+    fn highlight_less_in(&self, less_in: Which, lit: &[Pixel], unlit: &[Pixel]) -> Option<Finding> {
         let [drawn_a, _] = self.drawn_masks()?;
         if self.outline().is_some() {
             return None;
@@ -60,27 +60,16 @@ impl Pair<'_> {
         }
         let area = self.area_of(&differs)?;
         let drawn = pixels_in(lit, unlit, &drawn_a).collect::<Vec<_>>();
-        let change = match (lit_in, change(&drawn)) {
-            (Which::A, Change::Missing) => {
-                return Some(Finding::Highlight {
-                    missing_in: Which::B,
-                    area,
-                });
-            }
-            (_, Change::Missing) => {
-                return Some(Finding::Highlight {
-                    missing_in: Which::A,
-                    area,
-                });
-            }
-            (Which::A, Change::Strength) => HighlightChange::Weaker,
-            (_, Change::Strength) => HighlightChange::Stronger,
-            (Which::A, Change::Width) => HighlightChange::Narrower,
-            (_, Change::Width) => HighlightChange::Wider,
-            (Which::A, Change::Unknown) => HighlightChange::Less,
-            (_, Change::Unknown) => HighlightChange::More,
+        let in_b = match (change(&drawn), less_in) {
+            (Change::Missing, missing_in) => return Some(Finding::Highlight { missing_in, area }),
+            (Change::Strength, Which::B) => HighlightChange::Weaker,
+            (Change::Strength, _) => HighlightChange::Stronger,
+            (Change::Width, Which::B) => HighlightChange::Narrower,
+            (Change::Width, _) => HighlightChange::Wider,
+            (Change::Unknown, Which::B) => HighlightChange::Less,
+            (Change::Unknown, _) => HighlightChange::More,
         };
-        Some(Finding::HighlightChanged { in_b: change, area })
+        Some(Finding::HighlightChanged { in_b, area })
     }
 }
 
