@@ -5,7 +5,7 @@ use super::texture_cache::TextureCache;
 use crate::character::Skinning;
 use crate::geometry::Revision;
 use crate::gpu::{Gl, GpuError, Program};
-use crate::scene::{Evaluated, EvaluatedGeometry, EvaluatedShape, Shading, Shape, ShapeId};
+use crate::scene::{Evaluated, EvaluatedShape, Shading, Shape, ShapeId};
 use std::collections::{HashMap, HashSet};
 
 /// The meshes of a scene in the memory of the graphics card. Only what has a new revision is
@@ -88,7 +88,7 @@ impl MeshCache {
         shading: Shading,
         skinning: Skinning,
     ) -> Result<(), GpuError> {
-        let geometry: &EvaluatedGeometry = &shape.geometry;
+        let geometry = &shape.geometry;
         let known = self.meshes.get_mut(&shape.id);
         if let Some(cached) = known.filter(|cached| cached.fits(geometry, shading, skinning)) {
             if cached.update_positions(geometry)? {
@@ -116,8 +116,8 @@ impl MeshCache {
         self.meshes.get(&id)
     }
 
-    /// How high the ground lies: as low as the lowest visible mesh stands, and never above the origin. At
-    /// rest, so that the ground stays where it is while a character is posed.
+    /// How high the ground lies: as low as the lowest visible mesh stands, and never above the
+    /// origin. At rest, so that the ground stays where it is while a character is posed.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
         let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
         let lowest = visible.filter_map(|shape| {
