@@ -97,11 +97,13 @@ impl Renderer {
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
-    use crate::geometry::{Mesh, Picture};
+    use crate::geometry::{Basis, Mesh, Picture};
     use crate::gpu::{Backend, Framebuffer, HeadlessContext};
     use crate::render::mesh_cache::MeshCache;
     use crate::render::{Marks, read_picture};
-    use crate::scene::{CharacterShape, Evaluator, Scene, ShapeKind, ViewSettings};
+    use crate::scene::{
+        CharacterShape, CurveSet, CurveShape, Evaluator, Scene, ShapeKind, ViewSettings,
+    };
     use glam::Vec3;
     use std::sync::Arc;
 
@@ -192,6 +194,28 @@ mod tests {
         assert!(drawn(&mut renderer, gl, &scene).0.is_ok());
         scene.add("Ball".into(), ShapeKind::Sphere, None);
         assert_eq!(picture(&mut renderer, gl, &scene), both);
+    }
+
+    #[test]
+    fn lines_that_the_driver_cannot_take_are_left_out_and_told_until_they_are_others() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = context.gl();
+        let mut scene = Scene::new();
+        let empty = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+        let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
+        let id = scene.add("Wire".into(), ShapeKind::Curve(curve), None);
+        let mut renderer = Renderer::new(gl).unwrap();
+        gl.limit_buffers(250);
+        for _ in 0..2 {
+            let (told, found) = drawn(&mut renderer, gl, &scene);
+            let told = told.unwrap_err().to_string();
+            assert!(told.contains("the lines of “Wire”"), "{told}");
+            assert_eq!(found, empty);
+        }
+        gl.limit_buffers(i32::MAX);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_err());
+        scene.curve_mut(id).unwrap().display.control_points = false;
+        assert_ne!(picture(&mut renderer, gl, &scene), empty);
     }
 
     #[test]
