@@ -51,6 +51,7 @@ impl Immediate {
     /// [`end_list`](Self::end_list). Lines in it have one pixel.
     #[doc(alias = "glNewList")]
     pub fn begin_list(&mut self) {
+        self.break_off();
         self.vertices.clear();
         self.list = Some(Vec::new());
     }
@@ -62,9 +63,18 @@ impl Immediate {
     /// When they do not fit into the driver's memory.
     #[doc(alias = "glEndList")]
     pub fn end_list(&mut self) -> Result<DisplayList, GpuError> {
+        self.break_off();
         let groups = self.list.take().unwrap_or_default();
         let vertices = std::mem::take(&mut self.vertices);
         DisplayList::new(&self.gl, &vertices, groups)
+    }
+
+    /// Forgets a group that was not ended: its start means nothing in other vertices.
+    fn break_off(&mut self) {
+        if self.mode.take().is_some() {
+            let fault = "immediate: a list starts and ends outside of begin and end";
+            self.gl.report(fault.to_owned());
+        }
     }
 
     /// Draws a list. Neither color nor sizes are other ones afterwards.

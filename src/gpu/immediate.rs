@@ -66,7 +66,7 @@ pub struct Immediate {
     pub(in crate::gpu) group_start: usize,
     /// The groups of the list that is recorded, if one is.
     pub(in crate::gpu) list: Option<Vec<Group>>,
-    mode: Option<Mode>,
+    pub(in crate::gpu) mode: Option<Mode>,
     color: Vec4,
     normal: Vec3,
     towards_light: Option<Vec3>,

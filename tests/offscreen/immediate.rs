@@ -290,6 +290,16 @@ fn calls_in_a_wrong_order_draw_nothing_and_are_told() {
         immediate.begin(Mode::Points);
         immediate.end();
         assert!(gl.check("two begins").is_err());
+        immediate.begin_list();
+        draw(&mut immediate, Mode::Points, &[[1.0, 1.0]]);
+        immediate.begin(Mode::Quads);
+        let list = immediate.end_list().expect("a list");
+        immediate.end();
+        assert!(gl.check("an end behind the list").is_err());
+        assert_eq!(Picture::of(&framebuffer).count(|pixel| pixel != BLACK), 0);
+        immediate.call_list(&list);
+        assert_eq!(Picture::of(&framebuffer).count(|pixel| pixel != BLACK), 1);
+        let framebuffer = black(gl, 4, 4, 0);
         assert_eq!(Picture::of(&framebuffer).count(|pixel| pixel != BLACK), 0);
     });
 }
