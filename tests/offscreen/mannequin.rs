@@ -5,14 +5,12 @@ use std::sync::Arc;
 
 use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalModel};
 use editor_core::geometry::cube;
-use editor_core::gpu::{Framebuffer, Gl};
-use editor_core::render::{Frame, Marks, Renderer};
-use editor_core::scene::{
-    CharacterShape, Evaluator, Look, ModelDisplay, Scene, ShapeKind, ViewSettings,
-};
+use editor_core::gpu::Gl;
+use editor_core::render::{Marks, Renderer};
+use editor_core::scene::{CharacterShape, Look, ModelDisplay, Scene, ShapeKind, ViewSettings};
 use glam::Vec3;
 
-use crate::support::{Picture, on_each_backend};
+use crate::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (400, 300);
 const BACKGROUND: [u8; 4] = [0, 95, 95, 255];
@@ -31,17 +29,8 @@ fn first_view() -> ViewSettings {
 }
 
 fn draw(gl: &Gl, scene: &Scene, view: &ViewSettings, marks: Marks) -> Picture {
-    let evaluated = Evaluator::new().evaluate(scene);
-    let frame = Frame {
-        scene,
-        evaluated: &evaluated,
-        view,
-        marks,
-    };
-    let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).expect("a picture");
     let mut renderer = Renderer::new(gl).expect("a renderer");
-    renderer.draw(&frame, &target).expect("a drawn frame");
-    Picture::of(&target)
+    draw_scene(&mut renderer, gl, SIZE, scene, view, marks)
 }
 
 /// A cube with two upright bones inside, one after the other.

@@ -4,17 +4,16 @@ use std::sync::Arc;
 
 use editor_core::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
 use editor_core::geometry::{Basis, Mesh};
-use editor_core::gpu::{Framebuffer, Gl};
+use editor_core::gpu::Gl;
 use editor_core::math::Euler;
-use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::render::{Marks, Renderer};
 use editor_core::scene::{
-    BoneStyle, CharacterShape, CurveItemKind, CurveSet, CurveShape, CurveVisibility, Evaluator,
-    JointStyle, Look, ModelDisplay, Scene, Shading, ShapeId, ShapeKind, SurfaceVisibility,
-    ViewSettings,
+    BoneStyle, CharacterShape, CurveItemKind, CurveSet, CurveShape, CurveVisibility, JointStyle,
+    Look, ModelDisplay, Scene, Shading, ShapeId, ShapeKind, SurfaceVisibility, ViewSettings,
 };
 use glam::Vec3;
 
-use crate::support::{Picture, on_each_backend};
+use crate::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (160, 120);
 const BACKGROUND: [u8; 4] = [26, 26, 26, 255];
@@ -70,16 +69,7 @@ fn draw(
     view: &ViewSettings,
     marks: Marks,
 ) -> Picture {
-    let evaluated = Evaluator::new().evaluate(scene);
-    let frame = Frame {
-        scene,
-        evaluated: &evaluated,
-        view,
-        marks,
-    };
-    let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).expect("a picture");
-    renderer.draw(&frame, &target).expect("a drawn frame");
-    Picture::of(&target)
+    draw_scene(renderer, gl, SIZE, scene, view, marks)
 }
 
 fn drawn(picture: &Picture) -> usize {

@@ -1,13 +1,13 @@
 //! Shadows on the Studio look's ground.
 
 use editor_core::character::Skinning;
-use editor_core::gpu::{Framebuffer, Gl};
-use editor_core::render::{Frame, Marks, Renderer};
-use editor_core::scene::{Evaluator, Look, Scene, ShapeColor, ShapeKind, ViewSettings};
+use editor_core::gpu::Gl;
+use editor_core::render::{Marks, Renderer};
+use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, ViewSettings};
 use glam::{Vec2, Vec3};
 
 use crate::skinning::characters;
-use crate::support::{Picture, on_each_backend};
+use crate::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (240, 180);
 
@@ -23,18 +23,9 @@ fn studio() -> ViewSettings {
 }
 
 fn draw(gl: &Gl, scene: &Scene, view: &ViewSettings, skinning: Skinning) -> Picture {
-    let evaluated = Evaluator::new().evaluate(scene);
-    let frame = Frame {
-        scene,
-        evaluated: &evaluated,
-        view,
-        marks: Marks::default(),
-    };
-    let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).expect("a picture");
     let mut renderer = Renderer::new(gl).expect("a renderer");
     renderer.set_skinning(Some(skinning));
-    renderer.draw(&frame, &target).expect("a drawn frame");
-    Picture::of(&target)
+    draw_scene(&mut renderer, gl, SIZE, scene, view, Marks::default())
 }
 
 fn cube_at(height: f32) -> Scene {

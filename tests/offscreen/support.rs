@@ -1,6 +1,8 @@
 //! Contexts for tests, and ways to look at pictures.
 
 use editor_core::gpu::{Api, Backend, DrawState, Framebuffer, Gl, HeadlessContext, Program};
+use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::scene::{Evaluator, Scene, ViewSettings};
 use glam::Vec4;
 
 /// Runs `body` on EGL, on EGL's OpenGL ES, and on OSMesa. A missing backend fails the test, and so
@@ -73,6 +75,27 @@ pub fn flat_program(gl: &Gl) -> Program {
     let fragment = "uniform vec3 color;\nuniform float alpha;\nout vec4 fragment_color;\n\
          void main() { fragment_color = vec4(color, alpha); }";
     Program::new(gl, "flat", vertex, fragment).expect("the flat shader")
+}
+
+/// A scene as `renderer` draws it, in pixels.
+pub fn draw_scene(
+    renderer: &mut Renderer,
+    gl: &Gl,
+    (width, height): (u32, u32),
+    scene: &Scene,
+    view: &ViewSettings,
+    marks: Marks,
+) -> Picture {
+    let evaluated = Evaluator::new().evaluate(scene);
+    let frame = Frame {
+        scene,
+        evaluated: &evaluated,
+        view,
+        marks,
+    };
+    let target = Framebuffer::new(gl, width, height, 0).expect("a picture");
+    renderer.draw(&frame, &target).expect("a drawn frame");
+    Picture::of(&target)
 }
 
 /// The color of [`flat_program`].
