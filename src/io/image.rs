@@ -123,21 +123,21 @@ pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnosti
 type Opened<'a> = (&'static str, ImageReader<Cursor<&'a [u8]>>);
 
 fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
-    let wrong = |expected: &str, found: &str| {
-        Diagnostic::new(path, format!("expected {expected}, found {found}"))
+    let (name, format) = match ::image::guess_format(bytes) {
+        Ok(format @ ImageFormat::Png) => ("PNG", format),
+        Ok(format @ ImageFormat::Jpeg) => ("JPEG", format),
+        Ok(format @ ImageFormat::Gif) => ("GIF", format),
+        _ => {
+            let found = if bytes.is_empty() {
+                "an empty file"
+            } else {
+                "a file of another kind"
+            };
+            let message = format!("expected a PNG, JPEG or GIF picture, found {found}");
+            return Err(Diagnostic::new(path, message));
+        }
     };
-    let pictures = "a PNG, JPEG or GIF picture";
-    let name = match ::image::guess_format(bytes) {
-        Ok(ImageFormat::Png) => "PNG",
-        Ok(ImageFormat::Jpeg) => "JPEG",
-        Ok(ImageFormat::Gif) => "GIF",
-        _ if bytes.is_empty() => return Err(wrong(pictures, "an empty file")),
-        _ => return Err(wrong(pictures, "a file of another kind")),
-    };
-    let reader = ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|error| wrong(pictures, &error.to_string()))?;
-    Ok((name, reader))
+    Ok((name, ImageReader::with_format(Cursor::new(bytes), format)))
 }
 
 fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
