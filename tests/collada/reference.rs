@@ -2,25 +2,14 @@
 
 use crate::reference_data::reference;
 use editor_core::character::{Character, Pose};
+use editor_core::disk::Disk;
+use editor_core::io::Imported;
 use editor_core::io::dae::{DaeScene, read_dae};
-use editor_core::io::{Diagnostic, Files, Imported};
 use editor_core::math::Euler;
 use glam::{Mat3, Mat4, Vec3};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-
-struct Disk;
-
-impl Files for Disk {
-    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-        std::fs::read(path).map_err(|error| Diagnostic::new(path, error.to_string()))
-    }
-
-    fn exists(&self, path: &Path) -> bool {
-        path.is_file()
-    }
-}
 
 const NAMES: [&str; 5] = ["split_cube", "long_cubes", "mapped_cube", "robot", "head"];
 

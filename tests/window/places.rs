@@ -2,30 +2,19 @@
 
 use editor_core::editor::{CompareSettings, Session};
 use editor_core::geometry::Picture;
+use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
-use editor_core::io::{Diagnostic, Files, Loaded};
 use editor_core::scene::bones_in_world;
 use editor_core::ui::{self, CompareReport, CompareView, ShownPicture, UiState, ViewInput};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::cell::Cell;
+use std::collections::HashMap;
 use std::path::Path;
 use std::rc::Rc;
 
 /// Size of the window at its start, in points and pixels alike.
 const SIZE: (f32, f32) = (1280.0, 800.0);
-
-struct NoDisk;
-
-impl Files for NoDisk {
-    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-        Err(Diagnostic::new(path, "there is no such file"))
-    }
-
-    fn exists(&self, _: &Path) -> bool {
-        false
-    }
-}
 
 /// The middle of the widget called `label`, in a window that shows `scene` as it starts.
 pub fn middle_of(scene: &str, label: &str) -> (f32, f32) {
@@ -55,7 +44,7 @@ fn middle_in(
 ) -> (f32, f32) {
     let mut loaded = Loaded::default();
     loaded
-        .add(&WithBuiltin(NoDisk), Path::new(scene))
+        .add(&WithBuiltin(HashMap::new()), Path::new(scene))
         .expect("a built-in scene or character");
     let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
     let mut state = UiState::new();
@@ -93,7 +82,7 @@ fn middle_in(
 pub fn end_of_bone(scene: &str, joint: &str) -> (f32, f32) {
     let mut loaded = Loaded::default();
     loaded
-        .add(&WithBuiltin(NoDisk), Path::new(scene))
+        .add(&WithBuiltin(HashMap::new()), Path::new(scene))
         .expect("a built-in scene or character");
     let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
     let shape = &session.evaluated().shapes[0];
