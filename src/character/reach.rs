@@ -30,10 +30,7 @@ impl Reach {
             most: 0.0,
         };
         for (influences, &position) in attachments.vertices().zip(bind) {
-            let point = Aabb {
-                min: position,
-                max: position,
-            };
+            let point = Aabb::from_points([position]);
             if influences.is_empty() {
                 reach.at_rest = reach.at_rest.union(point);
                 continue;

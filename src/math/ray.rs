@@ -55,13 +55,8 @@ impl Ray {
         })
     }
 
-    /// Whether the half-line touches the box.
-    pub fn meets(&self, aabb: &Aabb) -> bool {
-        self.entry(aabb).is_some()
-    }
-
-    /// Where the half-line comes into the box, in multiples of its direction; 0 if it starts in it
-    /// (slab method).
+    /// Where the half-line comes into the box, in multiples of its direction; 0 if it starts in
+    /// it, `None` if it passes (slab method).
     pub fn entry(&self, aabb: &Aabb) -> Option<f32> {
         if aabb.is_empty() {
             return None;
@@ -124,38 +119,18 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_meets_a_box_it_starts_in_or_points_at() {
+    fn a_ray_comes_into_a_box_it_starts_in_or_points_at() {
         let aabb = Aabb {
             min: -Vec3::ONE,
             max: Vec3::ONE,
         };
-        assert!(
-            Ray {
-                origin: Vec3::ZERO,
-                direction: Vec3::X
-            }
-            .meets(&aabb)
-        );
-        assert!(
-            Ray {
-                origin: Vec3::X * -3.0,
-                direction: Vec3::X
-            }
-            .meets(&aabb)
-        );
-        assert!(
-            !Ray {
-                origin: Vec3::X * 3.0,
-                direction: Vec3::X
-            }
-            .meets(&aabb)
-        );
-        assert!(
-            !Ray {
-                origin: Vec3::Y * 1.5,
-                direction: Vec3::X
-            }
-            .meets(&aabb)
-        );
+        let entry = |origin: Vec3| {
+            let direction = Vec3::X;
+            Ray { origin, direction }.entry(&aabb)
+        };
+        assert_eq!(entry(Vec3::ZERO), Some(0.0));
+        assert_eq!(entry(Vec3::X * -3.0), Some(2.0));
+        assert_eq!(entry(Vec3::X * 3.0), None);
+        assert_eq!(entry(Vec3::Y * 1.5), None);
     }
 }

@@ -55,7 +55,7 @@ fn check(row: &Row, length: usize, goal: &IkGoal) -> Result<(), TestCaseError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(1500) })]
 
     #[test]
     fn a_target_is_reached_or_pointed_at(

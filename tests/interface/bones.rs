@@ -72,7 +72,7 @@ impl Editor {
         self.let_go(to);
     }
 
-    fn mouse(&mut self, button: PointerButton, pressed: bool, at: Pos2) {
+    pub fn mouse(&mut self, button: PointerButton, pressed: bool, at: Pos2) {
         self.harness.event(Event::PointerButton {
             pos: at,
             button,

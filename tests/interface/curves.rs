@@ -304,21 +304,12 @@ pub fn place(editor: &Editor, point: usize) -> Pos2 {
 impl Editor {
     pub fn press(&mut self, at: Pos2) {
         self.harness.state_mut().gestures = true;
-        self.harness.hover_at(at);
-        self.settle();
-        self.harness.drag_at(at);
-        self.settle();
-    }
-
-    pub fn go_to(&mut self, at: Pos2) {
-        self.harness.hover_at(at);
-        self.settle();
+        self.take(at);
     }
 
     pub fn release(&mut self, at: Pos2) {
-        self.go_to(at);
-        self.harness.drop_at(at);
-        self.settle();
+        self.point(at);
+        self.let_go(at);
     }
 }
 
@@ -330,7 +321,7 @@ fn a_control_point_is_dragged_in_the_view_and_nothing_else_moves() {
     let (before, camera) = (points(&editor).to_vec(), editor.session().view().camera);
     let from = place(&editor, 3) + vec2(4.0, -3.0);
     editor.press(from);
-    editor.go_to(from + FAR * 0.5);
+    editor.point(from + FAR * 0.5);
     editor.release(from + FAR);
     let grip = place(&editor, 3) - (from + FAR);
     assert!((grip - vec2(-4.0, 3.0)).length() < 0.05, "{grip:?}");
@@ -361,7 +352,7 @@ fn esc_or_a_right_click_puts_the_curve_back_and_ends_the_gesture() {
         );
         let from = place(&editor, 0);
         editor.press(from);
-        editor.go_to(from + FAR);
+        editor.point(from + FAR);
         assert_ne!(curve(&editor).curves(), &before);
         if cancelled_by_key {
             editor.key(Key::Escape);
@@ -377,7 +368,7 @@ fn esc_or_a_right_click_puts_the_curve_back_and_ends_the_gesture() {
             editor.settle();
         }
         assert_eq!(curve(&editor).curves(), &before);
-        editor.go_to(from + FAR * 2.0);
+        editor.point(from + FAR * 2.0);
         editor.release(from + FAR * 2.0);
         assert_eq!(curve(&editor).curves(), &before);
         assert_eq!(editor.session().view().camera, camera);
@@ -394,15 +385,15 @@ fn the_point_under_the_pointer_is_marked_and_named_in_the_view_and_in_the_panel(
     let mut editor = with_curve("Bézier Curve");
     editor.harness.state_mut().gestures = true;
     let at = place(&editor, 2);
-    editor.go_to(at);
+    editor.point(at);
     assert_eq!(editor.session().hovered_control_point(), Some((0, 2)));
     assert!(editor.has("curve, control point 3"));
-    editor.go_to(at + vec2(0.0, 40.0));
+    editor.point(at + vec2(0.0, 40.0));
     assert_eq!(editor.session().hovered_control_point(), None);
 
     editor.reveal("1. curve point 2 X");
     let row = editor.widget("1. curve point 2 X").rect().center();
-    editor.go_to(row);
+    editor.point(row);
     assert_eq!(editor.session().hovered_control_point(), Some((0, 1)));
     editor.choose(&["Insert", "Cube"]);
     assert_eq!(editor.session().hovered_control_point(), None);
@@ -432,9 +423,9 @@ fn a_curve_deleted_while_its_point_is_dragged_ends_the_gesture() {
     let mut editor = with_curve("Bézier Curve");
     let from = place(&editor, 0);
     editor.press(from);
-    editor.go_to(from + FAR);
+    editor.point(from + FAR);
     editor.edit(Edit::Delete(ShapeId(1)));
-    editor.go_to(from);
+    editor.point(from);
     editor.release(from);
     editor.view(View::Select(None));
     assert!(editor.session().scene().shapes().is_empty());

@@ -63,6 +63,13 @@ pub fn figure() -> Arc<Character> {
     figure_called(&COURSE_JOINT_NAMES)
 }
 
+/// A character of these joints without a mesh.
+fn bare(joints: Vec<Joint>) -> Arc<Character> {
+    let skeleton = SkeletalModel::new(joints).expect("every parent is there");
+    let mesh = Mesh::new(Vec::new(), Vec::new());
+    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+}
+
 /// A character that is one chain of `count` joints without a mesh.
 pub fn chain(count: usize) -> Arc<Character> {
     let joints = (0..count).map(|joint| Joint {
@@ -71,9 +78,7 @@ pub fn chain(count: usize) -> Arc<Character> {
         offset: Vec3::Y * 0.01,
         ..Joint::default()
     });
-    let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
-    let mesh = Mesh::new(Vec::new(), Vec::new());
-    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+    bare(joints.collect())
 }
 
 /// A character of two bones side by side, each a root.
@@ -84,9 +89,7 @@ pub fn forest() -> Arc<Character> {
         tip: Some(Vec3::Y * 0.6),
         ..Joint::default()
     });
-    let skeleton = SkeletalModel::new(roots.to_vec()).expect("a forest");
-    let mesh = Mesh::new(Vec::new(), Vec::new());
-    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+    bare(roots.to_vec())
 }
 
 /// An arm with a hand of two fingers, all in a row but for the fingers: shoulder, elbow, wrist,
@@ -107,7 +110,5 @@ pub fn arm() -> Arc<Character> {
         offset: offset.into(),
         ..Joint::default()
     });
-    let skeleton = SkeletalModel::new(joints.collect()).expect("a tree");
-    let mesh = Mesh::new(Vec::new(), Vec::new());
-    Arc::new(Character::new(skeleton, Attachments::new(), mesh).expect("counts that agree"))
+    bare(joints.collect())
 }

@@ -3,7 +3,7 @@
 use crate::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::math::{Euler, Transform};
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
+use egui::{Key, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::kittest::NodeT;
 use glam::Vec3;
 
@@ -25,10 +25,7 @@ impl Editor {
     }
 
     fn with_ik() -> Self {
-        let mut editor = Self::with_figure();
-        editor.harness.state_mut().gestures = true;
-        editor.key(Key::I);
-        editor
+        Self::with_hands(Key::I)
     }
 
     /// Where a joint of the selected character is in the world.
@@ -43,12 +40,7 @@ impl Editor {
 
     /// Where it is in the window.
     fn joint_at(&self, joint: usize) -> Pos2 {
-        let view = self.harness.state().view;
-        let size = glam::vec2(view.width(), view.height());
-        let camera = self.session().view().camera;
-        let pixel = camera.pixel(self.joint_place(joint), size);
-        let pixel = pixel.expect("before the eye");
-        view.min + vec2(pixel.x, pixel.y)
+        self.place(self.joint_place(joint))
     }
 
     /// A point of the window on the bone between two joints, near the second.
@@ -60,9 +52,19 @@ impl Editor {
     fn bring(&mut self, from: Pos2, by: Vec2) {
         self.press(from);
         for part in [0.3, 0.7, 1.0] {
-            self.go_to(from + by * part);
+            self.point(from + by * part);
         }
         self.release(from + by);
+    }
+
+    /// Lifts the left foot with a bend direction from the list: how far the knee is then before
+    /// the foot, along +Z.
+    fn bend_chosen(mut self, choice: &str) -> f32 {
+        self.click("Bend direction");
+        self.click(choice);
+        let from = self.near(LEFT_FOOT, LEFT_KNEE);
+        self.bring(from, vec2(0.0, -30.0));
+        self.joint_place(LEFT_KNEE).z - self.joint_place(LEFT_FOOT).z
     }
 
     fn turned(&self) -> Vec<usize> {
@@ -73,7 +75,7 @@ impl Editor {
 
     fn pin(&mut self, joint: usize) {
         self.view(View::SelectJoint(Some(joint)));
-        self.go_to(Pos2::new(30.0, 500.0));
+        self.point(Pos2::new(30.0, 500.0));
         self.key(Key::P);
     }
 }
@@ -117,7 +119,7 @@ fn it_comes_to_the_pointer_in_an_uneven_shape_and_from_every_side() {
             editor.joint_at(LEFT_FOOT),
         );
         let by = vec2(6.0, -18.0);
-        editor.go_to(from);
+        editor.point(from);
         let under = editor.session().hovered_joint();
         assert_eq!(under, Some(LEFT_FOOT), "{yaw}");
         editor.bring(from, by);
@@ -134,20 +136,14 @@ fn esc_or_a_right_click_puts_the_pose_back() {
         let before = editor.character().pose().clone();
         let from = editor.near(LEFT_FOOT, LEFT_KNEE);
         editor.press(from);
-        editor.go_to(from + STEP);
+        editor.point(from + STEP);
         assert_ne!(*editor.character().pose(), before);
         if right {
-            editor.harness.event(Event::PointerButton {
-                pos: from + STEP,
-                button: PointerButton::Secondary,
-                pressed: true,
-                modifiers: Modifiers::NONE,
-            });
-            editor.settle();
+            editor.mouse(PointerButton::Secondary, true, from + STEP);
         } else {
             editor.key(Key::Escape);
         }
-        editor.go_to(from - STEP);
+        editor.point(from - STEP);
         assert_eq!(*editor.character().pose(), before);
         editor.release(from);
         assert_eq!(*editor.character().pose(), before);
@@ -174,13 +170,8 @@ fn as_many_joints_follow_as_the_chain_is_long() {
 #[test]
 fn the_knee_bends_to_where_it_is_told() {
     for (choice, sign) in [("front (+Z)", 1.0), ("back (−Z)", -1.0)] {
-        let mut editor = Editor::with_ik();
-        editor.click("Bend direction");
-        editor.click(choice);
-        let from = editor.near(LEFT_FOOT, LEFT_KNEE);
-        editor.bring(from, vec2(0.0, -30.0));
-        let (knee, foot) = (editor.joint_place(LEFT_KNEE), editor.joint_place(LEFT_FOOT));
-        assert!((knee.z - foot.z) * sign > 0.05, "{choice}: {knee} {foot}");
+        let bend = Editor::with_ik().bend_chosen(choice);
+        assert!(bend * sign > 0.05, "{choice}: {bend}");
     }
 }
 
@@ -204,13 +195,8 @@ fn looking_back() -> Editor {
 #[test]
 fn front_is_the_figures_own_wherever_it_looks() {
     for (choice, sign) in [("front (−Z)", -1.0), ("back (+Z)", 1.0)] {
-        let mut editor = looking_back();
-        editor.click("Bend direction");
-        editor.click(choice);
-        let from = editor.near(LEFT_FOOT, LEFT_KNEE);
-        editor.bring(from, vec2(0.0, -30.0));
-        let (knee, foot) = (editor.joint_place(LEFT_KNEE), editor.joint_place(LEFT_FOOT));
-        assert!((knee.z - foot.z) * sign > 0.05, "{choice}: {knee} {foot}");
+        let bend = looking_back().bend_chosen(choice);
+        assert!(bend * sign > 0.05, "{choice}: {bend}");
     }
     let mut editor = looking_back();
     editor.click("Bend direction");
@@ -227,9 +213,9 @@ fn a_pinned_foot_that_gets_out_of_reach_is_said_to() {
     let from = root + (editor.joint_at(3) - root) * 0.2;
     let says = |editor: &Editor| editor.painted_over_view().iter().any(|text| text == SAID);
     editor.press(from);
-    editor.go_to(from + vec2(0.0, 20.0));
+    editor.point(from + vec2(0.0, 20.0));
     assert!(!says(&editor), "the feet hold");
-    editor.go_to(from - vec2(0.0, 70.0));
+    editor.point(from - vec2(0.0, 70.0));
     assert!(says(&editor), "{:?}", editor.painted_over_view());
 }
 
@@ -326,13 +312,13 @@ fn below_a_pin_nothing_moves_and_neither_does_the_camera() {
 fn the_status_line_says_what_is_under_the_pointer_and_what_it_would_do() {
     let mut editor = Editor::with_ik();
     let at = editor.near(LEFT_FOOT, LEFT_KNEE);
-    editor.go_to(at);
+    editor.point(at);
     assert!(editor.has("Drag to bring it somewhere, the chain follows · P pins"));
     editor.key(Key::P);
     assert!(editor.has("Pinned: stays while others are dragged · P unpins"));
     editor.key(Key::P);
     editor.pin(LEFT_KNEE);
-    editor.go_to(at);
+    editor.point(at);
     assert!(editor.has("A pin above holds it"));
 }
 

@@ -256,13 +256,7 @@ fn esc_or_the_right_button_puts_a_dragged_number_back() {
         if cancel == "Esc" {
             editor.key(Key::Escape);
         } else {
-            editor.harness.event(egui::Event::PointerButton {
-                pos: at,
-                button: egui::PointerButton::Secondary,
-                pressed: true,
-                modifiers: egui::Modifiers::NONE,
-            });
-            editor.settle();
+            editor.mouse(egui::PointerButton::Secondary, true, at);
         }
         assert_eq!(editor.joint(CHEST).x, 12.0, "{cancel}");
         editor.harness.hover_at(at + egui::vec2(60.0, 0.0));
@@ -307,7 +301,7 @@ fn angles_have_one_decimal_at_most_and_their_sign_at_every_width_of_the_panel() 
             editor.add_character(figure::figure());
             let edge = egui::pos2(editor.harness.state().view.right(), 300.0);
             editor.press(edge);
-            editor.go_to(edge - egui::vec2(wider, 0.0));
+            editor.point(edge - egui::vec2(wider, 0.0));
             editor.release(edge - egui::vec2(wider, 0.0));
             editor.type_into("Neck X", "354.744");
             editor.type_into("Neck Y", "350.66");

@@ -1,6 +1,7 @@
 use super::frames::frame;
 use super::{IkChain, IkGoal};
 use crate::character::{Pose, SkeletalModel};
+use glam::DVec3;
 use std::collections::BTreeSet;
 
 /// A pinned joint that has moved or turned by less than this (of the skeleton's own units, or
@@ -36,7 +37,7 @@ pub fn hold_pins(
         let now = frame(skeleton, &pose, Some(pin));
         let moved = !was.origin.abs_diff_eq(now.origin, STILL);
         if moved || !was.rotation.abs_diff_eq(now.rotation, STILL) {
-            pose = brought_back(skeleton, before, pose, pin, &fixed);
+            pose = brought_back(skeleton, before, pose, pin, was.origin, &fixed);
             super::solve::orient(skeleton, &mut pose, pin, was.rotation);
         }
     }
@@ -48,9 +49,10 @@ fn brought_back(
     before: &Pose,
     mut pose: Pose,
     pin: usize,
+    place: DVec3,
     fixed: &BTreeSet<usize>,
 ) -> Pose {
-    let goal = IkGoal::to(frame(skeleton, before, Some(pin)).origin.as_vec3());
+    let goal = IkGoal::to(place.as_vec3());
     let branches = |joint: &usize| skeleton.children(*joint).len() > 1;
     let mut limb = fixed.clone();
     limb.extend(above(skeleton, pin).filter(branches));
