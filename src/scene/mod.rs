@@ -14,9 +14,10 @@ mod pick_bone;
 mod picking;
 mod shape;
 mod shape_manager;
+mod view_direction;
 mod view_settings;
 
-pub use camera::{Camera, ViewDirection};
+pub use camera::Camera;
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
 pub use curve_picking::pick_control_point;
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
@@ -32,4 +33,5 @@ pub use shape::{
     ShapeId, ShapeKind, Source,
 };
 pub use shape_manager::{Scene, name_of_import};
+pub use view_direction::ViewDirection;
 pub use view_settings::{Look, Shading, ViewSettings};
