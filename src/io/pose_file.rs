@@ -1,11 +1,9 @@
-use super::{Diagnostic, json, scanner};
+use super::joint_names::no_such_joint;
+use super::{Diagnostic, Entries, json, scanner};
 use crate::character::{Pose, PoseError, SkeletalModel};
 use crate::math::Euler;
 use crate::scene::{Scene, ShapeId, ShapeKind};
-use glam::Vec3;
-use serde::de::{Deserializer, Error, MapAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
-use std::collections::{HashMap, HashSet};
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
 /// A pose as files have it: joints by name or index, angles in degrees.
@@ -20,10 +18,6 @@ pub struct PoseData {
     pub roots: Entries,
 }
 
-/// Joints with three numbers each, in the order of the file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Entries(pub Vec<(String, Vec3)>);
-
 /// A pose file: the pose, and the text that errors point into.
 #[derive(Clone, Debug)]
 pub struct PoseFile {
@@ -31,9 +25,6 @@ pub struct PoseFile {
     text: String,
     data: PoseData,
 }
-
-/// How many names an error suggests.
-const SUGGESTED: usize = 3;
 
 impl PoseFile {
     /// Reads a `POSE.json`: `{"joints": {"Left elbow": [0, 0, 50], "3": [10, 0, 0]},
@@ -217,118 +208,13 @@ fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {
     }
 }
 
-fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
-    let found = scanner::quoted(key);
-    if key.parse::<i64>().is_ok() {
-        let most = skeletons.iter().map(|skeleton| skeleton.joints().len());
-        let last = most.max().unwrap_or(0).saturating_sub(1);
-        return format!(
-            "expected the name of a joint, or an index from 0 to {last}, found {found}"
-        );
-    }
-    let names = skeletons.iter().flat_map(|skeleton| skeleton.joints());
-    let names: HashSet<&str> = names.map(|joint| joint.name.as_str()).collect();
-    let mut near: Vec<(usize, &str)> = names
-        .into_iter()
-        .map(|name| (distance(key, name), name))
-        .collect();
-    near.sort_unstable();
-    let near: Vec<String> = near
-        .iter()
-        .take(SUGGESTED)
-        .map(|(_, name)| scanner::quoted(name))
-        .collect();
-    format!(
-        "expected the name or index of a joint, such as {}, found {found}",
-        near.join(", ")
-    )
-}
-
-/// How many letters must be changed, put in or taken out to make `a` from `b` (Levenshtein
-/// 1966); upper and lower case are the same.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.to_lowercase().chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, a) in a.to_lowercase().chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &b) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(a != b);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row[b.len()]
-}
-
-impl Entries {
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    fn keys(&self) -> impl Iterator<Item = &str> {
-        self.0.iter().map(|(key, _)| key.as_str())
-    }
-
-    /// The first two keys that mean one joint of `skeleton`, by its name, sid or index.
-    fn same_joint(&self, skeleton: &SkeletalModel) -> Option<(&str, &str)> {
-        let mut seen: HashMap<usize, &str> = HashMap::new();
-        self.0.iter().find_map(|(key, _)| {
-            let joint = Pose::find_joint(skeleton, key).ok()?;
-            Some((seen.insert(joint, key)?, key.as_str()))
-        })
-    }
-}
-
-impl Serialize for Entries {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
-    }
-}
-
-impl<'de> Deserialize<'de> for Entries {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Entry(Vec3);
-        impl<'de> Deserialize<'de> for Entry {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                json::finite3(deserializer).map(Self)
-            }
-        }
-        struct Pairs;
-        impl<'de> Visitor<'de> for Pairs {
-            type Value = Entries;
-
-            fn expecting(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
-                f.write_str("joints with three numbers each")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
-                let mut entries = Vec::new();
-                let mut seen = HashSet::new();
-                while let Some(key) = map.next_key::<String>()? {
-                    if !seen.insert(key.clone()) {
-                        return Err(A::Error::custom(format!(
-                            "expected each joint once, found {} again",
-                            scanner::quoted(&key)
-                        )));
-                    }
-                    let Entry(value) = map.next_value()?;
-                    entries.push((key, value));
-                }
-                Ok(Entries(entries))
-            }
-        }
-        deserializer.deserialize_map(Pairs)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Joint};
     use crate::geometry::Mesh;
     use crate::scene::CharacterShape;
+    use glam::Vec3;
     use std::sync::Arc;
 
     fn scene_with(names: &[&[&str]]) -> Scene {
