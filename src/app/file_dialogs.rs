@@ -1,6 +1,6 @@
-use crate::editor::Screenshot;
 use crate::scene::ShapeId;
 use crate::ui;
+use crate::ui::Screenshot;
 use egui::{Key, Modifiers};
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};

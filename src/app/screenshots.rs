@@ -1,12 +1,13 @@
 use super::globals;
 use super::workspace::Workspace;
 use crate::disk;
-use crate::editor::{Screenshot, Severity};
+use crate::editor::Severity;
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, GpuError};
 use crate::io::Diagnostic;
 use crate::io::image::{self, PictureFormat};
 use crate::render::{Frame, Marks, read_picture};
+use crate::ui::Screenshot;
 use std::path::Path;
 
 impl Workspace {

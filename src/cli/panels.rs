@@ -1,10 +1,10 @@
 use super::CliError;
 use super::render::frame;
-use crate::editor::{Action, Session, Tool, apply_edit, apply_view};
+use crate::editor::{Session, Tool, apply_edit, apply_view};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl};
 use crate::render::{InterfacePainter, Marks, Offscreen, compose, read_picture, view_place};
-use crate::ui::{self, COMMANDS, Command, Entry, UiState, ViewInput};
+use crate::ui::{self, Action, COMMANDS, Command, Entry, UiState, ViewInput};
 use egui::{Event, FullOutput, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
 
 /// Panels take a few frames to find their sizes.

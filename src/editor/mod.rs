@@ -1,10 +1,9 @@
-//! What a person does to a scene, as data: panels and tools return [`Action`]s, and
+//! What a person does to a scene, as data: panels and tools return [`Edit`]s and [`View`]s, and
 //! [`apply_edit`] and [`apply_view`] are the only places that change anything.
 
 mod apply;
 mod apply_curve;
 mod command;
-mod comparison;
 mod control_point_drag;
 mod gizmo;
 mod ik_grip;
@@ -21,8 +20,7 @@ mod session;
 mod tool;
 
 pub use apply::{apply_edit, apply_view};
-pub use command::{Action, Ask, Edit, Screenshot, View};
-pub use comparison::{CompareAction, CompareMode, CompareSettings, course_panels};
+pub use command::{Edit, View};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use gizmo::{GizmoAxes, GizmoHit, Handle, Screen};
 pub use ik_grip::IkGrip;

@@ -1,7 +1,8 @@
 use super::theme::DARK;
 use super::widgets::named;
-use crate::editor::{Action, View};
+use crate::editor::View;
 use crate::scene::{Camera, ViewDirection};
+use crate::ui::Action;
 use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Ui, Vec2, pos2, vec2};
 use egui::{WidgetInfo, WidgetType};
 use glam::Vec3;

@@ -1,9 +1,10 @@
 use super::number_field::NumberField;
 use super::theme::Palette;
 use super::widgets::named;
-use crate::editor::{Action, Edit};
+use crate::editor::Edit;
 use crate::geometry::{Basis, Curve, CurveForm};
 use crate::scene::ShapeId;
+use crate::ui::Action;
 use egui::{Button, Label, Rect, RichText, Ui, vec2};
 
 /// Of curves with more control points than this only the rows in sight are shown to egui: the

@@ -2,9 +2,10 @@
 //! themselves; the list of curves offers the same for any of them.
 
 use super::keys::Command;
-use crate::editor::{Action, Ask, Edit, Session};
+use crate::editor::{Edit, Session};
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CurveSet, ShapeId};
+use crate::ui::{Action, Ask};
 
 /// Steps of a new surface of revolution.
 pub(super) const STEPS: u32 = 48;

@@ -1,6 +1,7 @@
 use super::widgets::{named, section};
-use crate::editor::{Action, Edit};
+use crate::editor::Edit;
 use crate::scene::{CurveItemKind, CurveShape, CurveVisibility, ShapeId, SurfaceVisibility};
+use crate::ui::Action;
 use egui::{Button, Ui};
 
 /// How curves and surfaces are drawn, and whether closed sweeps close.

@@ -1,7 +1,8 @@
 use super::ScenePlaces;
 use super::pointer_use::{PointerUse, released_at};
 use super::state::CurveState;
-use crate::editor::{Action, ControlPointDrag, Session, View, control_point_at};
+use crate::editor::{ControlPointDrag, Session, View, control_point_at};
+use crate::ui::Action;
 use egui::{CursorIcon, Key, PointerButton, Response};
 
 /// A control point that was grabbed with the left button.

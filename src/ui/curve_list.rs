@@ -5,9 +5,10 @@ use super::properties::labelled;
 use super::state::CurveState;
 use super::theme::Palette;
 use super::widgets::named;
-use crate::editor::{Action, Edit, Session};
+use crate::editor::{Edit, Session};
 use crate::geometry::{Basis, Curve, CurveForm, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet, CurveShape, EvaluatedCurves, ShapeId};
+use crate::ui::Action;
 use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, vec2};
 
 /// Of longer lists only the rows in sight are shown to egui.

@@ -1,8 +1,9 @@
 use super::number_field::NumberField;
 use super::properties::labelled;
 use super::widgets::{named, section};
-use crate::editor::{Action, Edit};
+use crate::editor::Edit;
 use crate::scene::{BoneStyle, CharacterDisplay, JointStyle, ModelDisplay, ShapeId};
+use crate::ui::Action;
 use egui::{Button, Ui, vec2};
 
 /// What a point's diameter and a line's width may be, in pixels.

@@ -6,9 +6,10 @@ use super::state::JointListState;
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
 use crate::character::{Pose, SkeletalModel};
-use crate::editor::{Action, Edit, Session, View};
+use crate::editor::{Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
+use crate::ui::Action;
 use egui::{Align, Button, Key, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
 use std::collections::HashMap;
 

@@ -4,8 +4,9 @@ use super::run_command::{is_on, run, why_disabled};
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
-use crate::editor::{Action, Ask, Session};
+use crate::editor::Session;
 use crate::scene::name_of_import;
+use crate::ui::{Action, Ask};
 use egui::containers::menu::{MenuBar, MenuConfig};
 use egui::{
     Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, ScrollArea, Ui,

@@ -1,9 +1,10 @@
 //! The panels: one a file, drawn with egui over an editing session that they only read.
 //!
 //! [`show`] is called once a frame with the root `Ui` that `egui::Context::run_ui` hands out.
-//! Everything a user does comes back as [`crate::editor::Action`]s.
+//! Everything a user does comes back as [`Action`]s.
 
 mod about;
+mod action;
 mod axis_ball;
 mod color_field;
 mod compare;
@@ -47,8 +48,10 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
+pub use action::{Action, Ask, Screenshot};
 pub use compare::{
-    CompareCounts, CompareJudgment, CompareReport, CompareView, ShownPicture, picture_texture,
+    CompareAction, CompareCounts, CompareJudgment, CompareMode, CompareReport, CompareSettings,
+    CompareView, ShownPicture, course_panels, picture_texture,
 };
 pub use expression::evaluate;
 pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
@@ -58,7 +61,7 @@ pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
-use crate::editor::{Action, Ask, CompareAction, Session, View};
+use crate::editor::{Session, View};
 use crate::scene::{Look, ShapeId};
 use egui::{Rect, Response, Ui};
 

@@ -1,7 +1,8 @@
 use super::state::NoticeState;
 use super::theme::Palette;
 use super::widgets::{named, spoken};
-use crate::editor::{Action, Message, Session, Severity, View};
+use crate::editor::{Message, Session, Severity, View};
+use crate::ui::Action;
 use egui::{
     Align, Button, Color32, Frame, Label, Pos2, Rect, RichText, TextStyle, Ui, UiBuilder, Vec2,
     Visuals, vec2,

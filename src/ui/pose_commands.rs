@@ -2,8 +2,9 @@
 
 use super::keys::Command;
 use crate::character::{Mirror, Pose};
-use crate::editor::{Action, Ask, Edit, Session};
+use crate::editor::{Edit, Session};
 use crate::scene::{CharacterShape, ShapeId};
+use crate::ui::{Action, Ask};
 
 /// What a command starts; `None` if it is not about poses.
 pub(super) fn run(command: Command, session: &Session) -> Option<Action> {

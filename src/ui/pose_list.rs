@@ -1,6 +1,7 @@
 use super::widgets::named;
-use crate::editor::{Action, Ask, Edit};
+use crate::editor::Edit;
 use crate::scene::{CharacterShape, ShapeId};
+use crate::ui::{Action, Ask};
 use egui::{Button, CollapsingHeader, TextEdit, Ui};
 
 /// The poses kept with a character: a click takes one on.

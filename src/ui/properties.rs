@@ -2,9 +2,10 @@ use super::color_field;
 use super::keys::{self, Command};
 use super::number_field::NumberField;
 use super::theme::Palette;
-use crate::editor::{Action, Edit};
+use crate::editor::Edit;
 use crate::math::{Euler, Transform};
 use crate::scene::Shape;
+use crate::ui::Action;
 use egui::{Align, Button, Layout, RichText, Ui, Vec2, vec2};
 use glam::Vec3;
 

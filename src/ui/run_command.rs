@@ -4,8 +4,9 @@ use super::pose_commands;
 use super::posing;
 use super::state::{Dialog, UiState};
 use crate::character::Pose;
-use crate::editor::{Action, Ask, CompareAction, Edit, GizmoAxes, Session, Tool, View};
+use crate::editor::{Edit, GizmoAxes, Session, Tool, View};
 use crate::scene::{Look, ShapeKind};
+use crate::ui::{Action, Ask, CompareAction};
 
 /// Carries out what a menu item or key starts: windows of the panels at once, all else as
 /// actions. `aspect` is width over height of the view.

@@ -1,6 +1,6 @@
 use super::number_field::NumberField;
 use super::properties::labelled;
-use crate::editor::{Action, Ask, Screenshot};
+use crate::ui::{Action, Ask, Screenshot};
 use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, RichText, Ui, vec2};
 
 /// The smallest and largest side of a picture, in pixels.

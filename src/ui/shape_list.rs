@@ -1,8 +1,9 @@
 use super::shape_signs;
 use super::theme::Palette;
 use super::widgets::{list_move, moved, section};
-use crate::editor::{Action, Session, View};
+use crate::editor::{Session, View};
 use crate::scene::{Shape, ShapeId};
+use crate::ui::Action;
 use egui::{Align, Button, Layout, Response, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
 /// The list never takes more than this of the panel, in points; longer ones scroll.

@@ -1,7 +1,8 @@
 use super::state::UiState;
 use super::{curve_display, curve_list, display, joint_list, pose_list, properties, shape_list};
-use crate::editor::{Action, Session, View};
+use crate::editor::{Session, View};
 use crate::scene::ShapeKind;
+use crate::ui::Action;
 use egui::{Frame, Margin, Panel, RichText, ScrollArea, Ui};
 
 /// The course's width, margins included.

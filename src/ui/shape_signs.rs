@@ -3,8 +3,9 @@
 use super::keys::{self, Command};
 use super::theme::Palette;
 use super::widgets::named;
-use crate::editor::{Action, Edit};
+use crate::editor::Edit;
 use crate::scene::Shape;
+use crate::ui::Action;
 use egui::{Color32, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, vec2};
 use egui::{WidgetInfo, WidgetType, pos2};
 use std::f32::consts::PI;

@@ -2,8 +2,9 @@ use super::curve_gestures;
 use super::pointer_use::PointerUse;
 use super::posing::{self, Picked};
 use super::{ScenePlaces, UiState};
-use crate::editor::{Action, Session, Tool, View};
+use crate::editor::{Session, Tool, View};
 use crate::scene::ShapeId;
+use crate::ui::Action;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
 use glam::Vec2;
 

@@ -1,6 +1,7 @@
 use super::state::UiState;
 use super::{ScenePlaces, ViewInput, axis_ball, compare, first_help, notices, posing};
-use crate::editor::{Action, CompareSettings, Session};
+use crate::editor::Session;
+use crate::ui::{Action, CompareSettings};
 use egui::{Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
 
 /// What the view leaves to the handle at the panel's edge, in points.

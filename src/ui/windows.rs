@@ -1,6 +1,7 @@
 use super::state::{Dialog, UiState};
 use super::{ViewInput, about, help, messages, screenshot};
-use crate::editor::{Action, Session};
+use crate::editor::Session;
+use crate::ui::Action;
 use egui::{Ui, Window, vec2};
 
 /// The windows that are open over the view.

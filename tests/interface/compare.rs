@@ -1,11 +1,14 @@
 //! The Compare panel, and the pictures that take the place of the view.
 
 use crate::{Editor, curves};
-use editor_core::editor::{Ask, CompareAction, CompareMode, CompareSettings, View, course_panels};
+use editor_core::editor::View;
 use editor_core::geometry::Picture;
 use editor_core::math::Area;
 use editor_core::scene::{Look, Shading};
-use editor_core::ui::{CompareCounts, CompareJudgment, CompareReport, CompareView, ShownPicture};
+use editor_core::ui::{
+    Ask, CompareAction, CompareCounts, CompareJudgment, CompareMode, CompareReport,
+    CompareSettings, CompareView, ShownPicture, course_panels,
+};
 use egui::{Key, TextureId, vec2};
 
 /// A comparison with a gray picture of the course's size.

@@ -1,12 +1,13 @@
 //! Curves and surfaces: the menu, the panel, and control points in the view.
 
 use crate::Editor;
-use editor_core::editor::{Ask, Edit, View};
+use editor_core::editor::{Edit, View};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::scene::{
     CurveItemKind, CurveSet, CurveShape, CurveVisibility, ShapeColor, ShapeId, ShapeKind,
     SurfaceVisibility,
 };
+use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use glam::Vec3;
 

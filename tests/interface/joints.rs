@@ -1,7 +1,8 @@
 //! The joint list.
 
 use crate::{Editor, figure};
-use editor_core::editor::{Ask, View};
+use editor_core::editor::View;
+use editor_core::ui::Ask;
 use egui::{Key, Modifiers};
 use glam::Vec3;
 

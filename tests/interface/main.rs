@@ -17,9 +17,9 @@ mod view;
 mod visibility;
 
 use editor_core::character::Character;
-use editor_core::editor::{Action, Ask, Edit, Session, View, apply_edit, apply_view};
+use editor_core::editor::{Edit, Session, View, apply_edit, apply_view};
 use editor_core::scene::{CharacterShape, Shape, ShapeId, ShapeKind};
-use editor_core::ui::{self, UiState, ViewInput};
+use editor_core::ui::{self, Action, Ask, UiState, ViewInput};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, Rect, UiBuilder, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};

@@ -2,8 +2,8 @@
 
 use crate::Editor;
 use editor_core::character::Skinning;
-use editor_core::editor::{Ask, Screenshot};
 use editor_core::scene::{Camera, Look, Shading};
+use editor_core::ui::{Ask, Screenshot};
 use egui::{Key, Modifiers};
 
 #[test]

@@ -1,8 +1,8 @@
 //! Ways of moving the camera that hands bring along from other programs.
 
 use crate::Editor;
-use editor_core::editor::Ask;
 use editor_core::scene::Camera;
+use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::{Vec3, vec2};
 

@@ -1,8 +1,9 @@
 //! Resetting, mirroring, copying and keeping poses.
 
 use crate::Editor;
-use editor_core::editor::{Ask, Edit, View};
+use editor_core::editor::{Edit, View};
 use editor_core::scene::ShapeKind;
+use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers};
 use glam::Vec3;
 

@@ -1,11 +1,13 @@
 //! Where widgets are on the screen: the same panels, laid out without a window, are asked.
 
-use editor_core::editor::{CompareSettings, Session};
+use editor_core::editor::Session;
 use editor_core::geometry::Picture;
 use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::scene::bones_in_world;
-use editor_core::ui::{self, CompareReport, CompareView, ShownPicture, UiState, ViewInput};
+use editor_core::ui::{
+    self, CompareReport, CompareSettings, CompareView, ShownPicture, UiState, ViewInput,
+};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::cell::Cell;

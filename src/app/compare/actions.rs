@@ -5,11 +5,11 @@ use crate::app::file_dialogs::Purpose;
 use crate::app::workspace::Workspace;
 use crate::compare::{CompareError, Pair, side_by_side};
 use crate::disk::files;
-use crate::editor::{CompareAction, CompareSettings, Severity};
+use crate::editor::Severity;
 use crate::geometry::Picture;
 use crate::gpu::Framebuffer;
 use crate::io::{Diagnostic, Files, image};
-use crate::ui::CompareReport;
+use crate::ui::{CompareAction, CompareReport, CompareSettings};
 use std::path::Path;
 
 impl Workspace {

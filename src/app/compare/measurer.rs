@@ -16,7 +16,7 @@ pub(super) struct Job {
     pub reference: Arc<Picture>,
     /// B.
     pub live: Arc<Picture>,
-    /// See [`crate::editor::CompareSettings`].
+    /// See [`crate::ui::CompareSettings`].
     pub threshold: u8,
     /// Areas that are left out.
     pub ignore: Vec<Area>,

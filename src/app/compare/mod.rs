@@ -4,10 +4,9 @@ mod actions;
 mod drawing;
 mod measurer;
 
-use crate::editor::CompareSettings;
 use crate::geometry::{Picture, Revision};
 use crate::gpu::Framebuffer;
-use crate::ui::{self, CompareReport, CompareView, ShownPicture};
+use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::TextureHandle;
 use measurer::{Job, Measurer};
 use std::sync::Arc;

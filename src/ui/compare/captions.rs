@@ -1,6 +1,6 @@
 use super::CompareView;
-use crate::editor::CompareMode;
 use crate::geometry::Picture;
+use crate::ui::CompareMode;
 use egui::{Align, Label, Layout, Pos2, Rect, RichText, Ui, pos2};
 
 /// What is written above a picture, at its left or right: which it is, and the pixel under the

@@ -1,5 +1,5 @@
-use crate::editor::course_panels;
 use crate::math::Area as Mask;
+use crate::ui::course_panels;
 use crate::ui::number_field::NumberField;
 use crate::ui::widgets::named;
 use egui::{Button, Ui, vec2};

@@ -13,8 +13,8 @@ mod settings;
 
 pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
+pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels};
 
-use crate::editor::CompareSettings;
 use crate::geometry::Picture;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, TextureOptions};
 

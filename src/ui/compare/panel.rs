@@ -1,8 +1,13 @@
-use super::{CompareView, report, settings};
-use crate::editor::{Action, Ask, CompareAction, CompareMode, CompareSettings};
+use super::{CompareView, mask_list, report};
+use crate::editor::View;
+use crate::scene::{Look, Shading};
+use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
-use egui::{Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui};
+use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
+use egui::{
+    Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui, vec2,
+};
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
 const HEIGHT: f32 = 128.0;
@@ -36,7 +41,7 @@ pub(in crate::ui) fn show(
                         report::findings(ui, look_is_course, compare);
                         report::numbers(ui, compare.report);
                         ui.separator();
-                        settings::show(ui, look_is_course, compare, changed, actions);
+                        settings(ui, look_is_course, compare, changed, actions);
                     } else {
                         let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
                         ui.columns_const(|columns: &mut [Ui; 3]| {
@@ -46,7 +51,7 @@ pub(in crate::ui) fn show(
                             let [numbers, findings, choices] = columns;
                             report::numbers(numbers, compare.report);
                             report::findings(findings, look_is_course, compare);
-                            settings::show(choices, look_is_course, compare, changed, actions);
+                            settings(choices, look_is_course, compare, changed, actions);
                         });
                     }
                 });
@@ -121,4 +126,40 @@ fn explained(mode: CompareMode) -> &'static str {
         CompareMode::OnionSkin => "The live view over the picture, like thin paper",
         CompareMode::Difference => "Black where both are equal, lighter where they differ more",
     }
+}
+
+/// What counts as a difference, how the live view is drawn, and what is left out.
+fn settings(
+    ui: &mut Ui,
+    look_is_course: bool,
+    compare: &CompareView,
+    changed: &mut CompareSettings,
+    actions: &mut Vec<Action>,
+) {
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Threshold");
+        let threshold = NumberField::new("Threshold", f32::from(changed.threshold), 1.0)
+            .range(0.0..=255.0)
+            .decimals(0..=0)
+            .show(ui, vec2(48.0, 20.0));
+        if let Some(threshold) = threshold {
+            changed.threshold = threshold.round().clamp(0.0, 255.0) as u8;
+        }
+        ui.checkbox(&mut changed.smooth_edges, "Smooth edges")
+            .on_hover_text("Draw the live view with antialiasing; the course's program has none");
+    });
+    ui.horizontal_wrapped(|ui| {
+        let as_course = look_is_course && !changed.smooth_edges;
+        let course = ui
+            .add_enabled(!as_course, Button::new("Course look"))
+            .on_hover_text("Draw the live view as the course's program does: its light and background, hard edges")
+            .on_disabled_hover_text("The live view is drawn as the course's program does");
+        if course.clicked() {
+            changed.smooth_edges = false;
+            actions.push(Action::View(View::SetLook(Look::Course)));
+            actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
+        }
+        mask_list::buttons(ui, compare.size(), &mut changed.masks);
+    });
+    mask_list::show(ui, compare.size(), &mut changed.masks);
 }

@@ -1,8 +1,7 @@
 use super::{CompareView, captions, fitting, mask_overlay};
-use crate::editor::{CompareMode, CompareSettings};
-use crate::ui::ScenePlaces;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
+use crate::ui::{CompareMode, CompareSettings, ScenePlaces};
 use egui::{
     Align, Color32, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, TextureId, Ui, pos2,
     vec2,

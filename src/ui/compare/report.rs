@@ -1,5 +1,5 @@
 use super::{CompareCounts, CompareJudgment, CompareReport, CompareView};
-use crate::editor::CompareSettings;
+use crate::ui::CompareSettings;
 use crate::ui::theme::Palette;
 use egui::{Grid, Label, RichText, Ui};
 

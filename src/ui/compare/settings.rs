@@ -1,41 +1,117 @@
-use super::{CompareView, mask_list};
-use crate::editor::{Action, CompareSettings, View};
-use crate::scene::{Look, Shading};
-use crate::ui::number_field::NumberField;
-use egui::{Button, Ui, vec2};
+//! How a picture is held against the live view: what a person chooses in the Compare panel.
 
-/// What counts as a difference, how the live view is drawn, and what is left out.
-pub(super) fn show(
-    ui: &mut Ui,
-    look_is_course: bool,
-    compare: &CompareView,
-    changed: &mut CompareSettings,
-    actions: &mut Vec<Action>,
-) {
-    ui.horizontal_wrapped(|ui| {
-        ui.label("Threshold");
-        let threshold = NumberField::new("Threshold", f32::from(changed.threshold), 1.0)
-            .range(0.0..=255.0)
-            .decimals(0..=0)
-            .show(ui, vec2(48.0, 20.0));
-        if let Some(threshold) = threshold {
-            changed.threshold = threshold.round().clamp(0.0, 255.0) as u8;
+use crate::math::Area;
+
+/// What is asked of a comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CompareAction {
+    /// Choose the picture to compare with; starts a comparison or goes on with another picture.
+    Choose,
+    /// Replaces everything that can be chosen.
+    Set(CompareSettings),
+    /// Save both pictures and their difference: choose a file.
+    Save,
+    /// Back to the view alone.
+    Close,
+}
+
+/// What can be chosen while a picture is compared with the live view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CompareSettings {
+    /// How the two are shown.
+    pub mode: CompareMode,
+    /// Where [`CompareMode::Swipe`] changes from one to the other, 0 (left) to 1.
+    pub swipe: f32,
+    /// How much of the live view [`CompareMode::OnionSkin`] shows, 0 to 1.
+    pub onion: f32,
+    /// A pixel differs if a channel does by more than this, of 255.
+    pub threshold: u8,
+    /// Whether the live view has smooth edges; the course's program has none.
+    pub smooth_edges: bool,
+    /// What is left out, each of at least a pixel.
+    pub masks: Vec<Area>,
+}
+
+impl Default for CompareSettings {
+    fn default() -> Self {
+        Self {
+            mode: CompareMode::SideBySide,
+            swipe: 0.5,
+            onion: 0.5,
+            threshold: 0,
+            smooth_edges: false,
+            masks: Vec::new(),
         }
-        ui.checkbox(&mut changed.smooth_edges, "Smooth edges")
-            .on_hover_text("Draw the live view with antialiasing; the course's program has none");
-    });
-    ui.horizontal_wrapped(|ui| {
-        let as_course = look_is_course && !changed.smooth_edges;
-        let course = ui
-            .add_enabled(!as_course, Button::new("Course look"))
-            .on_hover_text("Draw the live view as the course's program does: its light and background, hard edges")
-            .on_disabled_hover_text("The live view is drawn as the course's program does");
-        if course.clicked() {
-            changed.smooth_edges = false;
-            actions.push(Action::View(View::SetLook(Look::Course)));
-            actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
+    }
+}
+
+/// How two pictures are shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompareMode {
+    /// One beside, or above, the other.
+    SideBySide,
+    /// The reference left of a line that can be moved, the live view right of it.
+    Swipe,
+    /// One and the other in turn.
+    Blink,
+    /// The live view over the reference like thin paper.
+    OnionSkin,
+    /// Where they differ, lighter where they differ more.
+    Difference,
+}
+
+impl CompareMode {
+    /// All, in the order of the panel.
+    pub const ALL: [Self; 5] = [
+        Self::SideBySide,
+        Self::Swipe,
+        Self::Blink,
+        Self::OnionSkin,
+        Self::Difference,
+    ];
+
+    /// Its name in the panel.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::SideBySide => "Side by side",
+            Self::Swipe => "Swipe",
+            Self::Blink => "Blink",
+            Self::OnionSkin => "Onion skin",
+            Self::Difference => "Difference",
         }
-        mask_list::buttons(ui, compare.size(), &mut changed.masks);
-    });
-    mask_list::show(ui, compare.size(), &mut changed.masks);
+    }
+}
+
+/// What the panels of the course's editor cover, in pixels.
+const COURSE_MENU_HEIGHT: u32 = 20;
+const COURSE_PANEL_WIDTH: u32 = 280;
+
+/// What the menu bar and the panel of the course's editor cover in its window.
+pub fn course_panels(size: (u32, u32)) -> [Area; 2] {
+    let (width, height) = size;
+    let menu_bar = Area {
+        x: 0,
+        y: 0,
+        width,
+        height: COURSE_MENU_HEIGHT,
+    };
+    let panel = Area {
+        x: width.saturating_sub(COURSE_PANEL_WIDTH),
+        y: COURSE_MENU_HEIGHT,
+        width: COURSE_PANEL_WIDTH,
+        height,
+    };
+    [menu_bar, panel].map(|mask| mask.inside(size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_courses_panels_lie_at_the_top_and_right_of_its_window() {
+        let panels = |size| course_panels(size).map(|area| area.to_string());
+        assert_eq!(panels((800, 600)), ["0,0,800,20", "520,20,280,580"]);
+        assert_eq!(panels((100, 10)), ["0,0,100,10", "0,9,100,1"]);
+    }
 }

@@ -1,10 +1,8 @@
 use super::{Place, is_pickable};
-use crate::editor::{
-    Action, BoneDrag, Edit, Handle, IkDrag, MoveDrag, MoveTarget, RingDrag, Session,
-};
+use crate::editor::{BoneDrag, Edit, Handle, IkDrag, MoveDrag, MoveTarget, RingDrag, Session};
 use crate::scene::ShapeId;
-use crate::ui::ScenePlaces;
 use crate::ui::pointer_use::released_at;
+use crate::ui::{Action, ScenePlaces};
 use egui::{Key, Modifiers, PointerButton, Pos2, Response};
 
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.

@@ -21,8 +21,9 @@ pub(super) use tool_bar::BAR_HEIGHT;
 
 use super::ScenePlaces;
 use super::state::UiState;
-use crate::editor::{Action, GizmoAxes, Screen, Session, Tool, View};
+use crate::editor::{GizmoAxes, Screen, Session, Tool, View};
 use crate::scene::{BoneHit, ShapeId};
+use crate::ui::Action;
 use egui::{Painter, Pos2, Rect, Response, Ui, pos2};
 use glam::Vec2;
 

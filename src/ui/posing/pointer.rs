@@ -1,13 +1,13 @@
 use super::gesture::{Held, PoseGesture};
 use super::{Place, PoseState, gizmos};
 use crate::editor::{
-    Action, BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
+    BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
 };
 use crate::geometry::Revision;
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
-use crate::ui::ScenePlaces;
 use crate::ui::pointer_use::PointerUse;
+use crate::ui::{Action, ScenePlaces};
 use egui::{CursorIcon, PointerButton, Pos2, Response};
 use glam::Vec2;
 

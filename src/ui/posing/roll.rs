@@ -1,7 +1,7 @@
 use super::{PoseState, is_pickable};
-use crate::editor::{Action, ROLL_STEP, Session, Tool, roll};
+use crate::editor::{ROLL_STEP, Session, Tool, roll};
 use crate::scene::ShapeId;
-use crate::ui::{Navigation, UiState};
+use crate::ui::{Action, Navigation, UiState};
 use egui::{Context, Key, Modifiers};
 
 /// Left and Right over the view roll the bone under the pointer, or else one of the selected
