@@ -1,9 +1,8 @@
 //! Menus, keys and dialogs.
 
 use crate::Editor;
-use editor_core::character::Skinning;
 use editor_core::editor::{Ask, Screenshot};
-use editor_core::scene::{Camera, Look, Shading};
+use editor_core::scene::{Camera, Look, Shading, Skinning};
 use egui::{Key, Modifiers};
 
 #[test]

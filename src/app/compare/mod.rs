@@ -5,8 +5,9 @@ mod drawing;
 mod measurer;
 
 use crate::editor::CompareSettings;
-use crate::geometry::{Picture, Revision};
+use crate::geometry::Picture;
 use crate::gpu::Framebuffer;
+use crate::revision::Revision;
 use crate::ui::{self, CompareReport, CompareView, ShownPicture};
 use egui::TextureHandle;
 use measurer::{Job, Measurer};
