@@ -18,5 +18,6 @@ pub mod gpu;
 pub mod io;
 pub mod math;
 pub mod render;
+pub mod revision;
 pub mod scene;
 pub mod ui;

@@ -1,7 +1,7 @@
 use super::workspace::Workspace;
-use crate::character::Skinning;
 use crate::gpu::{ContextError, GpuError};
 use crate::render::InterfaceError;
+use crate::scene::Skinning;
 use egui_winit::accesskit_winit;
 use std::path::PathBuf;
 use std::time::Instant;

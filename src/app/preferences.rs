@@ -1,5 +1,5 @@
-use crate::character::Skinning;
 use crate::disk;
+use crate::scene::Skinning;
 use crate::ui::Navigation;
 use egui::ThemePreference;
 use std::path::PathBuf;

@@ -24,5 +24,4 @@ pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use mirror::Mirror;
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
-pub use skinning::Skinning;
 pub use stick_figure::{Bone, StickFigure};

@@ -1,8 +1,7 @@
 //! Values of options, as people type them.
 
-use crate::character::Skinning;
 use crate::io::Loaded;
-use crate::scene::{Camera, Scene, ShapeKind, ViewDirection};
+use crate::scene::{Camera, Scene, ShapeKind, Skinning, ViewDirection};
 use glam::Vec3;
 
 /// Which weights of a character count.

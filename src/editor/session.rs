@@ -1,5 +1,5 @@
 use super::Messages;
-use crate::geometry::Revision;
+use crate::revision::Revision;
 use crate::scene::{Camera, Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
 
 /// One running editor: the scene and all that concerns its user rather than the scene.

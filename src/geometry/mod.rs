@@ -13,7 +13,7 @@ mod mesh;
 mod mesh_builder;
 mod normals;
 mod pyramid;
-mod revision;
+mod shared_mesh;
 mod sphere;
 mod surface;
 mod surface_volume;
@@ -32,7 +32,7 @@ pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, Seams, nearest_t
 pub use mesh_builder::{Corner, MeshBuilder};
 pub use normals::{face_normal, face_normals, smooth_normals};
 pub use pyramid::pyramid;
-pub use revision::{Revision, SharedMesh};
+pub use shared_mesh::SharedMesh;
 pub use sphere::{Poles, sphere};
 pub use surface::{generalized_cylinder, surface_of_revolution, wireframe};
 pub use teapot::teapot;

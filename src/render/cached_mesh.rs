@@ -1,14 +1,14 @@
 use super::palettes::Palettes;
 use super::skin::{Run, Skin};
 use super::texture_cache::TextureCache;
-use crate::character::Skinning;
-use crate::geometry::{Facets, Mesh, Normals, Revision, face_normals, smooth_normals};
+use crate::geometry::{Facets, Mesh, Normals, face_normals, smooth_normals};
 use crate::gpu::{
     Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Texture, Usage, VertexArray,
     VertexArrayBuilder,
 };
 use crate::math::Aabb;
-use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId};
+use crate::revision::Revision;
+use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId, Skinning};
 use bytemuck::Pod;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;

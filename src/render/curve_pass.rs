@@ -1,7 +1,7 @@
 use super::curve_lines::{CONTROL, draw_curve, draw_shape};
 use super::frame::{Frame, PassContext};
-use crate::geometry::Revision;
 use crate::gpu::{DisplayList, DrawState, Gl, GpuError, Immediate, Mode, PointShape};
+use crate::revision::Revision;
 use crate::scene::{
     CurveDisplay, CurveShape, EvaluatedCurves, EvaluatedShape, Shape, ShapeId, ShapeKind,
 };

@@ -2,10 +2,9 @@ use super::cached_mesh::CachedMesh;
 use super::frame::Frame;
 use super::palettes::Palettes;
 use super::texture_cache::TextureCache;
-use crate::character::Skinning;
-use crate::geometry::Revision;
 use crate::gpu::{Gl, GpuError, Program};
-use crate::scene::{Evaluated, EvaluatedShape, Shading, Shape, ShapeId};
+use crate::revision::Revision;
+use crate::scene::{Evaluated, EvaluatedShape, Shading, Shape, ShapeId, Skinning};
 use std::collections::{HashMap, HashSet};
 
 /// The meshes of a scene in the memory of the graphics card. Only what has a new revision is

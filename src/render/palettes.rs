@@ -1,6 +1,6 @@
 use super::table::Table;
-use crate::geometry::Revision;
 use crate::gpu::{Gl, GpuError};
+use crate::revision::Revision;
 use crate::scene::{Deformation, EvaluatedShape, ShapeId};
 
 /// The joints' transforms of all characters that the graphics card skins, one after the other in

@@ -1,9 +1,8 @@
 use super::cached_mesh::{CachedMesh, MeshKind};
 use super::mesh_programs;
 use super::palettes::Palettes;
-use crate::character::Skinning;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program};
-use crate::scene::{EvaluatedShape, Shading};
+use crate::scene::{EvaluatedShape, Shading, Skinning};
 use glam::{Mat3, Mat4, Vec3};
 
 const PIXELS_A_ROW: u32 = 1024;

@@ -1,7 +1,7 @@
 use super::frame::Frame;
 use super::renderer::Renderer;
-use crate::character::Skinning;
 use crate::gpu::{Gl, GpuError, Info};
+use crate::scene::Skinning;
 
 /// Textures that a vertex shader reads to skin: palettes and influences.
 const TEXTURES_NEEDED: u32 = 2;

@@ -1,5 +1,5 @@
 use super::CurveSet;
-use crate::geometry::Revision;
+use crate::revision::Revision;
 use std::sync::Arc;
 
 /// Curves and surfaces in the scene: what was imported or drawn, and how it is shown.

@@ -1,8 +1,9 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Deformation, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::StickFigure;
-use crate::geometry::{Normals, Revision, SharedMesh};
+use crate::geometry::{Normals, SharedMesh};
 use crate::math::Aabb;
+use crate::revision::Revision;
 use glam::{Mat4, Vec3};
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};

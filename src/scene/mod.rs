@@ -34,4 +34,4 @@ pub use shape::{
 };
 pub use shape_manager::{Scene, name_of_import};
 pub use view_direction::ViewDirection;
-pub use view_settings::{Look, Shading, ViewSettings};
+pub use view_settings::{Look, Shading, Skinning, ViewSettings};

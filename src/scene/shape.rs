@@ -1,8 +1,9 @@
 use super::kept_pose::{self, KeptPose};
 use super::{CurveShape, ShapeColor, custom};
 use crate::character::{Character, Pose};
-use crate::geometry::{self, Mesh, Revision, SharedMesh};
+use crate::geometry::{self, Mesh, SharedMesh};
 use crate::math::Transform;
+use crate::revision::Revision;
 use std::sync::{Arc, LazyLock};
 
 /// Names a shape for as long as its scene is open; from 1, never reused.

@@ -55,3 +55,14 @@ pub enum Shading {
     /// One normal a vertex, the mean of the faces around it where the mesh has none.
     Smooth,
 }
+
+/// Where the meshes of characters are deformed for drawing. Both ways apply every influence and
+/// agree to rounding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Skinning {
+    /// On the processor, which uploads the vertices: faster where it draws them, too.
+    Cpu,
+    /// On the graphics card, in a vertex shader.
+    Gpu,
+}

@@ -2,10 +2,9 @@ use super::Navigation;
 use super::curve_gestures::PointGesture;
 use super::posing::PoseState;
 use super::screenshot::ScreenshotForm;
-use crate::character::Skinning;
 use crate::editor::{Session, Tool};
-use crate::geometry::Revision;
-use crate::scene::{Camera, ShapeId};
+use crate::revision::Revision;
+use crate::scene::{Camera, ShapeId, Skinning};
 use egui::ThemePreference;
 use std::collections::{BTreeSet, HashMap};
 

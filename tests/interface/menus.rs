@@ -1,8 +1,7 @@
 //! Menus, keys and dialogs.
 
 use crate::Editor;
-use editor_core::character::Skinning;
-use editor_core::scene::{Camera, Look, Shading};
+use editor_core::scene::{Camera, Look, Shading, Skinning};
 use editor_core::ui::{Ask, Screenshot};
 use egui::{Key, Modifiers};
 

@@ -2,13 +2,15 @@
 
 use std::sync::Arc;
 
-use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalModel, Skinning};
+use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalModel};
 use editor_core::geometry::{
     Corner, Material, MaterialGroup, Mesh, MeshBuilder, Picture as Image, SharedMesh,
 };
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
-use editor_core::scene::{CharacterShape, Look, Scene, ShapeColor, ShapeKind, ViewSettings};
+use editor_core::scene::{
+    CharacterShape, Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings,
+};
 use glam::{Vec2, Vec3};
 
 use crate::support::{Picture, draw_scene, on_each_backend};

@@ -1,9 +1,8 @@
 //! Shadows on the Studio look's ground.
 
-use editor_core::character::Skinning;
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
-use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, ViewSettings};
+use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings};
 use glam::{Vec2, Vec3};
 
 use crate::skinning::characters;

@@ -4,8 +4,9 @@ mod actions;
 mod drawing;
 mod measurer;
 
-use crate::geometry::{Picture, Revision};
+use crate::geometry::Picture;
 use crate::gpu::Framebuffer;
+use crate::revision::Revision;
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::TextureHandle;
 use measurer::{Job, Measurer};

@@ -1,7 +1,6 @@
-use crate::character::Skinning;
 use crate::editor::Tool;
 use crate::geometry::Basis;
-use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, ViewDirection};
+use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, Skinning, ViewDirection};
 use crate::ui::Navigation;
 use egui::ThemePreference;
 

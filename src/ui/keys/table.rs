@@ -1,7 +1,6 @@
 use super::{Command, Menu, Primitive};
-use crate::character::Skinning;
 use crate::editor::Tool;
-use crate::scene::{Look, Shading, ViewDirection};
+use crate::scene::{Look, Shading, Skinning, ViewDirection};
 use crate::ui::Navigation;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 

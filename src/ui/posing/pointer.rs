@@ -3,8 +3,8 @@ use super::{Place, PoseState, gizmos};
 use crate::editor::{
     BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
 };
-use crate::geometry::Revision;
 use crate::math::Ray;
+use crate::revision::Revision;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
 use crate::ui::pointer_use::PointerUse;
 use crate::ui::{Action, ScenePlaces};

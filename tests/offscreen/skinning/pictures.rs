@@ -2,11 +2,11 @@
 
 use super::characters::{self, ids};
 use crate::support::{Picture, on_each_backend};
-use editor_core::character::{Pose, Skinning};
+use editor_core::character::Pose;
 use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::render::{Frame, Marks, Renderer};
 use editor_core::scene::{
-    Evaluated, Evaluator, ModelDisplay, Scene, Shading, ShapeKind, ViewSettings,
+    Evaluated, Evaluator, ModelDisplay, Scene, Shading, ShapeKind, Skinning, ViewSettings,
 };
 use std::sync::Arc;
 
