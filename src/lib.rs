@@ -17,6 +17,7 @@ pub mod geometry;
 pub mod gpu;
 pub mod io;
 pub mod math;
+pub mod program;
 pub mod render;
 pub mod revision;
 pub mod scene;

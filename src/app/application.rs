@@ -1,25 +1,13 @@
-use super::workspace::Workspace;
-use crate::gpu::{ContextError, GpuError};
-use crate::render::InterfaceError;
-use crate::scene::Skinning;
-use egui_winit::accesskit_winit;
-use std::path::PathBuf;
-use std::time::Instant;
+use super::window_host::{Wake, WindowHost};
+use crate::gpu::{ContextError, GpuError, Rect, WindowContext};
+use crate::program::{FrameInput, Graphics, Options, Program, ProgramError, globals};
+use crate::ui;
+use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
+use winit::dpi::{LogicalSize, PhysicalSize};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
-use winit::window::WindowId;
-
-/// What the program is started with.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// Scenes to open and files to import, in order.
-    pub files: Vec<PathBuf>,
-    /// Title of the window; the one of [`super::globals`] if `None`.
-    pub title: Option<String>,
-    /// What deforms characters, in place of what the preferences say.
-    pub skinning: Option<Skinning>,
-}
+use winit::window::{Window, WindowId};
 
 /// Why the window did not open, or closed by itself. Each names its remedy.
 #[derive(Debug, thiserror::Error)]
@@ -27,12 +15,12 @@ pub enum AppError {
     /// No window or no OpenGL in it.
     #[error(transparent)]
     Context(#[from] ContextError),
-    /// OpenGL failed.
+    /// OpenGL failed before there was a program.
     #[error(transparent)]
     Gpu(#[from] GpuError),
-    /// The panels cannot be painted.
+    /// The program cannot go on.
     #[error(transparent)]
-    Interface(#[from] InterfaceError),
+    Program(#[from] ProgramError),
     /// The window system went away.
     #[error("the window system ended the program: {0}")]
     EventLoop(String),
@@ -50,7 +38,7 @@ pub fn run(options: Options) -> Result<(), AppError> {
     let mut application = Application {
         options,
         proxy: event_loop.create_proxy(),
-        workspace: None,
+        running: None,
         redraw_at: None,
         failure: None,
     };
@@ -60,28 +48,77 @@ pub fn run(options: Options) -> Result<(), AppError> {
     application.failure.map_or(Ok(()), Err)
 }
 
-/// What wakes the event loop from outside.
-#[derive(Debug)]
-pub(super) enum Wake {
-    /// An assistive technology asks for something.
-    Accessibility(accesskit_winit::Event),
-    /// Something about a comparison has been found out.
-    Measured,
-}
-
-impl From<accesskit_winit::Event> for Wake {
-    fn from(event: accesskit_winit::Event) -> Self {
-        Self::Accessibility(event)
-    }
-}
-
 struct Application {
     options: Options,
     proxy: EventLoopProxy<Wake>,
-    workspace: Option<Workspace>,
+    running: Option<Running>,
     /// When egui wants to be drawn next, for what moves by itself, like a blinking cursor.
     redraw_at: Option<Instant>,
     failure: Option<AppError>,
+}
+
+/// Everything that exists while the window is open.
+struct Running {
+    program: Program,
+    graphics: Graphics,
+    host: WindowHost,
+}
+
+impl Running {
+    fn new(
+        event_loop: &ActiveEventLoop,
+        proxy: &EventLoopProxy<Wake>,
+        options: &Options,
+    ) -> Result<Self, AppError> {
+        let (width, height) = globals::WINDOW_SIZE;
+        let (least_width, least_height) = ui::LEAST_SIZE;
+        let attributes = Window::default_attributes()
+            .with_inner_size(LogicalSize::new(width, height))
+            .with_min_inner_size(LogicalSize::new(least_width, least_height))
+            .with_visible(false);
+        let window = WindowContext::new(event_loop, attributes)?;
+        let graphics = Graphics::new(window.gl())?;
+        let mut host = WindowHost::new(window, event_loop, proxy);
+        let program = Program::start(options, graphics.info(), &mut host);
+        host.window().window().set_visible(true);
+        Ok(Self {
+            program,
+            graphics,
+            host,
+        })
+    }
+
+    fn request_redraw(&self) {
+        self.host.window().window().request_redraw();
+    }
+
+    /// Draws one frame and shows it. Returns how long no frame is needed unless an event comes.
+    fn redraw(&mut self) -> Result<Duration, AppError> {
+        let PhysicalSize { width, height } = self.host.window().window().inner_size();
+        if width == 0 || height == 0 {
+            return Ok(Duration::MAX);
+        }
+        let input = FrameInput {
+            context: self.host.context().clone(),
+            raw: self.host.take_input(),
+            size: (width, height),
+        };
+        let wait = self
+            .program
+            .frame(&mut self.graphics, input, &mut self.host)?;
+        if let Some(picture) = self.graphics.window_picture() {
+            let window = self.host.window();
+            picture.blit_to_window(Rect {
+                x: 0,
+                y: 0,
+                width: width as i32,
+                height: height as i32,
+            });
+            window.window().pre_present_notify();
+            window.swap_buffers()?;
+        }
+        Ok(wait)
+    }
 }
 
 impl Application {
@@ -90,26 +127,21 @@ impl Application {
             self.failure = Some(error);
         }
         // Everything made with OpenGL goes before the window and the event loop do.
-        if let Some(workspace) = self.workspace.take() {
-            workspace.save_preferences();
-        }
+        self.running = None;
         event_loop.exit();
     }
 
     fn redraw(&mut self, event_loop: &ActiveEventLoop) {
-        let Some(workspace) = &mut self.workspace else {
+        let Some(running) = &mut self.running else {
             return;
         };
-        match workspace.redraw() {
+        match running.redraw() {
+            Ok(_) if running.host.quits() => self.finish(event_loop, Ok(())),
             Ok(after) => {
-                if workspace.wants_to_quit() {
-                    self.finish(event_loop, Ok(()));
-                    return;
-                }
                 // A delay too far away to be a time means never.
                 self.redraw_at = Instant::now().checked_add(after);
                 if after.is_zero() {
-                    workspace.request_redraw();
+                    running.request_redraw();
                 }
             }
             Err(error) => self.finish(event_loop, Err(error)),
@@ -119,39 +151,39 @@ impl Application {
 
 impl ApplicationHandler<Wake> for Application {
     fn resumed(&mut self, event_loop: &ActiveEventLoop) {
-        if self.workspace.is_some() {
+        if self.running.is_some() {
             return;
         }
-        match Workspace::new(event_loop, &self.proxy, &self.options) {
-            Ok(workspace) => {
-                workspace.request_redraw();
-                self.workspace = Some(workspace);
+        match Running::new(event_loop, &self.proxy, &self.options) {
+            Ok(running) => {
+                running.request_redraw();
+                self.running = Some(running);
             }
             Err(error) => self.finish(event_loop, Err(error)),
         }
     }
 
     fn window_event(&mut self, event_loop: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
-        let Some(workspace) = &mut self.workspace else {
+        let Some(running) = &mut self.running else {
             return;
         };
         match event {
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
             WindowEvent::CloseRequested => return self.finish(event_loop, Ok(())),
-            WindowEvent::Resized(size) => workspace.resize(size),
+            WindowEvent::Resized(size) => running.host.window().resize(size.width, size.height),
             _ => {}
         }
-        if workspace.on_window_event(&event) {
-            workspace.request_redraw();
+        if running.host.on_window_event(&event) {
+            running.request_redraw();
         }
     }
 
     fn user_event(&mut self, _: &ActiveEventLoop, wake: Wake) {
-        if let Some(workspace) = &mut self.workspace {
+        if let Some(running) = &mut self.running {
             if let Wake::Accessibility(event) = wake {
-                workspace.on_accessibility(event);
+                running.host.on_accessibility(event);
             }
-            workspace.request_redraw();
+            running.request_redraw();
         }
     }
 
@@ -159,8 +191,8 @@ impl ApplicationHandler<Wake> for Application {
         let flow = match self.redraw_at {
             Some(at) if at <= Instant::now() => {
                 self.redraw_at = None;
-                if let Some(workspace) = &self.workspace {
-                    workspace.request_redraw();
+                if let Some(running) = &self.running {
+                    running.request_redraw();
                 }
                 ControlFlow::Wait
             }

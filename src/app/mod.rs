@@ -1,18 +1,8 @@
-//! The program with its window: winit brings events, egui the panels, [`crate::render`] the
-//! picture, and nothing is drawn while nothing changes.
+//! The host with a window: winit brings events, egui-winit hands them to egui, and files come from
+//! the disk. Nothing is drawn while nothing changes.
 
 mod application;
-mod compare;
-mod exports;
-mod file_dialogs;
-mod frame;
-mod frame_rate;
-pub mod globals;
-mod imports;
-mod input_parts;
-mod poses;
-mod preferences;
-mod screenshots;
-mod workspace;
+mod file_dialog;
+mod window_host;
 
-pub use application::{AppError, Options, run};
+pub use application::{AppError, run};

@@ -1,7 +1,8 @@
 //! Values of options, as people type them.
 
-use crate::io::Loaded;
-use crate::scene::{Camera, Scene, ShapeKind, Skinning, ViewDirection};
+use super::load::ids;
+use crate::editor::{Edit, Session};
+use crate::scene::{Camera, Skinning, ViewDirection};
 use glam::Vec3;
 
 /// Which weights of a character count.
@@ -15,10 +16,13 @@ pub(super) enum Influences {
 }
 
 impl Influences {
-    /// Cuts the characters of `loaded` down.
-    pub fn apply_to(self, loaded: &mut Loaded) {
-        if let Self::Four = self {
-            loaded.limit_influences(4);
+    /// The edits that cut the characters of `session` down.
+    pub fn edits(self, session: &Session) -> Vec<Edit> {
+        match self {
+            Self::All => Vec::new(),
+            Self::Four => ids(session)
+                .map(|id| Edit::LimitInfluences(id, 4))
+                .collect(),
         }
     }
 }
@@ -32,17 +36,14 @@ pub(super) struct CurveOptions {
 }
 
 impl CurveOptions {
-    /// Makes every curve of `scene` so.
-    pub fn apply_to(self, scene: &mut Scene) {
+    /// The edits that make every curve of `session` so.
+    pub fn edits(self, session: &Session) -> Vec<Edit> {
         if !self.no_frame_closing {
-            return;
+            return Vec::new();
         }
-        let ids: Vec<_> = scene.shapes().iter().map(|shape| shape.id).collect();
-        for id in ids {
-            if let Some(ShapeKind::Curve(curve)) = scene.shape_mut(id).map(|s| &mut s.kind) {
-                curve.set_frame_closing(false);
-            }
-        }
+        ids(session)
+            .map(|id| Edit::SetFrameClosing(id, false))
+            .collect()
     }
 }
 

@@ -6,8 +6,9 @@ use super::told::Told;
 use super::{CliError, print};
 use crate::character::Influence;
 use crate::disk::files;
+use crate::editor::Session;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
-use crate::scene::{EvaluatedShape, Evaluator, Shape, ShapeKind};
+use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -151,8 +152,12 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
     } else {
         loaded.add(files, path)?;
     }
-    let evaluated = Evaluator::new().evaluate(&loaded.scene);
-    let shapes = loaded.scene.shapes().iter().zip(&evaluated.shapes);
+    let session = Session::with_shapes(loaded.shapes, ViewSettings::default());
+    let shapes = session
+        .scene()
+        .shapes()
+        .iter()
+        .zip(&session.evaluated().shapes);
     Ok(FileReport {
         shapes: shapes
             .map(|(shape, evaluated)| look_at(shape, evaluated))

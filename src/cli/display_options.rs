@@ -1,6 +1,7 @@
 use super::arguments;
+use crate::editor::{Edit, Session};
 use crate::scene::{
-    BoneStyle, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay, Scene,
+    BoneStyle, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
     ShapeKind, SurfaceVisibility,
 };
 
@@ -65,21 +66,23 @@ enum SurfaceName {
 }
 
 impl DisplayOptions {
-    /// Draws every shape of `scene` in this way.
-    pub fn apply_to(&self, scene: &mut Scene) {
-        let ids: Vec<_> = scene.shapes().iter().map(|shape| shape.id).collect();
-        for id in ids {
-            match scene.shape_mut(id).map(|shape| &mut shape.kind) {
-                Some(ShapeKind::Character(character)) => {
-                    set_character_display(self, &mut character.display);
-                }
-                Some(ShapeKind::Curve(curve)) => {
-                    set_curve_display(self, &mut curve.display);
-                }
-                _ => {}
+    /// The edits by which every shape of `session` is drawn in this way.
+    pub fn edits(&self, session: &Session) -> Vec<Edit> {
+        let shapes = session.scene().shapes().iter();
+        let displays = shapes.filter_map(|shape| match &shape.kind {
+            ShapeKind::Character(character) => {
+                let mut display = character.display;
+                set_character_display(self, &mut display);
+                Some(Edit::SetDisplay(shape.id, display))
             }
-        }
-        self.curves.apply_to(scene);
+            ShapeKind::Curve(curve) => {
+                let mut display = curve.display;
+                set_curve_display(self, &mut display);
+                Some(Edit::SetCurveDisplay(shape.id, display))
+            }
+            _ => None,
+        });
+        displays.chain(self.curves.edits(session)).collect()
     }
 }
 

@@ -1,7 +1,8 @@
 use super::output::tell;
 use crate::gpu::GpuError;
 use crate::io::Diagnostic;
-use crate::render::{InterfaceError, OffscreenError};
+use crate::program::ProgramError;
+use crate::render::OffscreenError;
 use std::process::ExitCode;
 
 /// Why a command did not do what it was asked.
@@ -33,8 +34,8 @@ impl From<GpuError> for CliError {
     }
 }
 
-impl From<InterfaceError> for CliError {
-    fn from(error: InterfaceError) -> Self {
+impl From<ProgramError> for CliError {
+    fn from(error: ProgramError) -> Self {
         Self::Other(error.to_string())
     }
 }

@@ -1,10 +1,10 @@
 //! `editor export`: the current geometry as an `.obj` file.
 
+use super::load::{edit, load};
 use super::output::{expect_obj, refuse_input};
-use super::{CliError, arguments, load};
+use super::{CliError, arguments};
 use crate::disk;
 use crate::io;
-use crate::scene::Evaluator;
 use std::path::PathBuf;
 
 /// Write the current geometry of all FILEs into one .obj file.
@@ -38,10 +38,10 @@ pub struct Args {
 pub fn run(args: &Args) -> Result<(), CliError> {
     expect_obj(&args.output)?;
     refuse_input(&args.output, &args.files)?;
-    let mut loaded = load(&args.files, args.pose.as_deref())?;
-    args.influences.apply_to(&mut loaded);
-    args.curves.apply_to(&mut loaded.scene);
-    let evaluated = Evaluator::new().evaluate(&loaded.scene);
-    let text = io::export_obj(&loaded.scene, &evaluated);
+    let mut session = load(&args.files, args.pose.as_deref())?;
+    let mut edits = args.influences.edits(&session);
+    edits.extend(args.curves.edits(&session));
+    edit(&mut session, edits)?;
+    let text = io::export_obj(session.scene(), session.evaluated());
     Ok(disk::write_whole(&args.output, text.as_bytes())?)
 }

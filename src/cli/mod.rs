@@ -17,7 +17,6 @@ mod told;
 
 pub use arguments::SkinningName;
 pub use error::CliError;
-pub use load::load;
 pub use output::print;
 
 use crate::io::builtin;

@@ -1,11 +1,20 @@
 use super::CliError;
-use super::render::frame;
-use crate::editor::{Session, Tool, apply_edit, apply_view};
+use super::output::tell;
+use crate::disk;
+use crate::editor::{Session, Tool};
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, Gl};
-use crate::render::{InterfacePainter, Marks, Offscreen, compose, read_picture, view_place};
-use crate::ui::{self, Action, COMMANDS, Command, Entry, UiState, ViewInput};
-use egui::{Event, FullOutput, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+use crate::gpu::{Backend, Framebuffer, HeadlessContext};
+use crate::io::Files;
+use crate::program::{
+    FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Program, Purpose, StorageKey,
+};
+use crate::render::{OffscreenError, read_picture};
+use crate::scene::Skinning;
+use crate::ui::{self, COMMANDS, Command, Entry};
+use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
 
 /// Panels take a few frames to find their sizes.
 const FRAMES: usize = 4;
@@ -85,45 +94,51 @@ fn drag(text: &str) -> Result<Drag, String> {
     }
 }
 
-/// The window as it would look, drawn through the same panels.
+/// The window as it would look, drawn by the program itself in a place where time stands still.
 pub(super) fn picture(
     options: &PanelOptions,
     session: Session,
-    offscreen: &mut Offscreen,
-    (width, height): (u32, u32),
+    backend: Backend,
+    size: (u32, u32),
     samples: u32,
+    skinning: Option<Skinning>,
 ) -> Result<Picture, CliError> {
-    let gl: Gl = offscreen.gl().clone();
-    let mut painter = InterfacePainter::new(&gl)?;
-    let mut window = Window {
-        context: egui::Context::default(),
-        state: UiState::new(),
-        session,
-        size: vec2(width as f32, height as f32),
-        texture_side: painter.max_texture_side(),
-        view_rect: Rect::NOTHING,
-        marks: Marks::default(),
+    let offscreen = HeadlessContext::new(backend).map_err(OffscreenError::from)?;
+    // Refused before any work, where a driver has not as many samples.
+    drop(Framebuffer::new(offscreen.gl(), 1, 1, samples)?);
+    let mut graphics = Graphics::new(offscreen.gl())?.with_samples(samples);
+    let no_name = GraphicsInfo {
+        // It would be another one on another machine.
+        description: String::new(),
+        ..graphics.info()
     };
-    window.state.theme = egui::ThemePreference::Dark;
+    let max_texture_side = no_name.max_texture_side;
+    let mut program = Program::showing(session, no_name);
+    program.ui_mut().theme = egui::ThemePreference::Dark;
+    program.ui_mut().skinning = skinning;
+    let context = egui::Context::default();
+    let (width, height) = size;
+    let screen = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
     let tool = vec![options.tool.key()];
-    for events in std::iter::once(tool).chain(gesture(options.drag)) {
-        painter.skip(window.frame(events));
+    let frames = std::iter::once(tool).chain(gesture(options.drag));
+    for events in frames.chain(std::iter::once(Vec::new())) {
+        let raw = RawInput {
+            screen_rect: Some(screen),
+            max_texture_side: Some(max_texture_side),
+            time: Some(0.0),
+            events,
+            ..RawInput::default()
+        };
+        let context = context.clone();
+        let input = FrameInput { context, raw, size };
+        program.frame(&mut graphics, input, &mut StillHost)?;
     }
-    let output = window.frame(Vec::new());
-    let (min, max) = (window.view_rect.min, window.view_rect.max);
-    let place = view_place((min.x, min.y), (max.x, max.y), 1.0, (width, height));
-    let size = (place.width.unsigned_abs(), place.height.unsigned_abs());
-    let scene = offscreen.render(&frame(&window.session, window.marks), size, samples)?;
-    let target = Framebuffer::new(&gl, width, height, 0)?;
-    compose(
-        &scene,
-        place,
-        &mut painter,
-        &window.context,
-        output,
-        &target,
-    )?;
-    Ok(read_picture(&target)?)
+    for message in program.session().messages.history() {
+        tell(format_args!("warning: {}", message.text));
+    }
+    let window = graphics.window_picture();
+    let nothing = || CliError::Other("no picture of the window could be made".to_owned());
+    Ok(read_picture(window.ok_or_else(nothing)?)?)
 }
 
 /// What happens frame by frame, before the one that is drawn.
@@ -150,50 +165,42 @@ fn gesture(drag: Option<Drag>) -> Vec<Vec<Event>> {
     frames
 }
 
-/// The window without a window.
-struct Window {
-    context: egui::Context,
-    state: UiState,
-    session: Session,
-    size: egui::Vec2,
-    texture_side: usize,
-    view_rect: Rect,
-    marks: Marks,
-}
+/// A place where nothing happens but what is asked for: it has no clock, no clipboard and no
+/// storage, and writes no files.
+struct StillHost;
 
-impl Window {
-    fn frame(&mut self, events: Vec<Event>) -> FullOutput {
-        let input = RawInput {
-            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, self.size)),
-            max_texture_side: Some(self.texture_side),
-            time: Some(0.0),
-            events,
-            ..Default::default()
-        };
-        let mut actions = Vec::new();
-        let mut hovered = None;
-        let output = self.context.run_ui(input, |root| {
-            let (session, state) = (&self.session, &mut self.state);
-            let shown = ui::show(root, session, state, &ViewInput::default());
-            self.view_rect = shown.view_rect;
-            actions.extend(shown.actions);
-            hovered = ui::view_gestures(&shown.view, &shown.places, session, state, &mut actions);
-        });
-        for action in actions {
-            match action {
-                Action::Edit(edit) => apply_edit(&mut self.session, edit),
-                Action::View(view) => apply_view(&mut self.session, view),
-                // What only a program with a window can do.
-                Action::Ask(_) => {}
-            }
-        }
-        self.marks = Marks {
-            selected: self.session.selected(),
-            hovered,
-            selected_joint: self.session.selected_joint(),
-            hovered_joint: self.session.hovered_joint(),
-            hovered_control_point: self.session.hovered_control_point(),
-        };
-        output
+impl Host for StillHost {
+    fn now(&self) -> Duration {
+        Duration::ZERO
+    }
+
+    fn files(&self) -> Arc<dyn Files> {
+        Arc::new(disk::files())
+    }
+
+    fn choose_file(&mut self, _: Purpose, _: Option<&Path>, _: &str) {}
+
+    fn write_file(&mut self, _: &Path, _: Vec<u8>) {}
+
+    fn copy_text(&mut self, _: String) {}
+
+    fn request_paste(&mut self) {}
+
+    fn load(&self, _: StorageKey) -> Option<Vec<u8>> {
+        None
+    }
+
+    fn store(&mut self, _: StorageKey, _: Vec<u8>) {}
+
+    fn start_job(&mut self, _: Job) {}
+
+    fn set_title(&mut self, _: &str) {}
+
+    fn handle_platform_output(&mut self, _: egui::PlatformOutput) {}
+
+    fn quit(&mut self) {}
+
+    fn next_event(&mut self) -> Option<HostEvent> {
+        None
     }
 }

@@ -1,16 +1,16 @@
 //! `editor render`: a picture without a window.
 
 use super::display_options::DisplayOptions;
+use super::load::{edit, load};
 use super::output::{picture_format, tell};
 use super::panels::{self, PanelOptions};
-use super::{CliError, arguments, load};
+use super::{CliError, arguments};
 use crate::disk;
-use crate::editor::Session;
+use crate::editor::{Session, View};
 use crate::gpu::Backend;
 use crate::io;
-use crate::math::Aabb;
 use crate::render::{Frame, Marks, Offscreen};
-use crate::scene::{Camera, Look, ViewDirection, ViewSettings};
+use crate::scene::{Camera, Look, ViewDirection};
 use std::path::PathBuf;
 
 /// Draws scenes, characters and shapes into a picture, without a window or a display.
@@ -107,25 +107,31 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         GlName::Egl => Backend::Egl,
         GlName::Osmesa => Backend::Osmesa,
     };
-    let mut offscreen = Offscreen::new(backend)?;
-    offscreen
-        .renderer()
-        .set_skinning(args.skinning.map(Into::into));
+    let skinning = args.skinning.map(Into::into);
     let picture = if args.ui {
         panels::picture(
             &args.panels,
             session,
-            &mut offscreen,
+            backend,
             args.size,
             args.samples,
+            skinning,
         )?
     } else {
-        let frame = frame(&session, Marks::default());
-        offscreen.picture(&frame, args.size, args.samples)?
+        let mut offscreen = Offscreen::new(backend)?;
+        offscreen.renderer().set_skinning(skinning);
+        let frame = Frame {
+            scene: session.scene(),
+            evaluated: session.evaluated(),
+            view: session.view(),
+            marks: Marks::default(),
+        };
+        let picture = offscreen.picture(&frame, args.size, args.samples)?;
+        for notice in offscreen.renderer().take_notices() {
+            tell(format_args!("warning: {notice}"));
+        }
+        picture
     };
-    for notice in offscreen.renderer().take_notices() {
-        tell(format_args!("warning: {notice}"));
-    }
     let bytes = io::image::encode(&picture, format)
         .map_err(|message| io::Diagnostic::new(&args.output, message))?;
     disk::write_whole(&args.output, &bytes)?;
@@ -133,43 +139,28 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 }
 
 fn session(args: &Args) -> Result<Session, CliError> {
-    let mut loaded = load(&args.files, args.pose.as_deref())?;
-    args.influences.apply_to(&mut loaded);
-    args.display.apply_to(&mut loaded.scene);
+    let mut session = load(&args.files, args.pose.as_deref())?;
+    let mut edits = args.influences.edits(&session);
+    edits.extend(args.display.edits(&session));
+    edit(&mut session, edits)?;
 
-    let mut view = loaded.view.unwrap_or_default();
-    view.axis = args.axis;
+    session.look(View::SetAxis(args.axis));
     if let Some(look) = args.look {
-        view.look = match look {
+        session.look(View::SetLook(match look {
             LookName::Course => Look::Course,
             LookName::Studio => Look::Studio,
             LookName::Mannequin => Look::Mannequin,
-        };
+        }));
     }
     if let Some(camera) = args.camera.or(args.view.map(Camera::preset)) {
-        view.camera = camera;
+        session.look(View::SetCamera(camera));
     }
-    let session = Session::with_scene(loaded.scene, view);
-    if !args.fit {
-        return Ok(session);
+    if args.fit {
+        let (width, height) = args.size;
+        let mut camera = session.view().camera;
+        let bounds = session.evaluated().world_bounds();
+        camera.fit(&bounds, width as f32 / height as f32);
+        session.look(View::SetCamera(camera));
     }
-    let bounds = session.evaluated().world_bounds();
-    Ok(Session::with_scene(
-        session.scene().clone(),
-        fitted(view, &bounds, args.size),
-    ))
-}
-
-fn fitted(mut view: ViewSettings, bounds: &Aabb, (width, height): (u32, u32)) -> ViewSettings {
-    view.camera.fit(bounds, width as f32 / height as f32);
-    view
-}
-
-pub(super) fn frame(session: &Session, marks: Marks) -> Frame<'_> {
-    Frame {
-        scene: session.scene(),
-        evaluated: session.evaluated(),
-        view: session.view(),
-        marks,
-    }
+    Ok(session)
 }

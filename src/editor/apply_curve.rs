@@ -40,7 +40,6 @@ pub(super) fn apply_curve_edit(scene: &mut Scene, edit: Edit) -> Result<(), Curv
         Edit::RemoveCurveItem { shape, item } => {
             change(scene, shape, |set| Ok(set.without_item(item)))
         }
-        Edit::SetCurves(shape, curves) => change(scene, shape, |_| Ok(curves)),
         Edit::SetSteps { shape, item, steps } => {
             change(scene, shape, |set| set.with_steps(item, steps))
         }

@@ -2,24 +2,21 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, CurveSet, Look, Shading, ShapeColor, ShapeId,
-    ShapeKind, Source, ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, Look, NewShape, Shading, ShapeColor, ShapeId,
+    ViewDirection,
 };
 use glam::Vec3;
 
 /// A change of the scene.
 #[derive(Clone, Debug)]
 pub enum Edit {
-    /// Adds a shape, in the color of its kind, and selects it.
-    Insert {
-        /// What the list will call it.
-        name: String,
-        /// What it is.
-        kind: ShapeKind,
-        /// Where it came from.
-        source: Option<Source>,
-    },
-    /// Takes a shape away.
+    /// Several edits as one: all of them, in order, or none.
+    Together(Vec<Edit>),
+    /// Replaces the scene by one of these shapes.
+    Open(Vec<NewShape>),
+    /// Adds shapes at the end of the list.
+    Insert(Vec<NewShape>),
+    /// Deletes a shape.
     Delete(ShapeId),
     /// Puts placement, color and joint angles back to how the shape started.
     Reset(ShapeId),
@@ -35,6 +32,20 @@ pub enum Edit {
     SetLocked(ShapeId, bool),
     /// Changes how a character is drawn.
     SetDisplay(ShapeId, CharacterDisplay),
+    /// Leaves every vertex of a character at most so many influences (see
+    /// [`crate::character::Character::limited`]).
+    LimitInfluences(ShapeId, usize),
+    /// Replaces one angle of a joint; the other two stay exactly as they are.
+    SetJointAngle {
+        /// The character.
+        shape: ShapeId,
+        /// Index of the joint.
+        joint: usize,
+        /// Axis of the angle: 0 for x, 1 for y, 2 for z.
+        axis: usize,
+        /// The new angle, in radians.
+        radians: f32,
+    },
     /// Replaces the angles of one joint.
     SetJointTransform {
         /// The character.
@@ -107,8 +118,6 @@ pub enum Edit {
         /// Index of the curve or surface in its [`crate::scene::CurveSet`].
         item: usize,
     },
-    /// Replaces all curves of a shape at once, as a cancelled gesture does.
-    SetCurves(ShapeId, CurveSet),
     /// Sets the steps of a curve (per piece) or of a surface of revolution (of the turn).
     SetSteps {
         /// The shape made of curves.

@@ -1,5 +1,5 @@
 use super::{Edit, Session};
-use crate::scene::{self, CurveSet, ShapeId};
+use crate::scene::{self, ShapeId};
 use glam::{Mat3, Mat4, Vec2, Vec3};
 
 /// A plane seen at less than this (sine, about 1°) cannot be pointed at.
@@ -15,8 +15,6 @@ pub struct ControlPointDrag {
     shape: ShapeId,
     curve: usize,
     point: usize,
-    /// The curves as they were, for [`ControlPointDrag::cancel`].
-    before: CurveSet,
     /// From the pointer to the point in the picture, pixels.
     grip: Vec2,
     /// Where the point was, in the shape's model space.
@@ -62,7 +60,6 @@ impl ControlPointDrag {
             shape,
             curve,
             point,
-            before: before.clone(),
             grip: camera.pixel(origin, size)? - pixel,
             start,
             plane: Plane { origin, normal },
@@ -106,11 +103,6 @@ impl ControlPointDrag {
             point: self.point,
             position,
         })
-    }
-
-    /// Puts everything back to how it was when the point was grabbed.
-    pub fn cancel(&self) -> Edit {
-        Edit::SetCurves(self.shape, self.before.clone())
     }
 }
 

@@ -116,11 +116,6 @@ impl IkDrag {
         &self.lost
     }
 
-    /// Puts everything back to how it started.
-    pub fn cancel(&self) -> Edit {
-        Edit::SetPose(self.shape, self.start.clone())
-    }
-
     fn solve(&mut self, skeleton: &SkeletalModel, pose: &Pose, target: Vec3) -> Option<Pose> {
         let (moved, busy) = match &self.chain {
             Some(chain) => {

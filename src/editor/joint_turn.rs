@@ -1,5 +1,4 @@
 use super::{Edit, Session};
-use crate::character::Pose;
 use crate::math::{Euler, Ray};
 use crate::scene::ShapeId;
 use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Vec3};
@@ -12,7 +11,6 @@ use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Vec3};
 pub struct JointTurn {
     shape: ShapeId,
     joint: usize,
-    start_pose: Pose,
     start: DMat3,
     /// Rotation from the parent's frame to the character's space.
     model_from_parent: DQuat,
@@ -48,7 +46,6 @@ impl JointTurn {
         sound.then(|| Self {
             shape,
             joint,
-            start_pose: character.pose().clone(),
             start: DMat3::from_euler(EulerRot::XYZ, x, y, z),
             model_from_parent,
             world_from_model,
@@ -108,11 +105,6 @@ impl JointTurn {
             joint: self.joint,
             rotation: Euler::nearest((turn * self.start).as_mat3(), shown),
         })
-    }
-
-    /// Puts everything back to how it started.
-    pub fn cancel(&self) -> Edit {
-        Edit::SetPose(self.shape, self.start_pose.clone())
     }
 }
 

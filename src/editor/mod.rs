@@ -1,8 +1,9 @@
-//! What a person does to a scene, as data: panels and tools return [`Edit`]s and [`View`]s, and
-//! [`apply_edit`] and [`apply_view`] are the only places that change anything.
+//! Editing as data: an [`Edit`] says how the document changes, and [`apply`] alone carries it out;
+//! a [`Session`] is a document with the selection and the view of its user.
 
 mod apply;
 mod apply_curve;
+mod change;
 mod command;
 mod control_point_drag;
 mod gizmo;
@@ -19,7 +20,8 @@ mod rotation_gizmo;
 mod session;
 mod tool;
 
-pub use apply::{apply_edit, apply_view};
+pub use apply::{EditError, apply};
+pub use change::Change;
 pub use command::{Edit, View};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use gizmo::{GizmoAxes, GizmoHit, Handle, Screen};

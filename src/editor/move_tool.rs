@@ -188,14 +188,6 @@ impl MoveDrag {
         self.moved.as_vec3()
     }
 
-    /// Puts everything back to how it started.
-    pub fn cancel(&self) -> Edit {
-        match &self.start {
-            Start::Shape(transform) => Edit::SetTransform(self.target.shape(), *transform),
-            Start::Roots { pose, .. } => Edit::SetPose(self.target.shape(), pose.clone()),
-        }
-    }
-
     fn snap(&mut self) {
         let step = |length: f64| (length / SNAP).round() * SNAP;
         self.moved = match self.along {

@@ -1,32 +1,48 @@
-use super::Messages;
+use super::apply::{EditError, apply};
+use super::{Change, Edit, Messages, View};
+use crate::math::Aabb;
 use crate::revision::Revision;
-use crate::scene::{Camera, Evaluated, Evaluator, Scene, ShapeId, ViewSettings};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeId, ViewSettings};
+
+/// Time of playback, in seconds, that is shown: the start, until there is a timeline to move on.
+const SHOWN_TIME: f64 = 0.0;
 
 /// One running editor: the scene and all that concerns its user rather than the scene.
 #[derive(Debug)]
 pub struct Session {
-    /// What is edited. Changed by [`super::apply_edit`] alone.
-    pub(super) scene: Scene,
-    pub(super) selected: Option<ShapeId>,
-    pub(super) selected_joint: Option<usize>,
-    pub(super) hovered_bone: Option<(ShapeId, usize)>,
-    pub(super) hovered_control_point: Option<(usize, usize)>,
-    pub(super) view: ViewSettings,
-    /// Of the scene as it was opened.
+    /// The document. Changed by [`Session::edit`] and the end of a gesture alone.
+    scene: Scene,
+    /// Revision of `scene`.
+    document: Revision,
+    gesture: Option<Gesture>,
+    selected: Option<ShapeId>,
+    selected_joint: Option<usize>,
+    hovered_bone: Option<(ShapeId, usize)>,
+    hovered_control_point: Option<(usize, usize)>,
+    view: ViewSettings,
+    /// Revision of the scene as it was opened.
     opened: Revision,
-    /// How the scene was looked at when it was opened.
+    /// Camera with which the scene was opened.
     start_camera: Camera,
-    /// What was told to the user.
+    /// Messages to the user.
     pub messages: Messages,
     evaluator: Evaluator,
     evaluated: Evaluated,
-    revision: Revision,
+}
+
+/// The document as it was when a gesture began.
+#[derive(Debug)]
+struct Gesture {
+    scene: Scene,
+    document: Revision,
 }
 
 impl Default for Session {
     fn default() -> Self {
         Self {
             scene: Scene::new(),
+            document: Revision::new(),
+            gesture: None,
             selected: None,
             selected_joint: None,
             hovered_bone: None,
@@ -37,7 +53,6 @@ impl Default for Session {
             messages: Messages::default(),
             evaluator: Evaluator::new(),
             evaluated: Evaluated::default(),
-            revision: Revision::new(),
         }
     }
 }
@@ -48,28 +63,122 @@ impl Session {
         Self::default()
     }
 
-    /// A session that starts with `scene` seen through `view`; its last shape is selected.
-    pub fn with_scene(scene: Scene, view: ViewSettings) -> Self {
+    /// A session that starts with `shapes` seen through `view`; the last shape is selected.
+    pub fn with_shapes(shapes: Vec<NewShape>, view: ViewSettings) -> Self {
         let mut session = Self::default();
-        session.open(scene, view);
+        session.open(shapes, view);
         session
     }
 
-    /// Puts `scene`, seen through `view`, in the place of what was there; its last shape is
-    /// selected. What was told to the user stays.
-    pub fn open(&mut self, scene: Scene, view: ViewSettings) {
-        self.selected = scene.shapes().last().map(|shape| shape.id);
-        self.scene = scene;
+    /// Replaces the scene by one of `shapes`, seen through `view`, and selects the last shape.
+    /// Messages stay.
+    pub fn open(&mut self, shapes: Vec<NewShape>, view: ViewSettings) {
+        // Shapes as they are replace a scene whatever they are.
+        let _ = self.edit(Edit::Open(shapes));
         self.view = view;
-        self.opened = Revision::new();
         self.start_camera = view.camera;
-        self.forget_parts();
-        self.refresh();
     }
 
-    /// What is edited.
+    /// Changes the document: the one way to do so, for panels, gestures, imports and commands.
+    /// Says what changed; what was added is selected.
+    ///
+    /// # Errors
+    /// If the edit would not leave a valid document; then nothing has changed.
+    pub fn edit(&mut self, edit: Edit) -> Result<Change, EditError> {
+        let place = self.selected.and_then(|id| self.index_of(id));
+        let change = apply(&mut self.scene, edit)?;
+        if change.is_nothing() {
+            return Ok(change);
+        }
+        self.document = Revision::new();
+        if change.opened {
+            self.opened = self.document;
+        }
+        if change.opened || !change.added.is_empty() || !change.removed.is_empty() {
+            // A gesture is about shapes that are there from its beginning to its end.
+            self.gesture = None;
+        }
+        if let Some(&added) = change.added.last() {
+            self.select(Some(added));
+        } else if self.selected.is_some_and(|id| self.index_of(id).is_none()) {
+            // The shape that takes the deleted one's place in the list, as in the course's editor.
+            let last = self.scene.shapes().len().checked_sub(1);
+            let next = place.zip(last).map(|(place, last)| place.min(last));
+            self.select(next.map(|next| self.scene.shapes()[next].id));
+        }
+        self.evaluate();
+        Ok(change)
+    }
+
+    /// Begins a gesture: the edits that follow can be cancelled together. A gesture that is under
+    /// way is committed.
+    pub fn begin_gesture(&mut self) {
+        self.gesture = Some(Gesture {
+            scene: self.scene.clone(),
+            document: self.document,
+        });
+    }
+
+    /// Ends the gesture and keeps what it changed, which is returned.
+    pub fn commit_gesture(&mut self) -> Change {
+        self.gesture.take().map_or_else(Change::default, |gesture| {
+            Change::between(&gesture.scene, &self.scene)
+        })
+    }
+
+    /// Ends the gesture and puts the document back to how it was when it began; nothing if none is
+    /// under way.
+    pub fn cancel_gesture(&mut self) {
+        if let Some(gesture) = self.gesture.take() {
+            self.scene = gesture.scene;
+            self.document = gesture.document;
+            self.evaluate();
+        }
+    }
+
+    /// Whether a gesture is under way.
+    pub fn is_in_gesture(&self) -> bool {
+        self.gesture.is_some()
+    }
+
+    /// Changes how the document is looked at, and what in it is selected or under the pointer.
+    pub fn look(&mut self, view: View) {
+        match view {
+            View::SetCamera(camera) => self.view.camera = camera,
+            View::From(direction) => self.view.camera = Camera::preset(direction),
+            View::ResetCamera => self.view.camera = Camera::default(),
+            View::Fit { aspect } => {
+                let bounds = self.bounds_to_fit();
+                self.view.camera.fit(&bounds, aspect);
+            }
+            View::SetAxis(axis) => self.view.axis = axis,
+            View::SetGrid(grid) => self.view.grid = grid,
+            View::SetLook(look) => self.view.look = look,
+            View::SetShading(shading) => self.view.shading = shading,
+            View::Select(selected) => {
+                if selected != self.selected {
+                    self.select(selected);
+                }
+            }
+            View::SelectJoint(joint) => self.selected_joint = joint,
+            View::HoverJoint(joint) => self.hovered_bone = self.selected.zip(joint),
+            View::HoverBone(bone) => self.hovered_bone = bone,
+            View::HoverControlPoint(point) => self.hovered_control_point = point,
+            View::DismissMessage(index) => self.messages.dismiss(index),
+            View::DismissMessages => self.messages.dismiss_all(),
+        }
+        self.forget_what_is_gone();
+    }
+
+    /// The document.
     pub fn scene(&self) -> &Scene {
         &self.scene
+    }
+
+    /// Revision of the document: changes with every edit that changes something, and comes back
+    /// when a gesture is cancelled. The camera, the selection and the pointer do not touch it.
+    pub fn document(&self) -> Revision {
+        self.document
     }
 
     /// The selected shape; always one that exists.
@@ -102,7 +211,7 @@ impl Session {
         self.hovered_control_point
     }
 
-    /// How the scene is looked at.
+    /// How the document is looked at.
     pub fn view(&self) -> &ViewSettings {
         &self.view
     }
@@ -113,32 +222,35 @@ impl Session {
         self.opened
     }
 
-    /// Where the camera stood when the scene was opened.
+    /// Camera with which the scene was opened.
     pub fn start_camera(&self) -> &Camera {
         &self.start_camera
     }
 
-    /// All that follows from the scene as it is now.
+    /// Matrices, deformed meshes and bounds that follow from the document as it is now.
     pub fn evaluated(&self) -> &Evaluated {
         &self.evaluated
     }
 
-    /// Changes whenever anything that a picture depends on may have changed.
-    pub fn revision(&self) -> Revision {
-        self.revision
+    fn index_of(&self, id: ShapeId) -> Option<usize> {
+        self.scene.shapes().iter().position(|shape| shape.id == id)
     }
 
-    /// Forgets which part of the selected shape was selected or under the pointer.
-    pub(super) fn forget_parts(&mut self) {
+    /// Selects a shape, or none, and no part of it.
+    fn select(&mut self, selected: Option<ShapeId>) {
+        self.selected = selected;
         self.selected_joint = None;
         self.hovered_bone = None;
         self.hovered_control_point = None;
     }
 
-    /// Works out anew what changed. Both apply functions end with this.
-    pub(super) fn refresh(&mut self) {
-        self.revision = Revision::new();
-        self.evaluated = self.evaluator.evaluate(&self.scene);
+    fn evaluate(&mut self) {
+        self.evaluated = self.evaluator.evaluate(&self.scene, SHOWN_TIME);
+        self.forget_what_is_gone();
+    }
+
+    /// Clears whatever of the selection and the hovered parts does not exist (any more).
+    fn forget_what_is_gone(&mut self) {
         self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
         let scene = &self.scene;
         let has = |shape: ShapeId, joint: usize| {
@@ -161,5 +273,15 @@ impl Session {
                 .and_then(|curves| curves.curve(curve))
                 .is_some_and(|curve| point < curve.control_points().len())
         });
+    }
+
+    fn bounds_to_fit(&self) -> Aabb {
+        self.selected
+            .and_then(|id| self.evaluated.shape(id))
+            .filter(|shape| shape.visible)
+            .map_or_else(
+                || self.evaluated.world_bounds(),
+                |shape| shape.world_bounds(),
+            )
     }
 }

@@ -71,12 +71,12 @@ mod tests {
     #[test]
     fn what_is_written_is_read_back_in_the_world_and_the_right_side_out() {
         let mut scene = Scene::new();
-        scene.add("A\ncube".into(), ShapeKind::Cube, None);
-        let moved = scene.add("Sphere".into(), ShapeKind::Sphere, None);
+        scene.add(NewShape::new("A\ncube", ShapeKind::Cube));
+        let moved = scene.add(NewShape::new("Sphere", ShapeKind::Sphere));
         let transform = &mut scene.shape_mut(moved).unwrap().placement.transform;
         transform.position = Vec3::new(0.1, 1.0 / 3.0, 1e-7);
         transform.scale = Vec3::new(-1.0, 2.0, 1.0);
-        let evaluated = Evaluator::new().evaluate(&scene);
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
 
         let text = export_obj(&scene, &evaluated);
         assert!(text.starts_with("o A cube\nv "));
@@ -101,10 +101,10 @@ mod tests {
     #[test]
     fn what_is_hidden_is_written_all_the_same() {
         let mut scene = Scene::new();
-        let id = scene.add("Cube".into(), ShapeKind::Cube, None);
-        let shown = export_obj(&scene, &Evaluator::new().evaluate(&scene));
+        let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
+        let shown = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
         scene.shape_mut(id).unwrap().visible = false;
-        let hidden = export_obj(&scene, &Evaluator::new().evaluate(&scene));
+        let hidden = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
         assert_eq!(shown, hidden);
     }
 

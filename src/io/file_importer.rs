@@ -6,24 +6,13 @@ use super::{
 use crate::character::Character;
 use crate::geometry::SharedMesh;
 use crate::scene::{
-    CharacterShape, CurveShape, Scene, ShapeKind, Source, ViewSettings, name_of_import,
+    CharacterShape, CurveShape, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
 };
 use std::path::Path;
 use std::sync::Arc;
 
 /// The extensions of files that can be imported into a scene, in lower case.
 pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
-
-/// Something imported, ready to be put into a scene.
-#[derive(Clone, Debug)]
-pub struct NewShape {
-    /// What the list will call it.
-    pub name: String,
-    /// What it is.
-    pub kind: ShapeKind,
-    /// Where it came from.
-    pub source: Source,
-}
 
 /// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
 /// weights beside it is a character, others are shapes; a `.swp` file holds curves, and a `.dae`
@@ -113,9 +102,12 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
         }
         "dae" => Ok(read_dae(files, &file)?.map(|scene| {
             let shapes = shapes_of(path, scene);
-            let rigid = shapes.into_iter().map(|shape| NewShape {
-                kind: ShapeKind::Mesh(shape.kind.mesh()),
-                ..shape
+            let rigid = shapes.into_iter().map(|shape| {
+                let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
+                NewShape {
+                    source: shape.source,
+                    ..rigid
+                }
             });
             rigid
                 .filter(|shape| !shape.kind.mesh().positions.is_empty())
@@ -141,11 +133,11 @@ pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     }
 }
 
-/// What the program starts with: the scenes and shapes of one or more files in one scene.
+/// The scenes and shapes of one or more files, to be opened as one scene.
 #[derive(Clone, Debug, Default)]
 pub struct Loaded {
     /// All their shapes, in the order of the files.
-    pub scene: Scene,
+    pub shapes: Vec<NewShape>,
     /// The view of the last scene file; none if there is none.
     pub view: Option<ViewSettings>,
     /// What was odd about them.
@@ -153,16 +145,6 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Leaves every character at most `most` influences a vertex, see [`Character::limited`].
-    pub fn limit_influences(&mut self, most: usize) {
-        let ids: Vec<_> = self.scene.shapes().iter().map(|shape| shape.id).collect();
-        for id in ids {
-            if let Some(shape) = self.scene.character_mut(id) {
-                shape.character = Arc::new(shape.character.limited(most));
-            }
-        }
-    }
-
     /// Adds what the file at `path` holds: the shapes of a scene with its view, or an import.
     ///
     /// # Errors
@@ -174,9 +156,7 @@ impl Loaded {
                 let read = scene_file::read_scene(files, &file)?;
                 self.warnings.extend(read.warnings);
                 self.view = Some(read.value.view);
-                for shape in read.value.shapes {
-                    shape.add_to(&mut self.scene);
-                }
+                self.shapes.extend(read.value.shapes);
             }
             extension if !IMPORTABLE.contains(&extension) => {
                 let openable = [&["scene"], IMPORTABLE].concat();
@@ -196,9 +176,7 @@ impl Loaded {
     /// Adds what was imported.
     pub fn add_imported(&mut self, imported: Imported<Vec<NewShape>>) {
         self.warnings.extend(imported.warnings);
-        for NewShape { name, kind, source } in imported.value {
-            self.scene.add(name, kind, Some(source));
-        }
+        self.shapes.extend(imported.value);
     }
 }
 
@@ -231,11 +209,8 @@ fn new_shape(path: &Path, kind: ShapeKind) -> NewShape {
         Some(name) => Path::new(name).file_stem(),
         None => path.file_stem(),
     };
-    NewShape {
-        name: name_of_import(&stem.unwrap_or_default().to_string_lossy()),
-        kind,
-        source: Source(path_text.into_owned()),
-    }
+    let name = name_of_import(&stem.unwrap_or_default().to_string_lossy());
+    NewShape::new(name, kind).from_source(Source(path_text.into_owned()))
 }
 
 fn posable(character: Character) -> ShapeKind {

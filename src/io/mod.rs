@@ -32,8 +32,7 @@ pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::export_obj;
 pub use file_importer::{
-    IMPORTABLE, Loaded, NewShape, import_any, import_character, import_collada, import_curve,
-    import_shape,
+    IMPORTABLE, Loaded, import_any, import_character, import_collada, import_curve, import_shape,
 };
 pub use files::{Files, expect_extension};
 pub use import_character::{is_character, read_character};
@@ -41,7 +40,7 @@ pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_entries::Entries;
 pub use pose_file::{PoseData, PoseFile};
-pub use scene_file::{SceneFile, SceneShape, read_scene};
+pub use scene_file::{SceneFile, read_scene};
 pub use skel::read_skel;
 pub use swp::read_swp;
 pub use to_swp::to_swp;

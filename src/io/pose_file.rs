@@ -45,13 +45,13 @@ impl PoseFile {
         &self.data
     }
 
-    /// Poses every character of `scene` that has joints of the names or indices in the file, by
-    /// those it has; its other joints go back to rest. Characters without any stay as they are.
+    /// The poses of those characters of `scene` that have joints of the names or indices in the
+    /// file; their other joints are at rest.
     ///
     /// # Errors
     /// If there is no character, or a joint that none has; the message lists names like it. Or if
-    /// two entries mean one joint. Then nothing is changed.
-    pub fn apply_to(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
+    /// two entries mean one joint.
+    pub fn poses_for(&self, scene: &Scene) -> Result<Vec<(ShapeId, Pose)>, Diagnostic> {
         let characters: Vec<(ShapeId, &SkeletalModel)> = scene
             .shapes()
             .iter()
@@ -66,13 +66,10 @@ impl PoseFile {
         }
         let skeletons: Vec<_> = characters.iter().map(|(_, skeleton)| *skeleton).collect();
         let poses = self.poses_of(&skeletons)?;
-        let ids: Vec<ShapeId> = characters.into_iter().map(|(id, _)| id).collect();
-        for (id, pose) in ids.into_iter().zip(poses) {
-            if let (Some(character), Some(pose)) = (scene.character_mut(id), pose) {
-                character.set_pose(pose);
-            }
-        }
-        Ok(())
+        let posed = characters.into_iter().zip(poses);
+        Ok(posed
+            .filter_map(|((id, _), pose)| Some((id, pose?)))
+            .collect())
     }
 
     /// The pose for `skeleton`, which must have all its joints.
@@ -229,7 +226,7 @@ mod tests {
             let skeleton = SkeletalModel::new(joints.collect()).unwrap();
             let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();
             let shape = CharacterShape::new(Arc::new(character));
-            scene.add("C".into(), ShapeKind::Character(shape), None);
+            scene.add(NewShape::new("C", ShapeKind::Character(shape)));
         }
         scene
     }

@@ -1,8 +1,8 @@
-use super::file_importer::{NewShape, import_any};
+use super::file_importer::import_any;
 use super::scene_data::{Head, PoseReference, SceneData, ShapeData};
 use super::{Diagnostic, Files, Imported, PoseFile, Position, builtin, json, scanner};
 use crate::character::{Pose, SkeletalModel};
-use crate::scene::{Placement, Scene, ShapeId, ShapeKind, Source, ViewSettings};
+use crate::scene::{NewShape, ShapeKind, ViewSettings};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -12,33 +12,7 @@ pub struct SceneFile {
     /// How it is looked at.
     pub view: ViewSettings,
     /// Its shapes, in the order of the file.
-    pub shapes: Vec<SceneShape>,
-}
-
-/// A shape of a scene file.
-#[derive(Clone, Debug)]
-pub struct SceneShape {
-    name: String,
-    kind: ShapeKind,
-    source: Option<Source>,
-    placement: Placement,
-    visible: bool,
-    locked: bool,
-}
-
-impl SceneShape {
-    /// Puts the shape into `scene`.
-    pub fn add_to(self, scene: &mut Scene) -> ShapeId {
-        let id = scene.add(self.name, self.kind, self.source);
-        if let Some(shape) = scene.shape_mut(id) {
-            // Reset brings a shape back to its place in the scene, not into a heap at the origin.
-            shape.start = self.placement;
-            shape.placement = self.placement;
-            shape.visible = self.visible;
-            shape.locked = self.locked;
-        }
-        id
-    }
+    pub shapes: Vec<NewShape>,
 }
 
 /// Reads a `.scene` file, JSON of the form
@@ -87,7 +61,7 @@ struct SceneReader<'a> {
 }
 
 impl SceneReader<'_> {
-    fn shape(&mut self, index: usize, data: &ShapeData) -> Result<Vec<SceneShape>, Diagnostic> {
+    fn shape(&mut self, index: usize, data: &ShapeData) -> Result<Vec<NewShape>, Diagnostic> {
         let new = match (&data.kind, &data.source) {
             (Some(kind), None) => vec![(kind.kind(), kind.kind().label().to_owned(), None)],
             (None, Some(source)) if source.is_empty() => {
@@ -97,7 +71,7 @@ impl SceneReader<'_> {
                 .import(source)
                 .map_err(|error| self.named_by(index, error))?
                 .into_iter()
-                .map(|new| (new.kind, new.name, Some(new.source)))
+                .map(|new| (new.kind, new.name, new.source))
                 .collect(),
             (Some(_), Some(_)) => {
                 return Err(self.wrong(index, "expected a kind or a source, found both"));
@@ -140,10 +114,11 @@ impl SceneReader<'_> {
                     display.apply_to(curve);
                 }
             }
-            shapes.push(SceneShape {
+            shapes.push(NewShape {
                 name: data.name.clone().unwrap_or(name),
                 kind,
                 source,
+                // Reset brings a shape back to its place in the scene, not to the origin.
                 placement,
                 visible: data.visible.unwrap_or(true),
                 locked: data.locked.unwrap_or(false),

@@ -123,7 +123,7 @@ mod tests {
         pose.set_root_offset(0, -Vec3::X);
         shape.set_pose(pose);
         let mut scene = Scene::new();
-        scene.add("Triangle".into(), ShapeKind::Character(shape), None);
+        scene.add(NewShape::new("Triangle", ShapeKind::Character(shape)));
         scene
     }
 
@@ -134,7 +134,7 @@ mod tests {
     }
 
     fn drawn(renderer: &mut Renderer, gl: &Gl, scene: &Scene) -> (Result<(), GpuError>, Picture) {
-        let evaluated = Evaluator::new().evaluate(scene);
+        let evaluated = Evaluator::new().evaluate(scene, 0.0);
         let frame = Frame {
             scene,
             evaluated: &evaluated,
@@ -172,10 +172,10 @@ mod tests {
         let context = HeadlessContext::new(Backend::Auto).unwrap();
         let gl = context.gl();
         let mut scene = Scene::new();
-        let cube = scene.add("Cube".into(), ShapeKind::Cube, None);
+        let cube = scene.add(NewShape::new("Cube", ShapeKind::Cube));
         scene.shape_mut(cube).unwrap().placement.transform.position = Vec3::X;
         let alone = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
-        scene.add("Ball".into(), ShapeKind::Sphere, None);
+        scene.add(NewShape::new("Ball", ShapeKind::Sphere));
         let both = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
 
         let mut renderer = Renderer::new(gl).unwrap();
@@ -192,7 +192,7 @@ mod tests {
         let ball = scene.shapes()[1].id;
         scene.delete(ball);
         assert!(drawn(&mut renderer, gl, &scene).0.is_ok());
-        scene.add("Ball".into(), ShapeKind::Sphere, None);
+        scene.add(NewShape::new("Ball", ShapeKind::Sphere));
         assert_eq!(picture(&mut renderer, gl, &scene), both);
     }
 
@@ -203,7 +203,7 @@ mod tests {
         let mut scene = Scene::new();
         let empty = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
         let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
-        let id = scene.add("Wire".into(), ShapeKind::Curve(curve), None);
+        let id = scene.add(NewShape::new("Wire", ShapeKind::Curve(curve)));
         let mut renderer = Renderer::new(gl).unwrap();
         gl.limit_buffers(250);
         for _ in 0..2 {

@@ -91,11 +91,11 @@ mod tests {
     fn scene(set: CurveSet) -> (Evaluated, ShapeId) {
         let mut scene = Scene::new();
         let kind = ShapeKind::Curve(CurveShape::new(set));
-        let id = scene.add("Curve".into(), kind, None);
+        let id = scene.add(NewShape::new("Curve", kind));
         if let Some(shape) = scene.shape_mut(id) {
             shape.placement.transform.position = Vec3::Y;
         }
-        (Evaluator::new().evaluate(&scene), id)
+        (Evaluator::new().evaluate(&scene, 0.0), id)
     }
 
     fn from_the_front(x: f32, y: f32) -> Ray {

@@ -59,6 +59,14 @@ pub enum SurfaceVisibility {
     Shaded,
 }
 
+impl PartialEq for CurveShape {
+    fn eq(&self, other: &Self) -> bool {
+        self.curves == other.curves
+            && self.frame_closing == other.frame_closing
+            && self.display == other.display
+    }
+}
+
 impl CurveShape {
     /// `curves` as they are first shown, closed sweeps closing.
     pub fn new(curves: CurveSet) -> Self {

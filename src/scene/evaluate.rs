@@ -134,8 +134,8 @@ impl Evaluator {
         Self::default()
     }
 
-    /// Works out all that follows from `scene`.
-    pub fn evaluate(&mut self, scene: &Scene) -> Evaluated {
+    /// Works out all that follows from `scene` at `time`, in seconds of playback.
+    pub fn evaluate(&mut self, scene: &Scene, time: f64) -> Evaluated {
         let there: HashSet<ShapeId> = scene.shapes().iter().map(|shape| shape.id).collect();
         self.cache.retain(|id, _| there.contains(id));
         let shapes = scene
@@ -146,13 +146,13 @@ impl Evaluator {
                 visible: shape.visible,
                 pickable: shape.visible && !shape.locked,
                 world_from_model: shape.placement.transform.world_from_model(),
-                geometry: self.geometry(shape),
+                geometry: self.geometry(shape, time),
             })
             .collect();
         Evaluated { shapes }
     }
 
-    fn geometry(&mut self, shape: &Shape) -> Arc<EvaluatedGeometry> {
+    fn geometry(&mut self, shape: &Shape, time: f64) -> Arc<EvaluatedGeometry> {
         let revision = match &shape.kind {
             ShapeKind::Character(character) => character.pose_revision(),
             ShapeKind::Curve(curve) => curve.revision(),
@@ -164,7 +164,7 @@ impl Evaluator {
             return known.clone();
         }
         let geometry = Arc::new(match &shape.kind {
-            ShapeKind::Character(character) => evaluate_character(character),
+            ShapeKind::Character(character) => evaluate_character(character, time),
             ShapeKind::Curve(curve) => evaluate_curves(curve),
             other => {
                 let mesh = other.mesh();
@@ -177,10 +177,10 @@ impl Evaluator {
     }
 }
 
-fn evaluate_character(shape: &CharacterShape) -> EvaluatedGeometry {
+fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
     let character = &shape.character;
     let skeleton = character.skeleton();
-    let model_from_joint = skeleton.update_current_joint_to_world_transforms(shape.pose());
+    let model_from_joint = skeleton.update_current_joint_to_world_transforms(shape.pose_at(time));
     let figure = StickFigure::new(skeleton, &model_from_joint);
     let around_joints = Aabb::from_points(figure.joints.iter().copied());
     let mesh = character.bind_mesh().clone();
@@ -211,8 +211,8 @@ mod tests {
         pose.set_root_offset(0, Vec3::Y);
         shape.set_pose(pose);
         let mut scene = Scene::new();
-        scene.add("Dot".into(), ShapeKind::Character(shape), None);
-        let evaluated = Evaluator::new().evaluate(&scene);
+        scene.add(NewShape::new("Dot", ShapeKind::Character(shape)));
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
         let geometry = &evaluated.shapes[0].geometry;
         let deformation = geometry.deformation.as_ref().unwrap();
         assert!(!deformation.is_worked_out());
@@ -223,13 +223,13 @@ mod tests {
     #[test]
     fn what_did_not_change_is_not_worked_out_again() {
         let mut scene = Scene::new();
-        let cube = scene.add("Cube".into(), ShapeKind::Cube, None);
+        let cube = scene.add(NewShape::new("Cube", ShapeKind::Cube));
         let mut evaluator = Evaluator::new();
-        let first = evaluator.evaluate(&scene);
+        let first = evaluator.evaluate(&scene, 0.0);
         if let Some(shape) = scene.shape_mut(cube) {
             shape.placement.transform.position = Vec3::X;
         }
-        let second = evaluator.evaluate(&scene);
+        let second = evaluator.evaluate(&scene, 0.0);
         assert!(Arc::ptr_eq(
             &first.shapes[0].geometry,
             &second.shapes[0].geometry

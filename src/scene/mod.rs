@@ -29,8 +29,8 @@ pub use kept_pose::KeptPose;
 pub use pick_bone::{BoneHit, bones_in_world, pick_bone};
 pub use picking::pick_shape;
 pub use shape::{
-    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, Placement, Shape,
-    ShapeId, ShapeKind, Source,
+    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, NewShape, Placement,
+    Shape, ShapeId, ShapeKind, Source,
 };
 pub use shape_manager::{Scene, name_of_import};
 pub use view_direction::ViewDirection;

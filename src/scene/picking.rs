@@ -65,13 +65,13 @@ mod tests {
     #[test]
     fn the_nearer_of_two_shapes_is_picked_and_empty_space_picks_none() {
         let mut scene = Scene::new();
-        let near = scene.add("Cube".into(), ShapeKind::Cube, None);
-        let far = scene.add("Sphere".into(), ShapeKind::Sphere, None);
+        let near = scene.add(NewShape::new("Cube", ShapeKind::Cube));
+        let far = scene.add(NewShape::new("Sphere", ShapeKind::Sphere));
         if let Some(shape) = scene.shape_mut(far) {
             shape.placement.transform.position = Vec3::new(0.3, 0.0, -4.0);
             shape.placement.transform.scale = Vec3::splat(3.0);
         }
-        let evaluated = Evaluator::new().evaluate(&scene);
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
         let ray = |x| Ray {
             origin: Vec3::new(x, 0.0, 5.0),
             direction: -Vec3::Z,
@@ -156,15 +156,15 @@ mod tests {
                     1 => ShapeKind::Sphere,
                     _ => character(bend),
                 };
-                let id = scene.add("Shape".into(), kind, None);
+                let id = scene.add(NewShape::new("Shape", kind));
                 let shape = scene.shape_mut(id).unwrap();
                 shape.locked = index == hidden;
                 shape.placement.transform = Transform { position, rotation: Euler { radians: turn }, scale: scale + scale.signum() * 0.2 };
             }
             let eye = eye.normalize_or(Vec3::Z) * 9.0;
             let ray = Ray { origin: eye, direction: (aim - eye).normalize_or(Vec3::X) };
-            let picked = pick_shape(&Evaluator::new().evaluate(&scene), &ray);
-            let wanted = by_brute_force(&Evaluator::new().evaluate(&scene), &ray);
+            let picked = pick_shape(&Evaluator::new().evaluate(&scene, 0.0), &ray);
+            let wanted = by_brute_force(&Evaluator::new().evaluate(&scene, 0.0), &ray);
             match (picked, wanted) {
                 (None, None) => {}
                 (Some((id, at)), Some((wanted, distance))) => {
@@ -174,7 +174,7 @@ mod tests {
                 // Rounding decides at the edge of a triangle.
                 (found, other) => {
                     let near = |to: Vec3| Ray { direction: to.normalize_or(Vec3::X), ..ray };
-                    let evaluated = Evaluator::new().evaluate(&scene);
+                    let evaluated = Evaluator::new().evaluate(&scene, 0.0);
                     let around = [Vec3::X, Vec3::Y, Vec3::Z].iter().flat_map(|&side| [side, -side]);
                     let hits = around.filter(|&side| by_brute_force(&evaluated, &near(ray.direction + side * 1e-4)).is_some());
                     let count = hits.count();
@@ -187,10 +187,10 @@ mod tests {
     #[test]
     fn no_vertex_is_moved_for_a_ray_that_passes_a_character_or_meets_something_before_it() {
         let mut scene = Scene::new();
-        let id = scene.add("Character".into(), character(30.0), None);
-        let cube = scene.add("Cube".into(), ShapeKind::Cube, None);
+        let id = scene.add(NewShape::new("Character", character(30.0)));
+        let cube = scene.add(NewShape::new("Cube", ShapeKind::Cube));
         scene.shape_mut(cube).unwrap().placement.transform.position = Vec3::new(0.2, 0.2, 2.0);
-        let evaluated = Evaluator::new().evaluate(&scene);
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
         let deformation = evaluated.shapes[0].geometry.deformation.as_ref().unwrap();
         let ray = |x, y| Ray {
             origin: Vec3::new(x, y, 5.0),

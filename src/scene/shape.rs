@@ -19,8 +19,9 @@ impl std::fmt::Display for ShapeId {
     }
 }
 
-/// One thing in the scene.
-#[derive(Clone, Debug)]
+/// One thing in the scene. Equal shapes are drawn alike and behave alike: heavy data counts as
+/// equal where its revision is.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// Its identity.
     pub id: ShapeId,
@@ -40,6 +41,45 @@ pub struct Shape {
     /// Whether the pointer passes through it in the view: it is not picked, posed or moved there.
     /// Panels and keys change it all the same.
     pub locked: bool,
+}
+
+/// A shape before it is in a scene: everything but its id.
+#[derive(Clone, Debug)]
+pub struct NewShape {
+    /// Name for the list of shapes.
+    pub name: String,
+    /// Geometry, and for characters and curves pose and display.
+    pub kind: ShapeKind,
+    /// File that it came from; `None` for shapes made in code.
+    pub source: Option<Source>,
+    /// Placement and color, which Reset brings back later.
+    pub placement: Placement,
+    /// See [`Shape::visible`].
+    pub visible: bool,
+    /// See [`Shape::locked`].
+    pub locked: bool,
+}
+
+impl NewShape {
+    /// A visible shape at the origin, in the color of its kind.
+    pub fn new(name: impl Into<String>, kind: ShapeKind) -> Self {
+        Self {
+            name: name.into(),
+            placement: Placement::at_origin(kind.start_color()),
+            kind,
+            source: None,
+            visible: true,
+            locked: false,
+        }
+    }
+
+    /// The same shape, imported from `source`.
+    pub fn from_source(self, source: Source) -> Self {
+        Self {
+            source: Some(source),
+            ..self
+        }
+    }
 }
 
 /// What every shape has: where it stands and its color.
@@ -93,6 +133,28 @@ pub enum ShapeKind {
     Character(CharacterShape),
     /// Import Curve.
     Curve(CurveShape),
+}
+
+impl PartialEq for ShapeKind {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Mesh(one), Self::Mesh(other)) => one.revision() == other.revision(),
+            (Self::Character(one), Self::Character(other)) => one == other,
+            (Self::Curve(one), Self::Curve(other)) => one == other,
+            (
+                Self::Cube
+                | Self::Sphere
+                | Self::Pyramid
+                | Self::Teapot
+                | Self::Icosahedron
+                | Self::Custom
+                | Self::Mesh(_)
+                | Self::Character(_)
+                | Self::Curve(_),
+                _,
+            ) => std::mem::discriminant(self) == std::mem::discriminant(other),
+        }
+    }
 }
 
 /// A character in the scene: what was imported, and how it is posed and shown.
@@ -168,6 +230,15 @@ pub enum BoneStyle {
     Boxes,
 }
 
+impl PartialEq for CharacterShape {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.character, &other.character)
+            && self.pose == other.pose
+            && self.poses == other.poses
+            && self.display == other.display
+    }
+}
+
 impl CharacterShape {
     /// `character` in its bind pose.
     pub fn new(character: Arc<Character>) -> Self {
@@ -182,6 +253,12 @@ impl CharacterShape {
 
     /// The joints' angles.
     pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// The joints' angles at a time of playback, in seconds. A character keeps one pose for all
+    /// time so far.
+    pub fn pose_at(&self, _time: f64) -> &Pose {
         &self.pose
     }
 

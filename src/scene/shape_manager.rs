@@ -1,7 +1,7 @@
-use super::{CharacterShape, CurveShape, Placement, Shape, ShapeId, ShapeKind, Source};
+use super::{CharacterShape, CurveShape, NewShape, Shape, ShapeId, ShapeKind};
 
 /// The scene: the list of shapes, in the order they were made.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "ShapeManager")]
 pub struct Scene {
     shapes: Vec<Shape>,
@@ -70,20 +70,19 @@ impl Scene {
         }
     }
 
-    /// Adds a shape at the origin in the color of its kind, and returns its new id.
-    pub fn add(&mut self, name: String, kind: ShapeKind, source: Option<Source>) -> ShapeId {
+    /// Adds a shape at the end of the list, and returns its new id.
+    pub fn add(&mut self, new: NewShape) -> ShapeId {
         let id = ShapeId(self.next_id);
         self.next_id += 1;
-        let start = Placement::at_origin(kind.start_color());
         self.shapes.push(Shape {
             id,
-            name,
-            kind,
-            source,
-            start,
-            placement: start,
-            visible: true,
-            locked: false,
+            name: new.name,
+            kind: new.kind,
+            source: new.source,
+            start: new.placement,
+            placement: new.placement,
+            visible: new.visible,
+            locked: new.locked,
         });
         id
     }
@@ -102,6 +101,22 @@ impl Scene {
                 character.set_pose(crate::character::Pose::new());
             }
         }
+    }
+}
+
+impl Extend<NewShape> for Scene {
+    fn extend<I: IntoIterator<Item = NewShape>>(&mut self, shapes: I) {
+        for shape in shapes {
+            self.add(shape);
+        }
+    }
+}
+
+impl FromIterator<NewShape> for Scene {
+    fn from_iter<I: IntoIterator<Item = NewShape>>(shapes: I) -> Self {
+        let mut scene = Self::new();
+        scene.extend(shapes);
+        scene
     }
 }
 
@@ -124,10 +139,13 @@ mod tests {
     #[test]
     fn ids_count_from_1_and_are_not_used_again() {
         let mut scene = Scene::new();
-        let first = scene.add("Cube".into(), ShapeKind::Cube, None);
+        let first = scene.add(NewShape::new("Cube", ShapeKind::Cube));
         assert_eq!(first, ShapeId(1));
         scene.delete(first);
-        assert_eq!(scene.add("Cube".into(), ShapeKind::Cube, None), ShapeId(2));
+        assert_eq!(
+            scene.add(NewShape::new("Cube", ShapeKind::Cube)),
+            ShapeId(2)
+        );
     }
 
     #[test]

@@ -7,10 +7,23 @@ use crate::scene::ShapeId;
 pub enum Action {
     /// Changes the scene.
     Edit(Edit),
+    /// Begins or ends a gesture, whose edits come between.
+    Gesture(GestureStep),
     /// Changes how the scene is looked at.
     View(View),
     /// Needs a dialog, a file or the program itself.
     Ask(Ask),
+}
+
+/// The beginning or the end of a gesture: a drag whose edits are kept or cancelled together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GestureStep {
+    /// The edits that follow belong to it.
+    Begin,
+    /// Ends it and keeps what it changed.
+    Commit,
+    /// Ends it and puts everything back to how it was.
+    Cancel,
 }
 
 /// Something that only the program around the editor can do.

@@ -2,7 +2,7 @@ use super::ScenePlaces;
 use super::pointer_use::{PointerUse, released_at};
 use super::state::CurveState;
 use crate::editor::{ControlPointDrag, Session, View, control_point_at};
-use crate::ui::Action;
+use crate::ui::{Action, GestureStep};
 use egui::{CursorIcon, Key, PointerButton, Response};
 
 /// A control point that was grabbed with the left button.
@@ -26,6 +26,9 @@ pub(super) fn control_points(
 ) -> PointerUse {
     if view.drag_started_by(PointerButton::Primary) && state.gesture.is_none() {
         state.gesture = begin(view, places, session);
+        if state.gesture.is_some() {
+            actions.push(Action::Gesture(GestureStep::Begin));
+        }
     }
     let in_view = match &mut state.gesture {
         Some(gesture) => {
@@ -96,11 +99,12 @@ impl PointGesture {
         }
         let shape = session.evaluated().shape(self.drag.shape());
         if !shape.is_some_and(|shape| shape.pickable) {
+            actions.push(Action::Gesture(GestureStep::Commit));
             self.cancelled = true;
             return any_down;
         }
         if cancel {
-            actions.push(Action::Edit(self.drag.cancel()));
+            actions.push(Action::Gesture(GestureStep::Cancel));
             self.cancelled = true;
             return any_down;
         }
@@ -109,6 +113,9 @@ impl PointGesture {
         if let Some((pixel, size)) = position.and_then(|at| places.pixel(self.place, at)) {
             let edit = self.drag.moved_to(session, pixel, size);
             actions.extend(edit.map(Action::Edit));
+        }
+        if !left_down {
+            actions.push(Action::Gesture(GestureStep::Commit));
         }
         left_down
     }

@@ -67,10 +67,16 @@ pub(super) fn show(
         match event {
             RowEvent::Fold => toggle(state, id, row.joint),
             RowEvent::Select => select(row.joint, actions),
-            RowEvent::Turn(degrees) => actions.push(Action::Edit(Edit::SetJointTransform {
+            RowEvent::Turn(axis, degrees) => actions.push(Action::Edit(Edit::SetJointAngle {
                 shape: id,
                 joint: row.joint,
-                rotation: Euler::from_degrees(degrees),
+                axis,
+                radians: degrees.to_radians(),
+            })),
+            RowEvent::Reset => actions.push(Action::Edit(Edit::SetJointTransform {
+                shape: id,
+                joint: row.joint,
+                rotation: Euler::ZERO,
             })),
             RowEvent::Offset(offset) => actions.push(Action::Edit(Edit::SetRootOffset {
                 shape: id,

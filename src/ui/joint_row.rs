@@ -23,8 +23,10 @@ pub(super) struct Look {
 pub(super) enum RowEvent {
     Fold,
     Select,
-    /// New angles, in degrees.
-    Turn(Vec3),
+    /// A new angle about an axis (0 for x, 1 for y, 2 for z), in degrees.
+    Turn(usize, f32),
+    /// All three angles back to 0.
+    Reset,
     /// A new offset of a root.
     Offset(Vec3),
     Move(ListMove),
@@ -83,20 +85,18 @@ pub(super) fn show(
         event = Some(RowEvent::Fold);
     }
 
-    let degrees = pose.rotation(row.joint).wrapped_degrees();
+    let degrees = pose.rotation(row.joint).degrees();
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let called = format!("{name} {letter}");
         let field = NumberField::degrees(&called, degrees[axis]).axis(axis);
         if let Some(value) = field.show_at(ui, id.with(("angle", axis)), columns.field(rect, axis))
         {
-            let mut turned = degrees;
-            turned[axis] = value;
-            event = Some(RowEvent::Turn(turned));
+            event = Some(RowEvent::Turn(axis, value));
         }
     }
     let turned = pose.rotation(row.joint) != Euler::ZERO;
     if turned && reset_button(ui, id.with("reset"), columns.reset(rect), name) {
-        event = Some(RowEvent::Turn(Vec3::ZERO));
+        event = Some(RowEvent::Reset);
     }
     Shown {
         name: label,

@@ -48,7 +48,7 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
-pub use action::{Action, Ask, Screenshot};
+pub use action::{Action, Ask, GestureStep, Screenshot};
 pub use compare::{
     CompareAction, CompareCounts, CompareJudgment, CompareMode, CompareReport, CompareSettings,
     CompareView, ShownPicture, course_panels, picture_texture,
@@ -157,6 +157,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
+    add_gestures_of_fields(&ctx, &mut actions);
     state.view_rect = view_rect;
 
     // Last, so that a list or a field that has the keyboard comes first, even if it only got it.
@@ -184,6 +185,18 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         view_rect,
         view,
         places,
+    }
+}
+
+/// Puts the beginnings of drags of number fields before what the panels ask for in this frame, and
+/// their ends behind it.
+fn add_gestures_of_fields(ctx: &egui::Context, actions: &mut Vec<Action>) {
+    for step in number_field::take_gestures(ctx) {
+        let place = match step {
+            GestureStep::Begin => 0,
+            GestureStep::Commit | GestureStep::Cancel => actions.len(),
+        };
+        actions.insert(place, Action::Gesture(step));
     }
 }
 

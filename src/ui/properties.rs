@@ -3,7 +3,7 @@ use super::keys::{self, Command};
 use super::number_field::NumberField;
 use super::theme::Palette;
 use crate::editor::Edit;
-use crate::math::{Euler, Transform};
+use crate::math::Transform;
 use crate::scene::Shape;
 use crate::ui::Action;
 use egui::{Align, Button, Layout, RichText, Ui, Vec2, vec2};
@@ -54,13 +54,12 @@ pub(super) fn show(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
     }
 
     let rotation = row_of_three(ui, "Rotation", "Rotation", |axis, name| {
-        NumberField::degrees(name, now.rotation.wrapped_degrees()[axis])
-            .rest(start.rotation.wrapped_degrees()[axis])
+        NumberField::degrees(name, now.rotation.degrees()[axis])
+            .rest(start.rotation.degrees()[axis])
     });
     if let Some((axis, value)) = rotation {
-        let mut degrees = now.rotation.degrees();
-        degrees[axis] = value;
-        edited = Some(with(now, |to| to.rotation = Euler::from_degrees(degrees)));
+        let radians = value.to_radians();
+        edited = Some(with(now, |to| to.rotation.radians[axis] = radians));
     }
 
     if let Some(transform) = edited {

@@ -5,6 +5,7 @@ use super::posing;
 use super::state::{Dialog, UiState};
 use crate::character::Pose;
 use crate::editor::{Edit, GizmoAxes, Session, Tool, View};
+use crate::scene::NewShape;
 use crate::scene::{Look, ShapeKind};
 use crate::ui::{Action, Ask, CompareAction};
 
@@ -21,7 +22,8 @@ pub(super) fn run(
         let shapes = session.scene().shapes().iter();
         let characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
         let to_rest = characters.map(|shape| Edit::SetPose(shape.id, Pose::default()));
-        return to_rest.map(Action::Edit).chain(action).collect();
+        let all = Action::Edit(Edit::Together(to_rest.collect()));
+        return std::iter::once(all).chain(action).collect();
     }
     action.into_iter().collect()
 }
@@ -86,11 +88,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 
 /// A new shape, called as in the menu.
 fn insert(command: Command, primitive: Primitive) -> Action {
-    Action::Edit(Edit::Insert {
-        name: keys::label(command).to_owned(),
-        kind: primitive.kind(),
-        source: None,
-    })
+    Action::Edit(Edit::Insert(vec![NewShape::new(
+        keys::label(command),
+        primitive.kind(),
+    )]))
 }
 
 /// What hides, shows, locks or unlocks the selected shape.

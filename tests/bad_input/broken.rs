@@ -10,7 +10,7 @@ use std::path::Path;
 fn survives(files: &Table) {
     match open(files) {
         Ok(loaded) => {
-            let evaluated = Evaluator::new().evaluate(&loaded.scene);
+            let evaluated = Evaluator::new().evaluate(&loaded.scene, 0.0);
             let exported = export_obj(&loaded.scene, &evaluated);
             assert!(!exported.is_empty() || loaded.scene.shapes().is_empty());
         }

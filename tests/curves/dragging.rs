@@ -3,6 +3,7 @@
 use editor_core::editor::{ControlPointDrag, Edit, Session, View, apply_edit, apply_view};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
+use editor_core::scene::NewShape;
 use editor_core::scene::{Camera, CurveItemKind, CurveSet, CurveShape, ShapeKind};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -48,11 +49,10 @@ fn session(camera: Camera, transform: Transform, flat: bool, points: [Vec3; 4]) 
     let mut session = Session::new();
     apply_edit(
         &mut session,
-        Edit::Insert {
-            name: "Curve".into(),
-            kind: ShapeKind::Curve(CurveShape::new(set)),
-            source: None,
-        },
+        Edit::Insert(vec![NewShape::new(
+            "Curve",
+            ShapeKind::Curve(CurveShape::new(set)),
+        )]),
     );
     let id = session.selected().unwrap();
     apply_edit(&mut session, Edit::SetTransform(id, transform));

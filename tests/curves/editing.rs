@@ -1,6 +1,7 @@
 use crate::support::read;
 use editor_core::editor::{Edit, Session, Severity, apply_edit};
 use editor_core::geometry::Basis;
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     CurveDisplay, CurveSet, CurveShape, CurveVisibility, ShapeId, ShapeKind, SurfaceVisibility,
 };
@@ -9,11 +10,10 @@ use std::sync::Arc;
 
 fn session(set: CurveSet) -> (Session, ShapeId) {
     let mut session = Session::new();
-    let insert = Edit::Insert {
-        name: "Curve".into(),
-        kind: ShapeKind::Curve(CurveShape::new(set)),
-        source: None,
-    };
+    let insert = Edit::Insert(vec![NewShape::new(
+        "Curve",
+        ShapeKind::Curve(CurveShape::new(set)),
+    )]);
     apply_edit(&mut session, insert);
     let id = session.selected().unwrap();
     (session, id)

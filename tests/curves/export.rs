@@ -1,5 +1,6 @@
 use crate::support::read;
 use editor_core::io::{Diagnostic, Files, Loaded, export_obj};
+use editor_core::scene::NewShape;
 use editor_core::scene::{CurveShape, Evaluator, Scene, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 use std::path::Path;
@@ -35,12 +36,12 @@ fn an_obj_file_has_the_triangles_then_a_line_for_each_curve_whatever_is_displaye
     let mut shape = CurveShape::new(read(TEXT).unwrap());
     shape.display.surface = SurfaceVisibility::Off;
     let mut scene = Scene::new();
-    scene.add("Cube".into(), ShapeKind::Cube, None);
-    let id = scene.add("Torus".into(), ShapeKind::Curve(shape), None);
+    scene.add(NewShape::new("Cube", ShapeKind::Cube));
+    let id = scene.add(NewShape::new("Torus", ShapeKind::Curve(shape)));
     if let Some(shape) = scene.shape_mut(id) {
         shape.placement.transform.position = Vec3::X;
     }
-    let evaluated = Evaluator::new().evaluate(&scene);
+    let evaluated = Evaluator::new().evaluate(&scene, 0.0);
     let text = export_obj(&scene, &evaluated);
 
     let lines = |key: &str| {

@@ -1,6 +1,7 @@
 use editor_core::geometry::{Basis, Curve, CurvePoint, Mesh};
 use editor_core::io::read_swp;
 use editor_core::math::Frame;
+use editor_core::scene::NewShape;
 use editor_core::scene::{CurveSet, CurveShape, EvaluatedGeometry, Evaluator, Scene, ShapeKind};
 use glam::Vec3;
 use std::collections::{HashMap, HashSet};
@@ -29,8 +30,10 @@ pub fn evaluate(set: CurveSet, frame_closing: bool) -> Arc<EvaluatedGeometry> {
     let mut shape = CurveShape::new(set);
     shape.set_frame_closing(frame_closing);
     let mut scene = Scene::new();
-    scene.add("Curve".into(), ShapeKind::Curve(shape), None);
-    Evaluator::new().evaluate(&scene).shapes[0].geometry.clone()
+    scene.add(NewShape::new("Curve", ShapeKind::Curve(shape)));
+    Evaluator::new().evaluate(&scene, 0.0).shapes[0]
+        .geometry
+        .clone()
 }
 
 /// Half a circle about the origin from (0, −r) over (r, 0) to (0, r), exact points and normals:

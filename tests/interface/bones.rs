@@ -4,6 +4,7 @@ use crate::{Editor, figure};
 use editor_core::character::COURSE_JOINT_NAMES;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
+use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeKind, bones_in_world};
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
@@ -364,11 +365,7 @@ fn the_move_tool_moves_a_root_one_to_one_under_the_pointer() {
 #[test]
 fn the_move_tool_moves_a_shape_one_to_one_and_esc_brings_it_back() {
     let mut editor = Editor::with_hands(Key::G);
-    editor.edit(Edit::Insert {
-        name: "Cube".into(),
-        kind: ShapeKind::Cube,
-        source: None,
-    });
+    editor.edit(Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]));
     let id = editor.shape().id;
     let far = Transform {
         position: Vec3::new(-1.0, -0.8, 0.0),
@@ -461,11 +458,7 @@ fn a_click_on_a_bone_shows_rings_that_turn_it_about_one_axis() {
 #[test]
 fn arrows_move_a_shape_along_one_axis() {
     let mut editor = Editor::with_hands(Key::G);
-    editor.edit(Edit::Insert {
-        name: "Cube".into(),
-        kind: ShapeKind::Cube,
-        source: None,
-    });
+    editor.edit(Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]));
     let middle = editor.place(Vec3::ZERO);
     editor.hand(middle + vec2(60.0, 0.0), middle + vec2(110.0, 0.0));
     let position = editor.shape().placement.transform.position;

@@ -3,6 +3,7 @@
 use crate::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::geometry::{Basis, Curve};
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     CurveItemKind, CurveSet, CurveShape, CurveVisibility, ShapeColor, ShapeId, ShapeKind,
     SurfaceVisibility,
@@ -19,11 +20,10 @@ pub fn with_curve(label: &str) -> Editor {
 
 fn with_set(set: CurveSet) -> Editor {
     let mut editor = Editor::new();
-    editor.edit(Edit::Insert {
-        name: "Curve".into(),
-        kind: ShapeKind::Curve(CurveShape::new(set)),
-        source: None,
-    });
+    editor.edit(Edit::Insert(vec![NewShape::new(
+        "Curve",
+        ShapeKind::Curve(CurveShape::new(set)),
+    )]));
     editor
 }
 

@@ -18,6 +18,7 @@ mod visibility;
 
 use editor_core::character::Character;
 use editor_core::editor::{Edit, Session, View, apply_edit, apply_view};
+use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterShape, Shape, ShapeId, ShapeKind};
 use editor_core::ui::{self, Action, Ask, UiState, ViewInput};
 use egui::accesskit::Role;
@@ -89,11 +90,7 @@ impl Editor {
 
     fn add_character(&mut self, character: Arc<Character>) {
         let kind = ShapeKind::Character(CharacterShape::new(character));
-        self.edit(Edit::Insert {
-            name: "Model1".into(),
-            kind,
-            source: None,
-        });
+        self.edit(Edit::Insert(vec![NewShape::new("Model1", kind)]));
     }
 
     fn edit(&mut self, edit: Edit) {

@@ -2,6 +2,7 @@
 
 use crate::Editor;
 use editor_core::editor::{Edit, View};
+use editor_core::scene::NewShape;
 use editor_core::scene::ShapeKind;
 use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers};
@@ -104,11 +105,7 @@ fn a_pose_kept_under_a_name_that_is_taken_replaces_it() {
 #[test]
 fn without_a_character_nothing_about_poses_can_be_chosen() {
     let mut editor = Editor::new();
-    editor.edit(Edit::Insert {
-        name: "Cube".into(),
-        kind: ShapeKind::Cube,
-        source: None,
-    });
+    editor.edit(Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]));
     for key in [Key::C, Key::V, Key::K, Key::P] {
         editor.key_with(Modifiers::COMMAND, key);
     }

@@ -7,6 +7,7 @@ use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalM
 use editor_core::geometry::cube;
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
+use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterShape, Look, ModelDisplay, Scene, ShapeKind, ViewSettings};
 use glam::Vec3;
 
@@ -53,7 +54,7 @@ fn boxed_bones() -> Scene {
     let character = Character::new(skeleton, attachments, mesh).expect("a character");
     let mut scene = Scene::new();
     let shape = CharacterShape::new(Arc::new(character));
-    scene.add("Box".to_owned(), ShapeKind::Character(shape), None);
+    scene.add(NewShape::new("Box", ShapeKind::Character(shape)));
     scene
 }
 
@@ -87,7 +88,7 @@ fn the_floor_has_black_and_white_tiles_of_five_up_to_the_horizon() {
 fn the_floor_hides_what_is_below_it_and_goes_with_the_ground_grid() {
     on_each_backend(|gl| {
         let mut scene = Scene::new();
-        let id = scene.add("Cube".to_owned(), ShapeKind::Cube, None);
+        let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
         let placement = &mut scene.shape_mut(id).expect("the cube").placement;
         placement.transform.position = Vec3::new(0.0, -3.0, 2.0);
         let floor = draw(gl, &Scene::new(), &first_view(), Marks::default());
@@ -106,7 +107,7 @@ fn the_floor_hides_what_is_below_it_and_goes_with_the_ground_grid() {
 fn surfaces_have_the_colors_of_their_normals() {
     on_each_backend(|gl| {
         let (mut scene, mut view) = (Scene::new(), first_view());
-        scene.add("Cube".to_owned(), ShapeKind::Cube, None);
+        scene.add(NewShape::new("Cube", ShapeKind::Cube));
         for (theta, color) in [
             (-FRAC_PI_2, [128, 128, 0, 255]),
             (FRAC_PI_2, [128, 128, 255, 255]),

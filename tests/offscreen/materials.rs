@@ -8,6 +8,7 @@ use editor_core::geometry::{
 };
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     CharacterShape, Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings,
 };
@@ -79,7 +80,7 @@ fn cube(image: Image, repeats: f32) -> Mesh {
 fn scene_of(mesh: Mesh) -> Scene {
     let mut scene = Scene::new();
     let kind = ShapeKind::Mesh(SharedMesh::new(mesh));
-    scene.add("Cube".to_owned(), kind, None);
+    scene.add(NewShape::new("Cube", kind));
     scene
 }
 
@@ -147,7 +148,7 @@ fn a_character_shows_its_picture_whoever_skins() {
     let character = Character::new(skeleton, attachments, mesh).expect("a character");
     let mut scene = Scene::new();
     let shape = CharacterShape::new(Arc::new(character));
-    scene.add("Cube".to_owned(), ShapeKind::Character(shape), None);
+    scene.add(NewShape::new("Cube", ShapeKind::Character(shape)));
     on_each_backend(|gl| {
         for skinning in [Skinning::Cpu, Skinning::Gpu] {
             let picture = draw(gl, &scene, Look::Course, 2.5, skinning);

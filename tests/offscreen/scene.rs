@@ -7,6 +7,7 @@ use editor_core::geometry::{Basis, Mesh};
 use editor_core::gpu::Gl;
 use editor_core::math::Euler;
 use editor_core::render::{Marks, Renderer};
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     BoneStyle, CharacterShape, CurveItemKind, CurveSet, CurveShape, CurveVisibility, JointStyle,
     Look, ModelDisplay, Scene, Shading, ShapeId, ShapeKind, SurfaceVisibility, ViewSettings,
@@ -51,7 +52,7 @@ fn beam() -> CharacterShape {
 
 fn scene_of(kind: ShapeKind) -> (Scene, ShapeId) {
     let mut scene = Scene::new();
-    let id = scene.add("Shape".to_owned(), kind, None);
+    let id = scene.add(NewShape::new("Shape", kind));
     (scene, id)
 }
 
@@ -342,7 +343,7 @@ fn lines_of_curves_follow_every_change() {
 fn what_is_hidden_leaves_no_trace_in_any_look() {
     let mut scene = Scene::new();
     let mut beam = beam();
-    scene.add("Cube".to_owned(), ShapeKind::Cube, None);
+    scene.add(NewShape::new("Cube", ShapeKind::Cube));
     for mode in [
         ModelDisplay::Mesh,
         ModelDisplay::Skeleton,
@@ -350,10 +351,10 @@ fn what_is_hidden_leaves_no_trace_in_any_look() {
     ] {
         beam.display.mode = mode;
         let kind = ShapeKind::Character(beam.clone());
-        scene.add("Beam".to_owned(), kind, None);
+        scene.add(NewShape::new("Beam", kind));
     }
     let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
-    scene.add("Curve".to_owned(), ShapeKind::Curve(curve), None);
+    scene.add(NewShape::new("Curve", ShapeKind::Curve(curve)));
     let ids: Vec<ShapeId> = scene.shapes().iter().map(|shape| shape.id).collect();
     for &id in &ids {
         let shape = scene.shape_mut(id).expect("it was added");

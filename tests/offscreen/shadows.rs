@@ -2,6 +2,7 @@
 
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
+use editor_core::scene::NewShape;
 use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings};
 use glam::{Vec2, Vec3};
 
@@ -29,7 +30,7 @@ fn draw(gl: &Gl, scene: &Scene, view: &ViewSettings, skinning: Skinning) -> Pict
 
 fn cube_at(height: f32) -> Scene {
     let mut scene = Scene::new();
-    let id = scene.add("Cube".to_owned(), ShapeKind::Cube, None);
+    let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
     let placement = &mut scene.shape_mut(id).expect("the cube").placement;
     placement.transform.position.y = height;
     scene

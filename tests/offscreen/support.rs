@@ -86,7 +86,7 @@ pub fn draw_scene(
     view: &ViewSettings,
     marks: Marks,
 ) -> Picture {
-    let evaluated = Evaluator::new().evaluate(scene);
+    let evaluated = Evaluator::new().evaluate(scene, 0.0);
     let frame = Frame {
         scene,
         evaluated: &evaluated,

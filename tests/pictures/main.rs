@@ -85,7 +85,7 @@ fn each(
     let mut faults = Vec::new();
     for render in renders.all.iter().filter(|r| wanted(r) && !r.ui) {
         let (scene, view) = scenes::build(&renders, render);
-        let evaluated = Evaluator::new().evaluate(&scene);
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
         let frame = Frame {
             scene: &scene,
             evaluated: &evaluated,

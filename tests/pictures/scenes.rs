@@ -7,6 +7,7 @@ use editor_core::character::Pose;
 use editor_core::geometry::{Mesh, SharedMesh, face_normals};
 use editor_core::io::{self, Diagnostic, Files};
 use editor_core::math::{Euler, Transform};
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     Camera, CharacterShape, CurveDisplay, CurveShape, CurveVisibility, ModelDisplay, Scene,
     ShapeColor, ShapeKind, SurfaceVisibility, ViewSettings,
@@ -57,7 +58,7 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
         };
         add_character(renders, &mut scene, model, mode, render);
     } else if file.starts_with("view_") {
-        scene.add("Model1".into(), just_imported(renders, "Model1"), None);
+        scene.add(NewShape::new("Model1", just_imported(renders, "Model1")));
         let green = ShapeColor::Preset(12);
         let id = scene.shapes()[0].id;
         scene.shape_mut(id).expect("the character").placement.color = green;
@@ -69,7 +70,7 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
                 ..Transform::IDENTITY
             },
         );
-        scene.add("Cube".into(), ShapeKind::Cube, None);
+        scene.add(NewShape::new("Cube", ShapeKind::Cube));
         place(
             &mut scene,
             Transform {
@@ -79,7 +80,7 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
             },
         );
     } else if file.starts_with("cube_transformed") {
-        scene.add("Cube".into(), ShapeKind::Cube, None);
+        scene.add(NewShape::new("Cube", ShapeKind::Cube));
         place(
             &mut scene,
             Transform {
@@ -97,7 +98,10 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
         let mesh = io::read_shape_obj(&Disk, &path, &bytes)
             .expect("a shape")
             .value;
-        scene.add("Shape".into(), ShapeKind::Mesh(SharedMesh::new(mesh)), None);
+        scene.add(NewShape::new(
+            "Shape",
+            ShapeKind::Mesh(SharedMesh::new(mesh)),
+        ));
     } else if let Some(shape) = file.strip_prefix("shape_") {
         let kind = match shape.split('_').next() {
             Some("cube") => ShapeKind::Cube,
@@ -106,7 +110,7 @@ pub fn build(renders: &Renders, render: &Render) -> (Scene, ViewSettings) {
             Some("icosahedron") => ShapeKind::Icosahedron,
             other => panic!("unknown shape {other:?}"),
         };
-        scene.add("Shape".into(), kind, None);
+        scene.add(NewShape::new("Shape", kind));
     } else {
         assert!(file.starts_with("empty"), "{file}: what is in it?");
     }
@@ -139,7 +143,7 @@ fn add_curves(scene: &mut Scene, path: &Path, bytes: &[u8], file: &str) {
     } else {
         CurveDisplay::default()
     };
-    scene.add("Curve".into(), ShapeKind::Curve(shape), None);
+    scene.add(NewShape::new("Curve", ShapeKind::Curve(shape)));
 }
 
 /// `data/obj/torus.obj` of the original lies in `obj/` of the reference.

@@ -4,6 +4,7 @@ use editor_core::character::{Attachments, Character, Joint, Pose, SkeletalModel}
 use editor_core::editor::{Edit, Session, View, apply_edit, apply_view};
 use editor_core::geometry::Mesh;
 use editor_core::math::{Euler, Transform};
+use editor_core::scene::NewShape;
 use editor_core::scene::{Camera, CharacterShape, ShapeId, ShapeKind};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -75,11 +76,7 @@ pub fn figure() -> Arc<Character> {
 pub fn session(camera: Camera, transform: Transform, pose: &Pose) -> (Session, ShapeId) {
     let mut session = Session::new();
     let kind = ShapeKind::Character(CharacterShape::new(figure()));
-    let insert = Edit::Insert {
-        name: "Figure".into(),
-        kind,
-        source: None,
-    };
+    let insert = Edit::Insert(vec![NewShape::new("Figure", kind)]);
     apply_edit(&mut session, insert);
     let id = session.selected().expect("it is selected");
     apply_edit(&mut session, Edit::SetTransform(id, transform));

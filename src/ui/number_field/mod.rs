@@ -5,15 +5,18 @@ use super::number_text::{fitted, precise};
 use super::theme::{Palette, number_font};
 use super::widgets::named;
 use crate::geometry::MAX_COORDINATE;
+use crate::ui::GestureStep;
 use egui::{
-    Align2, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense, StrokeKind, Ui,
-    Vec2, WidgetInfo, accesskit, pos2, vec2,
+    Align2, Context, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense,
+    StrokeKind, Ui, Vec2, WidgetInfo, accesskit, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
 /// How much slower a drag with Shift, and faster with Ctrl.
 const FINER: f64 = 0.1;
 const COARSER: f64 = 10.0;
+/// Where egui keeps the beginnings and ends of drags within a frame.
+const GESTURES: &str = "gestures of number fields";
 /// No number is larger: what is worked out from it must stay finite.
 const FARTHEST: f64 = MAX_COORDINATE as f64;
 /// Fields narrower than this show their axis as a line below rather than as a letter.
@@ -68,7 +71,8 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// An angle in degrees, shown between 0 and 360 with a decimal at most: nobody sees less.
+    /// An angle in degrees, shown between 0 and 360 with a decimal at most: nobody sees less. The
+    /// value itself keeps its turns: an angle of -30, shown as 330, becomes -29 by a step.
     pub(super) fn degrees(name: &'a str, value: f32) -> Self {
         Self {
             unit: "°",
@@ -134,14 +138,18 @@ impl<'a> NumberField<'a> {
     }
 
     fn brought_into_range(&self, value: f64) -> f64 {
-        let value = match self.wrap {
+        value.clamp(*self.range.start(), *self.range.end())
+    }
+
+    /// The value as it is read: an angle without whole turns, and 0 where it would round to one.
+    fn shown(&self) -> f64 {
+        match self.wrap {
             Some(turn) => {
-                let wrapped = value.rem_euclid(turn);
+                let wrapped = self.value.rem_euclid(turn);
                 if wrapped > turn - 5e-5 { 0.0 } else { wrapped }
             }
-            None => value,
-        };
-        value.clamp(*self.range.start(), *self.range.end())
+            None => self.value,
+        }
     }
 
     fn drag(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
@@ -166,7 +174,16 @@ impl<'a> NumberField<'a> {
             // egui ends a drag by Esc. Taken, so that it does nothing else in this frame.
             let put_back = in_hand.filter(|dragged| !dragged.cancelled)?;
             let escape = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+            let end = if escape {
+                GestureStep::Cancel
+            } else {
+                GestureStep::Commit
+            };
+            note_gesture(ui, end);
             return escape.then_some(put_back.start);
+        }
+        if in_hand.is_none() {
+            note_gesture(ui, GestureStep::Begin);
         }
         let mut dragged = in_hand.unwrap_or(Dragged {
             start: self.value,
@@ -175,6 +192,9 @@ impl<'a> NumberField<'a> {
         });
         let cancel = ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary));
         if cancel || dragged.cancelled {
+            if !dragged.cancelled {
+                note_gesture(ui, GestureStep::Cancel);
+            }
             dragged.cancelled = true;
             ui.data_mut(|data| data.insert_temp(id, dragged));
             return cancel.then_some(dragged.start);
@@ -192,10 +212,7 @@ impl<'a> NumberField<'a> {
             _ => 1.0,
         };
         let after = dragged.exact + f64::from(delta) * self.step * factor;
-        let after = match self.wrap {
-            Some(_) => after,
-            None => self.brought_into_range(after),
-        };
+        let after = self.brought_into_range(after);
         dragged.exact = after;
         ui.data_mut(|data| data.insert_temp(id, dragged));
         if delta == 0.0 {
@@ -244,7 +261,7 @@ impl<'a> NumberField<'a> {
             }
         }
         let decimals = self.decimals.clone();
-        let text = fitted(self.value, self.unit, decimals, self.wrap, |text| {
+        let text = fitted(self.shown(), self.unit, decimals, self.wrap, |text| {
             painter
                 .layout_no_wrap(text.to_owned(), font.clone(), visuals.text_color())
                 .size()
@@ -273,12 +290,12 @@ impl<'a> NumberField<'a> {
 
     /// Name, value and bounds for assistive technology; what the mouse does, for the tooltip.
     fn describe(&self, ui: &Ui, response: &Response, typing: bool) {
-        response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), self.value));
+        response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), self.shown()));
         let response = named(response.clone(), self.name);
-        let whole = format!("{}{}", precise(self.value), self.unit);
+        let whole = format!("{}{}", precise(self.shown()), self.unit);
         ui.ctx().accesskit_node_builder(response.id, |node| {
             use accesskit::Action;
-            node.set_numeric_value(self.value);
+            node.set_numeric_value(self.shown());
             node.set_numeric_value_step(self.step);
             node.set_min_numeric_value(*self.range.start());
             node.set_max_numeric_value(*self.range.end());
@@ -298,6 +315,19 @@ impl<'a> NumberField<'a> {
             ));
         }
     }
+}
+
+/// Notes that a drag of a field begins or ends, for [`take_gestures`].
+fn note_gesture(ui: &Ui, step: GestureStep) {
+    ui.data_mut(|data| {
+        let noted: &mut Vec<GestureStep> = data.get_temp_mut_or_default(Id::new(GESTURES));
+        noted.push(step);
+    });
+}
+
+/// The beginnings and ends of drags of fields since this was called last, in order.
+pub(super) fn take_gestures(ctx: &Context) -> Vec<GestureStep> {
+    ctx.data_mut(|data| data.remove_temp(Id::new(GESTURES)).unwrap_or_default())
 }
 
 /// Takes away what adding tenths in binary leaves behind.

@@ -58,7 +58,7 @@ impl NumberField<'_> {
     pub(super) fn type_into(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
         let kept: Option<Typed> = ui.data_mut(|data| data.remove_temp(id));
         let begins = kept.is_none();
-        let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.value)));
+        let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.shown())));
         let stepped = self.stepped(ui, &mut typed);
         if begins {
             select_all(ui, id, &typed.text);

@@ -1,8 +1,8 @@
 use super::{Place, is_pickable};
-use crate::editor::{BoneDrag, Edit, Handle, IkDrag, MoveDrag, MoveTarget, RingDrag, Session};
+use crate::editor::{BoneDrag, Handle, IkDrag, MoveDrag, MoveTarget, RingDrag, Session};
 use crate::scene::ShapeId;
 use crate::ui::pointer_use::released_at;
-use crate::ui::{Action, ScenePlaces};
+use crate::ui::{Action, GestureStep, ScenePlaces};
 use egui::{Key, Modifiers, PointerButton, Pos2, Response};
 
 /// A bone, a gizmo's handle, a root or a shape that was grabbed with the left button.
@@ -128,11 +128,12 @@ impl PoseGesture {
             return hand.any_down;
         }
         if !is_pickable(session, self.shape()) {
+            actions.push(Action::Gesture(GestureStep::Commit));
             self.cancelled = true;
             return hand.any_down;
         }
         if hand.cancel {
-            actions.extend(self.cancel().map(Action::Edit));
+            actions.push(Action::Gesture(GestureStep::Cancel));
             self.cancelled = true;
             return hand.any_down;
         }
@@ -148,17 +149,10 @@ impl PoseGesture {
             };
             actions.extend(edit.map(Action::Edit));
         }
+        if !hand.left_down {
+            actions.push(Action::Gesture(GestureStep::Commit));
+        }
         hand.left_down
-    }
-
-    fn cancel(&self) -> Option<Edit> {
-        Some(match &self.held {
-            Held::Bone(drag) => drag.turn().cancel(),
-            Held::Ring(drag) => drag.turn().cancel(),
-            Held::Moved(drag) => drag.cancel(),
-            Held::Ik(drag) => drag.cancel(),
-            Held::Stuck(..) => return None,
-        })
     }
 }
 

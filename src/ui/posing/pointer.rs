@@ -5,9 +5,9 @@ use crate::editor::{
 };
 use crate::math::Ray;
 use crate::revision::Revision;
-use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone, pick_shape};
+use crate::scene::{BoneHit, Camera, ModelDisplay, ShapeId, pick_bone, pick_shape};
 use crate::ui::pointer_use::PointerUse;
-use crate::ui::{Action, ScenePlaces};
+use crate::ui::{Action, GestureStep, ScenePlaces};
 use egui::{CursorIcon, PointerButton, Pos2, Response};
 use glam::Vec2;
 
@@ -25,6 +25,9 @@ pub(in crate::ui) fn pointer(
     state.over_view = view.hovered();
     if view.drag_started_by(PointerButton::Primary) && state.gesture.is_none() {
         state.gesture = begin(view, places, session, state, actions);
+        if state.gesture.is_some() {
+            actions.push(Action::Gesture(GestureStep::Begin));
+        }
     }
     if let Some(gesture) = &mut state.gesture {
         let held = gesture.joint().map(|joint| (gesture.shape(), joint));
@@ -78,24 +81,38 @@ pub(in crate::ui) fn pointer(
 }
 
 /// The shape that was found under the pointer last. It is looked for once, however often it is
-/// asked for, until the pointer, the camera or the scene moves.
+/// asked for, until the pointer, the camera or the document changes.
 #[derive(Clone, Debug, Default)]
 pub(in crate::ui) struct Picked {
-    last: Option<(Revision, [Vec2; 2], Option<ShapeId>)>,
+    last: Option<(PickedFor, Option<ShapeId>)>,
+}
+
+/// What the shape under a pixel follows from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PickedFor {
+    document: Revision,
+    camera: Camera,
+    pixel: Vec2,
+    size: Vec2,
 }
 
 impl Picked {
     /// The shape under `pixel`, from the top left of a picture of `size`.
     pub fn shape_at(&mut self, session: &Session, pixel: Vec2, size: Vec2) -> Option<ShapeId> {
-        let (revision, place) = (session.revision(), [pixel, size]);
-        if let Some((of, at, shape)) = self.last
-            && (of, at) == (revision, place)
+        let wanted = PickedFor {
+            document: session.document(),
+            camera: session.view().camera,
+            pixel,
+            size,
+        };
+        if let Some((found_for, shape)) = self.last
+            && found_for == wanted
         {
             return shape;
         }
-        let ray = session.view().camera.ray(pixel, size);
+        let ray = wanted.camera.ray(pixel, size);
         let shape = pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape);
-        self.last = Some((revision, place, shape));
+        self.last = Some((wanted, shape));
         shape
     }
 }
@@ -254,11 +271,7 @@ mod tests {
     #[test]
     fn a_shape_is_looked_for_again_once_pointer_camera_or_scene_moved_and_not_before() {
         let mut session = Session::new();
-        let insert = Edit::Insert {
-            name: "Cube".into(),
-            kind: ShapeKind::Cube,
-            source: None,
-        };
+        let insert = Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]);
         apply_edit(&mut session, insert);
         let cube = session.selected();
         let (size, middle) = (Vec2::new(800.0, 600.0), Vec2::new(400.0, 300.0));

@@ -7,6 +7,7 @@ use editor_core::geometry::{Corner, MeshBuilder};
 use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::math::Euler;
+use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterShape, Scene, ShapeId, ShapeKind};
 use glam::{Vec2, Vec3};
 use std::path::{Path, PathBuf};
@@ -51,7 +52,7 @@ fn load(path: &Path) -> Scene {
 pub fn scene_of(character: Character) -> Scene {
     let mut scene = Scene::new();
     let shape = CharacterShape::new(Arc::new(character));
-    scene.add("Column".to_owned(), ShapeKind::Character(shape), None);
+    scene.add(NewShape::new("Column", ShapeKind::Character(shape)));
     scene
 }
 

@@ -6,6 +6,7 @@ use editor_core::character::Character;
 use editor_core::geometry::{Facets, Normals, face_normals};
 use editor_core::gpu::Gl;
 use editor_core::render::read_back_skinning;
+use editor_core::scene::NewShape;
 use editor_core::scene::{EvaluatedShape, Evaluator, Scene, Shading};
 use glam::Vec3;
 
@@ -15,7 +16,7 @@ const POSITIONS: f32 = 1e-5;
 const NORMALS: f32 = 1e-4;
 
 fn each_character(scene: &Scene, check: impl Fn(&EvaluatedShape, &Character)) {
-    let evaluated = Evaluator::new().evaluate(scene);
+    let evaluated = Evaluator::new().evaluate(scene, 0.0);
     for shape in &evaluated.shapes {
         if let Some(deformation) = &shape.geometry.deformation {
             check(shape, deformation.character());
@@ -125,8 +126,8 @@ fn is_thin([a, b, c]: [Vec3; 3], size: f32) -> bool {
 #[test]
 fn shapes_that_nothing_deforms_are_not_skinned() {
     let mut scene = Scene::new();
-    scene.add("Cube".into(), editor_core::scene::ShapeKind::Cube, None);
-    let evaluated = Evaluator::new().evaluate(&scene);
+    scene.add(NewShape::new("Cube", editor_core::scene::ShapeKind::Cube));
+    let evaluated = Evaluator::new().evaluate(&scene, 0.0);
     on_each_backend(|gl| {
         let read = read_back_skinning(gl, &evaluated.shapes[0], Shading::AsAuthored);
         assert_eq!(read.expect("an answer"), None);

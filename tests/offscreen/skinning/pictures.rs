@@ -5,6 +5,7 @@ use crate::support::{Picture, on_each_backend};
 use editor_core::character::Pose;
 use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::scene::NewShape;
 use editor_core::scene::{
     Evaluated, Evaluator, ModelDisplay, Scene, Shading, ShapeKind, Skinning, ViewSettings,
 };
@@ -27,7 +28,7 @@ fn fitted(scene: &Scene, shading: Shading) -> ViewSettings {
     };
     view.camera.theta = 1.2;
     view.camera.phi = 0.2;
-    let bounds = Evaluator::new().evaluate(scene).world_bounds();
+    let bounds = Evaluator::new().evaluate(scene, 0.0).world_bounds();
     view.camera.fit(&bounds, SIZE.0 as f32 / SIZE.1 as f32);
     view
 }
@@ -39,7 +40,7 @@ fn draw(
     view: &ViewSettings,
     marks: Marks,
 ) -> (Picture, Evaluated) {
-    let evaluated = Evaluator::new().evaluate(scene);
+    let evaluated = Evaluator::new().evaluate(scene, 0.0);
     let frame = Frame {
         scene,
         evaluated: &evaluated,
@@ -130,7 +131,7 @@ fn several_characters_keep_their_own_joints_when_one_of_them_goes() {
         let mut scene = characters::scene_of(characters::column(false));
         let shape = scene.shapes()[0].kind.clone();
         for x in [-1.0, 1.0] {
-            let id = scene.add("Column".into(), shape.clone(), None);
+            let id = scene.add(NewShape::new("Column", shape.clone()));
             let placed = scene.shape_mut(id).expect("a column");
             placed.placement.transform.position.x = x;
         }

@@ -1,14 +1,14 @@
-use crate::disk;
+use super::{Host, StorageKey};
 use crate::scene::Skinning;
 use crate::ui::Navigation;
 use egui::ThemePreference;
 use std::path::PathBuf;
 
-/// What is kept from one run to the next, in the user's configuration folder.
+/// Choices that are kept from one run to the next.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub(super) struct Preferences {
-    /// Where the last file was opened or saved.
+    /// Folder in which a file was chosen last.
     pub last_folder: Option<PathBuf>,
     /// Colors of the panels.
     pub theme: ThemePreference,
@@ -33,29 +33,18 @@ impl Default for Preferences {
 }
 
 impl Preferences {
-    /// What the last run kept; the defaults if there was none, or if it cannot be read.
-    pub fn load() -> Self {
-        path()
-            .and_then(|path| std::fs::read(path).ok())
+    /// The preferences of the last run; the defaults if there was none, or if they cannot be read.
+    pub fn load(host: &dyn Host) -> Self {
+        let stored = host.load(StorageKey::Preferences);
+        stored
             .and_then(|bytes| serde_json::from_slice(&bytes).ok())
             .unwrap_or_default()
     }
 
-    /// Keeps them for the next run. Failing to is no reason to trouble anyone: nothing that
-    /// the user made is lost.
-    pub fn save(&self) {
-        let (Some(path), Ok(bytes)) = (path(), serde_json::to_vec_pretty(self)) else {
-            return;
-        };
-        if let Some(folder) = path.parent()
-            && std::fs::create_dir_all(folder).is_ok()
-        {
-            let _ = disk::write_whole(&path, &bytes);
+    /// Stores them for the next run.
+    pub fn store(&self, host: &mut dyn Host) {
+        if let Ok(bytes) = serde_json::to_vec_pretty(self) {
+            host.store(StorageKey::Preferences, bytes);
         }
     }
-}
-
-fn path() -> Option<PathBuf> {
-    let folders = directories::ProjectDirs::from("", "", "skeleton-editor")?;
-    Some(folders.config_dir().join("preferences.json"))
 }

@@ -1,8 +1,8 @@
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Frames further apart than this do not follow each other: nothing had changed between them.
 const PAUSE: Duration = Duration::from_millis(250);
-/// How much of the mean a new frame makes up.
+/// Share of the mean that a new frame makes up.
 const SHARE: f32 = 0.1;
 /// Frames in a row before their rate says anything.
 const ENOUGH: u32 = 8;
@@ -10,16 +10,17 @@ const ENOUGH: u32 = 8;
 /// How fast frames are drawn while they follow each other.
 #[derive(Debug, Default)]
 pub(super) struct FrameRate {
-    last: Option<Instant>,
+    /// Time of the last frame, by the host's clock.
+    last: Option<Duration>,
     /// Frames in a row, and their mean distance in seconds.
     row: u32,
     mean: f32,
 }
 
 impl FrameRate {
-    /// Counts a frame that begins at `now`.
-    pub fn count(&mut self, now: Instant) {
-        let since = self.last.map(|last| now.duration_since(last));
+    /// Counts a frame that begins at `now`, by the host's clock.
+    pub fn count(&mut self, now: Duration) {
+        let since = self.last.map(|last| now.saturating_sub(last));
         self.last = Some(now);
         match since {
             Some(since) if since < PAUSE => {
@@ -48,10 +49,11 @@ mod tests {
     #[test]
     fn a_rate_is_shown_while_frames_follow_each_other_and_not_after_a_pause() {
         let mut rate = FrameRate::default();
-        let mut now = Instant::now();
-        for _ in 0..20 {
+        let mut now = Duration::ZERO;
+        for frame in 0..20 {
             now += Duration::from_millis(20);
             rate.count(now);
+            assert_eq!(rate.shown().is_some(), frame >= 8, "after frame {frame}");
         }
         assert!((rate.shown().unwrap() - 50.0).abs() < 0.1);
         rate.count(now + Duration::from_secs(1));

@@ -1,0 +1,213 @@
+use super::file_dialog::WindowFileDialog;
+use crate::disk;
+use crate::gpu::WindowContext;
+use crate::io::Files;
+use crate::program::{Host, HostEvent, Job, JobResult, Purpose, StorageKey};
+use egui_winit::accesskit_winit;
+use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+use winit::event::WindowEvent;
+use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+
+/// What wakes the event loop from outside.
+#[derive(Debug)]
+pub(super) enum Wake {
+    /// An assistive technology asks for something.
+    Accessibility(accesskit_winit::Event),
+    /// A job has finished.
+    JobFinished,
+}
+
+impl From<accesskit_winit::Event> for Wake {
+    fn from(event: accesskit_winit::Event) -> Self {
+        Self::Accessibility(event)
+    }
+}
+
+/// The window as the place where the program runs.
+pub(super) struct WindowHost {
+    egui: egui_winit::State,
+    dialog: WindowFileDialog,
+    events: VecDeque<HostEvent>,
+    finished: Receiver<JobResult>,
+    finish: Sender<JobResult>,
+    proxy: EventLoopProxy<Wake>,
+    started: Instant,
+    quits: bool,
+    window: WindowContext,
+}
+
+impl WindowHost {
+    /// The place behind `window`, which is still hidden: accessibility must be set up before it is
+    /// first shown.
+    pub fn new(
+        window: WindowContext,
+        event_loop: &ActiveEventLoop,
+        proxy: &EventLoopProxy<Wake>,
+    ) -> Self {
+        let mut egui = egui_winit::State::new(
+            egui::Context::default(),
+            egui::ViewportId::ROOT,
+            event_loop,
+            Some(window.window().scale_factor() as f32),
+            event_loop.system_theme(),
+            Some(window.gl().info().max_texture_size as usize),
+        );
+        egui.init_accesskit(event_loop, window.window(), proxy.clone());
+        let (finish, finished) = channel();
+        Self {
+            egui,
+            dialog: WindowFileDialog::default(),
+            events: VecDeque::new(),
+            finished,
+            finish,
+            proxy: proxy.clone(),
+            started: Instant::now(),
+            quits: false,
+            window,
+        }
+    }
+
+    /// The window and its OpenGL.
+    pub fn window(&self) -> &WindowContext {
+        &self.window
+    }
+
+    /// Whether the program wants to end.
+    pub fn quits(&self) -> bool {
+        self.quits
+    }
+
+    /// Where egui keeps what it remembers.
+    pub fn context(&self) -> &egui::Context {
+        self.egui.egui_ctx()
+    }
+
+    /// What happened since the last frame.
+    pub fn take_input(&mut self) -> egui::RawInput {
+        self.egui.take_egui_input(self.window.window())
+    }
+
+    /// Takes in an event of the window; whether a frame is needed.
+    pub fn on_window_event(&mut self, event: &WindowEvent) -> bool {
+        if let WindowEvent::DroppedFile(path) = event {
+            self.events.push_back(HostEvent::Dropped {
+                path: path.clone(),
+                files: self.files(),
+            });
+        }
+        self.egui
+            .on_window_event(self.window.window(), event)
+            .repaint
+    }
+
+    /// Takes in what an assistive technology asks for.
+    pub fn on_accessibility(&mut self, event: accesskit_winit::Event) {
+        use accesskit_winit::WindowEvent;
+        match event.window_event {
+            WindowEvent::InitialTreeRequested => self.egui.egui_ctx().enable_accesskit(),
+            WindowEvent::ActionRequested(request) => {
+                self.egui.on_accesskit_action_request(request);
+            }
+            WindowEvent::AccessibilityDeactivated => self.egui.egui_ctx().disable_accesskit(),
+        }
+    }
+}
+
+impl Host for WindowHost {
+    fn now(&self) -> Duration {
+        self.started.elapsed()
+    }
+
+    fn files(&self) -> Arc<dyn Files> {
+        Arc::new(disk::files())
+    }
+
+    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
+        self.dialog.open(purpose, folder, name);
+    }
+
+    fn show_dialogs(&mut self, context: &egui::Context) {
+        if let Some((purpose, path)) = self.dialog.show(context) {
+            self.events.push_back(HostEvent::Chosen {
+                purpose,
+                path,
+                files: self.files(),
+            });
+        }
+    }
+
+    fn is_dialog_open(&self) -> bool {
+        self.dialog.is_open()
+    }
+
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>) {
+        self.events.push_back(HostEvent::Written {
+            path: path.to_owned(),
+            result: disk::write_whole(path, &bytes),
+        });
+    }
+
+    fn copy_text(&mut self, text: String) {
+        self.egui.set_clipboard_text(text);
+    }
+
+    fn request_paste(&mut self) {
+        let text = self.egui.clipboard_text().unwrap_or_default();
+        self.events.push_back(HostEvent::Pasted(text));
+    }
+
+    fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        std::fs::read(stored_at(key)?).ok()
+    }
+
+    fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        if let Some(path) = stored_at(key)
+            && let Some(folder) = path.parent()
+            && std::fs::create_dir_all(folder).is_ok()
+        {
+            // See [`Host::store`]: nobody is told.
+            let _ = disk::write_whole(&path, &bytes);
+        }
+    }
+
+    fn start_job(&mut self, job: Job) {
+        let (finish, proxy) = (self.finish.clone(), self.proxy.clone());
+        let work = move || {
+            // A window that is gone needs neither the result nor waking.
+            let _ = finish.send(job.run());
+            let _ = proxy.send_event(Wake::JobFinished);
+        };
+        // Without a thread to spare there is no result: the panel goes on saying so.
+        let _ = std::thread::Builder::new()
+            .name("job".to_owned())
+            .spawn(work);
+    }
+
+    fn set_title(&mut self, title: &str) {
+        self.window.window().set_title(title);
+    }
+
+    fn handle_platform_output(&mut self, output: egui::PlatformOutput) {
+        self.egui
+            .handle_platform_output(self.window.window(), output);
+    }
+
+    fn quit(&mut self) {
+        self.quits = true;
+    }
+
+    fn next_event(&mut self) -> Option<HostEvent> {
+        let finished = || self.finished.try_recv().ok().map(HostEvent::Finished);
+        self.events.pop_front().or_else(finished)
+    }
+}
+
+/// The file in the user's configuration folder; `None` where there is no such folder.
+fn stored_at(key: StorageKey) -> Option<PathBuf> {
+    let folders = directories::ProjectDirs::from("", "", "skeleton-editor")?;
+    Some(folders.config_dir().join(key.name()))
+}

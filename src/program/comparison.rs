@@ -1,0 +1,230 @@
+use super::Host;
+use super::job::{Finding, Job, JobResult, Step};
+use crate::compare::{CompareError, Pair, side_by_side};
+use crate::geometry::Picture;
+use crate::revision::Revision;
+use crate::scene::ViewSettings;
+use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
+use egui::{Context, TextureHandle};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How long the view must stand still before what takes longer is measured.
+const STILL: Duration = Duration::from_millis(150);
+
+/// A comparison of the live view with a picture.
+pub(super) struct Comparison {
+    name: String,
+    reference: Textured,
+    live: Option<Textured>,
+    difference: Option<Textured>,
+    /// What `live` shows: drawn again only when this changes.
+    drawn: Option<Drawn>,
+    settings: CompareSettings,
+    report: CompareReport,
+    measuring: Measuring,
+}
+
+/// What a picture of the live view follows from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Drawn {
+    pub document: Revision,
+    pub view: ViewSettings,
+    pub smooth_edges: bool,
+}
+
+/// How far the measuring of the two pictures has come.
+#[derive(Clone, Copy, Debug, Default)]
+struct Measuring {
+    /// The newest state of the pictures, and when it came.
+    wanted: Option<(Revision, Duration)>,
+    /// The job that has not finished yet.
+    running: Option<Revision>,
+    counted: Option<Revision>,
+    judged: Option<Revision>,
+}
+
+/// A picture with the texture that shows it, made when it is first shown.
+struct Textured {
+    picture: Arc<Picture>,
+    texture: Option<TextureHandle>,
+}
+
+impl Textured {
+    fn new(picture: Picture) -> Self {
+        Self {
+            picture: Arc::new(picture),
+            texture: None,
+        }
+    }
+
+    fn load(&mut self, context: &Context, name: &str) {
+        let picture = &self.picture;
+        self.texture
+            .get_or_insert_with(|| ui::picture_texture(context, name, picture));
+    }
+
+    fn shown(&self) -> Option<ShownPicture<'_>> {
+        Some(ShownPicture {
+            picture: &self.picture,
+            texture: self.texture.as_ref()?.id(),
+        })
+    }
+}
+
+impl Comparison {
+    /// A comparison with the picture `reference` from a file called `name`, with the settings of
+    /// the comparison before it.
+    pub fn new(name: String, reference: Picture, mut settings: CompareSettings) -> Self {
+        let size = (reference.width, reference.height);
+        for mask in &mut settings.masks {
+            *mask = mask.inside(size);
+        }
+        Self {
+            name,
+            reference: Textured::new(reference),
+            live: None,
+            difference: None,
+            drawn: None,
+            settings,
+            report: CompareReport::default(),
+            measuring: Measuring::default(),
+        }
+    }
+
+    /// Loads the textures of pictures that are new.
+    pub fn load_textures(&mut self, context: &Context) {
+        self.reference.load(context, "reference");
+        if let Some(live) = &mut self.live {
+            live.load(context, "live view");
+        }
+        if let Some(difference) = &mut self.difference {
+            difference.load(context, "differences");
+        }
+    }
+
+    /// As the panels show it; `None` before its textures are loaded.
+    pub fn view(&self) -> Option<CompareView<'_>> {
+        let difference = self.difference.as_ref().and_then(Textured::shown);
+        Some(CompareView {
+            name: &self.name,
+            settings: &self.settings,
+            reference: self.reference.shown()?,
+            live: self.live.as_ref().and_then(Textured::shown),
+            difference: difference.map(|difference| difference.texture),
+            report: &self.report,
+        })
+    }
+
+    /// What is chosen in its panel.
+    pub fn settings(&self) -> &CompareSettings {
+        &self.settings
+    }
+
+    /// Width and height in pixels of the reference, and so of the live view.
+    pub fn size(&self) -> (u32, u32) {
+        let reference = &self.reference.picture;
+        (reference.width, reference.height)
+    }
+
+    /// Takes what was chosen in the panel; what depends on it is measured anew.
+    pub fn set(&mut self, settings: CompareSettings, now: Duration) {
+        let measured_by = |s: &CompareSettings| (s.threshold, s.masks.clone());
+        let measures_change = measured_by(&settings) != measured_by(&self.settings);
+        self.settings = settings;
+        if measures_change {
+            self.measure(now);
+        }
+    }
+
+    /// Whether the live view has to be drawn again to show `wanted`.
+    pub fn needs(&self, wanted: &Drawn) -> bool {
+        self.drawn.as_ref() != Some(wanted)
+    }
+
+    /// Takes a new picture of the live view; whether it differs from the one before.
+    pub fn take_live(&mut self, picture: Picture, drawn: Drawn, now: Duration) -> bool {
+        self.drawn = Some(drawn);
+        let before = self.live.as_ref();
+        if before.is_some_and(|live| *live.picture == picture) {
+            return false;
+        }
+        self.live = Some(Textured::new(picture));
+        self.measure(now);
+        true
+    }
+
+    /// What `editor compare -o` writes; `None` before the view has been drawn.
+    pub fn picture(&self) -> Option<Result<Picture, CompareError>> {
+        let live = self.live.as_ref()?;
+        let (a, b) = (&*self.reference.picture, &*live.picture);
+        let pair = Pair::new(a, b, &self.settings.masks);
+        Some(pair.map(|pair| side_by_side(&[a, b, &pair.heat_map()])))
+    }
+
+    /// The pictures are to be measured as they are now.
+    fn measure(&mut self, now: Duration) {
+        if self.live.is_some() {
+            self.report.measuring = true;
+            self.measuring.wanted = Some((Revision::new(), now));
+        }
+    }
+
+    /// Starts the next job if there is one to start. Returns how long nothing needs to be started
+    /// unless something changes.
+    pub fn advance(&mut self, host: &mut dyn Host) -> Option<Duration> {
+        let (wanted, since) = self.measuring.wanted?;
+        if self.measuring.running.is_some() || self.measuring.judged == Some(wanted) {
+            return None;
+        }
+        let step = if self.measuring.counted == Some(wanted) {
+            let still_for = host.now().saturating_sub(since);
+            if still_for < STILL {
+                return Some(STILL - still_for);
+            }
+            Step::Judge
+        } else {
+            Step::Count
+        };
+        let live = Arc::clone(&self.live.as_ref()?.picture);
+        self.measuring.running = Some(wanted);
+        host.start_job(Job {
+            of: wanted,
+            step,
+            reference: Arc::clone(&self.reference.picture),
+            live,
+            threshold: self.settings.threshold,
+            ignore: self.settings.masks.clone(),
+        });
+        None
+    }
+
+    /// Takes in what a job found out. That of another comparison is left aside.
+    pub fn take_result(&mut self, result: JobResult) {
+        if self.measuring.running != Some(result.of) {
+            return;
+        }
+        self.measuring.running = None;
+        let is_newest = self.measuring.wanted.is_some_and(|(of, _)| of == result.of);
+        match result.finding {
+            Ok(Finding::Counted { counts, heat_map }) => {
+                self.measuring.counted = Some(result.of);
+                self.difference = Some(Textured::new(heat_map));
+                self.report.counts = Some(counts);
+                self.report.problem = None;
+            }
+            Ok(Finding::Judged(judgment)) => {
+                self.measuring.judged = Some(result.of);
+                self.report.judgment = Some(judgment);
+                self.report.measuring = !is_newest;
+            }
+            Err(problem) => {
+                self.measuring.judged = Some(result.of);
+                self.report.problem = Some(problem.to_string());
+                self.report.counts = None;
+                self.report.judgment = None;
+                self.report.measuring = !is_newest;
+            }
+        }
+    }
+}

@@ -1,0 +1,320 @@
+//! What the program does with files: opening, importing, posing, comparing, exporting, saving.
+
+use super::comparison::Comparison;
+use super::program::Program;
+use super::{Host, Purpose};
+use crate::character::Pose;
+use crate::editor::{Edit, Session, Severity};
+use crate::geometry::Picture;
+use crate::io::image::{self, PictureFormat};
+use crate::io::{self, Diagnostic, Files, Imported, Loaded, PoseData, PoseFile};
+use crate::scene::{NewShape, ShapeId};
+use std::path::{Path, PathBuf};
+
+/// What messages call the clipboard where they name a file.
+const CLIPBOARD: &str = "clipboard";
+
+impl Program {
+    /// Starts with `paths` in one scene, compared with the last that is a picture. What cannot be
+    /// opened becomes a message; the others are there.
+    pub(super) fn open_at_start(&mut self, paths: &[PathBuf], host: &mut dyn Host) {
+        let files = host.files();
+        let mut loaded = Loaded::default();
+        let mut failed = Vec::new();
+        let (pictures, paths): (Vec<_>, Vec<_>) = paths.iter().partition(|path| is_picture(path));
+        for path in paths {
+            if let Err(error) = loaded.add(&*files, path) {
+                failed.push(error);
+            }
+        }
+        self.session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+        self.tell_all(Severity::Warning, loaded.warnings);
+        self.tell_all(Severity::Error, failed);
+        if let Some(picture) = pictures.last() {
+            self.compare_with(picture, &*files);
+        }
+    }
+
+    /// Opens the scene of `path` in the place of the one that is open; one that cannot be read
+    /// leaves it untouched.
+    pub(super) fn open(&mut self, path: &Path, files: &dyn Files) {
+        let mut loaded = Loaded::default();
+        match loaded.add(files, path) {
+            Ok(()) => {
+                let view = loaded.view.unwrap_or(*self.session.view());
+                self.session.open(loaded.shapes, view);
+                self.tell_all(Severity::Warning, loaded.warnings);
+            }
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Uses a file that was dropped on the window: a picture to compare the view with, a pose for
+    /// the selected character, all else as an import.
+    pub(super) fn use_dropped(&mut self, path: &Path, files: &dyn Files) {
+        let posed = self.session.selected().filter(|_| is_pose(path));
+        if is_picture(path) {
+            self.compare_with(path, files);
+        } else if let Some(shape) = posed {
+            self.load_pose(shape, path, files);
+        } else {
+            self.import_any(path, files);
+        }
+    }
+
+    /// Uses the file that was chosen in a dialog.
+    pub(super) fn use_chosen(
+        &mut self,
+        purpose: Purpose,
+        path: PathBuf,
+        files: &dyn Files,
+        host: &mut dyn Host,
+    ) {
+        match purpose {
+            Purpose::ImportShape => self.insert(io::import_shape(files, &path)),
+            Purpose::ImportCurve => self.insert(io::import_curve(files, &path)),
+            Purpose::ImportCharacter => self.insert(io::import_character(files, &path)),
+            Purpose::LoadPose(shape) => self.load_pose(shape, &path, files),
+            Purpose::Compare => self.compare_with(&path, files),
+            Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
+            Purpose::ExportGeometry => {
+                let text = io::export_obj(self.session.scene(), self.session.evaluated());
+                self.write(&path, "obj", text, host);
+            }
+            Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),
+            Purpose::SaveScreenshot(shot) => {
+                // Large pictures take their time: what cannot be written is said before.
+                match PictureFormat::of(&path) {
+                    Ok(_) => self.pending_pictures.push((path, shot)),
+                    Err(error) => self.tell_written(&path, Err(error)),
+                }
+            }
+            Purpose::SaveComparison => {
+                let picture = self.comparison.as_ref().and_then(Comparison::picture);
+                match picture {
+                    Some(Ok(picture)) => self.save_picture(&path, &picture, host),
+                    Some(Err(error)) => self.tell(Severity::Error, format!("Not saved: {error}")),
+                    None => {}
+                }
+            }
+        }
+    }
+
+    /// Adds what the file at `path` holds, whatever it is.
+    pub(super) fn import_any(&mut self, path: &Path, files: &dyn Files) {
+        self.insert(io::import_any(files, path));
+    }
+
+    fn insert(&mut self, imported: Result<Imported<Vec<NewShape>>, Diagnostic>) {
+        match imported {
+            Ok(imported) => {
+                self.edit(Edit::Insert(imported.value));
+                self.tell_all(Severity::Warning, imported.warnings);
+            }
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Compares the view with the picture at `path` from now on, with what was chosen before.
+    fn compare_with(&mut self, path: &Path, files: &dyn Files) {
+        match self.comparison_with(path, files) {
+            Ok(comparison) => self.comparison = Some(comparison),
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+
+    fn comparison_with(&self, path: &Path, files: &dyn Files) -> Result<Comparison, Diagnostic> {
+        let picture = image::decode(path, &files.read(path)?)?;
+        let (width, height) = (picture.width, picture.height);
+        let most = self.graphics.max_texture_side;
+        if width.max(height) as usize > most {
+            return Err(Diagnostic::new(
+                path,
+                format!(
+                    "expected a picture of at most {most} pixels a side, found {width}×{height}"
+                ),
+            ));
+        }
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let name = name.to_string_lossy().into_owned();
+        Ok(Comparison::new(name, picture, self.compare_settings()))
+    }
+
+    fn export_curve(&mut self, shape: ShapeId, path: &Path, host: &mut dyn Host) {
+        // It may have been deleted while the dialog was open.
+        let curves = self.session.scene().curve(shape);
+        match curves.map(|shape| io::to_swp(shape.curves())) {
+            Some(text) => self.write(path, "swp", text, host),
+            None => self.tell(
+                Severity::Error,
+                format!("Not saved: there is no curve with ID {shape} any more"),
+            ),
+        }
+    }
+
+    fn save_pose(&mut self, shape: ShapeId, kept: Option<usize>, path: &Path, host: &mut dyn Host) {
+        // It may have been deleted while the dialog was open.
+        match self.pose_text(shape, kept) {
+            Some(text) => self.write(path, "json", text, host),
+            None => self.tell(
+                Severity::Error,
+                "Not saved: the character or its pose does not exist any more",
+            ),
+        }
+    }
+
+    /// Name, without an extension, for a file with the pose of a character or a kept one.
+    pub(super) fn name_of_pose(&self, shape: ShapeId, kept: Option<usize>) -> String {
+        let poses = self.session.scene().character(shape).map(|c| c.poses());
+        let name = kept.and_then(|kept| Some(file_stem(&poses?.get(kept)?.name)));
+        name.unwrap_or_else(|| "pose".to_owned())
+    }
+
+    /// Text of a pose file with the pose of a character, or one kept with it.
+    pub(super) fn pose_text(&self, shape: ShapeId, kept: Option<usize>) -> Option<String> {
+        let character = self.session.scene().character(shape)?;
+        let pose: &Pose = match kept {
+            Some(kept) => &character.poses().get(kept)?.pose,
+            None => character.pose(),
+        };
+        Some(PoseData::new(character.character.skeleton(), pose).to_json())
+    }
+
+    /// Gives the pose that was asked for from the clipboard to its character.
+    pub(super) fn paste(&mut self, text: &str) {
+        let Some(shape) = self.paste_into.take() else {
+            return;
+        };
+        if text.trim().is_empty() {
+            let text = "There is no pose on the clipboard: Copy Pose puts one there";
+            self.tell(Severity::Warning, text);
+            return;
+        }
+        self.take_pose(shape, Path::new(CLIPBOARD), text.as_bytes());
+    }
+
+    fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+        match files.read(path) {
+            Ok(bytes) => self.take_pose(shape, path, &bytes),
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+
+    fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8]) {
+        let Some(character) = self.session.scene().character(shape) else {
+            return;
+        };
+        let skeleton = character.character.skeleton();
+        let file = match PoseFile::read(path, bytes) {
+            Ok(file) => file,
+            Err(error) => return self.tell(Severity::Error, error.to_string()),
+        };
+        match file.what_fits(skeleton) {
+            Ok((pose, missing)) => {
+                if !missing.is_empty() {
+                    let text = without(path, &missing);
+                    self.tell(Severity::Warning, text);
+                }
+                self.edit(Edit::SetPose(shape, pose));
+            }
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+
+    /// Writes a picture in the format of its name.
+    pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture, host: &mut dyn Host) {
+        match encode(path, picture) {
+            Ok(bytes) => host.write_file(path, bytes),
+            Err(error) => self.tell_written(path, Err(error)),
+        }
+    }
+
+    /// Writes `text`. A name without the extension that it needs to be read again is refused
+    /// rather than changed: the file dialog has asked whether to replace a file of the name that
+    /// was typed.
+    fn write(&mut self, path: &Path, extension: &str, text: String, host: &mut dyn Host) {
+        match io::expect_extension(path, extension) {
+            Ok(()) => host.write_file(path, text.into_bytes()),
+            Err(error) => self.tell_written(path, Err(error)),
+        }
+    }
+
+    /// Says how writing a file went.
+    pub(super) fn tell_written(&mut self, path: &Path, written: Result<(), Diagnostic>) {
+        match written {
+            Ok(()) => self.tell(Severity::Info, format!("Saved {}", path.display())),
+            Err(error) => self.tell(Severity::Error, format!("Not saved: {error}")),
+        }
+    }
+
+    fn tell_all(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
+        for diagnostic in diagnostics {
+            self.tell(severity, diagnostic.to_string());
+        }
+    }
+}
+
+fn encode(path: &Path, picture: &Picture) -> Result<Vec<u8>, Diagnostic> {
+    let format = PictureFormat::of(path)?;
+    image::encode(picture, format).map_err(|message| Diagnostic::new(path, message))
+}
+
+fn is_pose(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+}
+
+fn is_picture(path: &Path) -> bool {
+    PictureFormat::of(path).is_ok()
+}
+
+/// Name, without an extension, of a file for a shape or a pose called `name`.
+pub(super) fn file_stem(name: &str) -> String {
+    let stem: String = name
+        .to_lowercase()
+        .chars()
+        .map(|c| if c.is_alphanumeric() { c } else { '-' })
+        .collect();
+    match stem.trim_matches('-') {
+        "" => "shape".to_owned(),
+        stem => stem.to_owned(),
+    }
+}
+
+/// Message about a pose that some joints of `missing` names were left out of.
+fn without(path: &Path, missing: &[&str]) -> String {
+    const NAMED: usize = 3;
+    let named: Vec<&str> = missing.iter().take(NAMED).copied().collect();
+    let more = match missing.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let named = named.join(", ");
+    format!(
+        "{}: applied without {named}{more}, which this character does not have",
+        path.display()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_called_like_its_shape_without_what_file_systems_refuse() {
+        assert_eq!(file_stem("Bézier Curve"), "bézier-curve");
+        assert_eq!(file_stem("../A:b"), "a-b");
+        assert_eq!(file_stem("///"), "shape");
+    }
+
+    #[test]
+    fn joints_that_a_character_does_not_have_are_named_and_many_are_counted() {
+        let clipboard = Path::new(CLIPBOARD);
+        assert_eq!(
+            without(clipboard, &["Tail"]),
+            "clipboard: applied without Tail, which this character does not have"
+        );
+        let many = ["A", "B", "C", "D", "E"];
+        assert!(without(clipboard, &many).contains("A, B, C and 2 more,"));
+    }
+}

@@ -1,0 +1,304 @@
+use super::Host;
+use super::comparison::Drawn;
+use super::graphics::Graphics;
+use super::input_parts::parts;
+use super::program::{Program, Shown};
+use crate::editor::{Session, Severity};
+use crate::gpu::GpuError;
+use crate::render::{Frame, InterfaceError, Marks, view_place};
+use crate::ui::Screenshot;
+use egui::{Context, FullOutput, RawInput};
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// What a host that leaves running egui to the program brings for a frame.
+#[derive(Clone, Debug)]
+pub struct FrameInput {
+    /// Where egui keeps what it remembers.
+    pub context: Context,
+    /// What happened since the last frame.
+    pub raw: RawInput,
+    /// Width and height of the window in pixels, neither of them 0.
+    pub size: (u32, u32),
+}
+
+/// What the panels are shown for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pass {
+    /// To take what the user did.
+    Input,
+    /// To show what came of it. What panels and gestures paint over the scene would otherwise be
+    /// a frame behind the scene.
+    Display,
+}
+
+/// Why the program cannot go on.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgramError {
+    /// OpenGL failed.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+    /// The panels cannot be painted.
+    #[error(transparent)]
+    Interface(#[from] InterfaceError),
+}
+
+/// What came of running egui once or more.
+struct PanelRun {
+    shown: Shown,
+    output: FullOutput,
+}
+
+impl PanelRun {
+    fn join(before: Option<Self>, next: Option<Self>) -> Option<Self> {
+        let (mut before, next) = match (before, next) {
+            (Some(before), Some(next)) => (before, next),
+            (before, next) => return before.or(next),
+        };
+        before.output.append(next.output);
+        Some(Self {
+            shown: Shown {
+                changed: before.shown.changed || next.shown.changed,
+                ..next.shown
+            },
+            output: before.output,
+        })
+    }
+}
+
+impl Program {
+    /// Runs the panels, does what they ask, draws the scene if it changed, and composes it all in
+    /// [`Graphics::window_picture`]. Returns how long no frame is needed unless an event comes.
+    ///
+    /// # Errors
+    /// If nothing can be drawn any more, or nothing ever could.
+    pub fn frame(
+        &mut self,
+        graphics: &mut Graphics,
+        input: FrameInput,
+        host: &mut dyn Host,
+    ) -> Result<Duration, ProgramError> {
+        let FrameInput { context, raw, size } = input;
+        self.frame_rate.count(host.now());
+        // A dialog that closes in this frame is still in what the frame shows.
+        let due = if host.is_dialog_open() {
+            Vec::new()
+        } else {
+            std::mem::take(&mut self.pending_pictures)
+        };
+        let came_in = self.take_events(host);
+        let without_events = RawInput {
+            events: Vec::new(),
+            dropped_files: Vec::new(),
+            ..raw.clone()
+        };
+        let mut run: Option<PanelRun> = None;
+        for part in parts(raw) {
+            run = PanelRun::join(run, self.run_panels(&context, part, Pass::Input, host));
+        }
+        if run.as_ref().is_some_and(|run| run.shown.changed) {
+            let shown = self.run_panels(&context, without_events, Pass::Display, host);
+            run = PanelRun::join(run, shown);
+        }
+        let Some(PanelRun { shown, output }) = run else {
+            return Ok(Duration::MAX);
+        };
+        let delay = output
+            .viewport_output
+            .get(&egui::ViewportId::ROOT)
+            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        let (min, max) = (shown.panels.view_rect.min, shown.panels.view_rect.max);
+        let pixels_per_point = output.pixels_per_point;
+        let place = view_place((min.x, min.y), (max.x, max.y), pixels_per_point, size);
+
+        let view_size = (place.width.unsigned_abs(), place.height.unsigned_abs());
+        let drawn = self.draw(graphics, view_size, Some(size), host)?;
+        graphics.compose(place, &context, output)?;
+        self.save_pictures(due, graphics, host);
+        let answered = self.take_events(host);
+        self.keep_preferences(host);
+        // What is under the pointer now is known to the next frame.
+        let again = came_in || shown.changed || drawn.changed || answered;
+        Ok(if again || !self.pending_pictures.is_empty() {
+            Duration::ZERO
+        } else {
+            delay.min(drawn.wait)
+        })
+    }
+
+    /// Draws the scene in a picture of `view` pixels, if something changed, or the comparison that
+    /// is under way; and makes the picture of the window fit `window`, if the program composes it.
+    /// What cannot be drawn becomes a message.
+    ///
+    /// # Errors
+    /// If nothing can be drawn any more, or nothing ever could.
+    pub fn draw(
+        &mut self,
+        graphics: &mut Graphics,
+        view: (u32, u32),
+        window: Option<(u32, u32)>,
+        host: &mut dyn Host,
+    ) -> Result<DrawnFrame, ProgramError> {
+        let window = window.map_or(Ok(()), |size| graphics.fit_window(size));
+        let fitted = graphics.fit_view(view);
+        let drawn = self.draw_scene(graphics);
+        let fitted = match (window, fitted) {
+            (Err(error), _) => Err(error),
+            (Ok(()), fitted) => fitted.map_err(ProgramError::from),
+        };
+        let is_size = |e: &ProgramError| matches!(e, ProgramError::Gpu(GpuError::Size { .. }));
+        let wrong_size = fitted.as_ref().is_err_and(is_size);
+        let was_wrong = graphics.replace_wrong_size(wrong_size);
+        let mut changed = self.tell_fault(fitted, was_wrong)?;
+        changed |= self.tell_fault(drawn.map_err(ProgramError::from), false)?;
+        changed |= self.draw_comparison(graphics, host);
+        let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
+        Ok(DrawnFrame {
+            changed,
+            wait: wait.unwrap_or(Duration::MAX),
+        })
+    }
+
+    /// Runs egui once, and with it the panels.
+    fn run_panels(
+        &mut self,
+        context: &Context,
+        input: RawInput,
+        pass: Pass,
+        host: &mut dyn Host,
+    ) -> Option<PanelRun> {
+        let mut run: Option<Shown> = None;
+        let mut output = context.run_ui(input, |ui| {
+            // egui may run a frame twice to find its sizes: the last run says where things are,
+            // but only the first got keys and clicks.
+            let shown = self.show(ui, pass, host);
+            let changed = run.as_ref().is_some_and(|run| run.changed) || shown.changed;
+            run = Some(Shown { changed, ..shown });
+        });
+        host.handle_platform_output(std::mem::take(&mut output.platform_output));
+        Some(PanelRun {
+            shown: run?,
+            output,
+        })
+    }
+
+    /// Draws the scene with what is marked in it, if it is shown.
+    fn draw_scene(&mut self, graphics: &mut Graphics) -> Result<(), GpuError> {
+        graphics.set_skinning(self.ui.skinning);
+        if self.comparison.is_some() {
+            // Its pictures lie over the whole view.
+            return Ok(());
+        }
+        let marks = Marks {
+            selected: self.session.selected(),
+            hovered: self.hovered_shape,
+            selected_joint: self.session.selected_joint(),
+            hovered_joint: self.session.hovered_joint(),
+            hovered_control_point: self.session.hovered_control_point(),
+        };
+        let drawn = graphics.draw_scene(&frame(&self.session, marks), self.session.document());
+        for notice in graphics.take_notices() {
+            self.tell(Severity::Warning, notice);
+        }
+        drawn
+    }
+
+    /// Draws the scene in the size of the picture that it is compared with, if it changed. Whether
+    /// the panels have something new to show. A comparison that cannot be drawn ends, and the
+    /// scene stays.
+    fn draw_comparison(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> bool {
+        let Some(comparison) = &mut self.comparison else {
+            graphics.end_comparison();
+            return false;
+        };
+        let smooth_edges = comparison.settings().smooth_edges;
+        let wanted = Drawn {
+            document: self.session.document(),
+            view: *self.session.view(),
+            smooth_edges,
+        };
+        if !comparison.needs(&wanted) {
+            return false;
+        }
+        // Marks would count as differences.
+        let frame = frame(&self.session, Marks::default());
+        match graphics.compared_picture(&frame, comparison.size(), smooth_edges) {
+            Ok(picture) => comparison.take_live(picture, wanted, host.now()),
+            Err(error) => {
+                self.comparison = None;
+                let text = format!("The comparison ended, since it cannot be drawn: {error}");
+                self.tell(Severity::Error, text);
+                true
+            }
+        }
+    }
+
+    /// Draws and writes the pictures that were asked for.
+    fn save_pictures(
+        &mut self,
+        due: Vec<(PathBuf, Screenshot)>,
+        graphics: &mut Graphics,
+        host: &mut dyn Host,
+    ) {
+        for (path, shot) in due {
+            let picture = if shot.with_panels {
+                graphics.read_window()
+            } else {
+                let frame = frame(&self.session, Marks::default());
+                graphics.picture(&frame, shot.size).map(Some)
+            };
+            match picture {
+                Ok(Some(picture)) => self.save_picture(&path, &picture, host),
+                Ok(None) => {}
+                Err(error) => {
+                    let text = format!("The picture could not be drawn: {error}");
+                    self.tell(Severity::Error, text);
+                }
+            }
+        }
+    }
+
+    /// Says what went wrong with drawing, once, so that work can go on; whether there is something
+    /// new to say. While the size of the window changes, so does the text of what is the same
+    /// failure, `again`.
+    ///
+    /// # Errors
+    /// If nothing can be drawn any more, or nothing ever could.
+    fn tell_fault(
+        &mut self,
+        drawn: Result<(), ProgramError>,
+        again: bool,
+    ) -> Result<bool, ProgramError> {
+        let error = match drawn {
+            Ok(()) => return Ok(false),
+            Err(ProgramError::Gpu(error)) if !matches!(error, GpuError::Lost { .. }) => error,
+            Err(error) => return Err(error),
+        };
+        let is_same = matches!(error, GpuError::Size { .. }) && again;
+        let text = format!("The picture is not as it should be: {error}");
+        let mut told = self.session.messages.history().iter();
+        if is_same || told.any(|message| message.text == text) {
+            return Ok(false);
+        }
+        self.tell(Severity::Error, text);
+        Ok(true)
+    }
+}
+
+/// What came of drawing a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct DrawnFrame {
+    /// Whether the panels have something new to show.
+    pub changed: bool,
+    /// How long nothing needs to be drawn for the comparison's sake.
+    pub wait: Duration,
+}
+
+fn frame(session: &Session, marks: Marks) -> Frame<'_> {
+    Frame {
+        scene: session.scene(),
+        evaluated: session.evaluated(),
+        view: session.view(),
+        marks,
+    }
+}

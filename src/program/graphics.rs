@@ -1,0 +1,260 @@
+use super::{ProgramError, globals};
+use crate::geometry::Picture;
+use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
+use crate::render::{Frame, InterfacePainter, Marks, Renderer, compose, read_picture};
+use crate::revision::Revision;
+use crate::scene::{Skinning, ViewSettings};
+use egui::FullOutput;
+
+/// Everything that the program makes with OpenGL. When a context is lost, another is made in its
+/// place, and the program goes on.
+#[derive(Debug)]
+pub struct Graphics {
+    renderer: Renderer,
+    /// The scene, as large as the view.
+    scene: Option<Framebuffer>,
+    /// The scene, as large as the picture that it is compared with.
+    compared: Option<Framebuffer>,
+    /// What `scene` shows: drawn again only when this changes.
+    shown: Option<SceneKey>,
+    /// Scene and panels together, in hosts that leave painting the panels to the program.
+    window: Option<Window>,
+    /// Whether the last frame could not have pictures of the size it needed.
+    has_wrong_size: bool,
+    /// Samples a pixel of pictures of the scene.
+    samples: u32,
+    gl: Gl,
+}
+
+/// The panels' painter and what it paints on.
+#[derive(Debug)]
+struct Window {
+    picture: Option<Framebuffer>,
+    painter: InterfacePainter,
+}
+
+/// What the program wants to know about its graphics before there are any.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GraphicsInfo {
+    /// Version and renderer, for the status line.
+    pub description: String,
+    /// Longest side of a texture, in pixels.
+    pub max_texture_side: usize,
+}
+
+/// What a picture of the scene follows from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SceneKey {
+    document: Revision,
+    view: ViewSettings,
+    marks: Marks,
+    /// Width and height in pixels.
+    size: (u32, u32),
+}
+
+impl Graphics {
+    /// Compiles the shaders in the context of `gl`.
+    ///
+    /// # Errors
+    /// When the driver refuses a shader or a buffer.
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        Ok(Self {
+            renderer: Renderer::new(gl)?,
+            scene: None,
+            compared: None,
+            shown: None,
+            window: None,
+            has_wrong_size: false,
+            samples: globals::SAMPLES.min(gl.info().max_samples),
+            gl: gl.clone(),
+        })
+    }
+
+    /// The same with another number of samples a pixel, 0 for none; it must be one that the driver
+    /// has.
+    pub fn with_samples(self, samples: u32) -> Self {
+        Self { samples, ..self }
+    }
+
+    /// What draws.
+    pub fn info(&self) -> GraphicsInfo {
+        let info = self.gl.info();
+        GraphicsInfo {
+            description: format!("OpenGL {} · {}", info.version, info.renderer),
+            max_texture_side: info.max_texture_size as usize,
+        }
+    }
+
+    /// The scene as it was drawn last, as large as the view.
+    pub fn scene_picture(&self) -> Option<&Framebuffer> {
+        self.scene.as_ref()
+    }
+
+    /// Scene and panels as they were composed last, as large as the window.
+    pub fn window_picture(&self) -> Option<&Framebuffer> {
+        self.window.as_ref()?.picture.as_ref()
+    }
+
+    /// Chooses what deforms characters; whether pictures have to be drawn again.
+    pub(super) fn set_skinning(&mut self, skinning: Option<Skinning>) {
+        if self.renderer.set_skinning(skinning) {
+            self.shown = None;
+        }
+    }
+
+    /// What the user should know about how pictures are drawn, each once.
+    pub(super) fn take_notices(&mut self) -> Vec<String> {
+        self.renderer.take_notices()
+    }
+
+    /// Makes the scene's picture fit the view, whose size is in pixels. Where that cannot be, the
+    /// one before stays and is stretched; without any it is a single pixel, so that the panels can
+    /// be shown.
+    ///
+    /// # Errors
+    /// If the picture cannot be made.
+    pub(super) fn fit_view(&mut self, size: (u32, u32)) -> Result<(), GpuError> {
+        let samples = self.samples;
+        let fitted = fit(&self.gl, &mut self.scene, size, samples).map(drop);
+        if self.scene.is_none() {
+            fit(&self.gl, &mut self.scene, (1, 1), 0)?;
+        }
+        fitted
+    }
+
+    /// Makes the picture of the window fit its `size` in pixels, and the painter of the panels if
+    /// there is none yet.
+    ///
+    /// # Errors
+    /// If one of them cannot be made.
+    pub(super) fn fit_window(&mut self, size: (u32, u32)) -> Result<(), ProgramError> {
+        let window = match &mut self.window {
+            Some(window) => window,
+            none => none.insert(Window {
+                picture: None,
+                painter: InterfacePainter::new(&self.gl)?,
+            }),
+        };
+        fit(&self.gl, &mut window.picture, size, 0)?;
+        Ok(())
+    }
+
+    /// Whether the last pictures could not have the size that was needed; `wrong` is the same for
+    /// this frame from now on.
+    pub(super) fn replace_wrong_size(&mut self, wrong: bool) -> bool {
+        std::mem::replace(&mut self.has_wrong_size, wrong)
+    }
+
+    /// Draws `frame` into the scene's picture, unless it shows just that already.
+    ///
+    /// # Errors
+    /// See [`Renderer::draw`]. What failed is not tried again before something changes.
+    pub(super) fn draw_scene(&mut self, frame: &Frame, document: Revision) -> Result<(), GpuError> {
+        let Some(target) = &self.scene else {
+            return Ok(());
+        };
+        let key = SceneKey {
+            document,
+            view: *frame.view,
+            marks: frame.marks,
+            size: (target.width(), target.height()),
+        };
+        if self.shown == Some(key) {
+            return Ok(());
+        }
+        self.shown = Some(key);
+        self.renderer.draw(frame, target)
+    }
+
+    /// Draws `frame` in a size of its own, for a comparison. Pictures of the same size share their
+    /// memory from one frame to the next.
+    ///
+    /// # Errors
+    /// See [`Renderer::draw`], and when there is no room for the picture.
+    pub(super) fn compared_picture(
+        &mut self,
+        frame: &Frame,
+        size: (u32, u32),
+        smooth_edges: bool,
+    ) -> Result<Picture, GpuError> {
+        let samples = if smooth_edges { self.samples } else { 0 };
+        let target = fit(&self.gl, &mut self.compared, size, samples)?;
+        self.renderer.draw(frame, target)?;
+        read_picture(target)
+    }
+
+    /// Frees the memory of the picture that was compared.
+    pub(super) fn end_comparison(&mut self) {
+        self.compared = None;
+    }
+
+    /// Draws `frame` once, in `size` or in that of the view.
+    ///
+    /// # Errors
+    /// See [`Renderer::draw`], and when there is no room for the picture.
+    pub(super) fn picture(
+        &mut self,
+        frame: &Frame,
+        size: Option<(u32, u32)>,
+    ) -> Result<Picture, GpuError> {
+        let view = self.scene.as_ref().map(|s| (s.width(), s.height()));
+        let (width, height) = size.or(view).unwrap_or((800, 600));
+        let target = Framebuffer::new(&self.gl, width, height, self.samples)?;
+        self.renderer.draw(frame, &target)?;
+        read_picture(&target)
+    }
+
+    /// Puts the scene's picture at `place` of the window's and paints the panels over it.
+    ///
+    /// # Errors
+    /// See [`compose`].
+    pub(super) fn compose(
+        &mut self,
+        place: Rect,
+        context: &egui::Context,
+        output: FullOutput,
+    ) -> Result<(), GpuError> {
+        let Some(Window { picture, painter }) = &mut self.window else {
+            return Ok(());
+        };
+        match (&self.scene, picture) {
+            (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
+            _ => {
+                painter.skip(output);
+                Ok(())
+            }
+        }
+    }
+
+    /// The window's picture as it was composed last.
+    ///
+    /// # Errors
+    /// When a GL error occurred.
+    pub(super) fn read_window(&self) -> Result<Option<Picture>, GpuError> {
+        self.window_picture().map(read_picture).transpose()
+    }
+}
+
+/// Makes `picture` anew if it has another size.
+///
+/// # Errors
+/// If it cannot be made; then `picture` is as it was.
+fn fit<'a>(
+    gl: &Gl,
+    picture: &'a mut Option<Framebuffer>,
+    (width, height): (u32, u32),
+    samples: u32,
+) -> Result<&'a Framebuffer, GpuError> {
+    let fits = |p: &Framebuffer| (p.width(), p.height(), p.samples()) == (width, height, samples);
+    let fitting = match picture.take() {
+        Some(kept) if fits(&kept) => kept,
+        before => match Framebuffer::new(gl, width, height, samples) {
+            Ok(made) => made,
+            Err(error) => {
+                *picture = before;
+                return Err(error);
+            }
+        },
+    };
+    Ok(picture.insert(fitting))
+}

@@ -1,0 +1,282 @@
+//! The place where the program runs, as far as places differ.
+
+use super::{Job, JobResult};
+use crate::io::{Diagnostic, Files};
+use crate::scene::ShapeId;
+use crate::ui::Screenshot;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// What a place gives to the program: files, a clipboard, storage, jobs, a clock and a window.
+///
+/// Nothing here waits: what takes time, or a person, is answered later by a [`HostEvent`]. Paths
+/// are names that a host understands; none has to be on a disk.
+pub trait Host {
+    /// Time since any fixed moment. It never goes back.
+    fn now(&self) -> Duration;
+
+    /// The files that a path names without asking anybody, those that the program brings among
+    /// them.
+    fn files(&self) -> Arc<dyn Files>;
+
+    /// Lets the user choose a file to read or to write, in `folder` if the host knows it, called
+    /// `name` if it is to be written. Answered by [`HostEvent::Chosen`], or not at all.
+    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str);
+
+    /// Shows those dialogs that the host draws with egui itself. Called in every pass, after the
+    /// panels.
+    fn show_dialogs(&mut self, _context: &egui::Context) {}
+
+    /// Whether a dialog of [`Host::show_dialogs`] is open: the keyboard is its own then, and a
+    /// picture of the window has to wait until it is gone.
+    fn is_dialog_open(&self) -> bool {
+        false
+    }
+
+    /// Writes a file whole or not at all. Answered by [`HostEvent::Written`].
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>);
+
+    /// Puts text on the clipboard.
+    fn copy_text(&mut self, text: String);
+
+    /// Asks for the text on the clipboard. Answered by [`HostEvent::Pasted`].
+    fn request_paste(&mut self);
+
+    /// What an earlier run stored under `key`.
+    fn load(&self, key: StorageKey) -> Option<Vec<u8>>;
+
+    /// Stores `bytes` for later runs. A failure loses nothing that the user made, so nobody is
+    /// told.
+    fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
+
+    /// Runs `job` beside the program. Answered by [`HostEvent::Finished`].
+    fn start_job(&mut self, job: Job);
+
+    /// Names the window.
+    fn set_title(&mut self, title: &str);
+
+    /// Carries out what egui wants of the place: the cursor, links, text that was copied in a
+    /// field.
+    fn handle_platform_output(&mut self, output: egui::PlatformOutput);
+
+    /// Ends the program, after this frame.
+    fn quit(&mut self);
+
+    /// The next answer or event, in the order in which they came.
+    fn next_event(&mut self) -> Option<HostEvent>;
+}
+
+/// What a host has to say, in answer to a call or by itself.
+pub enum HostEvent {
+    /// A file was chosen.
+    Chosen {
+        /// What it was chosen for.
+        purpose: Purpose,
+        /// The file.
+        path: PathBuf,
+        /// Where it and the files beside it are read.
+        files: Arc<dyn Files>,
+    },
+    /// A file was dropped on the window.
+    Dropped {
+        /// The file.
+        path: PathBuf,
+        /// Where it and the files beside it are read.
+        files: Arc<dyn Files>,
+    },
+    /// A file was written, or why it was not.
+    Written {
+        /// The file.
+        path: PathBuf,
+        /// What came of it.
+        result: Result<(), Diagnostic>,
+    },
+    /// The text on the clipboard; empty if there is none.
+    Pasted(String),
+    /// A job has finished.
+    Finished(JobResult),
+}
+
+/// What is stored from one run to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StorageKey {
+    /// Choices of the user that are not part of a document, as JSON.
+    Preferences,
+}
+
+impl StorageKey {
+    /// A name for a file or an entry.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Preferences => "preferences.json",
+        }
+    }
+}
+
+/// What a file is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Purpose {
+    /// Import ▸ Import Shape.
+    ImportShape,
+    /// Import ▸ Import Curve.
+    ImportCurve,
+    /// Import ▸ Import Character.
+    ImportCharacter,
+    /// Writing the curves of a shape.
+    ExportCurve(ShapeId),
+    /// Writing the geometry of the scene.
+    ExportGeometry,
+    /// Writing a picture of the view or of the window.
+    SaveScreenshot(Screenshot),
+    /// Reading a picture to compare the view with.
+    Compare,
+    /// Writing a comparison as a picture.
+    SaveComparison,
+    /// Writing the pose of a character, or the kept one with this index.
+    SavePose(ShapeId, Option<usize>),
+    /// Reading a pose for a character.
+    LoadPose(ShapeId),
+}
+
+impl Purpose {
+    /// Title of a dialog.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::ImportShape => "Import Shape",
+            Self::ImportCharacter => {
+                "Import Character (.dae, or .obj with .skel and .attach beside it)"
+            }
+            Self::ImportCurve => "Import Curve",
+            Self::ExportCurve(_) => "Export Curve",
+            Self::ExportGeometry => "Export Geometry",
+            Self::SaveScreenshot(_) => "Save Screenshot",
+            Self::Compare => "Compare with Picture",
+            Self::SaveComparison => "Save Comparison",
+            Self::SavePose(..) => "Save Pose",
+            Self::LoadPose(_) => "Load Pose",
+        }
+    }
+
+    /// Name of the kind of files, with their extensions.
+    pub fn filter(self) -> &'static str {
+        match self {
+            Self::ImportShape => "Shapes (.obj, .dae)",
+            Self::ImportCharacter => "Characters (.obj, .dae)",
+            Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
+            Self::ExportGeometry => "Geometry (.obj)",
+            Self::SavePose(..) | Self::LoadPose(_) => "Poses (.json)",
+            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
+                "Pictures (.png, .jpg, .gif)"
+            }
+        }
+    }
+
+    /// Formats that may be written, by name and extension, the default first; none if the file is
+    /// read.
+    pub fn written(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::ExportCurve(_) => &[("Curves", "swp")],
+            Self::ExportGeometry => &[("Geometry", "obj")],
+            Self::SavePose(..) => &[("Poses", "json")],
+            Self::SaveScreenshot(_) | Self::SaveComparison => {
+                &[("PNG", "png"), ("JPEG", "jpg"), ("GIF", "gif")]
+            }
+            Self::ImportShape
+            | Self::ImportCurve
+            | Self::ImportCharacter
+            | Self::Compare
+            | Self::LoadPose(_) => &[],
+        }
+    }
+
+    /// `path` with the extension that was left out, if the file is to be written.
+    pub fn completed(self, path: &Path) -> Option<PathBuf> {
+        let (_, extension) = self.written().first()?;
+        let complete = path.with_extension(extension);
+        path.extension().is_none().then_some(complete)
+    }
+
+    /// Whether a dialog offers `path`. AppleDouble files, which archives from some systems carry
+    /// beside the real ones, are never offered.
+    pub fn offers(self, files: &dyn Files, path: &Path) -> bool {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if name.starts_with("._") {
+            return false;
+        }
+        let extension = path
+            .extension()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .to_lowercase();
+        let has = |other: &str| files.exists(&path.with_extension(other));
+        match self {
+            Self::ImportShape => extension == "obj" || extension == "dae",
+            Self::ImportCharacter => {
+                extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
+            }
+            Self::ExportGeometry => extension == "obj",
+            Self::SavePose(..) | Self::LoadPose(_) => extension == "json",
+            Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
+            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
+                ["png", "jpg", "jpeg", "gif"].contains(&&*extension)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashMap;
+
+    fn offered(purpose: Purpose) -> Vec<&'static str> {
+        let names = [
+            "man.obj",
+            "man.skel",
+            "cup.obj",
+            "rig.DAE",
+            "a.swp",
+            "a.json",
+            "a.png",
+            "a.JPG",
+            "a.gif",
+            "a.txt",
+            "._man.obj",
+            "._a.png",
+            "noext",
+        ];
+        let files: HashMap<PathBuf, Vec<u8>> =
+            names.iter().map(|name| (name.into(), Vec::new())).collect();
+        let offered = |name: &&str| purpose.offers(&files, Path::new(name));
+        names.into_iter().filter(offered).collect()
+    }
+
+    #[test]
+    fn a_dialog_offers_the_files_that_its_purpose_can_read_or_write() {
+        assert_eq!(
+            offered(Purpose::ImportShape),
+            ["man.obj", "cup.obj", "rig.DAE"]
+        );
+        assert_eq!(offered(Purpose::ImportCharacter), ["man.obj", "rig.DAE"]);
+        assert_eq!(offered(Purpose::ImportCurve), ["a.swp"]);
+        assert_eq!(offered(Purpose::ExportCurve(ShapeId(1))), ["a.swp"]);
+        assert_eq!(offered(Purpose::ExportGeometry), ["man.obj", "cup.obj"]);
+        assert_eq!(offered(Purpose::LoadPose(ShapeId(1))), ["a.json"]);
+        assert_eq!(offered(Purpose::SavePose(ShapeId(1), None)), ["a.json"]);
+        assert_eq!(offered(Purpose::Compare), ["a.png", "a.JPG", "a.gif"]);
+        assert_eq!(
+            offered(Purpose::SaveComparison),
+            ["a.png", "a.JPG", "a.gif"]
+        );
+    }
+
+    #[test]
+    fn a_name_to_save_that_has_no_extension_gets_the_first_that_suits() {
+        let save = Purpose::SavePose(ShapeId(1), None);
+        let walk = PathBuf::from("poses/walk.json");
+        assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
+        assert_eq!(save.completed(Path::new("poses/walk.txt")), None);
+        assert_eq!(Purpose::Compare.completed(Path::new("picture")), None);
+    }
+}

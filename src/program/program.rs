@@ -1,0 +1,297 @@
+use super::comparison::Comparison;
+use super::files::file_stem;
+use super::frame::Pass;
+use super::frame_rate::FrameRate;
+use super::graphics::GraphicsInfo;
+use super::preferences::Preferences;
+use super::{Host, HostEvent, Purpose, globals};
+use crate::editor::{Edit, Session, Severity};
+use crate::io::builtin::{self, BuiltinKind};
+use crate::scene::ShapeId;
+use crate::scene::Skinning;
+use crate::ui::{
+    self, Action, Ask, CompareAction, CompareSettings, GestureStep, Screenshot, UiOutput, UiState,
+};
+use std::path::{Path, PathBuf};
+
+/// What the program is started with.
+#[derive(Clone, Debug, Default)]
+pub struct Options {
+    /// Scenes to open and files to import, in order.
+    pub files: Vec<PathBuf>,
+    /// Title of the window; the one of [`globals`] if `None`.
+    pub title: Option<String>,
+    /// What deforms characters, in place of what the preferences say.
+    pub skinning: Option<Skinning>,
+}
+
+/// The running program, wherever it runs.
+pub struct Program {
+    pub(super) session: Session,
+    pub(super) ui: UiState,
+    pub(super) preferences: Preferences,
+    pub(super) comparison: Option<Comparison>,
+    /// Pictures that are saved once they can be drawn.
+    pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
+    /// The character that gets the pose on the clipboard, once its text is there.
+    pub(super) paste_into: Option<ShapeId>,
+    /// The shape under the pointer when the last frame was drawn.
+    pub(super) hovered_shape: Option<ShapeId>,
+    pub(super) frame_rate: FrameRate,
+    pub(super) graphics: GraphicsInfo,
+    title: String,
+    builtin_characters: Vec<&'static str>,
+    builtin_curves: Vec<&'static str>,
+    /// What deformed characters in the first frame.
+    skinning_at_start: Option<Skinning>,
+}
+
+impl Program {
+    /// A program that shows `session`, with the preferences of a first start and no title.
+    pub fn showing(session: Session, graphics: GraphicsInfo) -> Self {
+        Self {
+            session,
+            ui: UiState::new(),
+            preferences: Preferences::default(),
+            comparison: None,
+            pending_pictures: Vec::new(),
+            paste_into: None,
+            hovered_shape: None,
+            frame_rate: FrameRate::default(),
+            graphics,
+            title: String::new(),
+            builtin_characters: builtins(BuiltinKind::Character),
+            builtin_curves: builtins(BuiltinKind::Curve),
+            skinning_at_start: None,
+        }
+    }
+
+    /// Starts the program with the preferences that `host` stored and the files of `options`. At
+    /// the very first start without files it is the showcase, so that there is something to see
+    /// and to turn.
+    pub fn start(options: &Options, graphics: GraphicsInfo, host: &mut dyn Host) -> Self {
+        let mut program = Self::showing(Session::new(), graphics);
+        program.preferences = Preferences::load(host);
+        program.title = options.title.clone().unwrap_or_else(globals::title);
+        host.set_title(&program.title);
+        program.ui.theme = program.preferences.theme;
+        program.ui.set_navigation(program.preferences.navigation);
+        program.ui.skinning = options.skinning.or(program.preferences.skinning);
+        program.skinning_at_start = program.ui.skinning;
+
+        let is_first = !program.preferences.started_before;
+        program.ui.first_help = is_first;
+        if options.files.is_empty() && is_first {
+            program.open_at_start(&[PathBuf::from("builtin:showcase")], host);
+        } else {
+            program.open_at_start(&options.files, host);
+        }
+        program.preferences.started_before = true;
+        program.preferences.store(host);
+        program
+    }
+
+    /// The session: document, selection, view and messages.
+    pub fn session(&self) -> &Session {
+        &self.session
+    }
+
+    /// The session, to be changed by a host of its own accord.
+    pub fn session_mut(&mut self) -> &mut Session {
+        &mut self.session
+    }
+
+    /// The panels' state, which hosts may set up before the first frame.
+    pub fn ui_mut(&mut self) -> &mut UiState {
+        &mut self.ui
+    }
+
+    /// Shows the panels in `root`, the `Ui` of the whole window, and carries out what is done in
+    /// them and in the view. Needs no OpenGL.
+    pub fn show(&mut self, root: &mut egui::Ui, pass: Pass, host: &mut dyn Host) -> Shown {
+        let context = root.ctx().clone();
+        if pass == Pass::Input {
+            self.graphics.max_texture_side = context.input(|input| input.max_texture_side);
+        }
+        if let Some(comparison) = &mut self.comparison {
+            comparison.load_textures(&context);
+        }
+        let compare = self.comparison.as_ref().and_then(Comparison::view);
+        let input = ui::ViewInput {
+            title: &self.title,
+            builtin_characters: &self.builtin_characters,
+            builtin_curves: &self.builtin_curves,
+            hovered_shape: self.hovered_shape,
+            frames_per_second: self.frame_rate.shown(),
+            backend: &self.graphics.description,
+            gesture_under_way: self.ui.gesture_under_way(),
+            keys_are_taken: host.is_dialog_open() || pass == Pass::Display,
+            compare: compare.as_ref(),
+        };
+        let mut output = ui::show(root, &self.session, &mut self.ui, &input);
+        if pass == Pass::Input {
+            self.hovered_shape = ui::view_gestures(
+                &output.view,
+                &output.places,
+                &self.session,
+                &mut self.ui,
+                &mut output.actions,
+            );
+        }
+        host.show_dialogs(&context);
+        let actions = std::mem::take(&mut output.actions);
+        let mut changed = !actions.is_empty();
+        self.carry_out(actions, host);
+        changed |= self.take_events(host);
+        Shown {
+            panels: output,
+            changed,
+        }
+    }
+
+    /// Takes in what the host has to say; whether there was anything.
+    pub fn take_events(&mut self, host: &mut dyn Host) -> bool {
+        let mut any = false;
+        while let Some(event) = host.next_event() {
+            any = true;
+            match event {
+                HostEvent::Chosen {
+                    purpose,
+                    path,
+                    files,
+                } => {
+                    self.preferences.last_folder = path.parent().map(Path::to_owned);
+                    self.use_chosen(purpose, path, &*files, host);
+                }
+                HostEvent::Dropped { path, files } => self.use_dropped(&path, &*files),
+                HostEvent::Written { path, result } => self.tell_written(&path, result),
+                HostEvent::Pasted(text) => self.paste(&text),
+                HostEvent::Finished(result) => {
+                    if let Some(comparison) = &mut self.comparison {
+                        comparison.take_result(result);
+                    }
+                }
+            }
+        }
+        any
+    }
+
+    /// Carries out what panels, menus, keys and gestures ask for: the one place that does.
+    pub fn carry_out(&mut self, actions: Vec<Action>, host: &mut dyn Host) {
+        for action in actions {
+            match action {
+                Action::Edit(edit) => self.edit(edit),
+                Action::Gesture(GestureStep::Begin) => self.session.begin_gesture(),
+                Action::Gesture(GestureStep::Commit) => {
+                    self.session.commit_gesture();
+                }
+                Action::Gesture(GestureStep::Cancel) => self.session.cancel_gesture(),
+                Action::View(view) => self.session.look(view),
+                Action::Ask(ask) => self.answer(ask, host),
+            }
+        }
+    }
+
+    /// Edits the document; a refusal becomes a message.
+    pub(super) fn edit(&mut self, edit: Edit) {
+        if let Err(refused) = self.session.edit(edit) {
+            self.tell(Severity::Error, refused.to_string());
+        }
+    }
+
+    pub(super) fn tell(&mut self, severity: Severity, text: impl Into<String>) {
+        self.session.messages.tell(severity, text);
+    }
+
+    fn answer(&mut self, ask: Ask, host: &mut dyn Host) {
+        let folder = self.preferences.last_folder.as_deref();
+        let mut choose = |purpose, name: &str| host.choose_file(purpose, folder, name);
+        match ask {
+            Ask::ImportShape => choose(Purpose::ImportShape, ""),
+            Ask::ImportCharacter => choose(Purpose::ImportCharacter, ""),
+            Ask::ImportCurve => choose(Purpose::ImportCurve, ""),
+            Ask::ExportCurve(id) => {
+                let shape = self.session.scene().shape(id);
+                let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
+                choose(Purpose::ExportCurve(id), &format!("{stem}.swp"));
+            }
+            Ask::ExportGeometry => choose(Purpose::ExportGeometry, "scene.obj"),
+            Ask::Screenshot(shot) => choose(Purpose::SaveScreenshot(shot), "screenshot.png"),
+            Ask::SavePose(shape, kept) => {
+                let name = self.name_of_pose(shape, kept);
+                choose(Purpose::SavePose(shape, kept), &format!("{name}.json"));
+            }
+            Ask::LoadPose(shape) => choose(Purpose::LoadPose(shape), ""),
+            Ask::InsertBuiltin(name) => {
+                self.import_any(Path::new(&format!("builtin:{name}")), &*host.files());
+            }
+            Ask::OpenBuiltin(name) => {
+                self.open(Path::new(&format!("builtin:{name}")), &*host.files());
+            }
+            Ask::CopyPose(shape) => {
+                if let Some(text) = self.pose_text(shape, None) {
+                    host.copy_text(text);
+                }
+            }
+            Ask::PastePose(shape) => {
+                self.paste_into = Some(shape);
+                host.request_paste();
+            }
+            Ask::Compare(action) => self.compare(action, host),
+            Ask::Quit => host.quit(),
+        }
+    }
+
+    fn compare(&mut self, action: CompareAction, host: &mut dyn Host) {
+        let folder = self.preferences.last_folder.as_deref();
+        match action {
+            CompareAction::Choose => host.choose_file(Purpose::Compare, folder, ""),
+            CompareAction::Save => {
+                host.choose_file(Purpose::SaveComparison, folder, "comparison.png");
+            }
+            CompareAction::Close => self.comparison = None,
+            CompareAction::Set(settings) => {
+                if let Some(comparison) = &mut self.comparison {
+                    comparison.set(settings, host.now());
+                }
+            }
+        }
+    }
+
+    /// The settings of the comparison, which the next one goes on with.
+    pub(super) fn compare_settings(&self) -> CompareSettings {
+        let comparison = self.comparison.as_ref();
+        comparison.map_or_else(CompareSettings::default, |c| c.settings().clone())
+    }
+
+    /// Stores the preferences if something that is kept in them has changed.
+    pub(super) fn keep_preferences(&mut self, host: &mut dyn Host) {
+        let mut now = self.preferences.clone();
+        now.theme = self.ui.theme;
+        now.navigation = self.ui.navigation;
+        // One that was asked for on the command line, and left so, is for that time only.
+        if self.ui.skinning != self.skinning_at_start {
+            now.skinning = self.ui.skinning;
+        }
+        if now != self.preferences {
+            now.store(host);
+            self.preferences = now;
+        }
+    }
+}
+
+/// What came of showing the panels once.
+pub struct Shown {
+    /// Where the panels left room for the view.
+    pub panels: UiOutput,
+    /// Whether anything was carried out or came in.
+    pub changed: bool,
+}
+
+fn builtins(kind: BuiltinKind) -> Vec<&'static str> {
+    builtin::catalogue()
+        .into_iter()
+        .filter(|builtin| builtin.kind == kind)
+        .map(|builtin| builtin.name)
+        .collect()
+}
