@@ -1,6 +1,6 @@
 //! The joint list.
 
-use crate::{Editor, figure};
+use crate::interface::{Editor, figure};
 use editor_core::editor::{Ask, View};
 use egui::{Key, Modifiers};
 use glam::Vec3;

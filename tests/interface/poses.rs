@@ -1,6 +1,6 @@
 //! Resetting, mirroring, copying and keeping poses.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::editor::{Ask, Edit, View};
 use editor_core::scene::ShapeKind;
 use egui::{Event, Key, Modifiers};

@@ -11,7 +11,7 @@ use editor_core::render::{Marks, Renderer};
 use editor_core::scene::{CharacterShape, Look, Scene, ShapeColor, ShapeKind, ViewSettings};
 use glam::{Vec2, Vec3};
 
-use crate::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (160, 120);
 const CORNERS: [[u8; 4]; 4] = [
