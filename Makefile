@@ -3,11 +3,12 @@
 #             (without a display: draws it to showcase.png)
 # make test   installs what the tests need and runs everything
 # make pictures  draws the pictures of README.md
+# make check-assets  makes the characters, rigs, shapes, curves and poses in assets/ anew and compares
 # make lint   what must be clean before a change lands: format, clippy, documentation
 
 CARGO ?= cargo
 
-.PHONY: all editor run test lint pictures clean packages-run packages-test
+.PHONY: all editor run test check-assets lint pictures clean packages-run packages-test
 
 all: editor
 
@@ -27,9 +28,12 @@ run: packages-run editor
 test: packages-test
 	$(CARGO) test --locked --quiet
 
+check-assets:
+	$(CARGO) test --locked --quiet --package make_assets
+
 lint:
-	$(CARGO) fmt --check
-	$(CARGO) clippy --locked --all-targets -- -D warnings
+	$(CARGO) fmt --all --check
+	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --lib
 
 pictures: packages-run editor

@@ -2,7 +2,7 @@
 //!
 //! From the bottom up: [`math`], [`geometry`], [`character`], [`scene`], [`io`] and [`editor`]
 //! know nothing of windows or graphics. ARCHITECTURE.md says which layer may use which, and
-//! `tests/architecture.rs` holds it.
+//! `tests/architecture` holds them to it.
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 

@@ -1,6 +1,6 @@
 //! The characters: closed bodies, well bound.
-use crate::asset;
-use crate::surface::{Surface, float};
+use crate::assets::surface::{Surface, float};
+use crate::assets::{asset, paths};
 use glam::{DMat3, DVec3};
 use std::collections::HashMap;
 
@@ -350,10 +350,7 @@ fn bent_joints_keep_the_triangles_whole() {
 
 #[test]
 fn poses_name_joints_that_their_characters_have() {
-    for path in crate::catalog::PATHS
-        .iter()
-        .filter(|p| p.starts_with("poses/"))
-    {
+    for path in &Vec::from_iter(paths("poses")) {
         let pose: serde_json::Value = serde_json::from_str(&asset(path)).unwrap_or_default();
         // The others are those of the rigs.
         let Some(&name) = NAMES.iter().find(|n| path.contains(&format!("/{n}-"))) else {

@@ -1,6 +1,6 @@
 //! The swept curves: well-formed, and fit to be turned or swept.
-use crate::surface::float;
-use crate::{asset, catalog};
+use crate::assets::surface::float;
+use crate::assets::{asset, paths};
 use std::collections::HashMap;
 
 /// Curves by name (control points, or none for a circle) and the names that surfaces use.
@@ -54,17 +54,11 @@ fn parse(path: &str) -> Parsed {
     }
 }
 
-fn paths() -> impl Iterator<Item = &'static str> {
-    catalog::PATHS
-        .into_iter()
-        .filter(|path| path.starts_with("curves/"))
-}
-
 #[test]
 fn every_surface_uses_curves_of_its_file() {
-    assert!(paths().count() >= 6);
-    for path in paths() {
-        let (curves, used) = parse(path);
+    assert!(paths("curves").count() >= 6);
+    for path in paths("curves") {
+        let (curves, used) = parse(&path);
         assert!(!used.is_empty(), "{path}");
         assert!(
             used.iter().all(|name| curves.contains_key(name)),
@@ -75,8 +69,8 @@ fn every_surface_uses_curves_of_its_file() {
 
 #[test]
 fn no_control_point_comes_twice_in_a_row() {
-    for path in paths() {
-        for points in parse(path).0.values() {
+    for path in paths("curves") {
+        for points in parse(&path).0.values() {
             assert!(points.windows(2).all(|pair| pair[0] != pair[1]), "{path}");
         }
     }

@@ -1,5 +1,5 @@
 //! The rigs in Collada files: they read without a word, and are well bound.
-use crate::asset;
+use crate::assets::asset;
 use editor_core::character::{Character, Pose};
 use editor_core::disk::Disk;
 use editor_core::io::dae::{DaeScene, read_dae};

@@ -1,6 +1,6 @@
 //! The shapes: polygons that a reader may cut into triangles as it likes.
-use crate::asset;
-use crate::surface::Surface;
+use crate::assets::asset;
+use crate::assets::surface::Surface;
 use std::collections::BTreeSet;
 
 #[test]
@@ -62,7 +62,7 @@ fn the_plants_normals_are_unit_vectors() {
     let normals = text.lines().filter_map(|line| line.strip_prefix("vn "));
     let lengths = normals.map(|n| {
         n.split_whitespace()
-            .map(crate::surface::float)
+            .map(crate::assets::surface::float)
             .map(|x| x * x)
             .sum::<f64>()
     });

@@ -1,6 +1,6 @@
 //! 3.2 The skeleton: its file, and the two transforms of each joint.
 
-use crate::characters::{BODY, skeleton};
+use crate::assignment::characters::{BODY, skeleton};
 use editor_core::character::Pose;
 use editor_core::math::Euler;
 use glam::{Mat4, Vec3};

@@ -1,6 +1,6 @@
 //! 3.3 The stick figure: joints and bones as they are drawn.
 
-use crate::characters::{BODY, skeleton};
+use crate::assignment::characters::{BODY, skeleton};
 use editor_core::character::{Pose, StickFigure};
 use editor_core::geometry::BONE_HALF_WIDTH;
 use glam::Vec3;

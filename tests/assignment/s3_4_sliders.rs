@@ -1,6 +1,6 @@
 //! 3.4 The sliders: `setJointTransform(index, rX, rY, rZ)`.
 
-use crate::characters::{BODY, skeleton};
+use crate::assignment::characters::{BODY, skeleton};
 use editor_core::character::Pose;
 use editor_core::math::Euler;
 use glam::{Mat3, Vec3};

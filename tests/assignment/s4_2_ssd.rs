@@ -1,6 +1,6 @@
 //! 4.2 Skeletal subspace deformation: `v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v`.
 
-use crate::characters::character;
+use crate::assignment::characters::character;
 use editor_core::character::{Character, Pose};
 use editor_core::math::Euler;
 use glam::Vec3;

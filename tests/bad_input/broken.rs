@@ -1,6 +1,6 @@
 //! Files cut off or changed at random.
 
-use crate::everything::{Table, good, names, open, with};
+use crate::bad_input::everything::{Table, good, names, open, with};
 use editor_core::io::export_obj;
 use editor_core::scene::Evaluator;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! What ends the course's own editor, or makes it draw nonsense: here it works, or one error says
 //! where the fault is.
 
-use crate::everything::{SCENE, Table, good, open, with};
+use crate::bad_input::everything::{SCENE, Table, good, open, with};
 use editor_core::io::{Loaded, import_any, import_character};
 use std::path::{Path, PathBuf};
 

@@ -1,8 +1,9 @@
 //! Files that would take for ever if their time grew with the square of their size.
 
+use crate::work::work;
 use editor_core::io::read_character_obj;
 use std::path::Path;
-use std::time::Instant;
+use std::time::Duration;
 
 #[test]
 fn many_large_dented_faces_do_not_take_for_ever() {
@@ -17,8 +18,8 @@ fn many_large_dented_faces_do_not_take_for_ever() {
     let mut text: String = out.chain(back).collect();
     let face: String = (1..=512).map(|i| format!(" {i}")).collect();
     text.push_str(&format!("f{face}\n").repeat(1_000));
-    let start = Instant::now();
-    let mesh = read_character_obj(Path::new("a.obj"), text.as_bytes()).unwrap();
-    assert_eq!(mesh.value.triangles.len(), 510 * 1_000);
-    assert!(start.elapsed().as_secs() < 8, "{:?}", start.elapsed());
+    let read = || read_character_obj(Path::new("a.obj"), text.as_bytes());
+    let (mesh, time) = work(read);
+    assert_eq!(mesh.unwrap().value.triangles.len(), 510 * 1_000);
+    assert!(time < Duration::from_secs(20), "{time:?}");
 }

@@ -1,6 +1,6 @@
 //! Skins, skeletons, weights.
 
-use crate::support::*;
+use crate::collada::support::*;
 use editor_core::character::{Character, Influence, Joint, Pose};
 use editor_core::geometry::Normals;
 use editor_core::math::Euler;

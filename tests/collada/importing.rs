@@ -1,6 +1,6 @@
 //! Collada files as the program imports them.
 
-use crate::support::*;
+use crate::collada::support::*;
 use editor_core::io::{Loaded, import_any, import_character, import_shape};
 use editor_core::scene::{COLOR_PRESETS, ShapeColor, ShapeKind};
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Materials, groups, textures and where their pictures are.
 
-use crate::support::*;
+use crate::collada::support::*;
 use editor_core::geometry::{Mesh, Picture};
 use editor_core::io::Imported;
 use editor_core::io::dae::DaeScene;
@@ -44,7 +44,7 @@ fn textured(init_from: &str) -> String {
 }
 
 fn read(text: String, files: Memory) -> Imported<DaeScene> {
-    crate::support::read(&files.with("models/a.dae", text), "models/a.dae").unwrap()
+    crate::collada::support::read(&files.with("models/a.dae", text), "models/a.dae").unwrap()
 }
 
 fn picture(mesh: &Mesh) -> Option<&Picture> {

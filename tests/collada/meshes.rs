@@ -1,6 +1,6 @@
 //! Geometry: axes, units, sources, primitives, nodes.
 
-use crate::support::*;
+use crate::collada::support::*;
 use editor_core::geometry::{Mesh, Normals};
 use glam::{Vec2, Vec3};
 

@@ -9,7 +9,6 @@ use editor_core::math::Euler;
 use glam::{Mat3, Mat4, Vec3};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 const NAMES: [&str; 5] = ["split_cube", "long_cubes", "mapped_cube", "robot", "head"];
 
@@ -195,20 +194,4 @@ fn bones_that_the_exporter_calls_connected_end_at_their_child() {
     let joints = cubes.skeleton().joints();
     let tips: Vec<Vec3> = joints.iter().map(|joint| joint.tip.unwrap()).collect();
     super::support::assert_near(&tips, &[Vec3::Y, 3.0 * Vec3::Z, -3.0 * Vec3::Z]);
-}
-
-#[test]
-fn reading_takes_a_few_milliseconds() {
-    let Some(folder) = folder() else { return };
-    for name in NAMES {
-        let path = folder.join(format!("{name}.dae"));
-        let best = (0..5)
-            .map(|_| {
-                let start = Instant::now();
-                read_dae(&Disk, &path).unwrap();
-                start.elapsed()
-            })
-            .min();
-        eprintln!("{name}: read in {:?}", best.unwrap_or_default());
-    }
 }

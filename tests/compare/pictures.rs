@@ -1,4 +1,4 @@
-use crate::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
+use crate::compare::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
 use editor_core::compare::{Finding, HighlightChange, Pair, PictureOptions, Which};
 use editor_core::geometry::Picture;
 use glam::Vec3;

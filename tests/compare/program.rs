@@ -1,6 +1,6 @@
 //! `editor compare` as it is called.
 
-use crate::painter::{HEIGHT, SCENE, Scene, WIDTH};
+use crate::compare::painter::{HEIGHT, SCENE, Scene, WIDTH};
 use editor_core::geometry::Picture;
 use editor_core::io::image::{PictureFormat, decode, encode};
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-use crate::support::{evaluate, flat, read, spatial, spline};
+use crate::curves::support::{evaluate, flat, read, spatial, spline};
 use editor_core::geometry::{Basis, Curve, Normals};
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-use crate::support::read;
+use crate::curves::support::read;
 use editor_core::editor::{Edit, Session, Severity, apply_edit};
 use editor_core::geometry::Basis;
 use editor_core::scene::NewShape;

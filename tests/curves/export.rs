@@ -1,4 +1,4 @@
-use crate::support::read;
+use crate::curves::support::read;
 use editor_core::io::{Diagnostic, Files, Loaded, export_obj};
 use editor_core::scene::NewShape;
 use editor_core::scene::{CurveShape, Evaluator, Scene, ShapeKind, SurfaceVisibility};

@@ -1,4 +1,4 @@
-use crate::support::{evaluate, read, spatial, spline};
+use crate::curves::support::{evaluate, read, spatial, spline};
 use editor_core::geometry::{Basis, Curve, close_frames, is_closed};
 use glam::Vec3;
 use proptest::prelude::*;

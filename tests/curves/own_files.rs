@@ -1,6 +1,6 @@
 //! The curves that come with the program.
 
-use crate::support::{Merged, evaluate, read, volume};
+use crate::curves::support::{Merged, evaluate, read, volume};
 use editor_core::scene::EvaluatedGeometry;
 use std::path::Path;
 use std::sync::Arc;

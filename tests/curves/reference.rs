@@ -1,7 +1,7 @@
 //! Against curves and frames that the course's own program made.
 
+use crate::curves::support::{evaluate, read};
 use crate::reference_data::reference;
-use crate::support::{evaluate, read};
 use editor_core::geometry::{CurvePoint, Normals};
 use editor_core::scene::{CurveItemKind, CurveSet};
 use glam::Vec3;

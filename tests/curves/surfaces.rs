@@ -1,4 +1,4 @@
-use crate::support::{Merged, evaluate, flat, half_circle, read, spline, volume};
+use crate::curves::support::{Merged, evaluate, flat, half_circle, read, spline, volume};
 use editor_core::geometry::{
     Basis, Curve, Mesh, Normals, generalized_cylinder, surface_of_revolution, wireframe,
 };

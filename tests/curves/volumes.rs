@@ -1,4 +1,4 @@
-use crate::support::{half_circle, volume};
+use crate::curves::support::{half_circle, volume};
 use editor_core::geometry::{Curve, Mesh, generalized_cylinder, surface_of_revolution};
 use std::f64::consts::PI;
 

@@ -1,6 +1,6 @@
 //! Pinned joints stay where they are and as they are, while others are dragged or moved.
 
-use crate::chains::frames;
+use crate::ik::chains::frames;
 use editor_core::character::ik::{IkChain, IkGoal, hold_pins};
 use editor_core::character::{Joint, Pose, SkeletalModel};
 use editor_core::math::Euler;

@@ -1,6 +1,6 @@
 //! How a limb looks on its way: bends keep their side, and hinges their axis.
 
-use crate::chains::{Row, frames};
+use crate::ik::chains::{Row, frames};
 use editor_core::character::ik::{IkChain, IkGoal};
 use editor_core::character::{Joint, Pose, SkeletalModel};
 use glam::{Quat, Vec3};

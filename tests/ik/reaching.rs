@@ -1,6 +1,6 @@
 //! What can be reached is reached, what cannot is pointed at, however things lie.
 
-use crate::chains::{Row, direction, frames, reach, row, vector};
+use crate::ik::chains::{Row, direction, frames, reach, row, vector};
 use editor_core::character::ik::IkGoal;
 use glam::Vec3;
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! Bones, roots and shapes turned and moved by hand in the view.
 
-use crate::{Editor, figure};
+use crate::interface::{Editor, figure};
 use editor_core::character::COURSE_JOINT_NAMES;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;

@@ -1,6 +1,6 @@
 //! The Compare panel, and the pictures that take the place of the view.
 
-use crate::{Editor, curves};
+use crate::interface::{Editor, curves};
 use editor_core::editor::View;
 use editor_core::geometry::Picture;
 use editor_core::math::Area;

@@ -1,6 +1,6 @@
 //! Curves and surfaces: the menu, the panel, and control points in the view.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::scene::NewShape;

@@ -1,6 +1,6 @@
 //! The IK tool: what is dragged comes to the pointer, a chain follows, and pins hold.
 
-use crate::{Editor, figure};
+use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::math::{Euler, Transform};
 use egui::{Key, PointerButton, Pos2, Vec2, vec2};

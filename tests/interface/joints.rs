@@ -1,6 +1,6 @@
 //! The joint list.
 
-use crate::{Editor, figure};
+use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::ui::Ask;
 use egui::{Key, Modifiers};

@@ -1,6 +1,6 @@
 //! Nothing clipped, nothing on top of anything else, nothing without a name.
 
-use crate::{Editor, figure};
+use crate::interface::{Editor, figure};
 use egui::accesskit::Role;
 use egui::{Key, Rect, vec2};
 use egui_kittest::kittest::NodeT;

@@ -1,6 +1,6 @@
 //! Menus, keys and dialogs.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::scene::{Camera, Look, Shading, Skinning};
 use editor_core::ui::{Ask, Screenshot};
 use egui::{Key, Modifiers};

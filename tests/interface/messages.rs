@@ -1,6 +1,6 @@
 //! What the program tells, over the view and in the history.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::editor::Severity;
 use egui::Key;
 

@@ -1,6 +1,6 @@
 //! Ways of moving the camera that hands bring along from other programs.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::scene::Camera;
 use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
@@ -134,7 +134,7 @@ fn in_the_mannequin_keys_walk_and_r_puts_view_and_pose_back() {
         let off = (moved.normalize_or_zero() - along).length();
         assert!(moved.length() >= 0.0999 && off < 1e-4, "{key:?} {moved}");
     }
-    editor.add_character(crate::figure::figure());
+    editor.add_character(crate::interface::figure::figure());
     editor.type_into("Neck X", "30");
     assert!(!editor.character().pose().is_bind());
     editor.key(Key::R);

@@ -1,6 +1,6 @@
 //! Resetting, mirroring, copying and keeping poses.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::scene::NewShape;
 use editor_core::scene::ShapeKind;

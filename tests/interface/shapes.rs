@@ -1,6 +1,6 @@
 //! The shape panel: list, properties, color, display.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::scene::{BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, ShapeColor, ShapeId};
 use egui::{Key, Modifiers};
 use glam::Vec3;

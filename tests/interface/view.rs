@@ -1,6 +1,6 @@
 //! What lies over the view, and the view itself.
 
-use crate::Editor;
+use crate::interface::Editor;
 use editor_core::editor::View;
 use editor_core::scene::{Camera, ViewDirection};
 use egui::Key;

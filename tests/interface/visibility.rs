@@ -1,6 +1,6 @@
 //! The eye and the lock in the list of shapes.
 
-use crate::{Editor, curves};
+use crate::interface::{Editor, curves};
 use editor_core::editor::{Edit, View};
 use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeId};
 use egui::{Key, Modifiers, Pos2, vec2};

@@ -5,7 +5,7 @@ use editor_core::gpu::{
 };
 use glam::{Mat4, Vec3, Vec4};
 
-use crate::support::Picture;
+use crate::offscreen::support::Picture;
 
 /// Lines thin and wide, points of every shape, and blended triangles, seen at an angle.
 fn medley(gl: &Gl, samples: u32) -> Picture {

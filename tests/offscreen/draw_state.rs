@@ -4,7 +4,7 @@ use editor_core::gpu::{Blend, DepthTest, DrawState, Gl, Immediate, Mode};
 use glam::Vec3;
 use glow::HasContext as _;
 
-use crate::support::{Picture, black, on_each_backend};
+use crate::offscreen::support::{Picture, black, on_each_backend};
 
 const CAPABILITIES: [u32; 10] = [
     glow::BLEND,

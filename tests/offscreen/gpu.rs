@@ -7,7 +7,7 @@ use editor_core::gpu::{
 use glam::{Vec3, Vec4};
 use glow::HasContext as _;
 
-use crate::support::{
+use crate::offscreen::support::{
     BLACK, GREEN, Picture, RED, WHITE, black, flat_program, on_each_backend, set_color,
 };
 

@@ -3,7 +3,7 @@
 use editor_core::gpu::{Blend, DrawState, Framebuffer, Gl, Immediate, Mode, PointShape};
 use glam::{Mat4, Vec3, Vec4};
 
-use crate::support::{BLACK, GREEN, Picture, RED, WHITE, black, on_each_backend};
+use crate::offscreen::support::{BLACK, GREEN, Picture, RED, WHITE, black, on_each_backend};
 
 /// From pixels, counted from the bottom left, to clip space.
 fn clip_from_pixels(width: u32, height: u32) -> Mat4 {

@@ -11,7 +11,7 @@ use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterShape, Look, ModelDisplay, Scene, ShapeKind, ViewSettings};
 use glam::Vec3;
 
-use crate::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (400, 300);
 const BACKGROUND: [u8; 4] = [0, 95, 95, 255];

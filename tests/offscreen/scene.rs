@@ -14,7 +14,7 @@ use editor_core::scene::{
 };
 use glam::Vec3;
 
-use crate::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (160, 120);
 const BACKGROUND: [u8; 4] = [26, 26, 26, 255];

@@ -6,8 +6,8 @@ use editor_core::scene::NewShape;
 use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings};
 use glam::{Vec2, Vec3};
 
-use crate::skinning::characters;
-use crate::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::skinning::characters;
+use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
 
 const SIZE: (u32, u32) = (240, 180);
 

@@ -6,7 +6,7 @@ use editor_core::gpu::{
 };
 use glam::Vec2;
 
-use crate::support::{BLACK, GREEN, Picture, RED, WHITE, black, on_each_backend};
+use crate::offscreen::support::{BLACK, GREEN, Picture, RED, WHITE, black, on_each_backend};
 
 /// A picture of 4 x 1 pixels, whose pixel x is what `expression` says at u = (x + 0.5) / 4.
 fn four_pixels(gl: &Gl, expression: &str) -> Picture {

@@ -14,7 +14,7 @@ use editor_core::scene::{
 };
 use glam::Vec3;
 
-use crate::reference::{Render, Renders};
+use crate::pictures::reference::{Render, Renders};
 
 struct Disk;
 

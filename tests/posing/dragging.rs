@@ -1,6 +1,8 @@
 //! A bone held by the pointer.
 
-use crate::support::{SIZE, cameras, pixel, poses, session, transforms, vector, world_from_joint};
+use crate::posing::support::{
+    SIZE, cameras, pixel, poses, session, transforms, vector, world_from_joint,
+};
 use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, apply_edit, roll};
 use editor_core::scene::{Camera, ShapeId, bones_in_world};
 use glam::{DMat4, DVec2, DVec3, Mat3, Vec2, Vec3};

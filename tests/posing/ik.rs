@@ -1,6 +1,6 @@
 //! A hand held by the pointer, and the chain that follows it.
 
-use crate::support::{SIZE, cameras, pixel, poses, session, transforms};
+use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::character::Facing;
 use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Screen, Session, apply_edit};
 use editor_core::scene::{BoneHit, Camera, ShapeId, bones_in_world};

@@ -1,6 +1,6 @@
 //! Roots and shapes held by the pointer.
 
-use crate::support::{SIZE, cameras, pixel, poses, session, transforms};
+use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::editor::{MoveAlong, MoveDrag, MoveTarget, apply_edit};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;

@@ -1,6 +1,6 @@
 //! The bone under the pointer, against brute force.
 
-use crate::support::{SIZE, cameras, poses, session, transforms};
+use crate::posing::support::{SIZE, cameras, poses, session, transforms};
 use editor_core::math::Ray;
 use editor_core::scene::{bones_in_world, pick_bone};
 use glam::{Vec2, Vec3};

@@ -1,7 +1,7 @@
 //! `editor check`.
 
-use crate::reference::course;
-use crate::{editor_in, folder};
+use crate::program::{editor_in, folder};
+use crate::reference_data::course;
 use serde_json::{Value, json};
 
 fn json(text: &str) -> Value {

@@ -1,7 +1,7 @@
 //! `editor export`.
 
-use crate::reference::{course, course_pose, posed};
-use crate::{editor_in, files_in, folder};
+use crate::program::{editor_in, files_in, folder};
+use crate::reference_data::{course, course_pose, posed};
 use std::fs;
 use std::path::Path;
 

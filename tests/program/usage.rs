@@ -1,6 +1,6 @@
 //! Help, and wrong usage.
 
-use crate::{editor_in, folder};
+use crate::program::{editor_in, folder};
 
 #[test]
 fn help_and_version_are_results() {

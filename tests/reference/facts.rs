@@ -1,6 +1,6 @@
 //! What is known about the course's files.
 
-use crate::reference::course;
+use crate::reference_data::course;
 use editor_core::disk::Disk;
 use editor_core::geometry::{Mesh, Normals};
 use editor_core::io::{Files, read_character, read_shape_obj};

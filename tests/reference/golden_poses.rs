@@ -1,6 +1,6 @@
 //! The course's poses: the matrices of all joints and every vertex of the deformed mesh.
 
-use crate::reference::{course, course_pose, posed};
+use crate::reference_data::{course, course_pose, posed};
 use editor_core::character::{Character, Pose};
 use editor_core::disk::Disk;
 use editor_core::io::read_character;

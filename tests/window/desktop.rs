@@ -6,7 +6,8 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-const PATIENCE: Duration = Duration::from_secs(30);
+/// How long something may take before it is taken to hang. A busy machine needs a part of it.
+const PATIENCE: Duration = Duration::from_secs(120);
 
 /// One desktop at a time: servers that start together may take each other's display number, and
 /// programs that draw in software together are slow.
@@ -166,18 +167,37 @@ impl<'a> Program<'a> {
         std::thread::sleep(Duration::from_millis(30));
     }
 
-    /// What is on the screen now, once it stands still.
+    /// What is on the screen now, once it stands still and nothing waits for the processor to
+    /// change it.
     pub fn picture(&self) -> Vec<u8> {
-        let mut last = self.grab();
+        let mut last = None;
         let since = Instant::now();
         loop {
-            std::thread::sleep(Duration::from_millis(200));
             let now = self.grab();
-            if now == last || since.elapsed() > PATIENCE {
+            if last.as_ref() == Some(&now) || since.elapsed() > PATIENCE {
                 return now;
             }
-            last = now;
+            last = self.sleeps().then_some(now);
+            std::thread::sleep(Duration::from_millis(200));
+            last = last.filter(|_| self.sleeps());
         }
+    }
+
+    /// Whether all threads of the program and of its screen wait for something to happen, none
+    /// for the processor.
+    fn sleeps(&self) -> bool {
+        [self.child.id(), self.desktop.server.id()]
+            .into_iter()
+            .all(|process| {
+                let threads = std::fs::read_dir(format!("/proc/{process}/task"));
+                threads.into_iter().flatten().flatten().all(|thread| {
+                    let stat = std::fs::read_to_string(thread.path().join("stat"));
+                    // The name, in parentheses, may hold blanks; the state follows it.
+                    let stat = stat.unwrap_or_default();
+                    let state = stat.rsplit(')').next().unwrap_or_default().trim_start();
+                    !state.starts_with(['R', 'D'])
+                })
+            })
     }
 
     /// The same once it stands still for long, so that every key and click is surely in it.

@@ -1,7 +1,7 @@
 //! What the vertex shader makes of each vertex.
 
 use super::characters;
-use crate::support::on_each_backend;
+use crate::offscreen::support::on_each_backend;
 use editor_core::character::Character;
 use editor_core::geometry::{Facets, Normals, face_normals};
 use editor_core::gpu::Gl;

@@ -1,7 +1,7 @@
 //! The same picture, whoever skins.
 
 use super::characters::{self, ids};
-use crate::support::{Picture, on_each_backend};
+use crate::offscreen::support::{Picture, on_each_backend};
 use editor_core::character::Pose;
 use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::render::{Frame, Marks, Renderer};

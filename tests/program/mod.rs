@@ -1,8 +1,5 @@
 //! The program as its users run it: arguments in, files, text and an exit code out.
 
-#[path = "../support/reference.rs"]
-mod reference;
-
 mod check;
 mod export;
 mod render;

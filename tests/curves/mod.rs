@@ -2,16 +2,13 @@
 //! frames, surfaces of revolution, generalized cylinders, and the `.swp` files that describe
 //! them.
 
-#[path = "../support/reference_data.rs"]
-mod reference_data;
-
-mod curves;
 mod degenerate;
 mod dragging;
 mod editing;
 mod export;
 mod frames;
 mod own_files;
+mod points;
 mod reference;
 mod support;
 mod surfaces;

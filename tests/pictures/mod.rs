@@ -1,9 +1,6 @@
 //! The same picture as the course's editor: its own pictures, drawn again in the Course look and
 //! compared pixel by pixel. Needs the reference data, see CONTRIBUTING.md.
 
-#[path = "../support/reference_data.rs"]
-mod reference_data;
-
 mod reference;
 mod scenes;
 

@@ -1,4 +1,4 @@
-use crate::support::{flat, spatial, spline};
+use crate::curves::support::{flat, spatial, spline};
 use editor_core::geometry::{Basis, Curve, CurveError, CurvePoint};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;

@@ -1,4 +1,5 @@
 //! Everything that the generator puts into `assets/`, by path.
+
 mod adult;
 mod curves;
 mod dog;
@@ -16,6 +17,9 @@ mod solids;
 mod text;
 
 use rig::Character;
+
+/// The folder `assets/` of this checkout.
+pub const ASSETS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../assets");
 
 /// A file: its path below `assets/` and its content.
 pub struct File {

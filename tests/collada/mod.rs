@@ -1,9 +1,6 @@
 //! Collada files: every rule of the reader on files written for it, files of real exporters
 //! against golden poses, and files that mean harm.
 
-#[path = "../support/reference_data.rs"]
-mod reference_data;
-
 mod characters;
 mod hostile;
 mod importing;

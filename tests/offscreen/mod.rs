@@ -1,8 +1,5 @@
 //! Tests that draw without a window, on each backend by the same body.
 
-#[path = "../support/reference_data.rs"]
-mod reference_data;
-
 mod backends;
 mod draw_state;
 mod gpu;
