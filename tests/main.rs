@@ -2,6 +2,7 @@
 //! links the whole library. `tests/window` and `tests/gpu_window` are programs of their own,
 //! because they take turns at a display and want the processor for themselves.
 
+mod host;
 mod reference_data;
 
 mod architecture;

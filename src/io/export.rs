@@ -65,6 +65,7 @@ fn write_vertices(out: &mut String, shape: &EvaluatedShape, positions: impl Iter
 mod tests {
     use super::*;
     use crate::io::read_character_obj;
+    use crate::scene::NewShape;
     use crate::scene::{Evaluator, ShapeKind};
     use std::path::Path;
 

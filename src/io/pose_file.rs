@@ -211,6 +211,7 @@ mod tests {
     use crate::character::{Attachments, Character, Joint};
     use crate::geometry::Mesh;
     use crate::scene::CharacterShape;
+    use crate::scene::NewShape;
     use glam::Vec3;
     use std::sync::Arc;
 
@@ -233,8 +234,13 @@ mod tests {
 
     fn apply(text: &str, scene: &mut Scene) -> Result<(), String> {
         PoseFile::read(Path::new("p.json"), text.as_bytes())
-            .and_then(|pose| pose.apply_to(scene))
+            .and_then(|pose| pose.poses_for(scene))
             .map_err(|error| error.to_string())
+            .map(|poses| {
+                for (id, pose) in poses {
+                    scene.character_mut(id).unwrap().set_pose(pose);
+                }
+            })
     }
 
     fn degrees(scene: &Scene, shape: u32, joint: usize) -> Vec3 {

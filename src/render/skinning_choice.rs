@@ -101,6 +101,7 @@ mod tests {
     use crate::gpu::{Backend, Framebuffer, HeadlessContext};
     use crate::render::mesh_cache::MeshCache;
     use crate::render::{Marks, read_picture};
+    use crate::scene::NewShape;
     use crate::scene::{
         CharacterShape, CurveSet, CurveShape, Evaluator, Scene, ShapeKind, ViewSettings,
     };

@@ -84,6 +84,7 @@ fn closest_on_segment(ray: &Ray, a: Vec3, b: Vec3) -> Vec3 {
 mod tests {
     use super::*;
     use crate::geometry::Basis;
+    use crate::scene::NewShape;
     use crate::scene::{
         CurveSet, CurveShape, Evaluated, Evaluator, Scene, ShapeId, ShapeKind, pick_shape,
     };

@@ -194,6 +194,7 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::NewShape;
 
     #[test]
     fn vertices_are_deformed_when_they_are_asked_for_and_not_before() {

@@ -57,6 +57,7 @@ mod tests {
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
     use crate::geometry::Mesh;
     use crate::math::{Euler, Transform};
+    use crate::scene::NewShape;
     use crate::scene::{CharacterShape, Evaluator, Scene, ShapeKind};
     use glam::Vec3;
     use proptest::prelude::*;

@@ -1,5 +1,6 @@
 //! 5 The scene: shapes from files beside characters posed together.
 
+use editor_core::editor::Session;
 use editor_core::geometry::{Mesh, Normals};
 use editor_core::io::{Imported, Loaded, read_shape_obj};
 use editor_core::scene::{Look, ShapeColor, ShapeKind};
@@ -146,8 +147,9 @@ fn a_scene_file_holds_posed_characters_on_a_flattened_cube() {
     assert!((view.camera.theta.to_degrees() - 45.0).abs() < 1e-4);
     assert_eq!(view.camera.radius, 5.0);
 
-    let [floor, man, twin] = loaded.scene.shapes() else {
-        panic!("{:?}", loaded.scene);
+    let session = Session::with_shapes(loaded.shapes, view);
+    let [floor, man, twin] = session.scene().shapes() else {
+        panic!("{:?}", session.scene());
     };
     assert_eq!(
         (&*floor.name, &*man.name, &*twin.name),
@@ -178,8 +180,9 @@ fn several_files_make_one_scene() {
     let files = scene_files();
     loaded.add(&files, Path::new("d/man.obj")).unwrap();
     loaded.add(&files, Path::new("d/a.scene")).unwrap();
-    let ids: Vec<u32> = loaded
-        .scene
+    let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap());
+    let ids: Vec<u32> = session
+        .scene()
         .shapes()
         .iter()
         .map(|shape| shape.id.0)

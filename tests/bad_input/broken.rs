@@ -2,17 +2,15 @@
 
 use crate::bad_input::everything::{Table, good, names, open, with};
 use editor_core::io::export_obj;
-use editor_core::scene::Evaluator;
 use proptest::prelude::*;
 use std::path::Path;
 
 /// Opens everything, and uses what comes of it; an error must say something about some file.
 fn survives(files: &Table) {
     match open(files) {
-        Ok(loaded) => {
-            let evaluated = Evaluator::new().evaluate(&loaded.scene, 0.0);
-            let exported = export_obj(&loaded.scene, &evaluated);
-            assert!(!exported.is_empty() || loaded.scene.shapes().is_empty());
+        Ok((session, _)) => {
+            let exported = export_obj(session.scene(), session.evaluated());
+            assert!(!exported.is_empty() || session.scene().shapes().is_empty());
         }
         Err(error) => assert!(!error.message.is_empty() && !error.path.as_os_str().is_empty()),
     }
@@ -20,9 +18,9 @@ fn survives(files: &Table) {
 
 #[test]
 fn the_good_files_are_good() {
-    let loaded = open(&good()).unwrap();
-    assert_eq!(loaded.scene.shapes().len(), 3);
-    let warnings: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
+    let (session, warnings) = open(&good()).unwrap();
+    assert_eq!(session.scene().shapes().len(), 3);
+    let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     let expected = [
         "man.attach:5:1: 1 vertex with weights that do not sum up to 1",
         "box.png: there is no such file",
@@ -50,7 +48,7 @@ fn what_is_no_text_is_told_with_its_place() {
         let told = match result {
             Err(error) => error.to_string(),
             // A material library that cannot be read is left out.
-            Ok(loaded) => loaded.warnings[1].to_string(),
+            Ok((_, warnings)) => warnings[1].to_string(),
         };
         let message = format!("{name}:1:4: expected text in UTF-8, found the byte 0xff");
         assert!(told.ends_with(&message), "{told}");

@@ -1,5 +1,6 @@
 //! A small good file of every format, and what happens to it.
 
+use editor_core::editor::{Edit, Session};
 use editor_core::io::{Diagnostic, Loaded, PoseFile};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -47,13 +48,16 @@ pub fn good() -> Table {
     GOOD.iter().map(entry).collect()
 }
 
-/// Opens everything in `files`. The first error is returned.
-pub fn open(files: &Table) -> Result<Loaded, Diagnostic> {
+/// A session with everything in `files`, and the warnings. The first error is returned.
+pub fn open(files: &Table) -> Result<(Session, Vec<Diagnostic>), Diagnostic> {
     let mut loaded = Loaded::default();
     loaded.add(files, Path::new("a.scene"))?;
     let pose = PoseFile::read(Path::new("wave.json"), &files[Path::new("wave.json")])?;
-    pose.apply_to(&mut loaded.scene)?;
-    Ok(loaded)
+    let mut session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+    let poses = pose.poses_for(session.scene())?.into_iter();
+    let edits = poses.map(|(id, pose)| Edit::SetPose(id, pose)).collect();
+    session.edit(Edit::Together(edits)).expect("poses that fit");
+    Ok((session, loaded.warnings))
 }
 
 /// The good files with one of them replaced.

@@ -38,8 +38,9 @@ fn more_than_18_joints_are_welcome() {
     files.insert(PathBuf::from("man.skel"), skel.into_bytes());
     let row = format!("1{}\n", " 0".repeat(joints - 2));
     files.insert(PathBuf::from("man.attach"), row.repeat(4).into_bytes());
-    let loaded = open(&files).unwrap();
-    let man = loaded.scene.character(loaded.scene.shapes()[1].id).unwrap();
+    let (session, _) = open(&files).unwrap();
+    let scene = session.scene();
+    let man = scene.character(scene.shapes()[1].id).unwrap();
     assert_eq!(man.character.skeleton().joints()[499].name, "Joint 499");
 }
 

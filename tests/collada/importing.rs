@@ -1,8 +1,9 @@
 //! Collada files as the program imports them.
 
 use crate::collada::support::*;
+use editor_core::editor::{Edit, Session};
 use editor_core::io::{Loaded, import_any, import_character, import_shape};
-use editor_core::scene::{COLOR_PRESETS, ShapeColor, ShapeKind};
+use editor_core::scene::{COLOR_PRESETS, NewShape, ShapeColor, ShapeKind, ViewSettings};
 use std::path::Path;
 
 /// A skinned arm and a static mesh beside it.
@@ -15,7 +16,7 @@ fn both() -> Memory {
     Memory::default().with("my_arm.dae", text)
 }
 
-fn names(shapes: &[editor_core::io::NewShape]) -> Vec<(&str, &str)> {
+fn names(shapes: &[NewShape]) -> Vec<(&str, &str)> {
     shapes
         .iter()
         .map(|shape| (shape.name.as_str(), shape.kind.label()))
@@ -71,10 +72,10 @@ fn a_scene_can_be_cut_to_four_influences() {
     let files = Memory::default().with("a.dae", arm(&skin));
     let mut loaded = Loaded::default();
     loaded.add(files.files(), Path::new("a.dae")).unwrap();
-    loaded.limit_influences(1);
-    let ShapeKind::Character(shape) = &loaded.scene.shapes()[0].kind else {
-        panic!("expected a character");
-    };
+    let mut session = Session::with_shapes(loaded.shapes, ViewSettings::default());
+    let id = session.scene().shapes()[0].id;
+    session.edit(Edit::LimitInfluences(id, 1)).unwrap();
+    let shape = session.scene().character(id).unwrap();
     let kept = shape.character.attachments().of_vertex(0);
     assert_eq!((kept.len(), kept[0].joint, kept[0].weight), (1, 1, 1.0));
 }
@@ -85,7 +86,7 @@ fn a_character_with_materials_starts_white_so_that_these_show_as_they_are() {
         let files = Memory::default().with("a.dae", text);
         let mut loaded = Loaded::default();
         loaded.add(files.files(), Path::new("a.dae")).unwrap();
-        let color = loaded.scene.shapes()[0].placement.color;
+        let color = loaded.shapes[0].placement.color;
         matches!(color, ShapeColor::Preset(preset) if COLOR_PRESETS[preset].name == "White")
     };
     let plain = arm(&Skin::default());
@@ -128,7 +129,7 @@ fn posed_pair(pose: &str) -> Result<Loaded, String> {
 fn a_pose_in_a_scene_goes_to_those_characters_of_its_file_that_have_the_joints() {
     let degrees = |pose: &str| {
         let loaded = posed_pair(pose).unwrap();
-        let shapes = loaded.scene.shapes().iter();
+        let shapes = loaded.shapes.iter();
         let posed = shapes.map(|shape| match &shape.kind {
             ShapeKind::Character(character) => {
                 let last = character.character.skeleton().joints().len() - 1;

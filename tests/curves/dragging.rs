@@ -1,6 +1,6 @@
 //! A grabbed control point stays under the pointer, whatever the view and the placement.
 
-use editor_core::editor::{ControlPointDrag, Edit, Session, View, apply_edit, apply_view};
+use editor_core::editor::{ControlPointDrag, Edit, Session, View};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::NewShape;
@@ -47,16 +47,15 @@ fn session(camera: Camera, transform: Transform, flat: bool, points: [Vec3; 4]) 
     let curve = Curve::spline(Basis::Bezier, flat, 4, points.to_vec()).unwrap();
     set.push("curve", CurveItemKind::Curve(curve)).unwrap();
     let mut session = Session::new();
-    apply_edit(
-        &mut session,
-        Edit::Insert(vec![NewShape::new(
+    session
+        .edit(Edit::Insert(vec![NewShape::new(
             "Curve",
             ShapeKind::Curve(CurveShape::new(set)),
-        )]),
-    );
+        )]))
+        .unwrap();
     let id = session.selected().unwrap();
-    apply_edit(&mut session, Edit::SetTransform(id, transform));
-    apply_view(&mut session, View::SetCamera(camera));
+    session.edit(Edit::SetTransform(id, transform)).unwrap();
+    session.look(View::SetCamera(camera));
     session
 }
 
@@ -105,13 +104,15 @@ proptest! {
         // It may lie just outside of the picture.
         let grip = camera.pixel(world(&session, held), SIZE).unwrap_or(at) - pressed;
         let (held_before, depth_before) = (world(&session, held), camera.depth(world(&session, held)));
+        let document = session.document();
+        session.begin_gesture();
         for (x, y) in path {
             let pointer = Vec2::new(x, y) * SIZE;
             let Some(edit) = drag.moved_to(&session, pointer, SIZE) else {
                 prop_assert!(flat, "only a plane seen at a slant can be out of reach");
                 continue;
             };
-            apply_edit(&mut session, edit);
+            session.edit(edit).unwrap();
             let now = camera.pixel(world(&session, held), SIZE).expect("before the eye");
             prop_assert!(
                 (now - pointer - grip).length() < TOLERANCE,
@@ -123,7 +124,8 @@ proptest! {
             }
         }
         prop_assert!(session.messages.history().is_empty());
-        apply_edit(&mut session, drag.cancel());
+        session.cancel_gesture();
+        prop_assert_eq!(session.document(), document);
         prop_assert_eq!(world(&session, held), held_before);
         prop_assert_eq!(world(&session, which), before);
     }
@@ -163,7 +165,7 @@ fn a_curve_drawn_in_a_straight_view_stays_flat_to_the_last_bit() {
     for step in 1..100 {
         let pointer = at + Vec2::new(-1.3, 0.7) * step as f32;
         let edit = drag.moved_to(&session, pointer, SIZE).unwrap();
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         assert_eq!(world(&session, 3).z, 0.0);
     }
 }

@@ -1,5 +1,5 @@
 use crate::curves::support::read;
-use editor_core::editor::{Edit, Session, Severity, apply_edit};
+use editor_core::editor::{Edit, Session, Severity};
 use editor_core::geometry::Basis;
 use editor_core::scene::NewShape;
 use editor_core::scene::{
@@ -14,7 +14,7 @@ fn session(set: CurveSet) -> (Session, ShapeId) {
         "Curve",
         ShapeKind::Curve(CurveShape::new(set)),
     )]);
-    apply_edit(&mut session, insert);
+    session.edit(insert).unwrap();
     let id = session.selected().unwrap();
     (session, id)
 }
@@ -43,7 +43,9 @@ fn moving_a_control_point_moves_the_curve_and_its_surface_at_once() {
     let text = "bez2 a 8 4 [1 0] [1 1] [1 2] [1 3] srev s 12 a";
     let (mut session, id) = session(read(text).unwrap());
     let before = session.evaluated().shape(id).unwrap().geometry.clone();
-    apply_edit(&mut session, set_point(id, 0, 0, Vec3::new(2.0, 0.0, 7.0)));
+    session
+        .edit(set_point(id, 0, 0, Vec3::new(2.0, 0.0, 7.0)))
+        .unwrap();
     let after = &session.evaluated().shape(id).unwrap().geometry;
     assert_ne!(before.revision, after.revision);
     // A flat curve stays flat.
@@ -60,7 +62,7 @@ fn an_edit_that_changes_nothing_evaluates_nothing() {
     let (mut session, id) = session(CurveSet::start_spline(Basis::Bezier));
     let before = session.evaluated().shape(id).unwrap().geometry.clone();
     let there = curves(&session, id).curve(0).unwrap().control_points()[1];
-    apply_edit(&mut session, set_point(id, 0, 1, there));
+    session.edit(set_point(id, 0, 1, there)).unwrap();
     let after = session.evaluated().shape(id).unwrap();
     assert!(Arc::ptr_eq(&before, &after.geometry));
 }
@@ -77,7 +79,7 @@ fn a_closed_curve_stays_closed_when_one_of_its_repeated_points_is_moved() {
     ] {
         let (mut session, id) = session(read(text).unwrap());
         let place = Vec3::new(-3.0, 4.0, 0.0);
-        apply_edit(&mut session, set_point(id, 0, moved, place));
+        session.edit(set_point(id, 0, moved, place)).unwrap();
         let points = curves(&session, id).curve(0).unwrap().control_points();
         assert_eq!((points[moved], points[twin]), (place, place));
         assert_eq!(points.iter().filter(|&&p| p == place).count(), 2);
@@ -88,7 +90,7 @@ fn a_closed_curve_stays_closed_when_one_of_its_repeated_points_is_moved() {
 fn a_profile_cannot_be_dragged_out_of_its_plane() {
     let text = "bez3 a 5 4 [0 0 0] [1 0 0] [1 1 0] [0 1 0] srev s 5 a";
     let (mut session, id) = session(read(text).unwrap());
-    apply_edit(&mut session, set_point(id, 0, 2, Vec3::ONE));
+    session.edit(set_point(id, 0, 2, Vec3::ONE)).unwrap();
     let points = curves(&session, id).curve(0).unwrap().control_points();
     assert_eq!(points[2], Vec3::new(1.0, 1.0, 0.0));
 }
@@ -113,7 +115,7 @@ fn steps_and_radius_can_be_changed() {
             radius: 3.0,
         },
     ] {
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
     }
     assert_eq!(
         curves(&session, id),
@@ -130,7 +132,7 @@ fn a_refused_change_is_told_and_changes_nothing() {
         item: 1,
         steps: 0,
     };
-    apply_edit(&mut session, edit);
+    session.edit(edit).unwrap();
     assert_eq!(curves(&session, id), &before);
     let told = &session.messages.fresh()[0];
     assert_eq!(told.severity, Severity::Error);
@@ -145,13 +147,13 @@ fn surfaces_are_made_from_curves_of_the_shape() {
         profile: 0,
         steps: 20,
     };
-    apply_edit(&mut session, revolution);
+    session.edit(revolution).unwrap();
     let tube = Edit::MakeSweep {
         shape: id,
         profile: None,
         sweep: 0,
     };
-    apply_edit(&mut session, tube);
+    session.edit(tube).unwrap();
     let names: Vec<&str> = curves(&session, id)
         .items()
         .iter()
@@ -172,7 +174,7 @@ fn a_curve_in_space_is_no_profile() {
         profile: 0,
         steps: 20,
     };
-    apply_edit(&mut session, edit);
+    session.edit(edit).unwrap();
     assert_eq!(curves(&session, id).items().len(), 1);
     assert!(session.messages.fresh()[0].text.contains("plane z = 0"));
 }
@@ -185,8 +187,8 @@ fn display_and_frame_closing_are_set_without_changing_the_curves() {
         curve: CurveVisibility::OnWithFrames,
         surface: SurfaceVisibility::WireframeWithNormals,
     };
-    apply_edit(&mut session, Edit::SetCurveDisplay(id, display));
-    apply_edit(&mut session, Edit::SetFrameClosing(id, false));
+    session.edit(Edit::SetCurveDisplay(id, display)).unwrap();
+    session.edit(Edit::SetFrameClosing(id, false)).unwrap();
     let shape = session.scene().curve(id).unwrap();
     assert_eq!(shape.display, display);
     assert!(!shape.frame_closing());
@@ -196,8 +198,10 @@ fn display_and_frame_closing_are_set_without_changing_the_curves() {
 #[test]
 fn edits_of_what_does_not_exist_do_nothing() {
     let (mut session, id) = session(CurveSet::start_circle());
-    apply_edit(&mut session, set_point(ShapeId(99), 0, 0, Vec3::ONE));
-    apply_edit(&mut session, set_point(id, 0, 0, Vec3::ONE));
-    apply_edit(&mut session, set_point(id, 9, 0, Vec3::ONE));
+    session
+        .edit(set_point(ShapeId(99), 0, 0, Vec3::ONE))
+        .unwrap();
+    session.edit(set_point(id, 0, 0, Vec3::ONE)).unwrap();
+    session.edit(set_point(id, 9, 0, Vec3::ONE)).unwrap();
     assert_eq!(curves(&session, id), &CurveSet::start_circle());
 }

@@ -25,7 +25,7 @@ fn a_file_of_curves_is_imported_under_its_name_as_one_shape() {
     loaded
         .add(&OneFile, Path::new("folder/myTORUS.swp"))
         .unwrap();
-    let shape = &loaded.scene.shapes()[0];
+    let shape = &loaded.shapes[0];
     assert_eq!(shape.name, "Mytorus");
     assert!(matches!(&shape.kind, ShapeKind::Curve(curve)
         if *curve.curves() == read(TEXT).unwrap()));

@@ -49,7 +49,7 @@ fn every_joint_and_every_bone_can_be_led_about() {
             .expect("a built-in character");
         let none = BTreeSet::new();
         let mut led = 0;
-        for shape in loaded.scene.shapes() {
+        for shape in &loaded.shapes {
             let ShapeKind::Character(shape) = &shape.kind else {
                 continue;
             };

@@ -5,7 +5,7 @@ use editor_core::editor::Severity;
 use egui::Key;
 
 fn tell(editor: &mut Editor, severity: Severity, text: &str) {
-    let messages = &mut editor.harness.state_mut().session.messages;
+    let messages = &mut editor.harness.state_mut().program.session_mut().messages;
     messages.tell(severity, text);
     editor.settle();
 }

@@ -16,8 +16,10 @@ mod shapes;
 mod view;
 mod visibility;
 
+use crate::host::MemoryHost;
 use editor_core::character::Character;
-use editor_core::editor::{Edit, Session, View, apply_edit, apply_view};
+use editor_core::editor::{Edit, Session, View};
+use editor_core::program::{GraphicsInfo, Program};
 use editor_core::scene::NewShape;
 use editor_core::scene::{CharacterShape, Shape, ShapeId, ShapeKind};
 use editor_core::ui::{self, Action, Ask, UiState, ViewInput};
@@ -27,9 +29,10 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, Node};
 use std::sync::Arc;
 
-/// What stands in for the program: carries out edits and views, and notes what is asked of it.
-struct Program {
-    session: Session,
+/// The program behind the panels, of which only what it is asked is noted and not done.
+struct Shell {
+    program: Program,
+    host: MemoryHost,
     state: UiState,
     asked: Vec<Ask>,
     keys_are_taken: bool,
@@ -44,7 +47,7 @@ struct Program {
 
 /// The panels in a window of their own, with the program behind them.
 struct Editor {
-    harness: Harness<'static, Program>,
+    harness: Harness<'static, Shell>,
 }
 
 const BUILT_IN: &[&str] = &["Adult", "Robot"];
@@ -56,8 +59,13 @@ impl Editor {
     }
 
     fn sized(size: Vec2) -> Self {
-        let program = Program {
-            session: Session::new(),
+        let graphics = GraphicsInfo {
+            description: String::new(),
+            max_texture_side: 8192,
+        };
+        let shell = Shell {
+            program: Program::showing(Session::new(), graphics),
+            host: MemoryHost::default(),
             state: UiState::new(),
             asked: Vec::new(),
             keys_are_taken: false,
@@ -66,16 +74,16 @@ impl Editor {
             view: Rect::NOTHING,
             comparing: None,
         };
-        let frame = |root: &mut egui::Ui, program: &mut Program| {
+        let frame = |root: &mut egui::Ui, shell: &mut Shell| {
             // The harness leaves a margin that a window has not.
             let whole = root.ctx().content_rect();
             let mut root = root.new_child(UiBuilder::new().max_rect(whole));
             root.set_clip_rect(whole);
-            program.frame(&mut root);
+            shell.frame(&mut root);
         };
         let builder = Harness::builder().with_size(size).with_max_steps(20);
         let mut editor = Self {
-            harness: builder.build_ui_state(frame, program),
+            harness: builder.build_ui_state(frame, shell),
         };
         editor.settle();
         editor
@@ -94,12 +102,13 @@ impl Editor {
     }
 
     fn edit(&mut self, edit: Edit) {
-        apply_edit(&mut self.harness.state_mut().session, edit);
+        let session = self.harness.state_mut().program.session_mut();
+        session.edit(edit).unwrap();
         self.settle();
     }
 
     fn view(&mut self, view: View) {
-        apply_view(&mut self.harness.state_mut().session, view);
+        self.harness.state_mut().program.session_mut().look(view);
         self.settle();
     }
 
@@ -109,7 +118,7 @@ impl Editor {
     }
 
     fn session(&self) -> &Session {
-        &self.harness.state().session
+        self.harness.state().program.session()
     }
 
     /// The selected shape.
@@ -251,7 +260,7 @@ impl Editor {
     }
 }
 
-impl Program {
+impl Shell {
     fn frame(&mut self, root: &mut egui::Ui) {
         let compare = self.comparing.as_ref().map(compare::Comparing::view);
         let input = ViewInput {
@@ -264,24 +273,23 @@ impl Program {
             keys_are_taken: self.keys_are_taken,
             ..ViewInput::default()
         };
-        let mut output = ui::show(root, &self.session, &mut self.state, &input);
+        let mut output = ui::show(root, self.program.session(), &mut self.state, &input);
         self.view = output.view_rect;
         if let (Some(_), Some(&picture)) = (&compare, output.places.rects.last()) {
             self.view = picture;
         }
         if self.gestures {
-            let (session, actions) = (&self.session, &mut output.actions);
+            let (session, actions) = (self.program.session(), &mut output.actions);
             let (view, places) = (&output.view, &output.places);
             ui::view_gestures(view, places, session, &mut self.state, actions);
         }
         for action in output.actions {
             match action {
-                Action::Edit(edit) => apply_edit(&mut self.session, edit),
-                Action::View(view) => apply_view(&mut self.session, view),
                 Action::Ask(ask) => {
                     compare::carry_out(&mut self.comparing, &ask);
                     self.asked.push(ask);
                 }
+                action => self.program.carry_out(vec![action], &mut self.host),
             }
         }
     }

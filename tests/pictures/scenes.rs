@@ -194,7 +194,7 @@ fn add_character(
         pose.set_joint_transform(joint, Euler::from_degrees(Vec3::from_array(angles.xyz_deg)));
     }
     shape.set_pose(pose);
-    scene.add(model.to_owned(), ShapeKind::Character(shape), None);
+    scene.add(NewShape::new(model, ShapeKind::Character(shape)));
 }
 
 fn place(scene: &mut Scene, transform: Transform) {

@@ -3,7 +3,7 @@
 use crate::posing::support::{
     SIZE, cameras, pixel, poses, session, transforms, vector, world_from_joint,
 };
-use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, apply_edit, roll};
+use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, roll};
 use editor_core::scene::{Camera, ShapeId, bones_in_world};
 use glam::{DMat4, DVec2, DVec3, Mat3, Vec2, Vec3};
 use proptest::prelude::*;
@@ -60,7 +60,7 @@ proptest! {
         let mut drag = BoneDrag::begin(&session, id, joint, camera.eye(), grabbed).unwrap();
         for at in [way, cursor] {
             if let Some(edit) = drag.update(&session, &camera.ray(at, SIZE), false) {
-                apply_edit(&mut session, edit);
+                session.edit(edit).unwrap();
             }
         }
         let now = frame(&session, id, joint).transform_point3(in_joint);
@@ -82,13 +82,14 @@ proptest! {
         let shape = session.evaluated().shape(id).unwrap();
         let (.., end) = bones_in_world(session.scene(), shape).nth(2).unwrap();
         let mut drag = BoneDrag::begin(&session, id, 2, camera.eye(), end).unwrap();
+        session.begin_gesture();
         let ray = camera.ray(SIZE * Vec2::from(cursor), SIZE);
         if let Some(edit) = drag.update(&session, &ray, false) {
-            apply_edit(&mut session, edit);
+            session.edit(edit).unwrap();
         }
         prop_assert!(world_from_joint(&session, id, 2).w_axis.abs_diff_eq(start, 1e-6));
         prop_assert_eq!(before, [0, 1, 3].map(|joint| world_from_joint(&session, id, joint)));
-        apply_edit(&mut session, drag.turn().cancel());
+        session.cancel_gesture();
         prop_assert_eq!(session.scene().character(id).unwrap().pose(), &pose);
     }
 
@@ -105,7 +106,7 @@ proptest! {
         let rotation = |session: &Session| session.scene().character(id).unwrap().pose().rotation(joint).to_mat3();
         let was = rotation(&session);
         let edit = roll(&session, id, joint, angle).unwrap();
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         let after = ends(&session);
         prop_assert!(after.1.abs_diff_eq(before.1, 1e-5) && after.2.abs_diff_eq(before.2, 1e-5));
         let turn: Mat3 = rotation(&session) * was.transpose();
@@ -132,7 +133,7 @@ proptest! {
         let mut drag = RingDrag::begin(&session, id, 1, axis, center + arm, &from).unwrap();
         let before = world_from_joint(&session, id, 1);
         let edit = drag.update(&session, &to, false).unwrap();
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         prop_assert!((drag.angle() as f32 - angle).abs() < 2e-3, "{} {angle}", drag.angle());
         let after = world_from_joint(&session, id, 1);
         for column in [Vec3::X, Vec3::Y, Vec3::Z] {
@@ -140,7 +141,7 @@ proptest! {
             prop_assert!(after.transform_vector3(column).abs_diff_eq(expected, 3e-3));
         }
         let edit = drag.update(&session, &to, true).unwrap();
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         let steps = drag.angle().to_degrees() / 15.0;
         prop_assert!((steps - steps.round()).abs() < 1e-9);
     }

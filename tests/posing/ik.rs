@@ -2,7 +2,7 @@
 
 use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::character::Facing;
-use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Screen, Session, apply_edit};
+use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Screen, Session};
 use editor_core::scene::{BoneHit, Camera, ShapeId, bones_in_world};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
@@ -63,7 +63,7 @@ fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
     assert!(held.chain().is_none());
     let ray = session.view().camera.ray(middle + Vec2::X * 30.0, SIZE);
     let edit = held.update(&session, &ray).expect("it follows");
-    apply_edit(&mut session, edit);
+    session.edit(edit).unwrap();
     let pose = session.scene().character(id).expect("it is there").pose();
     assert!(pose.root_offset(3).length() > 0.01);
     assert_eq!(pose.root_offset(0), Vec3::ZERO, "other roots stay");
@@ -110,12 +110,13 @@ proptest! {
             return Ok(());
         };
         let rest = session.scene().character(id).unwrap().pose().clone();
+        session.begin_gesture();
         for by in moves {
             let cursor = from + Vec2::from(by);
             let Some(edit) = held.update(&session, &camera.ray(cursor, SIZE)) else {
                 continue;
             };
-            apply_edit(&mut session, edit);
+            session.edit(edit).unwrap();
             let world = grip.place(&session, id).unwrap();
             prop_assert!(world.is_finite());
             let wanted = pixel(&session, held.target());
@@ -132,7 +133,7 @@ proptest! {
                 prop_assert!(is_near(joints[a].distance(joints[b]), length.length()));
             }
         }
-        apply_edit(&mut session, held.cancel());
+        session.cancel_gesture();
         prop_assert_eq!(session.scene().character(id).unwrap().pose(), &rest);
     }
 }

@@ -1,7 +1,7 @@
 //! Roots and shapes held by the pointer.
 
 use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
-use editor_core::editor::{MoveAlong, MoveDrag, MoveTarget, apply_edit};
+use editor_core::editor::{MoveAlong, MoveDrag, MoveTarget};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -21,7 +21,8 @@ proptest! {
         let along = MoveAlong::Plane(camera.forward());
         let mut drag = MoveDrag::begin(&session, target, along, &camera.ray(from, SIZE)).unwrap();
         let edit = drag.update(&camera.ray(to, SIZE), false);
-        apply_edit(&mut session, edit);
+        session.begin_gesture();
+        session.edit(edit).unwrap();
         let after = target.place(&session).unwrap();
         let moved = pixel(&session, after).unwrap() - pixel(&session, before).unwrap();
         prop_assert!(moved.abs_diff_eq(to - from, 0.05), "{moved} {}", to - from);
@@ -36,7 +37,7 @@ proptest! {
         for joint in 0..4 {
             prop_assert_eq!(now.rotation(joint), pose.rotation(joint));
         }
-        apply_edit(&mut session, drag.cancel());
+        session.cancel_gesture();
         prop_assert_eq!(session.scene().character(id).unwrap().pose(), &pose);
     }
 
@@ -52,13 +53,13 @@ proptest! {
         let target = MoveTarget::Shape(id);
         let mut drag = MoveDrag::begin(&session, target, MoveAlong::Line(along), &camera.ray(from, SIZE)).unwrap();
         let edit = drag.update(&camera.ray(SIZE * Vec2::from(to), SIZE), false);
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         let now = session.scene().shape(id).unwrap().placement.transform;
         let moved = now.position - transform.position;
         prop_assert!(moved.reject_from(along).length() < 1e-5);
         prop_assert_eq!(now.rotation, transform.rotation);
         let edit = drag.update(&camera.ray(SIZE * Vec2::from(to), SIZE), true);
-        apply_edit(&mut session, edit);
+        session.edit(edit).unwrap();
         let steps = drag.moved().dot(along) / 0.1;
         prop_assert!((steps - steps.round()).abs() < 1e-3);
     }

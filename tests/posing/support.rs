@@ -1,7 +1,7 @@
 //! Characters, cameras and placements at random.
 
 use editor_core::character::{Attachments, Character, Joint, Pose, SkeletalModel};
-use editor_core::editor::{Edit, Session, View, apply_edit, apply_view};
+use editor_core::editor::{Edit, Session, View};
 use editor_core::geometry::Mesh;
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::NewShape;
@@ -77,11 +77,11 @@ pub fn session(camera: Camera, transform: Transform, pose: &Pose) -> (Session, S
     let mut session = Session::new();
     let kind = ShapeKind::Character(CharacterShape::new(figure()));
     let insert = Edit::Insert(vec![NewShape::new("Figure", kind)]);
-    apply_edit(&mut session, insert);
+    session.edit(insert).unwrap();
     let id = session.selected().expect("it is selected");
-    apply_edit(&mut session, Edit::SetTransform(id, transform));
-    apply_edit(&mut session, Edit::SetPose(id, pose.clone()));
-    apply_view(&mut session, View::SetCamera(camera));
+    session.edit(Edit::SetTransform(id, transform)).unwrap();
+    session.edit(Edit::SetPose(id, pose.clone())).unwrap();
+    session.look(View::SetCamera(camera));
     (session, id)
 }
 

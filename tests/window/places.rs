@@ -48,7 +48,7 @@ fn middle_in(
     loaded
         .add(&WithBuiltin(HashMap::new()), Path::new(scene))
         .expect("a built-in scene or character");
-    let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
+    let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
     let mut state = UiState::new();
     let (settings, report) = (CompareSettings::default(), CompareReport::default());
     let mut harness = Harness::builder()
@@ -86,7 +86,7 @@ pub fn end_of_bone(scene: &str, joint: &str) -> (f32, f32) {
     loaded
         .add(&WithBuiltin(HashMap::new()), Path::new(scene))
         .expect("a built-in scene or character");
-    let session = Session::with_scene(loaded.scene, loaded.view.unwrap_or_default());
+    let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
     let shape = &session.evaluated().shapes[0];
     let character = session.scene().character(shape.id).expect("a character");
     let joints = character.character.skeleton().joints();

@@ -265,29 +265,30 @@ fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Act
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::{Edit, apply_edit, apply_view};
+    use crate::editor::Edit;
+    use crate::scene::NewShape;
     use crate::scene::ShapeKind;
 
     #[test]
     fn a_shape_is_looked_for_again_once_pointer_camera_or_scene_moved_and_not_before() {
         let mut session = Session::new();
         let insert = Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]);
-        apply_edit(&mut session, insert);
+        session.edit(insert).unwrap();
         let cube = session.selected();
         let (size, middle) = (Vec2::new(800.0, 600.0), Vec2::new(400.0, 300.0));
         let mut picked = Picked::default();
         assert_eq!(picked.shape_at(&session, middle, size), cube);
         // What was found is told again, whatever it was.
-        picked.last = picked.last.map(|(of, at, _)| (of, at, None));
+        picked.last = picked.last.map(|(found_for, _)| (found_for, None));
         assert_eq!(picked.shape_at(&session, middle, size), None);
         assert_eq!(picked.shape_at(&session, middle + Vec2::X, size), cube);
         assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
         let mut camera = session.view().camera;
         camera.pan_with_pointer(Vec2::ONE - middle, size.y);
-        apply_view(&mut session, View::SetCamera(camera));
+        session.look(View::SetCamera(camera));
         assert_eq!(picked.shape_at(&session, Vec2::ONE, size), cube);
         if let Some(id) = cube {
-            apply_edit(&mut session, Edit::Delete(id));
+            session.edit(Edit::Delete(id)).unwrap();
         }
         assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
     }

@@ -46,7 +46,7 @@ fn load(path: &Path) -> Scene {
     let mut loaded = Loaded::default();
     let added = loaded.add(&WithBuiltin(Disk), path);
     added.unwrap_or_else(|error| panic!("{error}"));
-    loaded.scene
+    loaded.shapes.into_iter().collect()
 }
 
 pub fn scene_of(character: Character) -> Scene {

@@ -1,0 +1,144 @@
+//! The program in a place of the test's own: files in memory, a clock that the test turns.
+
+use editor_core::io::builtin::WithBuiltin;
+use editor_core::io::{Diagnostic, Files};
+use editor_core::program::{Host, HostEvent, Job, Purpose, StorageKey};
+use std::collections::{BTreeMap, HashMap, VecDeque};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Files by path.
+pub type Table = HashMap<PathBuf, Vec<u8>>;
+
+/// A request for a file that nobody has answered yet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    pub purpose: Purpose,
+    pub folder: Option<PathBuf>,
+    pub name: String,
+}
+
+/// A place with everything in memory.
+#[derive(Default)]
+pub struct MemoryHost {
+    pub files: Table,
+    pub written: BTreeMap<PathBuf, Vec<u8>>,
+    /// Why nothing can be written, if so.
+    pub write_fault: Option<String>,
+    pub clipboard: String,
+    pub stored: HashMap<StorageKey, Vec<u8>>,
+    pub time: Duration,
+    pub requests: Vec<Request>,
+    pub dialog_is_open: bool,
+    /// Jobs that wait for [`MemoryHost::run_jobs`].
+    pub jobs: Vec<Job>,
+    pub title: String,
+    pub quits: bool,
+    pub cursor: Option<egui::CursorIcon>,
+    pub events: VecDeque<HostEvent>,
+}
+
+impl MemoryHost {
+    /// Does the jobs that were started since, in order; how many there were.
+    pub fn run_jobs(&mut self) -> usize {
+        let jobs = std::mem::take(&mut self.jobs);
+        let count = jobs.len();
+        self.events
+            .extend(jobs.into_iter().map(|job| HostEvent::Finished(job.run())));
+        count
+    }
+
+    /// Answers the newest request with `path`.
+    pub fn choose(&mut self, path: &str) {
+        let request = self.requests.last().expect("a file was asked for");
+        self.events.push_back(HostEvent::Chosen {
+            purpose: request.purpose,
+            path: path.into(),
+            files: self.files(),
+        });
+    }
+
+    /// Drops a file on the window.
+    pub fn drop_file(&mut self, path: &str) {
+        let (path, files) = (path.into(), self.files());
+        self.events.push_back(HostEvent::Dropped { path, files });
+    }
+
+    /// What was written to `path`, as text.
+    pub fn text(&self, path: &str) -> String {
+        let bytes = self.written.get(Path::new(path)).expect("it was written");
+        String::from_utf8(bytes.clone()).expect("it is text")
+    }
+}
+
+impl Host for MemoryHost {
+    fn now(&self) -> Duration {
+        self.time
+    }
+
+    fn files(&self) -> Arc<dyn Files> {
+        Arc::new(WithBuiltin(self.files.clone()))
+    }
+
+    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
+        self.requests.push(Request {
+            purpose,
+            folder: folder.map(Path::to_owned),
+            name: name.to_owned(),
+        });
+    }
+
+    fn is_dialog_open(&self) -> bool {
+        self.dialog_is_open
+    }
+
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>) {
+        let result = match &self.write_fault {
+            Some(fault) => Err(Diagnostic::new(path, fault.clone())),
+            None => {
+                self.written.insert(path.to_owned(), bytes);
+                Ok(())
+            }
+        };
+        let path = path.to_owned();
+        self.events.push_back(HostEvent::Written { path, result });
+    }
+
+    fn copy_text(&mut self, text: String) {
+        self.clipboard = text;
+    }
+
+    fn request_paste(&mut self) {
+        let text = self.clipboard.clone();
+        self.events.push_back(HostEvent::Pasted(text));
+    }
+
+    fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        self.stored.get(&key).cloned()
+    }
+
+    fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        self.stored.insert(key, bytes);
+    }
+
+    fn start_job(&mut self, job: Job) {
+        self.jobs.push(job);
+    }
+
+    fn set_title(&mut self, title: &str) {
+        self.title = title.to_owned();
+    }
+
+    fn handle_platform_output(&mut self, output: egui::PlatformOutput) {
+        self.cursor = Some(output.cursor_icon);
+    }
+
+    fn quit(&mut self) {
+        self.quits = true;
+    }
+
+    fn next_event(&mut self) -> Option<HostEvent> {
+        self.events.pop_front()
+    }
+}
