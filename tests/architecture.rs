@@ -13,10 +13,20 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("scene", &["character", "geometry", "math"]),
     ("io", &["scene", "character", "geometry", "math"]),
     ("editor", &["scene", "character", "geometry", "math"]),
-    ("compare", &["io", "scene", "character", "geometry", "math"]),
+    ("compare", &["geometry", "math"]),
     ("gpu", &[]),
     ("render", &["gpu", "scene", "character", "geometry", "math"]),
-    ("ui", &["editor", "scene", "character", "geometry", "math"]),
+    (
+        "ui",
+        &[
+            "editor",
+            "compare",
+            "scene",
+            "character",
+            "geometry",
+            "math",
+        ],
+    ),
     ("disk", &["io"]),
     (
         "app",

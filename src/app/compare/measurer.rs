@@ -1,7 +1,6 @@
-use crate::compare::{Area, Pair};
+use crate::compare::{CompareError, Differences, Judgment, Measured as Counted, PictureJob};
 use crate::geometry::Picture;
-use crate::ui::{CompareCounts, CompareJudgment, CompareReport};
-use std::sync::Arc;
+use crate::ui::CompareReport;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::Duration;
 
@@ -12,14 +11,8 @@ const STILL: Duration = Duration::from_millis(150);
 pub(super) struct Job {
     /// Larger than that of every job before.
     pub number: u64,
-    /// A.
-    pub reference: Arc<Picture>,
-    /// B.
-    pub live: Arc<Picture>,
-    /// See [`crate::ui::CompareSettings`].
-    pub threshold: u8,
-    /// Areas that are left out.
-    pub ignore: Vec<Area>,
+    /// A is the reference, B the live view.
+    pub pictures: PictureJob,
 }
 
 /// What has been found out about a job.
@@ -31,9 +24,9 @@ pub(super) struct Measured {
 }
 
 enum What {
-    Counts(CompareCounts),
-    Judgment(CompareJudgment),
-    Problem(String),
+    Counts(Differences),
+    Judgment(Judgment),
+    Problem(CompareError),
 }
 
 impl Measured {
@@ -42,7 +35,7 @@ impl Measured {
         let is_newest = self.number == newest;
         match self.what {
             What::Counts(counts) => {
-                report.counts = Some(counts);
+                report.differences = Some(counts);
                 report.problem = None;
             }
             What::Judgment(judgment) => {
@@ -51,7 +44,7 @@ impl Measured {
             }
             What::Problem(problem) => {
                 report.problem = Some(problem);
-                report.counts = None;
+                report.differences = None;
                 report.judgment = None;
                 report.measuring = !is_newest;
             }
@@ -110,25 +103,29 @@ fn work(waiting: &Receiver<Job>, tell: &impl Fn(Measured) -> bool) {
                 what,
             })
         };
-        let pair = match Pair::new(&job.reference, &job.live, &job.ignore) {
-            Ok(pair) => pair,
+        match job.pictures.measure() {
+            Ok(Counted {
+                differences,
+                heat_map,
+            }) => {
+                if !told(What::Counts(differences), Some(heat_map)) {
+                    return;
+                }
+            }
             Err(error) => {
-                if !told(What::Problem(error.to_string()), None) {
+                if !told(What::Problem(error), None) {
                     return;
                 }
                 next = waiting.recv().ok();
                 continue;
             }
-        };
-        let counts = What::Counts(counts(&pair, job.threshold));
-        if !told(counts, Some(pair.heat_map())) {
-            return;
         }
         next = match waiting.recv_timeout(STILL) {
             Ok(newer) => Some(newer),
             Err(RecvTimeoutError::Disconnected) => return,
             Err(RecvTimeoutError::Timeout) => {
-                if !told(What::Judgment(judgment(&pair)), None) {
+                let what = job.pictures.judge();
+                if !told(what.map_or_else(What::Problem, What::Judgment), None) {
                     return;
                 }
                 waiting.recv().ok()
@@ -137,40 +134,11 @@ fn work(waiting: &Receiver<Job>, tell: &impl Fn(Measured) -> bool) {
     }
 }
 
-fn counts(pair: &Pair, threshold: u8) -> CompareCounts {
-    let differences = pair.differences(threshold);
-    CompareCounts {
-        compared: differences.compared_pixels,
-        differing: differences.differing_pixels,
-        drawn: differences.drawn_pixels,
-        drawn_differing: differences.drawn_pixels_above(threshold),
-        max: differences.max,
-        mean: differences.mean,
-        psnr: differences.psnr,
-    }
-}
-
-fn judgment(pair: &Pair) -> CompareJudgment {
-    let findings = pair.findings().into_iter();
-    let findings = findings.map(|f| sentence(&f.to_string()));
-    CompareJudgment {
-        ssim: pair.ssim(),
-        flip: pair.flip().mean,
-        findings: findings.collect(),
-    }
-}
-
-/// With a capital letter and a full stop.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(char::to_uppercase);
-    let first: String = first.into_iter().flatten().collect();
-    format!("{first}{}.", letters.as_str())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::Area;
+    use std::sync::Arc;
 
     /// A gray square in a dark picture, `right` pixels further right.
     fn square(right: usize) -> Arc<Picture> {
@@ -192,10 +160,12 @@ mod tests {
     fn job(number: u64, live: Arc<Picture>, ignore: Vec<Area>) -> Job {
         Job {
             number,
-            reference: square(0),
-            live,
-            threshold: 0,
-            ignore,
+            pictures: PictureJob {
+                a: square(0),
+                b: live,
+                threshold: 0,
+                ignore,
+            },
         }
     }
 
@@ -220,8 +190,8 @@ mod tests {
     #[test]
     fn equal_pictures_have_no_differing_pixel_and_nothing_to_say() {
         let report = report_of(vec![job(1, square(0), Vec::new())]);
-        let counts = report.counts.unwrap();
-        assert_eq!((counts.differing, counts.max), (0, 0));
+        let counts = report.differences.unwrap();
+        assert_eq!((counts.differing_pixels, counts.max), (0, 0));
         assert_eq!(counts.psnr, f64::INFINITY);
         let judgment = report.judgment.unwrap();
         assert!(judgment.findings.is_empty(), "{:?}", judgment.findings);
@@ -232,19 +202,13 @@ mod tests {
     fn of_several_jobs_the_newest_is_the_one_reported() {
         let jobs = (1..=9).map(|n| job(n, square(n as usize % 9), Vec::new()));
         let report = report_of(jobs.collect());
-        assert_eq!(report.counts.unwrap().differing, 0);
+        assert_eq!(report.differences.unwrap().differing_pixels, 0);
     }
 
     #[test]
     fn masking_everything_is_a_problem_that_is_told() {
         let all = "0,0,64,48".parse().unwrap();
         let report = report_of(vec![job(1, square(3), vec![all])]);
-        assert!(report.problem.is_some() && report.counts.is_none());
-    }
-
-    #[test]
-    fn findings_become_sentences() {
-        assert_eq!(sentence("a thing"), "A thing.");
-        assert_eq!(sentence(""), ".");
+        assert!(report.problem.is_some() && report.differences.is_none());
     }
 }

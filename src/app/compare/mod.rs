@@ -4,6 +4,7 @@ mod actions;
 mod drawing;
 mod measurer;
 
+use crate::compare::PictureJob;
 use crate::geometry::{Picture, Revision};
 use crate::gpu::Framebuffer;
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
@@ -82,10 +83,12 @@ impl Comparison {
         self.report.measuring = true;
         self.measurer.start(Job {
             number: self.job,
-            reference: Arc::clone(&self.reference.picture),
-            live: Arc::clone(&live.picture),
-            threshold: self.settings.threshold,
-            ignore: self.settings.masks.clone(),
+            pictures: PictureJob {
+                a: Arc::clone(&self.reference.picture),
+                b: Arc::clone(&live.picture),
+                threshold: self.settings.threshold,
+                ignore: self.settings.masks.clone(),
+            },
         });
     }
 
