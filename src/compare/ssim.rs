@@ -1,4 +1,4 @@
-use super::convolve::{Plane, gaussian, normalized};
+use super::filters::{Plane, gaussian, normalized};
 use super::pair::{Pair, Pixel};
 
 /// Side of the window in pixels.

@@ -1,10 +1,8 @@
-//! Transforms and small geometry: the matrix stack, Euler angles, boxes, cylinders, rays and
-//! areas of pictures.
+//! Transforms and small geometry: the matrix stack, Euler angles, boxes, cylinders and rays.
 //!
 //! Right-handed, +Y up, column vectors (`world = world_from_model * model`), angles in radians.
 
 mod aabb;
-mod area;
 mod cylinder;
 mod euler;
 mod frame;
@@ -13,7 +11,6 @@ mod ray;
 mod transform;
 
 pub use aabb::Aabb;
-pub use area::Area;
 pub use cylinder::Cylinder;
 pub use euler::Euler;
 pub use frame::{Frame, bone_frame};

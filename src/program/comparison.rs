@@ -1,6 +1,6 @@
 use super::Host;
-use super::job::{Finding, Job, JobResult, Step};
-use crate::compare::{CompareError, Pair, side_by_side};
+use super::job::{Job, JobResult, Outcome, Step};
+use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::Picture;
 use crate::revision::Revision;
 use crate::scene::ViewSettings;
@@ -40,7 +40,7 @@ struct Measuring {
     wanted: Option<(Revision, Duration)>,
     /// The job that has not finished yet.
     running: Option<Revision>,
-    counted: Option<Revision>,
+    measured: Option<Revision>,
     judged: Option<Revision>,
 }
 
@@ -177,24 +177,26 @@ impl Comparison {
         if self.measuring.running.is_some() || self.measuring.judged == Some(wanted) {
             return None;
         }
-        let step = if self.measuring.counted == Some(wanted) {
+        let step = if self.measuring.measured == Some(wanted) {
             let still_for = host.now().saturating_sub(since);
             if still_for < STILL {
                 return Some(STILL - still_for);
             }
             Step::Judge
         } else {
-            Step::Count
+            Step::Measure
         };
         let live = Arc::clone(&self.live.as_ref()?.picture);
         self.measuring.running = Some(wanted);
         host.start_job(Job {
             of: wanted,
             step,
-            reference: Arc::clone(&self.reference.picture),
-            live,
-            threshold: self.settings.threshold,
-            ignore: self.settings.masks.clone(),
+            pictures: PictureJob {
+                a: Arc::clone(&self.reference.picture),
+                b: live,
+                threshold: self.settings.threshold,
+                ignore: self.settings.masks.clone(),
+            },
         });
         None
     }
@@ -206,22 +208,25 @@ impl Comparison {
         }
         self.measuring.running = None;
         let is_newest = self.measuring.wanted.is_some_and(|(of, _)| of == result.of);
-        match result.finding {
-            Ok(Finding::Counted { counts, heat_map }) => {
-                self.measuring.counted = Some(result.of);
+        match result.outcome {
+            Ok(Outcome::Measured(Measured {
+                differences,
+                heat_map,
+            })) => {
+                self.measuring.measured = Some(result.of);
                 self.difference = Some(Textured::new(heat_map));
-                self.report.counts = Some(counts);
+                self.report.differences = Some(differences);
                 self.report.problem = None;
             }
-            Ok(Finding::Judged(judgment)) => {
+            Ok(Outcome::Judged(judgment)) => {
                 self.measuring.judged = Some(result.of);
                 self.report.judgment = Some(judgment);
                 self.report.measuring = !is_newest;
             }
             Err(problem) => {
                 self.measuring.judged = Some(result.of);
-                self.report.problem = Some(problem.to_string());
-                self.report.counts = None;
+                self.report.problem = Some(problem);
+                self.report.differences = None;
                 self.report.judgment = None;
                 self.report.measuring = !is_newest;
             }

@@ -50,8 +50,8 @@ mod windows;
 
 pub use action::{Action, Ask, GestureStep, Screenshot};
 pub use compare::{
-    CompareAction, CompareCounts, CompareJudgment, CompareMode, CompareReport, CompareSettings,
-    CompareView, ShownPicture, course_panels, picture_texture,
+    CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
+    course_panels, picture_texture,
 };
 pub use expression::evaluate;
 pub use keys::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};

@@ -441,7 +441,7 @@ fn coordinates_that_are_no_numbers_differ_and_are_counted() {
     assert_eq!(json["findings"][0]["kind"], "not_finite");
     assert_eq!(
         json["findings"][0]["message"],
-        "2 vertices of B are not finite numbers"
+        "2 vertices of B have coordinates that are not finite numbers"
     );
 }
 

@@ -23,8 +23,9 @@ fn nothing_is_wrong_with_equal_pictures() {
         .unwrap()
         .compare(&PictureOptions::default());
     assert!(comparison.passed);
-    assert_eq!((comparison.ssim, comparison.flip), (Some(1.0), 0.0));
-    assert_eq!(comparison.findings, []);
+    let judgment = &comparison.judgment;
+    assert_eq!((judgment.ssim, judgment.flip), (Some(1.0), 0.0));
+    assert_eq!(judgment.findings, []);
     assert!(comparison.to_string().contains("infinite"));
 }
 
@@ -75,7 +76,7 @@ fn a_picture_moved_by_whole_pixels_is_named_with_the_movement() {
     }
     assert_eq!(
         Finding::Shifted { dx: -3, dy: 1 }.to_string(),
-        "B is A moved by 3 pixels left and 1 pixel down"
+        "B is A moved 3 pixels left and 1 pixel down"
     );
 }
 
@@ -277,7 +278,7 @@ fn rounding_and_another_background_are_told_apart() {
     assert_eq!(
         found.last().map(ToString::to_string).as_deref(),
         Some(
-            "apart from the background the same but for rounding (at most 2 of 255) and 1 pixel by more than 8, within 0,0,1,1"
+            "apart from the background, the pictures are the same except for rounding (at most 2 of 255) and 1 pixel that differs by more than 8, within 0,0,1,1"
         )
     );
 }
@@ -362,7 +363,7 @@ fn another_color_of_light_is_measured_by_channel() {
         (factors[0] - 1.0).abs() < 1e-3 && (factors[1] - 0.5).abs() < 0.02,
         "{factors:?}"
     );
-    assert!(found[0].to_string().contains("another color"));
+    assert!(found[0].to_string().contains("a different color"));
 }
 
 #[test]
@@ -784,7 +785,7 @@ fn what_is_ignored_is_not_found_to_be_wrong() {
     let comparison = compare(&[slab]);
     assert!(comparison.passed);
     assert_eq!(comparison.ignored_pixels, 360);
-    assert_eq!(comparison.findings, []);
+    assert_eq!(comparison.judgment.findings, []);
     assert!(!compare(&[]).passed);
 }
 
@@ -852,7 +853,7 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     };
     assert_eq!(
         text(&rounded),
-        "the same but for rounding (at most 2 of 255)"
+        "the pictures are the same except for rounding (at most 2 of 255)"
     );
     let with_spots = |picture: &Picture, spots: &[([u32; 2], u8)]| {
         let mut picture = picture.clone();
@@ -865,19 +866,19 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     let far = [([5, 5], 128), ([6, 7], 128), ([7, 5], 128)];
     assert_eq!(
         text(&with_spots(&rounded, &far)),
-        "the same but for rounding (at most 2 of 255) and 3 pixels by more than 8, within 5,5,3,3"
+        "the pictures are the same except for rounding (at most 2 of 255) and 3 pixels that differ by more than 8, within 5,5,3,3"
     );
     assert_eq!(
         text(&with_spots(&rounded, &[([5, 5], 128), ([6, 5], 4)])),
-        "the same but for rounding (at most 2 of 255) and 2 pixels by more, 1 of them by more than 8, within 5,5,2,1"
+        "the pictures are the same except for rounding (at most 2 of 255) and 2 pixels that differ by more, 1 of them by more than 8, within 5,5,2,1"
     );
     assert_eq!(
         text(&with_spots(&a, &far[..1])),
-        "the same but for 1 pixel, within 5,5,1,1"
+        "the pictures are the same except for 1 pixel, within 5,5,1,1"
     );
     let near = text(&with_spots(&rounded, &[([6, 5], 4)]));
     assert!(
-        near.ends_with("and 1 pixel by more, up to 8, within 6,5,1,1"),
+        near.ends_with("and 1 pixel that differs by more, up to 8, within 6,5,1,1"),
         "{near}"
     );
     // As many as a small thing has.

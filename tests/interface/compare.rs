@@ -1,13 +1,13 @@
 //! The Compare panel, and the pictures that take the place of the view.
 
 use crate::interface::{Editor, curves};
+use editor_core::compare::{Area, CompareError, Differences, Finding, Judgment};
 use editor_core::editor::View;
 use editor_core::geometry::Picture;
-use editor_core::math::Area;
 use editor_core::scene::{Look, Shading};
 use editor_core::ui::{
-    Ask, CompareAction, CompareCounts, CompareJudgment, CompareMode, CompareReport,
-    CompareSettings, CompareView, ShownPicture, course_panels,
+    Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
+    course_panels,
 };
 use egui::{Key, TextureId, vec2};
 
@@ -77,15 +77,17 @@ fn report(editor: &mut Editor, report: CompareReport) {
     editor.settle();
 }
 
-fn counts(differing: u64, max: u8) -> CompareCounts {
-    CompareCounts {
-        compared: 480_000,
-        differing,
-        drawn: 12_000,
-        drawn_differing: differing,
+fn counts(differing: u64, max: u8) -> Differences {
+    Differences {
+        compared_pixels: 480_000,
+        differing_pixels: differing,
+        drawn_pixels: 12_000,
+        drawn_differing_pixels: differing / 2,
         max,
         mean: 0.25,
+        rmse: 0.5,
         psnr: 31.5,
+        differing_area: None,
     }
 }
 
@@ -189,11 +191,11 @@ fn numbers_and_causes_are_told_in_words() {
     let mut editor = comparing();
     assert!(editor.has("Measuring…"));
     let told = CompareReport {
-        counts: Some(counts(240, 200)),
-        judgment: Some(CompareJudgment {
+        differences: Some(counts(240, 200)),
+        judgment: Some(Judgment {
             ssim: Some(0.5),
             flip: 0.25,
-            findings: vec!["B is A moved by 1 pixel right.".to_owned()],
+            findings: vec![Finding::Shifted { dx: 1, dy: 0 }],
         }),
         measuring: false,
         problem: None,
@@ -201,11 +203,11 @@ fn numbers_and_causes_are_told_in_words() {
     report(&mut editor, told.clone());
     for text in [
         "240 of 480000 (0.050 %)",
-        "240 of 12000 (2.000 %)",
+        "120 of 12000 (1.000 %)",
         "at most 200, mean 0.250 of 255",
         "31.50 dB",
         "0.50000, 0.25000",
-        "B is A moved by 1 pixel right.",
+        "B is A moved 1 pixel right.",
     ] {
         assert!(editor.has(text), "{text}");
     }
@@ -215,15 +217,21 @@ fn numbers_and_causes_are_told_in_words() {
     };
     report(&mut editor, newer);
     assert!(
-        !editor.has("B is A moved by 1 pixel right."),
+        !editor.has("B is A moved 1 pixel right."),
         "a cause of older pictures is told"
     );
     let equal = CompareReport {
-        counts: Some(counts(0, 0)),
+        differences: Some(counts(0, 0)),
         ..CompareReport::default()
     };
     report(&mut editor, equal);
     assert!(editor.has("A and B are equal, pixel by pixel."));
+    let problem = CompareReport {
+        problem: Some(CompareError::NothingToCompare),
+        ..CompareReport::default()
+    };
+    report(&mut editor, problem);
+    assert!(editor.has("no pixel is left to compare"));
 }
 
 #[test]

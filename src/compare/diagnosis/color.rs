@@ -1,12 +1,15 @@
-use super::evidence::{FEWEST_PIXELS, ROUNDING, UNEXPLAINED_ONE_IN};
+use super::evidence::{
+    Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINED_ONE_IN, drawn_in_both,
+    drawn_in_either,
+};
 use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 
-/// Factors nearer to one than this are not worth a word.
+/// Factors nearer to one than this are not worth mentioning.
 const LEAST_CHANGE: f64 = 0.03;
-/// Larger factors, or smaller than one by them, are no light or material but chance.
+/// Factors beyond this, or below its reciprocal, are chance rather than light or material.
 const MOST_CHANGE: f64 = 8.0;
 /// Weights of red, green and blue in gray: ITU-R BT.601, BT.709, and the mean.
 const GRAYS: [[f32; 3]; 3] = [
@@ -17,145 +20,176 @@ const GRAYS: [[f32; 3]; 3] = [
 /// Channels that reach this may have been cut off.
 const SATURATED: u8 = 250;
 
-impl Pair<'_> {
-    /// Whether the backgrounds differ, and whether that is all: `over_same` are the same pictures
-    /// over A's background.
-    pub(super) fn background_beside(&self, over_same: &Pair<'_>) -> Option<Finding> {
-        let [Some(a), Some(b)] = self.backgrounds() else {
-            return None;
-        };
-        (a != b).then(|| Finding::Background {
-            a,
-            b,
-            alone: over_same.pixels_of_other_color() == 0,
+/// Colors that opacity 0 of every pixel hides.
+pub(super) fn transparent(evidence: &Evidence) -> Option<Finding> {
+    let picture = Which::of(evidence.given.hides_colors())?;
+    Some(Finding::Transparent { picture })
+}
+
+/// A picture whose compared pixels all have one color.
+pub(super) fn blank(evidence: &Evidence) -> Option<Finding> {
+    let pair = evidence.given;
+    let is_even = |pixels: &[Pixel]| {
+        let mut compared = pixels.iter().zip(pair.kept()).filter(|(_, kept)| **kept);
+        let first = compared.next();
+        compared.all(|(pixel, _)| Some(pixel) == first.map(|(pixel, _)| pixel))
+    };
+    let picture = Which::of([pair.a(), pair.b()].map(is_even))?;
+    Some(Finding::Blank { picture })
+}
+
+/// Pixels of different opacity.
+pub(super) fn opacity(evidence: &Evidence) -> Option<Finding> {
+    let pixels = evidence.given.a().iter().zip(evidence.given.b());
+    let pixels = pixels.filter(|(a, b)| a[3] != b[3]).count() as u64;
+    (pixels > 0).then_some(Finding::Opacity { pixels })
+}
+
+/// Color channels of B in the other order, over its own background or A's.
+pub(super) fn red_blue_exchanged(evidence: &Evidence) -> Option<Finding> {
+    let exchange = |[r, g, b, alpha]: Pixel| [b, g, r, alpha];
+    let exchanged = |pair| turns_into(pair, exchange);
+    (exchanged(evidence.given) || exchanged(evidence.pair())).then_some(Finding::RedBlueExchanged)
+}
+
+/// B as A in shades of gray, by one of the ways in which programs make these.
+pub(super) fn gray(evidence: &Evidence) -> Option<Finding> {
+    let pair = evidence.given;
+    let colored = |&[r, g, b, _]: &Pixel| r != g || g != b;
+    let mut pixels = pair.b().iter().zip(pair.kept());
+    if pixels.any(|(b, &kept)| kept && colored(b)) {
+        return None;
+    }
+    let is_gray_by = |weights: &[f32; 3]| {
+        turns_into(pair, |[r, g, b, alpha]| {
+            let channels = [r, g, b].map(f32::from);
+            let gray: f32 = channels.iter().zip(weights).map(|(c, w)| c * w).sum();
+            let gray = gray.round() as u8;
+            [gray, gray, gray, alpha]
         })
-    }
+    };
+    GRAYS.iter().any(is_gray_by).then_some(Finding::Gray)
+}
 
-    /// Whether B has the color channels in the other order.
-    pub(super) fn red_blue_exchanged(&self) -> Option<Finding> {
-        self.turns_into(|[r, g, b, alpha]| [b, g, r, alpha])
-            .then_some(Finding::RedBlueExchanged)
-    }
+/// Another background, and no other pixel of different color.
+pub(super) fn only_background(evidence: &Evidence) -> Option<Finding> {
+    let alone = evidence.pixels_of_other_color() == 0;
+    background(evidence, alone).filter(|_| alone)
+}
 
-    /// Whether B is A in shades of gray, by one of the ways in which programs make these.
-    pub(super) fn gray(&self) -> Option<Finding> {
-        let colored = |&[r, g, b, _]: &Pixel| r != g || g != b;
-        if self
-            .b()
+/// Another background beside other differences.
+pub(super) fn background_too(evidence: &Evidence) -> Option<Finding> {
+    let alone = evidence.pixels_of_other_color() == 0;
+    background(evidence, alone).filter(|_| !alone)
+}
+
+fn background(evidence: &Evidence, alone: bool) -> Option<Finding> {
+    let [Some(a), Some(b)] = evidence.given.backgrounds() else {
+        return None;
+    };
+    (a != b).then_some(Finding::Background { a, b, alone })
+}
+
+/// One picture as the sRGB encoding of the other.
+pub(super) fn gamma(evidence: &Evidence) -> Option<Finding> {
+    if evidence.outline_dominates() {
+        return None;
+    }
+    let encoded: [u8; 256] = std::array::from_fn(|step| encode(step as u8));
+    let encode = |[r, g, b, alpha]: Pixel| {
+        let [r, g, b] = [r, g, b].map(|channel| encoded[usize::from(channel)]);
+        [r, g, b, alpha]
+    };
+    let lighter = if drawn_turns_into(evidence.given, encode, |b| b) {
+        Which::B
+    } else if drawn_turns_into(evidence.given, |a| a, encode) {
+        Which::A
+    } else {
+        return None;
+    };
+    Some(Finding::Gamma { lighter })
+}
+
+/// What is drawn in B as A's colors times one factor a channel. What is drawn in one picture
+/// alone says nothing about colors, so most must be drawn in both.
+pub(super) fn brightness(evidence: &Evidence) -> Option<Finding> {
+    if evidence.outline_dominates() {
+        return None;
+    }
+    let factors = factors(evidence.given)?;
+    let sane = 1.0 / MOST_CHANGE..=MOST_CHANGE;
+    let changes = |factor: &f64| (factor - 1.0).abs() >= LEAST_CHANGE;
+    if !factors.iter().all(|factor| sane.contains(factor)) || !factors.iter().any(changes) {
+        return None;
+    }
+    let scale = |[r, g, b, alpha]: Pixel| {
+        let scaled = |channel: u8, factor: f64| (f64::from(channel) * factor).round() as u8;
+        [
+            scaled(r, factors[0]),
+            scaled(g, factors[1]),
+            scaled(b, factors[2]),
+            alpha,
+        ]
+    };
+    drawn_turns_into(evidence.given, scale, |b| b).then_some(Finding::Brightness { factors })
+}
+
+/// For each channel the factor that best takes A to B where both are drawn and neither is
+/// saturated; 1 for a channel that is black there. `None` without enough such pixels.
+fn factors(pair: &Pair) -> Option<[f64; 3]> {
+    let (mut products, mut squares, mut pixels) = ([0.0; 3], [0.0; 3], 0);
+    for (a, b) in drawn_in_both(pair) {
+        if a[..3]
             .iter()
-            .zip(self.kept())
-            .any(|(b, &kept)| kept && colored(b))
+            .chain(&b[..3])
+            .any(|&channel| channel >= SATURATED)
         {
-            return None;
+            continue;
         }
-        GRAYS
-            .iter()
-            .any(|weights| {
-                self.turns_into(|[r, g, b, alpha]| {
-                    let channels = [r, g, b].map(f32::from);
-                    let gray: f32 = channels.iter().zip(weights).map(|(c, w)| c * w).sum();
-                    let gray = gray.round() as u8;
-                    [gray, gray, gray, alpha]
-                })
-            })
-            .then_some(Finding::Gray)
+        pixels += 1;
+        for channel in 0..3 {
+            let (a, b) = (f64::from(a[channel]), f64::from(b[channel]));
+            products[channel] += a * b;
+            squares[channel] += a * a;
+        }
     }
-
-    /// Whether one picture is the sRGB encoding of the other.
-    pub(super) fn gamma(&self) -> Option<Finding> {
-        let encoded: [u8; 256] = std::array::from_fn(|step| encode(step as u8));
-        let encode = |[r, g, b, alpha]: Pixel| {
-            let [r, g, b] = [r, g, b].map(|channel| encoded[usize::from(channel)]);
-            [r, g, b, alpha]
-        };
-        let lighter = if self.drawn_turn_into(encode, |b| b) {
-            Which::B
-        } else if self.drawn_turn_into(|a| a, encode) {
-            Which::A
+    if pixels < FEWEST_PIXELS {
+        return None;
+    }
+    Some(std::array::from_fn(|channel| {
+        if squares[channel] > 0.0 {
+            products[channel] / squares[channel]
         } else {
-            return None;
-        };
-        Some(Finding::Gamma { lighter })
-    }
-
-    /// Whether what is drawn in B is lighter or darker than in A by one factor a channel. What is
-    /// drawn in one picture alone tells nothing about colors, so most must be drawn in both.
-    pub(super) fn brightness(&self) -> Option<Finding> {
-        let factors = self.factors()?;
-        let sane = 1.0 / MOST_CHANGE..=MOST_CHANGE;
-        let changes = |factor: &f64| (factor - 1.0).abs() >= LEAST_CHANGE;
-        if !factors.iter().all(|factor| sane.contains(factor)) || !factors.iter().any(changes) {
-            return None;
+            1.0
         }
-        let scale = |[r, g, b, alpha]: Pixel| {
-            let scaled = |channel: u8, factor: f64| (f64::from(channel) * factor).round() as u8;
-            [
-                scaled(r, factors[0]),
-                scaled(g, factors[1]),
-                scaled(b, factors[2]),
-                alpha,
-            ]
-        };
-        self.drawn_turn_into(scale, |b| b)
-            .then_some(Finding::Brightness { factors })
-    }
+    }))
+}
 
-    /// For each channel the factor that best takes A to B where both are drawn and neither is
-    /// saturated; 1 for a channel that is black there. `None` without enough such pixels.
-    fn factors(&self) -> Option<[f64; 3]> {
-        let (mut products, mut squares, mut pixels) = ([0.0; 3], [0.0; 3], 0);
-        for (a, b) in self.pixels_drawn_in_both() {
-            if a[..3]
-                .iter()
-                .chain(&b[..3])
-                .any(|&channel| channel >= SATURATED)
-            {
-                continue;
-            }
-            pixels += 1;
-            for channel in 0..3 {
-                let (a, b) = (f64::from(a[channel]), f64::from(b[channel]));
-                products[channel] += a * b;
-                squares[channel] += a * a;
-            }
-        }
-        if pixels < FEWEST_PIXELS {
-            return None;
-        }
-        Some(std::array::from_fn(|channel| {
-            if squares[channel] > 0.0 {
-                products[channel] / squares[channel]
-            } else {
-                1.0
-            }
-        }))
+/// Whether `change` makes A into B, which it is not without.
+fn turns_into(pair: &Pair, change: impl Fn(Pixel) -> Pixel) -> bool {
+    let (mut direct, mut unexplained) = (0_u64, 0_u64);
+    let pixels = pair.a().iter().zip(pair.b()).zip(pair.kept());
+    for ((&a, &b), _) in pixels.filter(|(_, kept)| **kept) {
+        direct += u64::from(difference(a, b) > OTHER_COLOR);
+        unexplained += u64::from(difference(change(a), b) > ROUNDING);
     }
+    direct >= FEWEST_PIXELS && unexplained <= direct / UNEXPLAINED_ONE_IN
+}
 
-    /// Whether `change` makes A into B, which it is not without.
-    fn turns_into(&self, change: impl Fn(Pixel) -> Pixel) -> bool {
-        let direct = self.pixels_of_other_color();
-        let pixels = self.a().iter().zip(self.b());
-        let unexplained = pixels
-            .filter(|&(&a, &b)| difference(change(a), b) > ROUNDING)
-            .count() as u64;
-        direct >= FEWEST_PIXELS && unexplained <= direct / UNEXPLAINED_ONE_IN
+/// Whether A and B, each changed, agree where something is drawn, though most of it differs
+/// unchanged.
+fn drawn_turns_into(
+    pair: &Pair,
+    change_a: impl Fn(Pixel) -> Pixel,
+    change_b: impl Fn(Pixel) -> Pixel,
+) -> bool {
+    let (mut drawn, mut direct, mut unexplained) = (0_u64, 0_u64, 0_u64);
+    for (a, b) in drawn_in_either(pair) {
+        drawn += 1;
+        direct += u64::from(difference(a, b) > ROUNDING);
+        unexplained += u64::from(difference(change_a(a), change_b(b)) > ROUNDING);
     }
-
-    /// Whether A and B, each changed, agree where something is drawn, though most of it differs
-    /// unchanged.
-    fn drawn_turn_into(
-        &self,
-        change_a: impl Fn(Pixel) -> Pixel,
-        change_b: impl Fn(Pixel) -> Pixel,
-    ) -> bool {
-        let (mut drawn, mut direct, mut unexplained) = (0_u64, 0_u64, 0_u64);
-        for (a, b) in self.drawn_pixels() {
-            drawn += 1;
-            direct += u64::from(difference(a, b) > ROUNDING);
-            unexplained += u64::from(difference(change_a(a), change_b(b)) > ROUNDING);
-        }
-        drawn >= FEWEST_PIXELS && 2 * direct > drawn && unexplained <= direct / UNEXPLAINED_ONE_IN
-    }
+    drawn >= FEWEST_PIXELS && 2 * direct > drawn && unexplained <= direct / UNEXPLAINED_ONE_IN
 }
 
 /// The sRGB encoding of a linear value, both 0..=255.

@@ -1,15 +1,13 @@
-use super::evidence::{FEWEST_PIXELS, OTHER_COLOR};
-use super::white_light::{Surface, WhiteLight};
+use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR};
 use super::{Finding, HighlightChange, Which};
-use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 use crate::compare::ssim::luma;
 
-/// A highlight covers no more than one in so many drawn pixels.
+/// A highlight covers no more than one in this many drawn pixels.
 const ONE_IN: usize = 3;
-/// On gray things, where less light looks the same as less white light, its pixels are among the
-/// so many times brightest.
+/// Where things are gray, less light looks the same as less white light: there its pixels must be
+/// among the brightest, this many times as many as they are.
 const BRIGHTEST_TIMES: usize = 3;
 /// White light adds as much to each channel, but for rounding (of 255).
 const NEUTRAL: u8 = 4;
@@ -17,60 +15,72 @@ const NEUTRAL: u8 = 4;
 const COLORED: u8 = 24;
 /// Channels that reach this may have been cut off, and say nothing about the color of the light.
 const SATURATED: u8 = 250;
-/// The brightest light is that which one in so many drawn pixels has.
+/// The brightest light is that which one in this many drawn pixels has.
 const PEAK_ONE_IN: usize = 1000;
 /// Share of the pixels that must bear each sign of a highlight.
 const NEARLY_ALL: f64 = 0.95;
 
-impl Pair<'_> {
-    /// Whether one picture has white light that the other lacks: a highlight that is missing
-    /// there, or another one.
-    pub(super) fn highlight(&self) -> Option<Finding> {
-        self.highlight_less_in(Which::B, self.a(), self.b())
-            .or_else(|| self.highlight_less_in(Which::A, self.b(), self.a()))
-    }
+/// White light up to this (of 255) may be rounding.
+const NO_LIGHT: f64 = 6.0;
+/// White light of at least this (of 255) is no rounding.
+const SURE_LIGHT: f64 = 16.0;
+/// Share of the pixels that must be without white light for it to be missing.
+const WITHOUT_LIGHT: f64 = 0.98;
+/// Share of the pixels that must have white light for it to be there.
+const WITH_LIGHT: f64 = 0.05;
+/// Share of the other pixels that must have the colors of one surface.
+const OF_ONE_SURFACE: f64 = 0.8;
+/// A surface is pale if white light changes its colors by less than this share.
+const LEAST_COLOR: f64 = 0.3;
+/// Pixels off the line by more are of another surface, or lit.
+const OFF_LINE: f64 = 6.0;
+/// Rounds in which pixels off the line are left out and the line is fitted again.
+const ROUNDS: usize = 8;
 
-    fn highlight_less_in(&self, less_in: Which, lit: &[Pixel], unlit: &[Pixel]) -> Option<Finding> {
-        let [drawn_a, _] = self.drawn_masks()?;
-        if self.outline().is_some() {
-            return None;
-        }
-        let differs: Vec<bool> = lit
-            .iter()
-            .zip(unlit)
-            .map(|(&lit, &unlit)| difference(lit, unlit) > OTHER_COLOR)
-            .collect();
-        let differing: Vec<(Pixel, Pixel)> = pixels_in(lit, unlit, &differs).collect();
-        let mut lumas: Vec<f32> = pixels_in(lit, unlit, &drawn_a)
-            .map(|(lit, _)| luma(lit))
-            .collect();
-        let count = differing.len();
-        if (count as u64) < FEWEST_PIXELS || count * ONE_IN > lumas.len() {
-            return None;
-        }
-        let place = lumas.len() - (count * BRIGHTEST_TIMES).min(lumas.len());
-        let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
-        let signs = differing.iter().filter(|&&(lit, unlit)| {
-            let telling = is_colored(unlit) || luma(lit) >= least_bright;
-            telling && added_light(lit, unlit).is_some()
-        });
-        let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
-        if !enough || !fades(&differing) {
-            return None;
-        }
-        let area = self.area_of(&differs)?;
-        let drawn = pixels_in(lit, unlit, &drawn_a).collect::<Vec<_>>();
-        let in_b = match (change(&drawn), less_in) {
-            (Change::Missing, missing_in) => return Some(Finding::Highlight { missing_in, area }),
-            (Change::Strength, Which::B) => HighlightChange::Weaker,
-            (Change::Strength, _) => HighlightChange::Stronger,
-            (Change::Width, Which::B) => HighlightChange::Narrower,
-            (Change::Width, _) => HighlightChange::Wider,
-            (Change::Unknown, Which::B) => HighlightChange::Less,
-            (Change::Unknown, _) => HighlightChange::More,
-        };
-        Some(Finding::HighlightChanged { in_b, area })
+/// White light that one picture has and the other lacks: a highlight that is missing there, or a
+/// different one.
+pub(super) fn highlight(evidence: &Evidence) -> Option<Finding> {
+    if evidence.outline().is_some() {
+        return None;
     }
+    let pair = evidence.pair();
+    let (a, b) = (pair.a(), pair.b());
+    less_in(Which::B, evidence, a, b).or_else(|| less_in(Which::A, evidence, b, a))
+}
+
+fn less_in(less_in: Which, evidence: &Evidence, lit: &[Pixel], unlit: &[Pixel]) -> Option<Finding> {
+    let [drawn_a, _] = evidence.drawn_masks()?;
+    let differs = evidence.other_colors();
+    let differing: Vec<(Pixel, Pixel)> = pixels_in(lit, unlit, differs).collect();
+    let mut lumas: Vec<f32> = pixels_in(lit, unlit, drawn_a)
+        .map(|(lit, _)| luma(lit))
+        .collect();
+    let count = differing.len();
+    if (count as u64) < FEWEST_PIXELS || count * ONE_IN > lumas.len() {
+        return None;
+    }
+    let place = lumas.len() - (count * BRIGHTEST_TIMES).min(lumas.len());
+    let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
+    let signs = differing.iter().filter(|&&(lit, unlit)| {
+        let telling = is_colored(unlit) || luma(lit) >= least_bright;
+        telling && added_light(lit, unlit).is_some()
+    });
+    let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
+    if !enough || !fades(&differing) {
+        return None;
+    }
+    let area = evidence.area_of(differs)?;
+    let drawn = pixels_in(lit, unlit, drawn_a).collect::<Vec<_>>();
+    let in_b = match (change(&drawn), less_in) {
+        (Change::Missing, missing_in) => return Some(Finding::Highlight { missing_in, area }),
+        (Change::Strength, Which::B) => HighlightChange::Weaker,
+        (Change::Strength, _) => HighlightChange::Stronger,
+        (Change::Width, Which::B) => HighlightChange::Narrower,
+        (Change::Width, _) => HighlightChange::Wider,
+        (Change::Unknown, Which::B) => HighlightChange::Less,
+        (Change::Unknown, _) => HighlightChange::More,
+    };
+    Some(Finding::HighlightChanged { in_b, area })
 }
 
 /// What the less lit picture lacks.
@@ -154,4 +164,98 @@ fn fades(differing: &[(Pixel, Pixel)]) -> bool {
     added.sort_unstable();
     let at = |percent: usize| added.get(added.len() * percent / 100).copied().unwrap_or(0);
     2 * u16::from(at(10)) <= u16::from(at(90))
+}
+
+/// Whether a picture has white light in an area.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum WhiteLight {
+    None,
+    Some,
+    /// The colors do not tell.
+    Unknown,
+}
+
+/// A colored surface without white light: its least channel against its largest. Colored light
+/// moves a pixel along the line, white light off it.
+#[derive(Clone, Copy, Debug)]
+struct Surface {
+    slope: f64,
+    start: f64,
+}
+
+impl Surface {
+    /// The surface that most of the pixels belong to; `None` if there is no such surface, or it
+    /// is so pale that white light does not show.
+    fn of(pixels: &[Pixel]) -> Option<Self> {
+        let points: Vec<[f64; 2]> = pixels.iter().filter_map(|&pixel| ends(pixel)).collect();
+        let mut surface = Self::through(points.iter())?;
+        for _ in 0..ROUNDS {
+            let mut off: Vec<f64> = points.iter().map(|&at| surface.off_line(at)).collect();
+            let middle = off.len() / 2;
+            let (_, &mut median, _) = off.select_nth_unstable_by(middle, f64::total_cmp);
+            let near = OFF_LINE.max(2.0 * median);
+            surface = Self::through(points.iter().filter(|&&at| surface.off_line(at) <= near))?;
+        }
+        let fitting = points
+            .iter()
+            .filter(|&&at| surface.off_line(at) <= OFF_LINE)
+            .count();
+        let sure = fitting as f64 >= OF_ONE_SURFACE * pixels.len() as f64;
+        (sure && 1.0 - surface.slope >= LEAST_COLOR).then_some(surface)
+    }
+
+    /// The straight line of least squares.
+    fn through<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Option<Self> {
+        let [mut count, mut x, mut y, mut xx, mut xy] = [0.0; 5];
+        for [most, least] in points {
+            count += 1.0;
+            x += most;
+            y += least;
+            xx += most * most;
+            xy += most * least;
+        }
+        let spread = count * xx - x * x;
+        if count < FEWEST_PIXELS as f64 || spread <= count * count {
+            return None;
+        }
+        let slope = (count * xy - x * y) / spread;
+        Some(Self {
+            slope,
+            start: (y - slope * x) / count,
+        })
+    }
+
+    fn off_line(self, [most, least]: [f64; 2]) -> f64 {
+        (least - self.start - self.slope * most).abs()
+    }
+
+    /// How much white light a pixel has on this surface, of 255; `None` if it is cut off.
+    fn white_light(self, pixel: Pixel) -> Option<f64> {
+        let [most, least] = ends(pixel)?;
+        Some((least - self.start - self.slope * most) / (1.0 - self.slope))
+    }
+
+    /// Whether there is white light in the pixels.
+    fn judge(self, pixels: &[Pixel]) -> WhiteLight {
+        let light = pixels.iter().map(|&pixel| self.white_light(pixel));
+        let light: Vec<f64> = light.flatten().collect();
+        let share = |above: f64| {
+            let count = light.iter().filter(|&&light| light > above).count();
+            count as f64 / pixels.len() as f64
+        };
+        let cut_off = 1.0 - light.len() as f64 / pixels.len() as f64;
+        if share(NO_LIGHT) + cut_off <= 1.0 - WITHOUT_LIGHT {
+            WhiteLight::None
+        } else if share(SURE_LIGHT) >= WITH_LIGHT {
+            WhiteLight::Some
+        } else {
+            WhiteLight::Unknown
+        }
+    }
+}
+
+/// The largest and the least channel of a pixel that is not cut off.
+fn ends([r, g, b, _]: Pixel) -> Option<[f64; 2]> {
+    let most = r.max(g).max(b);
+    (most < SATURATED).then(|| [f64::from(most), f64::from(r.min(g).min(b))])
 }

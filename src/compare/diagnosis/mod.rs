@@ -1,251 +1,368 @@
-//! What is wrong with a picture, in words. A finding is reported only where the pictures bear it
-//! out pixel by pixel; where nothing explains the difference, nothing is said.
+//! Causes of the differences between two pictures. A finding is reported only where the pictures
+//! bear it out pixel by pixel; where no cause explains the differences, there is no finding.
 
 mod color;
 mod detail;
 mod evidence;
+mod finding;
 mod highlight;
-mod motion;
-mod nearly;
 mod outline;
-mod white_light;
-mod words;
 
-use super::{Area, Pair};
-use serde::Serialize;
+pub use finding::{Finding, HighlightChange, Which};
 
-/// One thing that the comparison found. B is held against the reference A.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-pub enum Finding {
-    /// Every pixel of one picture (or of each) has one color: nothing was drawn.
-    Blank {
-        /// Which.
-        picture: Which,
-    },
-    /// Every pixel of one picture (or of each) has opacity 0, though they have different colors.
-    Transparent {
-        /// Which.
-        picture: Which,
-    },
-    /// Nothing but rounding, and so few other pixels that they tell nothing.
-    NearlySame {
-        /// Largest difference that may be rounding: 0 to 3 of 255.
-        rounding: u8,
-        /// Pixels that differ by more.
-        others: u64,
-        /// Of these, pixels that differ by more than 8 of 255.
-        other_color: u64,
-        /// Where the others are.
-        area: Option<Area>,
-        /// Whether the backgrounds differ beside, which is told by itself.
-        other_background: bool,
-    },
-    /// B is A moved by whole pixels.
-    Shifted {
-        /// To the right.
-        dx: i32,
-        /// Downward.
-        dy: i32,
-    },
-    /// B is A with the sides exchanged.
-    Mirrored {
-        /// Left and right are exchanged.
-        left_right: bool,
-        /// Top and bottom are exchanged.
-        top_bottom: bool,
-    },
-    /// What is drawn in B has A's outline in another size.
-    Scaled {
-        /// Size in B by size in A.
-        factor: f64,
-    },
-    /// B has red and blue exchanged.
-    RedBlueExchanged,
-    /// B is A in shades of gray.
-    Gray,
-    /// The backgrounds differ.
-    Background {
-        /// Red, green, blue in A.
-        a: [u8; 3],
-        /// Red, green, blue in B.
-        b: [u8; 3],
-        /// Whether nothing else differs by more than 8 of 255.
-        alone: bool,
-    },
-    /// Pixels differ in opacity.
-    Opacity {
-        /// How many.
-        pixels: u64,
-    },
-    /// What is drawn in B has the colors of A times these factors.
-    Brightness {
-        /// For red, green and blue.
-        factors: [f64; 3],
-    },
-    /// One picture is encoded as sRGB once more often than the other.
-    Gamma {
-        /// The one that was encoded more often, and is lighter.
-        lighter: Which,
-    },
-    /// A highlight is missing: the difference is white light that fades toward its rim.
-    Highlight {
-        /// The picture without it.
-        missing_in: Which,
-        /// Where it is in the other.
-        area: Area,
-    },
-    /// A highlight is another one in B: the difference is white light that fades toward its rim.
-    HighlightChanged {
-        /// How B's is, held against A's.
-        in_b: HighlightChange,
-        /// Where it is another one.
-        area: Area,
-    },
-    /// The differences lie along edges, where each color is between those around it in the other
-    /// picture.
-    Edges {
-        /// So many of the pixels that differ by more than 8 of 255.
-        share: f64,
-        /// Where all of these are.
-        area: Area,
-    },
-    /// Fine detail differs: over 16×16 pixels the colors of A and B have the same means, and those
-    /// of B are near to those around in A.
-    Detail {
-        /// Largest difference of a channel, of 255.
-        max: u8,
-        /// Where pixels differ by more than 8.
-        area: Area,
-    },
-    /// Things are drawn in one picture where the other shows the background.
-    Outline {
-        /// Pixels drawn only in A.
-        only_a: u64,
-        /// Where these are.
-        area_a: Option<Area>,
-        /// Pixels drawn only in B.
-        only_b: u64,
-        /// Where these are.
-        area_b: Option<Area>,
-    },
-    /// What is drawn has another color in B.
-    Shading {
-        /// Pixels that differ by more than 8 of 255, by all that are drawn: in both, unless the
-        /// outlines agree.
-        share: f64,
-        /// Where these are.
-        area: Area,
-        /// Whether next to nothing is drawn in one picture alone. Otherwise that is told by
-        /// itself.
-        outlines_agree: bool,
-    },
-}
-
-/// How a highlight of B is, held against A's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum HighlightChange {
-    /// Less bright; A's is in B too.
-    Weaker,
-    /// Brighter; B's is in A too.
-    Stronger,
-    /// As bright, but smaller.
-    Narrower,
-    /// As bright, but larger.
-    Wider,
-    /// Weaker, narrower or missing: the colors do not tell which.
-    Less,
-    /// Stronger, wider or missing in A: the colors do not tell which.
-    More,
-}
-
-/// One of the two pictures, or both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum Which {
-    /// The reference.
-    A,
-    /// The one held against it.
-    B,
-    /// Each of them.
-    Both,
-}
+use super::Pair;
+use super::rules::Beside::{self, Nothing, Only};
+use super::rules::{Rule, findings};
+use evidence::Evidence;
 
 impl Pair<'_> {
-    /// What the differences come from, as far as the pictures prove it. Empty if nothing does,
-    /// or if they are equal.
+    /// Causes of the differences, as far as the pictures prove them, the most telling first. Empty
+    /// if nothing does, or if the pictures are equal.
     pub fn findings(&self) -> Vec<Finding> {
-        if let Some(picture) = Which::of(self.hides_colors()) {
-            return vec![Finding::Transparent { picture }];
-        }
-        // Another background must not hide what else is wrong.
-        let over_same = self.over_background_of_a();
-        let pair = over_same.as_ref().unwrap_or(self);
-        let blank = self.blank();
-        if self.a() == self.b() || blank.is_some() {
-            let background = self.background_beside(pair);
-            return blank.into_iter().chain(background).collect();
-        }
-        let mut findings: Vec<Finding> = pair.motion().into_iter().collect();
-        findings.extend(self.opacity());
-        if findings.is_empty() {
-            let exchanged = self.red_blue_exchanged();
-            let exchanged = exchanged.or_else(|| pair.red_blue_exchanged());
-            findings.extend(exchanged.or_else(|| self.gray()));
-        }
-        findings.extend(self.background_beside(pair));
-        let explained =
-            |finding: &Finding| !matches!(finding, Finding::Background { alone: false, .. });
-        if findings.iter().any(explained) {
-            return findings;
-        }
-        let color = || {
-            self.gamma()
-                .or_else(|| self.brightness())
-                .or_else(|| pair.highlight())
-        };
-        let surface = pair
-            .nearly_same(over_same.is_some())
-            .or_else(|| {
-                if pair.outline_dominates() {
-                    None
-                } else {
-                    color()
-                }
-            })
-            .or_else(|| pair.edges())
-            .or_else(|| pair.detail())
-            .or_else(|| pair.scaled())
-            .or_else(|| pair.outline());
-        let beside = match surface {
-            None => pair.shading(None),
-            Some(Finding::Outline { only_a, only_b, .. }) => pair.shading(Some(only_a + only_b)),
-            Some(_) => None,
-        };
-        findings.extend(surface.into_iter().chain(beside));
-        findings
-    }
-
-    fn blank(&self) -> Option<Finding> {
-        let picture = Which::of([self.a(), self.b()].map(|pixels| self.is_even(pixels)))?;
-        Some(Finding::Blank { picture })
-    }
-
-    fn opacity(&self) -> Option<Finding> {
-        let pixels = self.a().iter().zip(self.b());
-        let pixels = pixels.filter(|(a, b)| a[3] != b[3]).count() as u64;
-        (pixels > 0).then_some(Finding::Opacity { pixels })
+        findings(&Evidence::RULES, &Evidence::new(self))
     }
 }
 
-impl Which {
-    /// Those of which something is true: of A, and of B.
-    fn of(is_true: [bool; 2]) -> Option<Self> {
-        match is_true {
-            [true, true] => Some(Self::Both),
-            [true, false] => Some(Self::A),
-            [false, true] => Some(Self::B),
-            [false, false] => None,
+impl Evidence<'_> {
+    /// Every cause, the most telling first:
+    ///
+    /// 1. nothing is visible: the picture was not drawn, or not saved with its colors;
+    /// 2. the picture as a whole is another: mirrored, moved, with other channels or background;
+    /// 3. one cause for what is drawn, those that leave less unexplained first: rounding, then
+    ///    color, then the finest structures before coarse ones;
+    /// 4. what remains to be said without a cause: outlines and colors that differ.
+    const RULES: [Rule<Self, Finding>; 18] = [
+        rule("transparent", Nothing, color::transparent),
+        rule("blank", Nothing, color::blank),
+        rule("mirrored", Nothing, outline::mirrored),
+        rule("shifted", Nothing, outline::shifted),
+        rule("opacity", Only(&["mirrored", "shifted"]), color::opacity),
+        rule("red_blue_exchanged", Nothing, color::red_blue_exchanged),
+        rule("gray", Nothing, color::gray),
+        rule("only_background", WHOLE_PICTURE, color::only_background),
+        rule("background", WHOLE_PICTURE, color::background_too),
+        rule("nearly_same", BACKGROUND, detail::nearly_same),
+        rule("gamma", BACKGROUND, color::gamma),
+        rule("brightness", BACKGROUND, color::brightness),
+        rule("highlight", BACKGROUND, highlight::highlight),
+        rule("edges", BACKGROUND, detail::edges),
+        rule("detail", BACKGROUND, detail::detail),
+        rule("scaled", BACKGROUND, outline::scaled),
+        rule("outline", BACKGROUND, outline::outline),
+        rule(
+            "shading",
+            Only(&["background", "outline"]),
+            outline::shading,
+        ),
+    ];
+}
+
+/// Another background is reported beside what concerns the picture as a whole.
+const WHOLE_PICTURE: Beside = Only(&[
+    "blank",
+    "mirrored",
+    "shifted",
+    "opacity",
+    "red_blue_exchanged",
+    "gray",
+]);
+/// Another background hides nothing else that is wrong.
+const BACKGROUND: Beside = Only(&["background"]);
+
+const fn rule<'a>(
+    name: &'static str,
+    beside: Beside,
+    applies: fn(&Evidence<'a>) -> Option<Finding>,
+) -> Rule<Evidence<'a>, Finding> {
+    Rule {
+        name,
+        beside,
+        applies,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::rules::found_by;
+    use crate::compare::test_pictures::{filled, painted};
+    use crate::geometry::Picture;
+
+    const SIZE: (u32, u32) = (64, 48);
+    const DARK: [u8; 4] = [26, 26, 26, 255];
+
+    /// Names of the rules that find something in B, compared with A.
+    fn names(a: &Picture, b: &Picture) -> Vec<&'static str> {
+        let pair = Pair::new(a, b, &[]).unwrap();
+        let found = found_by(&Evidence::RULES, &Evidence::new(&pair)).into_iter();
+        found.map(|(name, _)| name).collect()
+    }
+
+    fn paint(color: impl Fn(u32, u32) -> [u8; 4]) -> Picture {
+        painted(SIZE.0, SIZE.1, color)
+    }
+
+    fn changed(picture: &Picture, change: impl Fn(u32, u32, [u8; 4]) -> [u8; 4]) -> Picture {
+        let (pixels, _) = picture.rgba.as_chunks::<4>();
+        paint(|x, y| change(x, y, pixels[(y * SIZE.0 + x) as usize]))
+    }
+
+    /// Whether a pixel is that far or nearer to the middle of the ball.
+    fn near_ball(x: u32, y: u32, radius: f32) -> bool {
+        (x as f32 - 26.0).hypot(y as f32 - 22.0) < radius
+    }
+
+    /// A brown ball of radius 14, lighter to the right, and a blue slab below it.
+    fn scene() -> Picture {
+        paint(|x, y| match (x, y) {
+            _ if near_ball(x, y, 14.0) => [80 + 2 * x as u8, 50 + x as u8, 40 + x as u8, 255],
+            (30..=45, 40..=43) => [51, 77, 179, 255],
+            _ => DARK,
+        })
+    }
+
+    /// A white square whose sides are as long as given, in the middle of a picture.
+    fn square(side: u32) -> Picture {
+        let inside = |at: u32, middle: u32| (middle - side / 2..middle + side / 2).contains(&at);
+        paint(|x, y| {
+            if inside(x, 32) && inside(y, 24) {
+                [200, 200, 200, 255]
+            } else {
+                DARK
+            }
+        })
+    }
+
+    fn is_dark([r, g, b, _]: [u8; 4]) -> bool {
+        [r, g, b] == DARK[..3]
+    }
+
+    fn with_channels(picture: &Picture, change: impl Fn([f32; 3]) -> [f32; 3]) -> Picture {
+        changed(picture, |_, _, pixel| {
+            if is_dark(pixel) {
+                return pixel;
+            }
+            let [r, g, b, alpha] = pixel;
+            let [r, g, b] = change([r, g, b].map(f32::from)).map(|c| c.round() as u8);
+            [r, g, b, alpha]
+        })
+    }
+
+    #[test]
+    fn the_rules_stand_from_the_most_telling_to_the_least() {
+        let order = Evidence::RULES.map(|rule| rule.name);
+        let documented = [
+            "transparent",
+            "blank",
+            "mirrored",
+            "shifted",
+            "opacity",
+            "red_blue_exchanged",
+            "gray",
+            "only_background",
+            "background",
+            "nearly_same",
+            "gamma",
+            "brightness",
+            "highlight",
+            "edges",
+            "detail",
+            "scaled",
+            "outline",
+            "shading",
+        ];
+        assert_eq!(order, documented);
+    }
+
+    #[test]
+    fn each_rule_beside_which_another_is_asked_is_one_of_those_before_it() {
+        let rules = Evidence::RULES;
+        for (index, rule) in rules.iter().enumerate() {
+            if let Only(names) = rule.beside {
+                let before: Vec<_> = rules[..index].iter().map(|rule| rule.name).collect();
+                assert!(
+                    names.iter().all(|name| before.contains(name)),
+                    "{}",
+                    rule.name
+                );
+            }
         }
+    }
+
+    /// B for which each rule is the one that finds the cause in [`scene`].
+    fn provoking() -> Vec<(&'static str, Picture)> {
+        let a = scene();
+        let encode = |c: f32| 255.0 * (1.055 * (c / 255.0).powf(1.0 / 2.4) - 0.055);
+        vec![
+            (
+                "transparent",
+                changed(&a, |_, _, [r, g, b, _]| [r, g, b, 0]),
+            ),
+            ("blank", filled(SIZE.0, SIZE.1, DARK)),
+            ("mirrored", {
+                let (pixels, _) = a.rgba.as_chunks::<4>();
+                paint(|x, y| pixels[(y * SIZE.0 + SIZE.0 - 1 - x) as usize])
+            }),
+            ("shifted", {
+                let (pixels, _) = a.rgba.as_chunks::<4>();
+                paint(|x, y| pixels[(y * SIZE.0 + (x + 3).min(SIZE.0 - 1)) as usize])
+            }),
+            (
+                "opacity",
+                changed(&a, |x, _, [r, g, b, _]| {
+                    [r, g, b, if x == 9 { 250 } else { 255 }]
+                }),
+            ),
+            (
+                "red_blue_exchanged",
+                changed(&a, |_, _, [r, g, b, alpha]| [b, g, r, alpha]),
+            ),
+            (
+                "gray",
+                with_channels(&a, |[r, g, b]| [0.299 * r + 0.587 * g + 0.114 * b; 3]),
+            ),
+            (
+                "only_background",
+                changed(&a, |_, _, pixel| {
+                    if is_dark(pixel) {
+                        [90, 120, 140, 255]
+                    } else {
+                        pixel
+                    }
+                }),
+            ),
+            (
+                "nearly_same",
+                changed(&a, |x, y, [r, g, b, alpha]| {
+                    [r, g, b + u8::from((x, y) == (20, 20)), alpha]
+                }),
+            ),
+            ("gamma", with_channels(&a, |color| color.map(encode))),
+            (
+                "brightness",
+                with_channels(&a, |color| color.map(|c| 0.7 * c)),
+            ),
+            (
+                "highlight",
+                changed(&a, |x, y, [r, g, b, alpha]| {
+                    let away = (x as f32 - 30.0).hypot(y as f32 - 18.0) / 8.0;
+                    let light = (80.0 * (1.0 - away).max(0.0)) as u8;
+                    [r + light, g + light, b + light, alpha]
+                }),
+            ),
+            (
+                "edges",
+                changed(&a, |x, y, pixel| {
+                    let rim = near_ball(x, y, 14.0) && !near_ball(x, y, 13.0);
+                    if rim {
+                        pixel.map(|c| if c == 255 { c } else { c / 2 + 13 })
+                    } else {
+                        pixel
+                    }
+                }),
+            ),
+            (
+                "detail",
+                changed(&a, |x, y, [r, g, b, alpha]| match near_ball(x, y, 10.0) {
+                    true if (x + y) % 2 == 0 => [r + 13, g + 13, b + 13, alpha],
+                    true => [r - 13, g - 13, b - 13, alpha],
+                    false => [r, g, b, alpha],
+                }),
+            ),
+            (
+                "outline",
+                changed(&a, |_, y, pixel| if y > 38 { DARK } else { pixel }),
+            ),
+            (
+                "shading",
+                changed(&a, |x, y, pixel| {
+                    if (20..26).contains(&x) && (18..24).contains(&y) {
+                        [30, 40, 200, 255]
+                    } else {
+                        pixel
+                    }
+                }),
+            ),
+        ]
+    }
+
+    #[test]
+    fn each_rule_can_be_the_one_that_finds_the_cause() {
+        for (name, b) in provoking() {
+            assert_eq!(names(&scene(), &b), [name]);
+        }
+        assert_eq!(names(&square(20), &square(24)), ["scaled"]);
+        let elsewhere = changed(&scene(), |_, y, pixel| match is_dark(pixel) || y > 38 {
+            true => [90, 120, 140, 255],
+            false => pixel,
+        });
+        assert_eq!(names(&scene(), &elsewhere), ["background", "outline"]);
+        let mut tried: Vec<_> = provoking().into_iter().map(|(name, _)| name).collect();
+        tried.extend(["scaled", "background"]);
+        for rule in Evidence::RULES {
+            assert!(
+                tried.contains(&rule.name),
+                "no picture provokes {}",
+                rule.name
+            );
+        }
+    }
+
+    #[test]
+    fn equal_pictures_give_no_rule_anything_to_find() {
+        assert_eq!(names(&scene(), &scene()), [""; 0]);
+    }
+
+    #[test]
+    fn where_several_causes_fit_the_most_telling_is_reported() {
+        let at = |left: u32| {
+            paint(|x, y| {
+                if (left..left + 20).contains(&x) && (10..30).contains(&y) {
+                    [200, 100, 50, 255]
+                } else {
+                    DARK
+                }
+            })
+        };
+        assert_eq!(names(&at(20), &at(24)), ["mirrored"], "moved as well");
+        assert_eq!(names(&at(20), &at(25)), ["shifted"]);
+        let blank = filled(SIZE.0, SIZE.1, [200, 100, 50, 255]);
+        let exchanged = filled(SIZE.0, SIZE.1, [50, 100, 200, 255]);
+        assert_eq!(names(&blank, &exchanged), ["blank", "only_background"]);
+        // White light and a factor of brightness are as good as each other on one color.
+        let lighter = with_channels(&at(20), |color| color.map(|c| c * 1.1));
+        assert_eq!(names(&at(20), &lighter), ["brightness"]);
+    }
+
+    #[test]
+    fn opacity_and_another_background_are_reported_beside_a_movement() {
+        let a = scene();
+        let (pixels, _) = a.rgba.as_chunks::<4>();
+        let moved = paint(|x, y| pixels[(y * SIZE.0 + (x + 3).min(SIZE.0 - 1)) as usize]);
+        let faint = changed(&moved, |x, _, [r, g, b, _]| {
+            [r, g, b, if x == 9 { 250 } else { 255 }]
+        });
+        assert_eq!(names(&a, &faint), ["shifted", "opacity"]);
+        let elsewhere = changed(&moved, |_, _, pixel| match is_dark(pixel) {
+            true => [90, 120, 140, 255],
+            false => pixel,
+        });
+        assert_eq!(names(&a, &elsewhere), ["shifted", "background"]);
+    }
+
+    #[test]
+    fn masked_panels_do_not_hide_exchanged_channels() {
+        let panels = |x: u32, y: u32, pixel| {
+            if x < 12 || y < 6 {
+                [40, 90, 160, 255]
+            } else {
+                pixel
+            }
+        };
+        let a = changed(&scene(), panels);
+        let b = changed(&scene(), |_, _, [r, g, b, alpha]| [b, g, r, alpha]);
+        let masks = ["0,0,12,48", "0,0,64,6"].map(|area| area.parse().unwrap());
+        let pair = Pair::new(&a, &b, &masks).unwrap();
+        assert_eq!(pair.findings(), [Finding::RedBlueExchanged]);
     }
 }

@@ -1,9 +1,8 @@
 use crate::compare::Which;
-use glam::DVec3;
 use serde::Serialize;
 use std::fmt;
 
-/// One thing that is wrong with a mesh. B is held against the reference A.
+/// A cause of differences between two meshes. B is compared with the reference A.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum MeshFinding {
@@ -78,17 +77,6 @@ pub enum MeshFinding {
     TriangleOrder,
 }
 
-/// Vertices that are not finite.
-pub(super) fn not_finite(a: &[DVec3], b: &[DVec3]) -> Vec<MeshFinding> {
-    [(Which::A, a), (Which::B, b)]
-        .into_iter()
-        .filter_map(|(mesh, points)| {
-            let vertices = points.iter().filter(|point| !point.is_finite()).count() as u64;
-            (vertices > 0).then_some(MeshFinding::NotFinite { mesh, vertices })
-        })
-        .collect()
-}
-
 /// A place or a movement in words. What rounds to nothing has no sign.
 pub(super) fn vector(of: [f64; 3]) -> String {
     let [x, y, z] = of.map(|value| if value.abs() <= 5e-7 { 0.0 } else { value });
@@ -126,7 +114,10 @@ impl fmt::Display for MeshFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { mesh, vertices } => {
-                write!(f, "{vertices} vertices of {mesh} are not finite numbers")
+                write!(
+                    f,
+                    "{vertices} vertices of {mesh} have coordinates that are not finite numbers"
+                )
             }
             Self::Offset { by } => write!(f, "B is A moved by {}", vector(*by)),
             Self::Scaled { factor, offset } => {
@@ -170,11 +161,11 @@ impl fmt::Display for MeshFinding {
             }
             Self::Permuted { vertices } => write!(
                 f,
-                "B has the vertices of A in another order: {vertices} are in another place"
+                "B has the vertices of A in a different order: {vertices} have another index"
             ),
             Self::Winding { reversed, of } if reversed == of => write!(
                 f,
-                "all triangles of B wind the other way: its normals point to the other side"
+                "all triangles of B wind the other way: its normals point the other way"
             ),
             Self::Winding { reversed, of } => {
                 write!(
@@ -185,7 +176,7 @@ impl fmt::Display for MeshFinding {
             Self::Triangles { only_a, only_b } => {
                 write!(f, "{only_a} triangles are only in A, {only_b} only in B")
             }
-            Self::TriangleOrder => f.write_str("the triangles are the same in another order"),
+            Self::TriangleOrder => f.write_str("the triangles are the same, in a different order"),
         }
     }
 }

@@ -1,4 +1,3 @@
-use super::MeshFinding;
 use glam::{DVec3, I64Vec3};
 use std::collections::HashMap;
 
@@ -60,12 +59,11 @@ impl Matching {
         }
     }
 
-    pub(super) fn finding(&self) -> Option<MeshFinding> {
+    /// Number of vertices that have another index in B than in A.
+    pub(super) fn moved(&self) -> u64 {
         match self {
-            Self::InOrder => None,
-            Self::Permuted { from_a, .. } => Some(MeshFinding::Permuted {
-                vertices: moved(from_a),
-            }),
+            Self::InOrder => 0,
+            Self::Permuted { from_a, .. } => moved(from_a),
         }
     }
 }
@@ -169,6 +167,80 @@ fn cell(point: DVec3, tolerance: f64) -> I64Vec3 {
         1.0
     };
     (point / width).floor().as_i64vec3()
+}
+
+/// Comparison of the triangles of two meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Triangles {
+    /// Number of those of B that wind the other way round in A.
+    pub(super) reversed: u64,
+    /// Number of those that only A has.
+    pub(super) only_a: u64,
+    /// Number of those that only B has.
+    pub(super) only_b: u64,
+    /// Number of all in B.
+    pub(super) in_b: u64,
+    /// Whether both have the same ones in the same order.
+    pub(super) in_order: bool,
+}
+
+/// Compares triangles by their corners, whichever comes first; vertices are
+/// taken for the same as `matching` says.
+pub(super) fn compare_triangles(a: &[[u32; 3]], b: &[[u32; 3]], matching: &Matching) -> Triangles {
+    let b: Vec<[u32; 3]> = b
+        .iter()
+        .map(|corners| smallest_first(corners.map(|index| matching.place_of_b(index))))
+        .collect();
+    let a = a
+        .iter()
+        .map(|corners| smallest_first(corners.map(|index| matching.place_of_a(index))));
+    let in_order = a.clone().eq(b.iter().copied());
+    let mut left: HashMap<[u32; 3], u64> = HashMap::new();
+    for triangle in a {
+        *left.entry(triangle).or_default() += 1;
+    }
+    let mut take = |triangle: [u32; 3]| match left.get_mut(&triangle) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    };
+    // All that wind alike go first, for a two-sided mesh has both.
+    let others: Vec<[u32; 3]> = b
+        .iter()
+        .copied()
+        .filter(|&corners| !take(corners))
+        .collect();
+    let reversed = others
+        .iter()
+        .filter(|&&[a, b, c]| take(smallest_first([a, c, b])))
+        .count() as u64;
+    Triangles {
+        reversed,
+        only_a: left.values().sum(),
+        only_b: others.len() as u64 - reversed,
+        in_b: b.len() as u64,
+        in_order,
+    }
+}
+
+impl Triangles {
+    /// Whether both have the same, wound alike.
+    pub(super) fn are_same(&self) -> bool {
+        self.reversed == 0 && self.only_a == 0 && self.only_b == 0
+    }
+}
+
+/// The same corners, wound alike, from the smallest index on.
+fn smallest_first([a, b, c]: [u32; 3]) -> [u32; 3] {
+    if a <= b && a <= c {
+        [a, b, c]
+    } else if b <= c {
+        [b, c, a]
+    } else {
+        [c, a, b]
+    }
 }
 
 #[cfg(test)]

@@ -3,27 +3,27 @@
 mod finding;
 mod matching;
 mod placement;
-mod rotation;
-mod triangles;
 
 pub use finding::MeshFinding;
 
-use super::told::with_messages;
-use super::{Allowance, CompareError};
+use super::rules::Beside::{self, Everything, Only};
+use super::rules::{Rule, findings, with_messages};
+use super::{Allowance, CompareError, Which};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
 use glam::DVec3;
-use matching::Matching;
+use matching::{Matching, Triangles};
+use placement::Points;
 use serde::Serialize;
 use std::fmt;
 
 /// Vertices differ if they are farther apart than this share of the reference's size, unless
 /// told otherwise.
 pub const MESH_TOLERANCE: f64 = 1e-5;
-/// How many of the worst vertices are listed.
+/// Number of the worst vertices that are listed.
 const LISTED: usize = 10;
 
-/// How to compare meshes, and what still passes.
+/// Options of a comparison of meshes, and what still passes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshOptions {
     /// Vertices differ if they are farther apart than this, in model space; [`MESH_TOLERANCE`] of
@@ -33,7 +33,7 @@ pub struct MeshOptions {
     pub allowed: Allowance,
 }
 
-/// What there is to say about two meshes. Lengths are in their model space; distances that are
+/// Result of a comparison of two meshes. Lengths are in their model space; distances that are
 /// not finite are JSON null.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeshComparison {
@@ -84,7 +84,7 @@ pub struct WorstVertex {
     pub b: [f32; 3],
 }
 
-/// Measures `b` against the reference `a`, and says what is wrong with it.
+/// Compares `b` with the reference `a`, vertex by vertex.
 ///
 /// # Errors
 /// If the numbers of vertices differ, or there are none.
@@ -119,13 +119,17 @@ pub fn compare_meshes(
     } else {
         Matching::InOrder
     };
-    let triangles = triangles::compare(&a.triangles, &b.triangles, &matching);
-    let mut findings = finding::not_finite(&points_a, &points_b);
-    if differing > 0 {
-        findings.extend(placement::find(&points_a, &points_b, rounding));
-        findings.extend(matching.finding());
-    }
-    findings.extend(triangles.findings());
+    let triangles = matching::compare_triangles(&a.triangles, &b.triangles, &matching);
+    let evidence = Evidence {
+        points: Points {
+            a: &points_a,
+            b: &points_b,
+            tolerance: rounding,
+        },
+        differing,
+        moved_in_order: matching.moved(),
+        triangles,
+    };
     let max = distances.iter().copied().fold(0.0, f64::max);
     Ok(MeshComparison {
         passed: differing <= allowed_vertices && triangles.are_same(),
@@ -142,8 +146,90 @@ pub fn compare_meshes(
         rms: (distances.iter().map(|d| d * d).sum::<f64>() / count as f64).sqrt(),
         worst: worst(a, b, &distances, tolerance),
         same_triangles: triangles.are_same(),
-        findings,
+        findings: findings(&Evidence::RULES, &evidence),
     })
+}
+
+/// What the rules need to know of two meshes.
+struct Evidence<'a> {
+    points: Points<'a>,
+    /// Number of vertices that differ.
+    differing: u64,
+    /// Number of vertices that have another index.
+    moved_in_order: u64,
+    triangles: Triangles,
+}
+
+impl Evidence<'_> {
+    /// Every cause: first what keeps vertices from being compared, then the simplest movement
+    /// that explains all of them, then their order, then the triangles.
+    const RULES: [Rule<Self, MeshFinding>; 14] = [
+        rule("not_finite_in_a", Everything, |e| {
+            not_finite(Which::A, e.points.a)
+        }),
+        rule("not_finite_in_b", Everything, |e| {
+            not_finite(Which::B, e.points.b)
+        }),
+        rule("offset", NOT_FINITE, |e| e.placed(placement::offset)),
+        rule("scale", NOT_FINITE, |e| e.placed(placement::scale)),
+        rule("scale_and_move", NOT_FINITE, |e| {
+            e.placed(placement::scale_and_move)
+        }),
+        rule("axes", NOT_FINITE, |e| e.placed(placement::axes)),
+        rule("scaled_axes", NOT_FINITE, |e| {
+            e.placed(placement::scaled_axes)
+        }),
+        rule("scaled_and_moved_axes", NOT_FINITE, |e| {
+            e.placed(placement::scaled_and_moved_axes)
+        }),
+        rule("turn", NOT_FINITE, |e| e.placed(placement::turn)),
+        rule("one_place", NOT_FINITE, |e| e.placed(placement::one_place)),
+        rule("permuted", Everything, |e| {
+            let vertices = e.moved_in_order;
+            (vertices > 0).then_some(MeshFinding::Permuted { vertices })
+        }),
+        rule("winding", Everything, |e| {
+            let Triangles { reversed, in_b, .. } = e.triangles;
+            (reversed > 0).then_some(MeshFinding::Winding { reversed, of: in_b })
+        }),
+        rule("triangles", Everything, |e| {
+            let Triangles { only_a, only_b, .. } = e.triangles;
+            (only_a + only_b > 0).then_some(MeshFinding::Triangles { only_a, only_b })
+        }),
+        rule("triangle_order", Everything, |e| {
+            let reordered = e.triangles.are_same() && !e.triangles.in_order;
+            reordered.then_some(MeshFinding::TriangleOrder)
+        }),
+    ];
+
+    /// A placement of B, if vertices differ at all.
+    fn placed(&self, find: fn(&Points) -> Option<MeshFinding>) -> Option<MeshFinding> {
+        if self.differing > 0 {
+            find(&self.points)
+        } else {
+            None
+        }
+    }
+}
+
+/// Vertices without a place leave it open where the others are.
+const NOT_FINITE: Beside = Only(&["not_finite_in_a", "not_finite_in_b"]);
+
+const fn rule<'a>(
+    name: &'static str,
+    beside: Beside,
+    applies: fn(&Evidence<'a>) -> Option<MeshFinding>,
+) -> Rule<Evidence<'a>, MeshFinding> {
+    Rule {
+        name,
+        beside,
+        applies,
+    }
+}
+
+fn not_finite(mesh: Which, points: &[DVec3]) -> Option<MeshFinding> {
+    let vertices = points.iter().filter(|point| !point.is_finite()).count() as u64;
+    (vertices > 0).then_some(MeshFinding::NotFinite { mesh, vertices })
 }
 
 /// Distance of each vertex of `a` from that of `b`; infinite where either is not finite.
@@ -186,7 +272,7 @@ fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVert
 }
 
 impl MeshComparison {
-    /// What there is to say of vertices that differ where no cause accounts for them.
+    /// A sentence on the vertices that differ where no cause accounts for them.
     fn unexplained(&self) -> Option<String> {
         let differing = self.differing_vertices;
         let explained = self.findings.iter().any(|found| found.explains(differing));

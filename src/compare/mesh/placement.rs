@@ -1,5 +1,7 @@
+//! Movements, scales, exchanged axes and turns that take every vertex of one mesh to that of
+//! another, within a tolerance. Where B is larger, so is the tolerance: the rounding of A grew too.
+
 use super::MeshFinding;
-use super::rotation::rotations;
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
@@ -16,66 +18,154 @@ const ORDERS: [[usize; 3]; 6] = [
     [2, 0, 1],
 ];
 const AXIS_NAMES: [[&str; 2]; 3] = [["x", "-x"], ["y", "-y"], ["z", "-z"]];
+/// More sweeps than any matrix of this size takes.
+const MOST_SWEEPS: usize = 32;
 
-/// What takes every vertex of `a` to that of `b` within `tolerance`: a movement, a scale about
-/// the origin, a scale and a movement, other axes, or any turn, these two with a scale and a
-/// movement or without. Or else that `b` lies all in one place. Where `b` is larger, so is the tolerance: the rounding of `a` grew too.
-pub(super) fn find(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
-    let (mean_a, mean_b) = (mean(a), mean(b));
-    let origin = DVec3::ZERO;
-    let scaled_axes = |center_a, center_b| {
-        let factor = size_by_size(a, b, center_a, center_b)?;
-        axes(a, b, (center_a, center_b), factor, tolerance)
-    };
-    offset(a, b, tolerance)
-        .or_else(|| scale(a, b, origin, origin, tolerance))
-        .or_else(|| scale(a, b, mean_a, mean_b, tolerance))
-        .or_else(|| axes(a, b, (origin, origin), 1.0, tolerance))
-        .or_else(|| scaled_axes(origin, origin))
-        .or_else(|| scaled_axes(mean_a, mean_b))
-        .or_else(|| turned(a, b, tolerance))
-        .or_else(|| one_place(b))
+/// Vertices of two meshes, and how far apart they still agree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Points<'a> {
+    pub(super) a: &'a [DVec3],
+    pub(super) b: &'a [DVec3],
+    pub(super) tolerance: f64,
 }
 
-fn offset(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
-    let by = mean(b) - mean(a);
-    agree(a, b, tolerance, |point| point + by).then(|| MeshFinding::Offset { by: by.to_array() })
+/// A center of A and the point of B that it is taken to.
+type Centers = (DVec3, DVec3);
+
+const ORIGINS: Centers = (DVec3::ZERO, DVec3::ZERO);
+
+impl Points<'_> {
+    fn means(&self) -> Centers {
+        let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len().max(1) as f64;
+        (mean(self.a), mean(self.b))
+    }
+
+    /// Size of B by the size of A, as their points spread about the centers; one where it is but
+    /// for rounding. `None` if that is no size.
+    fn size_ratio(&self, (center_a, center_b): Centers) -> Option<f64> {
+        let spread = |points: &[DVec3], center: DVec3| -> f64 {
+            let squares = points.iter().map(|point| point.distance_squared(center));
+            squares.sum()
+        };
+        let factor = (spread(self.b, center_b) / spread(self.a, center_a)).sqrt();
+        if (factor - 1.0).abs() <= LEAST_SCALE {
+            return Some(1.0);
+        }
+        (factor.is_finite() && factor > 0.0).then_some(factor)
+    }
+
+    /// Whether `b_from_a`, which scales by `factor`, takes every vertex of A to that of B.
+    fn agree(&self, factor: f64, b_from_a: impl Fn(DVec3) -> DVec3) -> bool {
+        let tolerance = self.tolerance * factor.max(1.0);
+        let mut pairs = self.a.iter().zip(self.b);
+        pairs.all(|(a, b)| b_from_a(*a).distance(*b) <= tolerance)
+    }
 }
 
-/// A scale that takes `center_a` to `center_b`.
-fn scale(
-    a: &[DVec3],
-    b: &[DVec3],
-    center_a: DVec3,
-    center_b: DVec3,
-    tolerance: f64,
-) -> Option<MeshFinding> {
+/// A movement.
+pub(super) fn offset(points: &Points) -> Option<MeshFinding> {
+    let (mean_a, mean_b) = points.means();
+    let by = mean_b - mean_a;
+    let agrees = points.agree(1.0, |point| point + by);
+    agrees.then(|| MeshFinding::Offset { by: by.to_array() })
+}
+
+/// A scale about the origin.
+pub(super) fn scale(points: &Points) -> Option<MeshFinding> {
+    scale_about(points, ORIGINS)
+}
+
+/// A scale and a movement.
+pub(super) fn scale_and_move(points: &Points) -> Option<MeshFinding> {
+    scale_about(points, points.means())
+}
+
+/// Axes exchanged or reversed, in the same size about the origin.
+pub(super) fn axes(points: &Points) -> Option<MeshFinding> {
+    axes_about(points, ORIGINS, 1.0)
+}
+
+/// Axes exchanged or reversed, and a scale about the origin.
+pub(super) fn scaled_axes(points: &Points) -> Option<MeshFinding> {
+    axes_about(points, ORIGINS, points.size_ratio(ORIGINS)?)
+}
+
+/// Axes exchanged or reversed, a scale and a movement.
+pub(super) fn scaled_and_moved_axes(points: &Points) -> Option<MeshFinding> {
+    let means = points.means();
+    axes_about(points, means, points.size_ratio(means)?)
+}
+
+/// A turn about any axis, with a scale and a movement; of the mirror image only where that of the
+/// mesh itself does not do.
+pub(super) fn turn(points: &Points) -> Option<MeshFinding> {
+    let means = points.means();
+    let factor = points.size_ratio(means)?;
+    let [turned, of_mirrored] = rotations(points.a, points.b, means)?;
+    [(turned, 1.0), (of_mirrored, -1.0)]
+        .into_iter()
+        .find_map(|(rotation, sign)| {
+            let linear = |point: DVec3| rotation * point * (sign * factor);
+            let offset = means.1 - linear(means.0);
+            let offset = if points.agree(factor, linear) {
+                DVec3::ZERO
+            } else if points.agree(factor, |point| linear(point) + offset) {
+                offset
+            } else {
+                return None;
+            };
+            let (mirrored, rotation) = if sign > 0.0 {
+                (None, rotation)
+            } else {
+                let (axis, rotation) = mirrored_along_one_axis(rotation);
+                (Some(axis), rotation)
+            };
+            // The same rotation, by at most half a turn.
+            let rotation = if rotation.w < 0.0 {
+                -rotation
+            } else {
+                rotation
+            };
+            let (axis, angle) = rotation.to_axis_angle();
+            Some(MeshFinding::Turned {
+                mirrored,
+                degrees: angle.to_degrees(),
+                axis: axis.to_array(),
+                factor,
+                offset: offset.to_array(),
+            })
+        })
+}
+
+/// All vertices of B in one place.
+pub(super) fn one_place(points: &Points) -> Option<MeshFinding> {
+    let first = points.b.first().filter(|point| point.is_finite())?;
+    let at = first.to_array();
+    let mut others = points.b.iter();
+    others
+        .all(|point| point == first)
+        .then_some(MeshFinding::OnePlace { at })
+}
+
+/// The scale of least squares that takes the first of `centers` to the second.
+fn scale_about(points: &Points, (center_a, center_b): Centers) -> Option<MeshFinding> {
     let (mut product, mut square) = (0.0, 0.0);
-    for (a, b) in a.iter().zip(b) {
+    for (a, b) in points.a.iter().zip(points.b) {
         let (a, b) = (*a - center_a, *b - center_b);
         product += a.dot(b);
         square += a.dot(a);
     }
     let factor = product / square;
     let usable = factor.is_finite() && factor > 0.0 && (factor - 1.0).abs() > LEAST_SCALE;
-    let agrees = usable
-        && agree(a, b, tolerance * factor.max(1.0), |point| {
-            (point - center_a) * factor + center_b
-        });
+    let agrees = usable && points.agree(factor, |point| (point - center_a) * factor + center_b);
     agrees.then(|| MeshFinding::Scaled {
         factor,
         offset: (center_b - center_a * factor).to_array(),
     })
 }
 
-/// Other axes, with a scale that takes the first of `centers` to the second.
-fn axes(
-    a: &[DVec3],
-    b: &[DVec3],
-    (center_a, center_b): (DVec3, DVec3),
-    factor: f64,
-    tolerance: f64,
-) -> Option<MeshFinding> {
+/// Axes exchanged or reversed, with a scale that takes the first of `centers` to the second.
+fn axes_about(points: &Points, (center_a, center_b): Centers, factor: f64) -> Option<MeshFinding> {
     let all = ORDERS
         .iter()
         .flat_map(|&order| (0..8).map(move |signs| (order, signs)));
@@ -88,12 +178,10 @@ fn axes(
         let sign = |axis: usize| if signs >> axis & 1 == 1 { -1.0 } else { 1.0 };
         DVec3::from_array(std::array::from_fn(|axis| sign(axis) * point[order[axis]])) * factor
     };
-    let room = tolerance * factor.max(1.0);
-    let found = turned.into_iter().chain(mirrored).find(|&axes| {
-        agree(a, b, room, |point| {
-            placed(axes, point - center_a) + center_b
-        })
-    });
+    let found = turned
+        .into_iter()
+        .chain(mirrored)
+        .find(|&axes| points.agree(factor, |point| placed(axes, point - center_a) + center_b));
     found.map(|(order, signs)| MeshFinding::Axes {
         from_a: std::array::from_fn(|axis| AXIS_NAMES[order[axis]][signs >> axis & 1]),
         mirrored: is_mirrored((order, signs)),
@@ -107,50 +195,6 @@ fn is_mirrored((order, signs): ([usize; 3], usize)) -> bool {
     let kept = (0..3).filter(|&axis| order[axis] == axis).count();
     let exchanged = kept == 1;
     exchanged != (signs.count_ones() % 2 == 1)
-}
-
-/// A turn about any axis, with a scale and a movement; of the mirror image only where that of the
-/// mesh itself does not do.
-fn turned(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<MeshFinding> {
-    let (center_a, center_b) = (mean(a), mean(b));
-    let factor = size_by_size(a, b, center_a, center_b)?;
-    let [turned, of_mirrored] = rotations(a, b, center_a, center_b)?;
-    let room = tolerance * factor.max(1.0);
-    [(turned, 1.0), (of_mirrored, -1.0)]
-        .into_iter()
-        .find_map(|(rotation, sign)| {
-            let linear = |point: DVec3| rotation * point * (sign * factor);
-            let offset = center_b - linear(center_a);
-            let offset = if agree(a, b, room, linear) {
-                DVec3::ZERO
-            } else if agree(a, b, room, |point| linear(point) + offset) {
-                offset
-            } else {
-                return None;
-            };
-            let (mirrored, rotation) = if sign > 0.0 {
-                (None, rotation)
-            } else {
-                let (axis, rotation) = mirrored_along_one_axis(rotation);
-                (Some(axis), rotation)
-            };
-            let (axis, angle) = positive(rotation).to_axis_angle();
-            Some(MeshFinding::Turned {
-                mirrored,
-                degrees: angle.to_degrees(),
-                axis: axis.to_array(),
-                factor,
-                offset: offset.to_array(),
-            })
-        })
-}
-
-fn one_place(b: &[DVec3]) -> Option<MeshFinding> {
-    let first = b.first().filter(|point| point.is_finite())?;
-    let at = first.to_array();
-    b.iter()
-        .all(|point| point == first)
-        .then_some(MeshFinding::OnePlace { at })
 }
 
 /// Mirroring through a point and turning by `rotation` as mirroring along one axis and turning as
@@ -168,35 +212,122 @@ fn mirrored_along_one_axis(rotation: DQuat) -> (&'static str, DQuat) {
     less(less(("x", x), ("y", y)), ("z", z))
 }
 
-/// The same rotation, by at most half a turn.
-fn positive(rotation: DQuat) -> DQuat {
-    if rotation.w < 0.0 {
-        -rotation
-    } else {
-        rotation
+/// The rotation that takes `a` nearest to `b`, as seen from their centers, and the one that takes
+/// the mirror image of `a` through its center there. `None` where the points do not spread, or
+/// are no numbers.
+///
+/// Horn, Closed-form solution of absolute orientation using unit quaternions, 1987: they are the
+/// eigenvectors of the largest and of the smallest eigenvalue of a matrix of products.
+fn rotations(a: &[DVec3], b: &[DVec3], (center_a, center_b): Centers) -> Option<[DQuat; 2]> {
+    let mut products = [[0.0; 3]; 3];
+    let mut largest = 0.0_f64;
+    for (a, b) in a.iter().zip(b) {
+        let (a, b) = (*a - center_a, *b - center_b);
+        for (row, a) in products.iter_mut().zip(a.to_array()) {
+            for (sum, b) in row.iter_mut().zip(b.to_array()) {
+                *sum += a * b;
+                largest = largest.max(sum.abs());
+            }
+        }
     }
-}
-
-/// How large `b` is by the size of `a`, as their points spread about the centers; one where it is
-/// but for rounding. `None` if that is no size.
-fn size_by_size(a: &[DVec3], b: &[DVec3], center_a: DVec3, center_b: DVec3) -> Option<f64> {
-    let spread = |points: &[DVec3], center: DVec3| -> f64 {
-        let squares = points.iter().map(|point| point.distance_squared(center));
-        squares.sum()
+    if !largest.is_finite() || largest == 0.0 {
+        return None;
+    }
+    let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] =
+        products.map(|row| row.map(|sum| sum / largest));
+    let (values, vectors) = eigen([
+        [xx + yy + zz, yz - zy, zx - xz, xy - yx],
+        [yz - zy, xx - yy - zz, xy + yx, zx + xz],
+        [zx - xz, xy + yx, yy - xx - zz, yz + zy],
+        [xy - yx, zx + xz, yz + zy, zz - xx - yy],
+    ]);
+    let index = |better: fn(f64, f64) -> bool| {
+        (1..4).fold(0, |best, i| {
+            if better(values[i], values[best]) {
+                i
+            } else {
+                best
+            }
+        })
     };
-    let factor = (spread(b, center_b) / spread(a, center_a)).sqrt();
-    if (factor - 1.0).abs() <= LEAST_SCALE {
-        return Some(1.0);
+    let rotation = |i: usize| {
+        let [w, x, y, z] = vectors.map(|row| row[i]);
+        DQuat::from_xyzw(x, y, z, w).normalize()
+    };
+    let found = [index(|a, b| a > b), index(|a, b| a < b)].map(rotation);
+    found.iter().all(|q| q.is_finite()).then_some(found)
+}
+
+/// Eigenvalues and, as columns, eigenvectors of a symmetric matrix, by Jacobi's rotations.
+fn eigen(mut matrix: [[f64; 4]; 4]) -> ([f64; 4], [[f64; 4]; 4]) {
+    let mut vectors = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+    for _ in 0..MOST_SWEEPS {
+        let mut changed = false;
+        for p in 0..3 {
+            for q in p + 1..4 {
+                let off = matrix[p][q];
+                let size = matrix[p][p].abs() + matrix[q][q].abs();
+                if off == 0.0 || off.abs() < f64::EPSILON * 1e-3 * size {
+                    continue;
+                }
+                changed = true;
+                let theta = (matrix[q][q] - matrix[p][p]) / (2.0 * off);
+                let tangent = theta.signum() / (theta.abs() + theta.hypot(1.0));
+                let cosine = 1.0 / tangent.hypot(1.0);
+                let sine = tangent * cosine;
+                for row in matrix.iter_mut().chain(&mut vectors) {
+                    let (left, right) = (row[p], row[q]);
+                    row[p] = cosine * left - sine * right;
+                    row[q] = sine * left + cosine * right;
+                }
+                let (upper, lower) = (matrix[p], matrix[q]);
+                matrix[p] = std::array::from_fn(|k| cosine * upper[k] - sine * lower[k]);
+                matrix[q] = std::array::from_fn(|k| sine * upper[k] + cosine * lower[k]);
+                (matrix[p][q], matrix[q][p]) = (0.0, 0.0);
+            }
+        }
+        if !changed {
+            break;
+        }
     }
-    (factor.is_finite() && factor > 0.0).then_some(factor)
+    (std::array::from_fn(|i| matrix[i][i]), vectors)
 }
 
-fn agree(a: &[DVec3], b: &[DVec3], tolerance: f64, b_from_a: impl Fn(DVec3) -> DVec3) -> bool {
-    a.iter()
-        .zip(b)
-        .all(|(a, b)| b_from_a(*a).distance(*b) <= tolerance)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn mean(points: &[DVec3]) -> DVec3 {
-    points.iter().sum::<DVec3>() / points.len().max(1) as f64
+    #[test]
+    fn any_turn_and_any_turned_mirror_image_is_found_again() {
+        let mut random = 1_u32;
+        let mut number = || {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            f64::from(random) / f64::from(u32::MAX) - 0.5
+        };
+        let mut vector = || DVec3::new(number(), number(), number());
+        let a: Vec<DVec3> = (0..20)
+            .map(|_| vector() * DVec3::new(1.0, 0.2, 0.05))
+            .collect();
+        for i in 0..300 {
+            let axis = vector().normalize_or(DVec3::X);
+            // Among them none, and half a turn.
+            let turn =
+                DQuat::from_axis_angle(axis, f64::from(i % 31) / 30.0 * std::f64::consts::PI);
+            for (which, sign) in [(0, 1.0), (1, -1.0)] {
+                let b: Vec<DVec3> = a.iter().map(|p| turn * *p * sign * 1e20).collect();
+                let found = rotations(&a, &b, ORIGINS).unwrap()[which];
+                let likeness = found.dot(turn).abs();
+                assert!(likeness > 1.0 - 1e-12, "{i}: {found} for {turn}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_does_not_spread_or_is_no_number_has_no_turn() {
+        let find = |a, b| rotations(&[a, -a], &[b, -b], ORIGINS);
+        assert_eq!(find(DVec3::X, DVec3::ZERO), None);
+        assert_eq!(find(DVec3::NAN, DVec3::X), None);
+        assert_eq!(find(DVec3::X, DVec3::INFINITY), None);
+        assert!(find(DVec3::X, DVec3::Y).is_some());
+    }
 }

@@ -2,19 +2,16 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
-mod captions;
-mod fitting;
-mod mask_list;
-mod mask_overlay;
+mod masks;
 mod panel;
 mod pictures;
-mod report;
 mod settings;
 
 pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
 pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels};
 
+use crate::compare::{CompareError, Differences, Judgment};
 use crate::geometry::Picture;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, TextureOptions};
 
@@ -51,47 +48,17 @@ pub struct ShownPicture<'a> {
     pub texture: TextureId,
 }
 
-/// What was measured, as far as it has been.
+/// Results of a comparison, as far as they are known.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CompareReport {
     /// Pixel by pixel.
-    pub counts: Option<CompareCounts>,
-    /// How alike they look, and why they differ; it takes longer than the counts.
-    pub judgment: Option<CompareJudgment>,
-    /// Whether something newer is being measured than what is here.
+    pub differences: Option<Differences>,
+    /// Similarity and causes, which take longer.
+    pub judgment: Option<Judgment>,
+    /// Whether a newer comparison is under way than these results are from.
     pub measuring: bool,
     /// Why nothing can be measured.
-    pub problem: Option<String>,
-}
-
-/// Differences pixel by pixel, in the 0..=255 steps of the channels.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CompareCounts {
-    /// All pixels that are not masked.
-    pub compared: u64,
-    /// Of these, those that differ by more than the threshold.
-    pub differing: u64,
-    /// Compared pixels that are not background, in either picture.
-    pub drawn: u64,
-    /// Of these, those that differ by more than the threshold.
-    pub drawn_differing: u64,
-    /// Largest difference of a channel.
-    pub max: u8,
-    /// Mean difference of the color channels.
-    pub mean: f64,
-    /// Peak signal to noise ratio in dB, infinite if equal.
-    pub psnr: f64,
-}
-
-/// What takes a while to find out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CompareJudgment {
-    /// Structural similarity, 1 if equal; `None` for pictures too small.
-    pub ssim: Option<f64>,
-    /// Mean perceived difference, 0 if equal, at most 1.
-    pub flip: f64,
-    /// What is wrong, a sentence each.
-    pub findings: Vec<String>,
+    pub problem: Option<CompareError>,
 }
 
 /// Makes a texture that shows `picture`: smooth where smaller, and pixel by pixel where larger.

@@ -1,4 +1,5 @@
-use super::{CompareView, mask_list, report};
+use super::{CompareReport, CompareView, masks};
+use crate::compare::{Differences, Finding, Judgment};
 use crate::editor::View;
 use crate::scene::{Look, Shading};
 use crate::ui::number_field::NumberField;
@@ -6,7 +7,8 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
 use egui::{
-    Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui, vec2,
+    Align, Button, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui,
+    vec2,
 };
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
@@ -14,6 +16,8 @@ const HEIGHT: f32 = 128.0;
 const LOWEST: f32 = 64.0;
 /// Narrower panels show their parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
+/// Shown for what is not known yet.
+const UNKNOWN: &str = "…";
 
 /// The panel below the view while a picture is compared with it.
 pub(in crate::ui) fn show(
@@ -38,8 +42,8 @@ pub(in crate::ui) fn show(
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     if ui.available_width() < ROOM_FOR_COLUMNS {
-                        report::findings(ui, look_is_course, compare);
-                        report::numbers(ui, compare.report);
+                        findings(ui, look_is_course, compare);
+                        numbers(ui, compare.report);
                         ui.separator();
                         settings(ui, look_is_course, compare, changed, actions);
                     } else {
@@ -48,10 +52,10 @@ pub(in crate::ui) fn show(
                             for column in &mut *columns {
                                 column.spacing_mut().item_spacing.x = gap;
                             }
-                            let [numbers, findings, choices] = columns;
-                            report::numbers(numbers, compare.report);
-                            report::findings(findings, look_is_course, compare);
-                            settings(choices, look_is_course, compare, changed, actions);
+                            let [left, middle, right] = columns;
+                            numbers(left, compare.report);
+                            findings(middle, look_is_course, compare);
+                            settings(right, look_is_course, compare, changed, actions);
                         });
                     }
                 });
@@ -159,7 +163,169 @@ fn settings(
             actions.push(Action::View(View::SetLook(Look::Course)));
             actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
         }
-        mask_list::buttons(ui, compare.size(), &mut changed.masks);
+        masks::buttons(ui, compare.size(), &mut changed.masks);
     });
-    mask_list::show(ui, compare.size(), &mut changed.masks);
+    masks::list(ui, compare.size(), &mut changed.masks);
+}
+
+/// What was measured: a name, a number, and what it means.
+fn numbers(ui: &mut Ui, report: &CompareReport) {
+    let palette = Palette::of(ui.visuals());
+    let judged = report.judgment.as_ref();
+    // What belongs to an older picture stands back until it is measured anew.
+    let judged_color = if report.measuring {
+        palette.weak
+    } else {
+        palette.text
+    };
+    Grid::new("numbers")
+        .num_columns(2)
+        .spacing([12.0, 1.0])
+        .min_row_height(16.0)
+        .show(ui, |ui| {
+            for (name, value, hint) in counted(report.differences.as_ref()) {
+                line(ui, name, &value, palette.text, hint);
+            }
+            let (name, value, hint) = perceived(judged);
+            line(ui, name, &value, judged_color, hint);
+        });
+}
+
+type Line = (&'static str, String, &'static str);
+
+fn counted(counts: Option<&Differences>) -> [Line; 4] {
+    let value = |text: fn(&Differences) -> String| counts.map_or(UNKNOWN.to_owned(), text);
+    [
+        (
+            "Differing pixels",
+            value(|c| of_which(c.differing_pixels, c.compared_pixels)),
+            "Pixels of which a channel differs by more than the threshold",
+        ),
+        (
+            "Of the drawn",
+            value(|c| of_which(c.drawn_differing_pixels, c.drawn_pixels)),
+            "The same among the pixels that are not background in one of the pictures",
+        ),
+        (
+            "Difference",
+            value(|c| format!("at most {}, mean {:.3} of 255", c.max, c.mean)),
+            "Of a channel of a pixel",
+        ),
+        (
+            "PSNR",
+            value(|c| {
+                if c.psnr.is_finite() {
+                    format!("{:.2} dB", c.psnr)
+                } else {
+                    "infinite: no color differs".to_owned()
+                }
+            }),
+            "Peak signal to noise ratio: larger is more alike",
+        ),
+    ]
+}
+
+fn perceived(judgment: Option<&Judgment>) -> Line {
+    let value = match judgment {
+        None => UNKNOWN.to_owned(),
+        Some(Judgment { ssim, flip, .. }) => match ssim {
+            Some(ssim) => format!("{ssim:.5}, {flip:.5}"),
+            None => format!("none below 11×11 pixels, {flip:.5}"),
+        },
+    };
+    (
+        "SSIM, FLIP",
+        value,
+        "Structural similarity, 1 if equal; and the difference that a person sees when the pictures blink, 0 if equal",
+    )
+}
+
+/// `37 of 12345 (0.300 %)`.
+fn of_which(part: u64, whole: u64) -> String {
+    let percent = 100.0 * part as f64 / whole.max(1) as f64;
+    format!("{part} of {whole} ({percent:.3} %)")
+}
+
+fn line(ui: &mut Ui, name: &str, value: &str, color: egui::Color32, hint: &str) {
+    let weak = Palette::of(ui.visuals()).weak;
+    ui.label(RichText::new(name).small().color(weak))
+        .on_hover_text(hint);
+    let value = RichText::new(value).small().color(color);
+    ui.add(Label::new(value).selectable(true))
+        .on_hover_text(hint);
+    ui.end_row();
+}
+
+/// What is wrong, in words.
+fn findings(ui: &mut Ui, look_is_course: bool, compare: &CompareView) {
+    let palette = Palette::of(ui.visuals());
+    ui.vertical(|ui| {
+        let mut say = |text: &str, color| {
+            let text = RichText::new(text).color(color);
+            ui.add(Label::new(text).wrap().selectable(true));
+        };
+        let report = compare.report;
+        if let Some(problem) = &report.problem {
+            return say(&problem.to_string(), palette.error);
+        }
+        let Some(counts) = &report.differences else {
+            return say("Measuring…", palette.weak);
+        };
+        if counts.max == 0 {
+            return say("A and B are equal, pixel by pixel.", palette.strong);
+        }
+        if counts.differing_pixels == 0 {
+            say(
+                "No pixel differs by more than the threshold.",
+                palette.strong,
+            );
+        }
+        for hint in hints(look_is_course, compare.settings, counts) {
+            say(hint, palette.text);
+        }
+        match &report.judgment {
+            Some(judgment) if !report.measuring => {
+                for sentence in judgment.findings.iter().map(Finding::sentence) {
+                    say(&sentence, palette.strong);
+                }
+                if judgment.findings.is_empty() {
+                    say("No single cause explains the differences.", palette.text);
+                }
+            }
+            _ => say("Looking for the cause…", palette.weak),
+        }
+    });
+}
+
+const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
+const OTHER_LOOK: &str =
+    "B has the Studio look. Course look draws it as the course's program does.";
+const SMOOTH: &str = "B has smooth edges; the course's program has none.";
+
+/// What the person at the panel can do about differences.
+fn hints(
+    look_is_course: bool,
+    settings: &CompareSettings,
+    counts: &Differences,
+) -> impl Iterator<Item = &'static str> {
+    // Where not even the border has a color of its own, something lies over the scene.
+    let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
+    [
+        (!look_is_course, OTHER_LOOK),
+        (look_is_course && settings.smooth_edges, SMOOTH),
+        (look_is_course && covered, COVERED),
+    ]
+    .into_iter()
+    .filter_map(|(applies, hint)| applies.then_some(hint))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_told_with_their_whole_and_never_divide_by_zero() {
+        assert_eq!(of_which(3, 1000), "3 of 1000 (0.300 %)");
+        assert_eq!(of_which(0, 0), "0 of 0 (0.000 %)");
+    }
 }

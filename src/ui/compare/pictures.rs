@@ -1,10 +1,11 @@
-use super::{CompareView, captions, fitting, mask_overlay};
+use super::{CompareView, masks};
+use crate::geometry::Picture;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{CompareMode, CompareSettings, ScenePlaces};
 use egui::{
-    Align, Color32, CursorIcon, Rect, Response, Sense, Stroke, StrokeKind, TextureId, Ui, pos2,
-    vec2,
+    Align, Color32, CursorIcon, Label, Layout, Pos2, Rect, Response, RichText, Sense, Stroke,
+    StrokeKind, TextureId, Ui, Vec2, pos2, vec2,
 };
 use std::time::Duration;
 
@@ -12,6 +13,13 @@ use std::time::Duration;
 const BLINK: f64 = 0.6;
 /// How far from the line between two pictures it can be taken hold of, in points.
 const GRIP: f32 = 6.0;
+/// Height of the line of text above a picture, in points.
+const CAPTION: f32 = 20.0;
+/// Between two pictures, and around them where there is room, in points.
+const GAP: f32 = 8.0;
+/// Names of the pictures.
+const REFERENCE: &str = "A: reference";
+const LIVE: &str = "B: live view";
 
 /// Both pictures in the view instead of the scene alone. `view` is the widget that they lie in.
 pub(in crate::ui) fn show(
@@ -25,8 +33,8 @@ pub(in crate::ui) fn show(
     let pixels = vec2(size.0 as f32, size.1 as f32);
     let pixels_per_point = ui.ctx().pixels_per_point();
     let rects = match compare.settings.mode {
-        CompareMode::SideBySide => fitting::two(area, pixels, pixels_per_point).to_vec(),
-        _ => vec![fitting::one(area, pixels, pixels_per_point)],
+        CompareMode::SideBySide => places_of_two(area, pixels, pixels_per_point).to_vec(),
+        _ => vec![place_of_one(area, pixels, pixels_per_point)],
     };
     let places = ScenePlaces {
         points_per_pixel: rects[0].width() / pixels.x.max(1.0),
@@ -34,22 +42,22 @@ pub(in crate::ui) fn show(
     };
     let blinked = blinked(ui, compare.settings.mode);
     paint(ui, &places.rects, compare, blinked);
-    mask_overlay::show(ui, &places, size, &mut settings.masks);
+    masks::show_over(ui, &places, size, &mut settings.masks);
     if compare.settings.mode == CompareMode::Swipe {
         swipe_line(ui, places.rects[0], settings);
     }
     let pixel = view.hover_pos().and_then(|position| {
         let place = places.rects[places.index_at(position)?];
-        captions::pixel_at(place, size, position)
+        pixel_at(place, size, position)
     });
-    let texts = captions::texts(compare, blinked, pixel);
+    let texts = captions(compare, blinked, pixel);
     // One picture alone reaches up to the bar of tools at the left.
     let align = match places.rects.len() {
         1 => Align::Max,
         _ => Align::Min,
     };
     for (place, text) in places.rects.iter().zip(texts) {
-        captions::show(ui, *place, area, align, &text);
+        caption(ui, *place, area, align, &text);
     }
     places
 }
@@ -145,5 +153,193 @@ fn swipe_line(ui: &mut Ui, place: Rect, settings: &mut CompareSettings) {
         && let Some(pointer) = line.interact_pointer_pos()
     {
         settings.swipe = ((pointer.x - place.left()) / place.width()).clamp(0.0, 1.0);
+    }
+}
+
+/// What is written above a picture, at its left or right: which it is, and the pixel under the
+/// pointer.
+fn caption(ui: &mut Ui, place: Rect, area: Rect, align: Align, text: &str) {
+    let top = (place.top() - CAPTION).max(area.top());
+    let line = Rect::from_min_max(
+        pos2(place.left(), top),
+        pos2(place.right().max(place.left() + 120.0), place.top()),
+    );
+    let color = Palette::of(ui.visuals()).text;
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(line.intersect(area)));
+    inside.set_clip_rect(line.intersect(area));
+    let layout = match align {
+        Align::Max => Layout::right_to_left(Align::Center),
+        _ => Layout::left_to_right(Align::Center),
+    };
+    inside.with_layout(layout, |ui| {
+        ui.add(Label::new(RichText::new(text).small().color(color)).truncate());
+    });
+}
+
+/// The captions of the pictures in the view, `blinked` if it is B's turn to blink.
+fn captions(compare: &CompareView, blinked: bool, pixel: Option<(u32, u32)>) -> Vec<String> {
+    let reference = color_at(compare.reference.picture, pixel);
+    let live = compare.live.and_then(|live| color_at(live.picture, pixel));
+    let alone = |name: &str, color: Option<String>| match (pixel, color) {
+        (Some((x, y)), Some(color)) => format!("{name} · pixel {x}, {y}: {color}"),
+        _ => name.to_owned(),
+    };
+    let both = |name: &str| match (pixel, &reference, &live) {
+        (Some((x, y)), Some(a), Some(b)) => format!("{name} · pixel {x}, {y}: A {a}, B {b}"),
+        _ => name.to_owned(),
+    };
+    match compare.settings.mode {
+        CompareMode::SideBySide => vec![alone(REFERENCE, reference), alone(LIVE, live)],
+        CompareMode::Swipe => vec![both(
+            "A left of the line: reference, B right of it: live view",
+        )],
+        CompareMode::Blink => vec![both(if blinked { LIVE } else { REFERENCE })],
+        CompareMode::OnionSkin => vec![both("B: live view, over A: reference")],
+        CompareMode::Difference => vec![both("Differences, lighter where larger")],
+    }
+}
+
+/// Red, green, blue, and opacity unless it is full.
+fn color_at(picture: &Picture, pixel: Option<(u32, u32)>) -> Option<String> {
+    let (x, y) = pixel?;
+    let start = 4 * (y as usize * picture.width as usize + x as usize);
+    match picture.rgba.get(start..start + 4)? {
+        [r, g, b, 255] => Some(format!("{r} {g} {b}")),
+        [r, g, b, alpha] => Some(format!("{r} {g} {b}, opacity {alpha}")),
+        _ => None,
+    }
+}
+
+/// The pixel of a picture of `size` that lies under `position` when it is shown in `place`.
+fn pixel_at(place: Rect, size: (u32, u32), position: Pos2) -> Option<(u32, u32)> {
+    let along = (position - place.min) / place.size();
+    let inside = (0.0..1.0).contains(&along.x) && (0.0..1.0).contains(&along.y);
+    inside.then(|| {
+        let x = (along.x * size.0 as f32) as u32;
+        let y = (along.y * size.1 as f32) as u32;
+        (
+            x.min(size.0.saturating_sub(1)),
+            y.min(size.1.saturating_sub(1)),
+        )
+    })
+}
+
+/// A picture of `size` pixels in the middle of `area` (points), as large as fits. Where it can
+/// be shown pixel by pixel or larger it is, in whole pixels of the screen.
+fn fitted(area: Rect, size: Vec2, pixels_per_point: f32) -> Rect {
+    let size = size.max(Vec2::splat(1.0));
+    let room = area.size() * pixels_per_point;
+    let scale = (room.x / size.x).min(room.y / size.y);
+    let scale = if scale >= 1.0 {
+        scale.floor()
+    } else {
+        scale.max(1.0 / size.max_elem())
+    };
+    let shown = size * (scale / pixels_per_point);
+    let free = (area.size() - shown).max(Vec2::ZERO) * 0.5;
+    let whole = |points: f32| (points * pixels_per_point).round() / pixels_per_point;
+    let corner = area.min + free;
+    Rect::from_min_size(pos2(whole(corner.x), whole(corner.y)), shown)
+}
+
+fn below_caption(area: Rect) -> Rect {
+    let top = (area.top() + CAPTION).min(area.bottom());
+    Rect::from_min_max(pos2(area.left(), top), area.max)
+}
+
+/// Where one picture with a caption above it is shown.
+fn place_of_one(area: Rect, size: Vec2, pixels_per_point: f32) -> Rect {
+    fitted(below_caption(area), size, pixels_per_point)
+}
+
+/// Where two pictures of the same size are shown, each with a caption above it: side by side, or
+/// one above the other where they can be clearly larger so.
+fn places_of_two(area: Rect, size: Vec2, pixels_per_point: f32) -> [Rect; 2] {
+    let area = area.shrink(GAP.min(area.size().min_elem().max(0.0) * 0.1));
+    let beside =
+        halves(area, vec2(1.0, 0.0)).map(|half| place_of_one(half, size, pixels_per_point));
+    let above = halves(area, vec2(0.0, 1.0)).map(|half| place_of_one(half, size, pixels_per_point));
+    if above[0].width() > 1.25 * beside[0].width() {
+        above
+    } else {
+        beside
+    }
+}
+
+/// The parts of `area` that are left of each other (`along` = +x) or above (`along` = +y).
+fn halves(area: Rect, along: Vec2) -> [Rect; 2] {
+    let gap = along * GAP;
+    let size = (area.size() - (area.size() + gap) * along * 0.5).max(Vec2::ZERO);
+    let second = area.min + along * (size + gap);
+    [area.min, second].map(|corner| Rect::from_min_size(corner, size))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pixel_under_the_pointer_is_found_at_every_scale() {
+        for scale in [0.5, 1.0, 3.0] {
+            let place = Rect::from_min_size(pos2(20.0, 40.0), vec2(8.0, 6.0) * scale);
+            let at = |x: f32, y: f32| pixel_at(place, (8, 6), place.min + vec2(x, y) * scale);
+            assert_eq!(at(0.0, 0.0), Some((0, 0)));
+            assert_eq!(at(2.5, 5.9), Some((2, 5)));
+            assert_eq!(at(8.1, 3.0), None);
+            assert_eq!(at(-0.1, 3.0), None);
+        }
+    }
+
+    fn area(width: f32, height: f32) -> Rect {
+        Rect::from_min_size(pos2(10.0, 30.0), vec2(width, height))
+    }
+
+    const COURSE: Vec2 = vec2(800.0, 600.0);
+
+    #[test]
+    fn a_picture_that_fits_is_shown_pixel_by_pixel_in_the_middle() {
+        let rect = fitted(area(1000.0, 650.0), COURSE, 1.0);
+        assert_eq!(rect.size(), COURSE);
+        assert_eq!(rect.min, pos2(110.0, 55.0));
+        assert_eq!(
+            fitted(area(1700.0, 1200.0), COURSE, 1.0).size(),
+            COURSE * 2.0
+        );
+    }
+
+    #[test]
+    fn on_a_fine_screen_a_pixel_of_the_picture_is_a_whole_number_of_its_pixels() {
+        let rect = fitted(area(1000.0, 650.0), COURSE, 1.5);
+        // A corner is kept, not a size: rounded to what a number of points can hold.
+        let close = |a: Vec2, b: Vec2| (a - b).abs().max_elem() < 1e-3;
+        assert!(close(rect.size() * 1.5, COURSE), "{rect}");
+        let corner = rect.min.to_vec2() * 1.5;
+        assert!(close(corner, corner.round()), "{rect}");
+    }
+
+    #[test]
+    fn a_picture_that_does_not_fit_keeps_its_shape_inside_of_the_area() {
+        for (width, height) in [(500.0, 700.0), (900.0, 200.0), (60.0, 20.0)] {
+            let area = area(width, height);
+            let rect = fitted(area, COURSE, 1.0);
+            assert!(
+                area.expand(1.0).contains_rect(rect),
+                "{rect} is not in {area}"
+            );
+            assert!((rect.aspect_ratio() - 4.0 / 3.0).abs() < 1e-4, "{rect}");
+        }
+        assert!(fitted(area(0.0, 0.0), COURSE, 1.0).is_positive());
+        assert!(fitted(area(10.0, 10.0), Vec2::ZERO, 1.0).is_positive());
+    }
+
+    #[test]
+    fn two_pictures_stand_side_by_side_or_above_each_other_and_never_overlap() {
+        let [a, b] = places_of_two(area(1000.0, 600.0), COURSE, 1.0);
+        assert_eq!(a.size(), b.size());
+        assert!(a.right() + GAP <= b.left() + 1.0 && a.top() == b.top());
+        assert!(a.top() >= area(1000.0, 600.0).top() + CAPTION);
+        let [a, b] = places_of_two(area(400.0, 900.0), COURSE, 1.0);
+        assert_eq!(a.size(), b.size());
+        assert!(a.bottom() + CAPTION <= b.top() && a.left() == b.left());
     }
 }

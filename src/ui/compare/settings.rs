@@ -1,6 +1,6 @@
 //! How a picture is held against the live view: what a person chooses in the Compare panel.
 
-use crate::math::Area;
+use crate::compare::Area;
 
 /// What is asked of a comparison.
 #[derive(Clone, Debug, PartialEq)]

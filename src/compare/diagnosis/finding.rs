@@ -1,0 +1,411 @@
+use super::evidence::OTHER_COLOR;
+use crate::compare::Area;
+use crate::compare::rules::sentence;
+use serde::Serialize;
+use std::fmt;
+
+/// A cause of differences between two pictures. B is compared with the reference A.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Finding {
+    /// All pixels of one picture (or of each) have the same color: nothing was drawn.
+    Blank {
+        /// Which.
+        picture: Which,
+    },
+    /// All pixels of one picture (or of each) have opacity 0, though their colors differ.
+    Transparent {
+        /// Which.
+        picture: Which,
+    },
+    /// Rounding, and so few other pixels that they give no clue.
+    NearlySame {
+        /// Largest difference that may be rounding: 0 to 3 of 255.
+        rounding: u8,
+        /// Pixels that differ by more.
+        others: u64,
+        /// Of these, pixels that differ by more than 8 of 255.
+        other_color: u64,
+        /// Where the others are.
+        area: Option<Area>,
+        /// Whether the backgrounds differ as well, which is a finding of its own.
+        other_background: bool,
+    },
+    /// B is A moved by whole pixels.
+    Shifted {
+        /// To the right.
+        dx: i32,
+        /// Downward.
+        dy: i32,
+    },
+    /// B is A mirrored.
+    Mirrored {
+        /// Left and right are exchanged.
+        left_right: bool,
+        /// Top and bottom are exchanged.
+        top_bottom: bool,
+    },
+    /// What is drawn in B has A's outline in another size.
+    Scaled {
+        /// Size in B by size in A.
+        factor: f64,
+    },
+    /// B has red and blue exchanged.
+    RedBlueExchanged,
+    /// B is A in shades of gray.
+    Gray,
+    /// The backgrounds differ.
+    Background {
+        /// Red, green, blue in A.
+        a: [u8; 3],
+        /// Red, green, blue in B.
+        b: [u8; 3],
+        /// Whether nothing else differs by more than 8 of 255.
+        alone: bool,
+    },
+    /// Pixels differ in opacity.
+    Opacity {
+        /// Number of pixels.
+        pixels: u64,
+    },
+    /// What is drawn in B has the colors of A times these factors.
+    Brightness {
+        /// For red, green and blue.
+        factors: [f64; 3],
+    },
+    /// One picture is encoded as sRGB once more often than the other.
+    Gamma {
+        /// The one that was encoded more often, and is lighter.
+        lighter: Which,
+    },
+    /// A highlight is missing: the difference is white light that fades toward its rim.
+    Highlight {
+        /// The picture without it.
+        missing_in: Which,
+        /// Where it is in the other.
+        area: Area,
+    },
+    /// A highlight differs in B: the difference is white light that fades toward its rim.
+    HighlightChanged {
+        /// Change from A to B.
+        in_b: HighlightChange,
+        /// Where it differs.
+        area: Area,
+    },
+    /// The differences lie along edges, where each color is between those around it in the other
+    /// picture.
+    Edges {
+        /// So many of the pixels that differ by more than 8 of 255.
+        share: f64,
+        /// Where all of these are.
+        area: Area,
+    },
+    /// Fine detail differs: over 16×16 pixels the colors of A and B have the same means, and those
+    /// of B are near to those around in A.
+    Detail {
+        /// Largest difference of a channel, of 255.
+        max: u8,
+        /// Where pixels differ by more than 8.
+        area: Area,
+    },
+    /// Things are drawn in one picture where the other shows the background.
+    Outline {
+        /// Pixels drawn only in A.
+        only_a: u64,
+        /// Where these are.
+        area_a: Option<Area>,
+        /// Pixels drawn only in B.
+        only_b: u64,
+        /// Where these are.
+        area_b: Option<Area>,
+    },
+    /// What is drawn has a different color in B.
+    Shading {
+        /// Pixels that differ by more than 8 of 255, by all that are drawn: in both, unless the
+        /// outlines agree.
+        share: f64,
+        /// Where these are.
+        area: Area,
+        /// Whether next to nothing is drawn in one picture alone. Otherwise that is a finding of its
+        /// own.
+        outlines_agree: bool,
+    },
+}
+
+/// Change of a highlight from A to B.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum HighlightChange {
+    /// Less bright, but present in B.
+    Weaker,
+    /// Brighter, and present in A.
+    Stronger,
+    /// As bright, but smaller.
+    Narrower,
+    /// As bright, but larger.
+    Wider,
+    /// Weaker, narrower or missing: the colors do not tell which.
+    Less,
+    /// Stronger, wider or missing in A: the colors do not tell which.
+    More,
+}
+
+/// One of the two pictures, or both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Which {
+    /// The reference.
+    A,
+    /// The picture compared with it.
+    B,
+    /// Each of them.
+    Both,
+}
+
+impl Finding {
+    /// Its text as a sentence, with a capital letter and a full stop.
+    pub fn sentence(&self) -> String {
+        sentence(&self.to_string())
+    }
+}
+
+impl Which {
+    /// Those of which something is true: of A, and of B.
+    pub(super) fn of(is_true: [bool; 2]) -> Option<Self> {
+        match is_true {
+            [true, true] => Some(Self::Both),
+            [true, false] => Some(Self::A),
+            [false, true] => Some(Self::B),
+            [false, false] => None,
+        }
+    }
+}
+
+impl fmt::Display for Which {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::A => "A",
+            Self::B => "B",
+            Self::Both => "both",
+        })
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Blank {
+                picture: Which::Both,
+            } => f.write_str("both pictures are blank: in each, all pixels have the same color"),
+            Self::Blank { picture } => write!(
+                f,
+                "{picture} is blank: all pixels have the same color, so nothing was drawn in view"
+            ),
+            Self::Transparent {
+                picture: Which::Both,
+            } => f.write_str(
+                "both pictures are transparent: their pixels have colors, but opacity 0, so nothing shows",
+            ),
+            Self::Transparent { picture } => write!(
+                f,
+                "{picture} is transparent, not blank: its pixels have colors, but opacity 0 (saved with the alpha of the frame buffer?)"
+            ),
+            Self::NearlySame {
+                rounding,
+                others,
+                other_color,
+                area,
+                other_background,
+            } => {
+                if *other_background {
+                    f.write_str("apart from the background, ")?;
+                }
+                fmt_nearly_same(f, *rounding, [*others, *other_color], *area)
+            }
+            Self::Shifted { dx, dy } => {
+                write!(f, "B is A moved {}", moved(*dx, *dy))
+            }
+            Self::Mirrored {
+                left_right,
+                top_bottom,
+            } => f.write_str(match (left_right, top_bottom) {
+                (true, true) => "B is A turned by 180 degrees",
+                (true, false) => "B is A mirrored: left and right are exchanged",
+                _ => "B is A upside down: top and bottom are exchanged (rows in reverse order?)",
+            }),
+            Self::Scaled { factor } => write!(
+                f,
+                "what is drawn in B has A's outline, {factor:.3} times as large: distance, field of view or scale"
+            ),
+            Self::RedBlueExchanged => f.write_str("B has red and blue exchanged (BGR instead of RGB?)"),
+            Self::Gray => f.write_str("B has no colors: it is A in shades of gray"),
+            Self::Background { a, b, alone } => {
+                let [a, b] = [a, b].map(|[r, g, b]| format!("({r}, {g}, {b})"));
+                let rest = if *alone {
+                    "; nothing else differs by more than 8"
+                } else {
+                    ""
+                };
+                write!(f, "the background differs: {a} in A, {b} in B{rest}")
+            }
+            Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
+            Self::Brightness { factors } => fmt_brightness(f, *factors),
+            Self::Gamma { lighter } => write!(
+                f,
+                "{lighter} was encoded as sRGB one more time than the other picture: it is lighter, with washed-out shadows"
+            ),
+            Self::Highlight {
+                missing_in: Which::A,
+                area,
+            } => write!(
+                f,
+                "B has a highlight that A does not have, around {area}: the specular term of the light"
+            ),
+            Self::Highlight { missing_in, area } => write!(
+                f,
+                "a highlight is missing in {missing_in}, around {area}: the specular term of the light"
+            ),
+            Self::HighlightChanged { in_b, area } => {
+                write!(f, "{}, around {area}: {}", in_b.words()[0], in_b.words()[1])
+            }
+            Self::Edges { share, area } => write!(
+                f,
+                "{:.1} % of the differences lie along edges, all within {area}: antialiasing, or a movement of less than about a pixel",
+                100.0 * share
+            ),
+            Self::Detail { max, area } => write!(
+                f,
+                "only fine detail differs, by at most {max}, within {area}: averaged over 16×16 pixels the colors agree, as after compression (JPEG), blurring, scaling or smoothing of edges"
+            ),
+            Self::Outline {
+                only_a,
+                area_a,
+                only_b,
+                area_b,
+            } => fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)]),
+            Self::Shading {
+                share,
+                area,
+                outlines_agree,
+            } => {
+                let (before, both) = if *outlines_agree {
+                    ("the outlines agree, but ", "")
+                } else {
+                    ("", " in both")
+                };
+                write!(
+                    f,
+                    "{before}{:.1} % of what is drawn{both} has a different color, within {area}: shape, depth or shading (normals, light, material)",
+                    100.0 * share
+                )
+            }
+        }
+    }
+}
+
+impl HighlightChange {
+    /// What is seen, and what it comes from.
+    fn words(self) -> [&'static str; 2] {
+        let strength = "strength or exponent of the specular term";
+        let exponent = "the exponent of the specular term";
+        match self {
+            Self::Weaker => ["the highlight is weaker in B", strength],
+            Self::Stronger => ["the highlight is stronger in B", strength],
+            Self::Narrower => ["the highlight is narrower in B", exponent],
+            Self::Wider => ["the highlight is wider in B", exponent],
+            Self::Less => [
+                "the highlight is weaker or narrower in B, or missing",
+                strength,
+            ],
+            Self::More => [
+                "the highlight is stronger or wider in B than in A, or A has none",
+                strength,
+            ],
+        }
+    }
+}
+
+fn moved(dx: i32, dy: i32) -> String {
+    let part = |by: i32, forward: &str, backward: &str| {
+        let direction = if by > 0 { forward } else { backward };
+        (by != 0).then(|| {
+            let unit = if by.abs() == 1 { "pixel" } else { "pixels" };
+            format!("{} {unit} {direction}", by.abs())
+        })
+    };
+    let parts = [part(dx, "right", "left"), part(dy, "down", "up")];
+    parts
+        .into_iter()
+        .flatten()
+        .collect::<Vec<_>>()
+        .join(" and ")
+}
+
+fn fmt_brightness(f: &mut fmt::Formatter<'_>, factors: [f64; 3]) -> fmt::Result {
+    let [r, g, b] = factors;
+    let even = factors.iter().all(|factor| (factor - g).abs() < 0.02 * g);
+    if even {
+        write!(f, "what is drawn in B is {g:.3} times as bright as in A")
+    } else {
+        write!(
+            f,
+            "what is drawn in B has {r:.3}, {g:.3} and {b:.3} times the red, green and blue of A: a different color of light or material"
+        )
+    }
+}
+
+fn fmt_outline(f: &mut fmt::Formatter<'_>, parts: [(u64, Option<Area>); 2]) -> fmt::Result {
+    let parts = parts.iter().zip([Which::A, Which::B]);
+    let parts = parts.filter_map(|((pixels, area), which)| {
+        let are = if *pixels == 1 {
+            "pixel is"
+        } else {
+            "pixels are"
+        };
+        area.map(|area| format!("{pixels} {are} drawn only in {which}, within {area}"))
+    });
+    f.write_str(&parts.collect::<Vec<_>>().join("; "))
+}
+
+/// `others` pixels differ by more than `rounding`, and so many of them by more than 8.
+fn fmt_nearly_same(
+    f: &mut fmt::Formatter<'_>,
+    rounding: u8,
+    [others, other_color]: [u64; 2],
+    area: Option<Area>,
+) -> fmt::Result {
+    let pixels = |count: u64| match count {
+        1 => "1 pixel".to_owned(),
+        _ => format!("{count} pixels"),
+    };
+    let differ = if others == 1 { "differs" } else { "differ" };
+    if rounding > 0 {
+        write!(
+            f,
+            "the pictures are the same except for rounding (at most {rounding} of 255)"
+        )?;
+    }
+    let Some(area) = area else {
+        return Ok(());
+    };
+    match (rounding, other_color) {
+        (0, _) => write!(f, "the pictures are the same except for {}", pixels(others))?,
+        (_, 0) => write!(
+            f,
+            " and {} that {differ} by more, up to {OTHER_COLOR}",
+            pixels(others)
+        )?,
+        _ if other_color == others => {
+            write!(
+                f,
+                " and {} that {differ} by more than {OTHER_COLOR}",
+                pixels(others)
+            )?;
+        }
+        _ => write!(
+            f,
+            " and {} that {differ} by more, {other_color} of them by more than {OTHER_COLOR}",
+            pixels(others)
+        )?,
+    }
+    write!(f, ", within {area}")
+}

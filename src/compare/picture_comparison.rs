@@ -1,0 +1,318 @@
+use super::rules::with_messages;
+use super::{Area, CompareError, Differences, Finding, Pair};
+use crate::geometry::Picture;
+use serde::Serialize;
+use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
+
+/// Options of a comparison of pictures, and what still passes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PictureOptions {
+    /// A pixel differs if a channel does by more than this, of 255.
+    pub threshold: u8,
+    /// How many pixels may differ.
+    pub allowed: Allowance,
+}
+
+/// How many elements may differ. Written `12`, or `0.5%`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowance {
+    /// So many.
+    Count(u64),
+    /// A share 0..=1: of the drawn pixels of pictures, of the vertices of meshes.
+    Share(f64),
+}
+
+/// Result of a comparison of two pictures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PictureComparison {
+    /// Whether no more pixels differ than are allowed.
+    pub passed: bool,
+    /// Pixels a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Above which difference of a channel a pixel differs.
+    pub threshold: u8,
+    /// How many pixels may differ.
+    pub allowed_pixels: u64,
+    /// Pixels that were left out.
+    pub ignored_pixels: u64,
+    /// Pixel by pixel.
+    #[serde(flatten)]
+    pub differences: Differences,
+    /// How similar they look, and what is wrong.
+    #[serde(flatten)]
+    pub judgment: Judgment,
+}
+
+/// Measures that take longer than counting pixels: how similar two pictures look, and why they
+/// differ.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Judgment {
+    /// Structural similarity, 1 if equal; `None` for pictures too small.
+    pub ssim: Option<f64>,
+    /// Mean perceived difference, 0 if equal, at most 1.
+    pub flip: f64,
+    /// What is wrong, the most telling first.
+    #[serde(serialize_with = "with_messages")]
+    pub findings: Vec<Finding>,
+}
+
+/// A comparison of two pictures in two steps, [`PictureJob::measure`] and [`PictureJob::judge`].
+/// It owns all that it needs, so that it can be carried out elsewhere than where it was begun.
+#[derive(Clone, Debug)]
+pub struct PictureJob {
+    /// A, the reference.
+    pub a: Arc<Picture>,
+    /// B.
+    pub b: Arc<Picture>,
+    /// A pixel differs if a channel does by more than this, of 255.
+    pub threshold: u8,
+    /// Areas that are left out.
+    pub ignore: Vec<Area>,
+}
+
+/// Result of the quick step of a [`PictureJob`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Pixel by pixel.
+    pub differences: Differences,
+    /// See [`Pair::heat_map`].
+    pub heat_map: Picture,
+}
+
+impl PictureJob {
+    /// Counts and heat map: milliseconds for a picture of a million pixels.
+    ///
+    /// # Errors
+    /// If the pictures cannot be compared (see [`Pair::new`]).
+    pub fn measure(&self) -> Result<Measured, CompareError> {
+        let pair = self.pair()?;
+        Ok(Measured {
+            differences: pair.differences(self.threshold),
+            heat_map: pair.heat_map(),
+        })
+    }
+
+    /// Similarity and causes: up to seconds.
+    ///
+    /// # Errors
+    /// If the pictures cannot be compared (see [`Pair::new`]).
+    pub fn judge(&self) -> Result<Judgment, CompareError> {
+        Ok(self.pair()?.judge())
+    }
+
+    fn pair(&self) -> Result<Pair<'_>, CompareError> {
+        Pair::new(&self.a, &self.b, &self.ignore)
+    }
+}
+
+impl Pair<'_> {
+    /// How similar the pictures look, and what is wrong.
+    pub fn judge(&self) -> Judgment {
+        Judgment {
+            ssim: self.ssim(),
+            flip: self.flip().mean,
+            findings: self.findings(),
+        }
+    }
+
+    /// Every measure at once, and what is wrong.
+    pub fn compare(&self, options: &PictureOptions) -> PictureComparison {
+        let differences = self.differences(options.threshold);
+        let allowed_pixels = options.allowed.of(differences.drawn_pixels);
+        PictureComparison {
+            passed: differences.differing_pixels <= allowed_pixels,
+            width: self.width(),
+            height: self.height(),
+            threshold: options.threshold,
+            allowed_pixels,
+            ignored_pixels: self.kept().len() as u64 - differences.compared_pixels,
+            differences,
+            judgment: self.judge(),
+        }
+    }
+}
+
+impl Allowance {
+    /// The greatest number that may differ, of `total`.
+    pub fn of(self, total: u64) -> u64 {
+        match self {
+            Self::Count(count) => count,
+            Self::Share(share) => (share * total as f64) as u64,
+        }
+    }
+}
+
+impl Default for Allowance {
+    fn default() -> Self {
+        Self::Count(0)
+    }
+}
+
+impl FromStr for Allowance {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong =
+            || format!("expected a number such as 12, or a share such as 0.1%, found “{text}”");
+        match text.strip_suffix('%') {
+            Some(percent) => match percent.trim().parse::<f64>() {
+                Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(Self::Share(percent / 100.0)),
+                _ => Err(wrong()),
+            },
+            None => text.parse().map(Self::Count).map_err(|_| wrong()),
+        }
+    }
+}
+
+impl fmt::Display for PictureComparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Differences {
+            compared_pixels,
+            differing_pixels,
+            drawn_pixels,
+            ..
+        } = self.differences;
+        let percent = |total: u64| 100.0 * differing_pixels as f64 / total.max(1) as f64;
+        write!(
+            f,
+            "differing pixels    {differing_pixels} of {compared_pixels} ({:.4} %) by more than {}",
+            percent(compared_pixels),
+            self.threshold
+        )?;
+        if drawn_pixels < compared_pixels {
+            let drawn_differing = self.differences.drawn_differing_pixels;
+            let percent = 100.0 * drawn_differing as f64 / drawn_pixels.max(1) as f64;
+            write!(
+                f,
+                "\n  of the drawn      {drawn_differing} of {drawn_pixels} ({percent:.4} %)"
+            )?;
+        }
+        if let Some(area) = self.differences.differing_area {
+            write!(f, "\n  within            {area} (x, y, width, height)")?;
+        }
+        if self.ignored_pixels > 0 {
+            write!(f, "\nignored pixels      {}", self.ignored_pixels)?;
+        }
+        write!(f, "\nlargest difference  {} of 255", self.differences.max)?;
+        write!(
+            f,
+            "\nmean difference     {:.6} of 255",
+            self.differences.mean
+        )?;
+        if self.differences.psnr.is_finite() {
+            write!(f, "\nPSNR                {:.3} dB", self.differences.psnr)?;
+        } else {
+            write!(f, "\nPSNR                infinite (no color differs)")?;
+        }
+        match self.judgment.ssim {
+            Some(ssim) => write!(f, "\nSSIM                {ssim:.6}")?,
+            None => write!(f, "\nSSIM                none (needs 11×11 pixels)")?,
+        }
+        write!(f, "\nFLIP                {:.6}", self.judgment.flip)?;
+        for finding in &self.judgment.findings {
+            write!(f, "\nfound: {finding}")?;
+        }
+        if differing_pixels > 0 && self.judgment.findings.is_empty() {
+            write!(f, "\nno single cause explains the differences")?;
+        }
+        let verdict = if self.passed { "passed" } else { "failed" };
+        write!(f, "\n{verdict}: at most {} may differ", self.allowed_pixels)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A gray square in a dark picture, `right` pixels further right.
+    fn square(right: usize) -> Arc<Picture> {
+        let (width, height) = (64, 48);
+        let gray = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            let inside = (20 + right..40 + right).contains(&x) && (10..30).contains(&y);
+            match inside {
+                true => (80 + (x - right) * y % 100) as u8,
+                false => 26,
+            }
+        };
+        Arc::new(Picture {
+            width: width as u32,
+            height: height as u32,
+            rgba: (0..width * height)
+                .flat_map(|i| [gray(i), gray(i), gray(i), 255])
+                .collect(),
+        })
+    }
+
+    fn job(b: Arc<Picture>, ignore: &[&str]) -> PictureJob {
+        PictureJob {
+            a: square(0),
+            b,
+            threshold: 0,
+            ignore: ignore.iter().map(|area| area.parse().unwrap()).collect(),
+        }
+    }
+
+    #[test]
+    fn equal_pictures_have_no_differing_pixel_and_nothing_is_wrong() {
+        let job = job(square(0), &[]);
+        let measured = job.measure().unwrap();
+        let counts = &measured.differences;
+        assert_eq!((counts.differing_pixels, counts.max), (0, 0));
+        assert_eq!(counts.psnr, f64::INFINITY);
+        let (pixels, _) = measured.heat_map.rgba.as_chunks::<4>();
+        assert!(pixels.iter().all(|&pixel| pixel == [0, 0, 0, 255]));
+        let equal = Judgment {
+            ssim: Some(1.0),
+            flip: 0.0,
+            findings: Vec::new(),
+        };
+        assert_eq!(job.judge().unwrap(), equal);
+    }
+
+    #[test]
+    fn both_steps_leave_out_the_ignored_areas_and_the_first_heeds_the_threshold() {
+        let mut b = (*square(0)).clone();
+        for (x, y, by) in [(5, 5, 9), (60, 40, 3)] {
+            b.rgba[4 * (64 * y + x)] += by;
+        }
+        let b = Arc::new(b);
+        let differing = |job: &PictureJob| job.measure().unwrap().differences.differing_pixels;
+        let whole = job(Arc::clone(&b), &[]);
+        assert_eq!(differing(&whole), 2);
+        assert_eq!(
+            differing(&PictureJob {
+                threshold: 3,
+                ..whole.clone()
+            }),
+            1
+        );
+        let part = job(b, &["0,0,32,48"]);
+        assert_eq!(differing(&part), 1);
+        assert_eq!(part.measure().unwrap().differences.max, 3);
+        let rounding = |job: &PictureJob| match job.judge().unwrap().findings[..] {
+            [Finding::NearlySame { others, .. }] => others,
+            ref other => panic!("{other:?}"),
+        };
+        assert_eq!((rounding(&whole), rounding(&part)), (1, 0));
+    }
+
+    #[test]
+    fn a_movement_is_judged_and_has_a_sentence() {
+        let judgment = job(square(3), &[]).judge().unwrap();
+        let sentences: Vec<String> = judgment.findings.iter().map(Finding::sentence).collect();
+        assert_eq!(sentences, ["B is A moved 3 pixels right."]);
+        assert!(judgment.ssim < Some(0.99) && judgment.flip > 0.0);
+    }
+
+    #[test]
+    fn ignoring_everything_leaves_nothing_to_compare() {
+        let job = job(square(3), &["0,0,64,48"]);
+        assert_eq!(job.measure().err(), Some(CompareError::NothingToCompare));
+        assert_eq!(job.judge().err(), Some(CompareError::NothingToCompare));
+    }
+}

@@ -1,0 +1,141 @@
+//! Causes as an ordered table of rules, and the sentences of what they find.
+
+use serde::{Serialize, Serializer};
+use std::fmt::Display;
+
+/// A cause that may be found in some evidence. Tables of rules are ordered, the most telling
+/// first: a rule is asked only if it may stand beside all that the rules before it found.
+pub(super) struct Rule<E, F> {
+    /// Name of the cause, unique in its table.
+    pub(super) name: &'static str,
+    /// Rules beside whose findings this one still says something.
+    pub(super) beside: Beside,
+    /// The finding, if the evidence bears it out.
+    pub(super) applies: fn(&E) -> Option<F>,
+}
+
+/// Rules beside whose findings another rule is asked.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Beside {
+    /// None: the rule is asked only while nothing has been found.
+    Nothing,
+    /// Those of these names.
+    Only(&'static [&'static str]),
+    /// Any.
+    Everything,
+}
+
+impl Beside {
+    fn allows(self, name: &str) -> bool {
+        match self {
+            Self::Nothing => false,
+            Self::Only(names) => names.contains(&name),
+            Self::Everything => true,
+        }
+    }
+}
+
+/// Findings of the rules that apply, in the order of the table, each with its rule's name.
+pub(super) fn found_by<E, F>(rules: &[Rule<E, F>], evidence: &E) -> Vec<(&'static str, F)> {
+    let mut found: Vec<(&'static str, F)> = Vec::new();
+    for rule in rules {
+        if found.iter().all(|(name, _)| rule.beside.allows(name)) {
+            found.extend((rule.applies)(evidence).map(|finding| (rule.name, finding)));
+        }
+    }
+    found
+}
+
+/// The same without the names.
+pub(super) fn findings<E, F>(rules: &[Rule<E, F>], evidence: &E) -> Vec<F> {
+    let found = found_by(rules, evidence).into_iter();
+    found.map(|(_, finding)| finding).collect()
+}
+
+/// A finding with its text.
+#[derive(Serialize)]
+struct WithMessage<'a, F> {
+    #[serde(flatten)]
+    finding: &'a F,
+    message: String,
+}
+
+/// Serializes findings with the text of each as `message`.
+pub(super) fn with_messages<F: Serialize + Display, S: Serializer>(
+    findings: &[F],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(findings.iter().map(|finding| WithMessage {
+        finding,
+        message: finding.to_string(),
+    }))
+}
+
+/// A text as a sentence: with a capital letter and a full stop.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(char::to_uppercase);
+    let first: String = first.into_iter().flatten().collect();
+    format!("{first}{}.", letters.as_str())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const fn rule(name: &'static str, beside: Beside, least: i32) -> Rule<i32, i32> {
+        let applies: fn(&i32) -> Option<i32> = match least {
+            1 => |&number| (number >= 1).then_some(1),
+            2 => |&number| (number >= 2).then_some(2),
+            _ => |&number| (number >= 3).then_some(3),
+        };
+        Rule {
+            name,
+            beside,
+            applies,
+        }
+    }
+
+    #[test]
+    fn of_rules_that_stand_alone_the_first_that_applies_wins() {
+        let mut rules = [
+            rule("three", Beside::Nothing, 3),
+            rule("two", Beside::Nothing, 2),
+            rule("one", Beside::Nothing, 1),
+        ];
+        assert_eq!(found_by(&rules, &3), [("three", 3)]);
+        assert_eq!(found_by(&rules, &2), [("two", 2)]);
+        assert_eq!(found_by(&rules, &1), [("one", 1)]);
+        assert_eq!(found_by(&rules, &0), []);
+        rules.swap(0, 2);
+        assert_eq!(found_by(&rules, &3), [("one", 1)]);
+    }
+
+    #[test]
+    fn a_rule_is_asked_beside_those_that_it_names_alone() {
+        let rules = |beside| {
+            [
+                rule("one", Beside::Nothing, 1),
+                rule("two", Beside::Everything, 2),
+                rule("three", beside, 3),
+            ]
+        };
+        let names = |beside| {
+            let found = found_by(&rules(beside), &3).into_iter();
+            found.map(|(name, _)| name).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            names(Beside::Only(&["one", "two"])),
+            ["one", "two", "three"]
+        );
+        assert_eq!(names(Beside::Only(&["two"])), ["one", "two"]);
+        assert_eq!(names(Beside::Nothing), ["one", "two"]);
+    }
+
+    #[test]
+    fn a_text_becomes_a_sentence() {
+        assert_eq!(sentence("a thing differs"), "A thing differs.");
+        assert_eq!(sentence("B is blank"), "B is blank.");
+        assert_eq!(sentence(""), ".");
+    }
+}
