@@ -36,6 +36,8 @@ pub struct MemoryHost {
     pub title: String,
     pub quits: bool,
     pub cursor: Option<egui::CursorIcon>,
+    /// The newest widgets, as assistive technologies see them.
+    pub widgets: Option<egui::accesskit::TreeUpdate>,
     pub events: VecDeque<HostEvent>,
 }
 
@@ -132,6 +134,7 @@ impl Host for MemoryHost {
 
     fn handle_platform_output(&mut self, output: egui::PlatformOutput) {
         self.cursor = Some(output.cursor_icon);
+        self.widgets = output.accesskit_update.or(self.widgets.take());
     }
 
     fn quit(&mut self) {

@@ -20,4 +20,5 @@ mod pictures;
 mod posing;
 mod program;
 mod reference;
+mod stories;
 mod work;

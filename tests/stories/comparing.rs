@@ -1,0 +1,130 @@
+//! Comparing the view with a picture, whose measuring is done beside the program.
+
+use super::Story;
+use editor_core::io::image::{self, PictureFormat};
+use editor_core::program::Purpose;
+use egui::{Key, vec2};
+use std::path::Path;
+use std::time::Duration;
+
+/// A story in which the strip is compared with a picture of itself, of 300 by 200 pixels.
+fn comparing() -> Story {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F12);
+    story.click("Custom");
+    story.type_into("Picture width", "300");
+    story.type_into("Picture height", "200");
+    story.click("Save…");
+    story.choose("mine.png");
+    let saved = story.host.written[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
+    assert_eq!(
+        story.host.requests.last().unwrap().purpose,
+        Purpose::Compare
+    );
+    story.choose("mine.png");
+    assert!(story.has("Stop comparing"));
+    story.click("Smooth edges");
+    story
+}
+
+/// Runs the jobs that wait, and lets the program take what came of them.
+fn measure(story: &mut Story) -> usize {
+    let count = story.host.run_jobs();
+    story.settle();
+    count
+}
+
+#[test]
+fn the_same_scene_compared_with_its_own_picture_differs_in_no_pixel() {
+    let mut story = comparing();
+    // Counting first, and the judgment once the view has stood still for a while.
+    while measure(&mut story) > 0 {}
+    assert!(
+        story.has("0 of 60000 pixels") || has_text(&story, "0 of 60"),
+        "{:?}",
+        texts(&story)
+    );
+    story.host.time += Duration::from_millis(200);
+    story.settle();
+    assert_eq!(measure(&mut story), 1, "the judgment");
+    story.host.time += Duration::from_secs(5);
+    story.settle();
+    assert!(story.host.jobs.is_empty(), "nothing is measured twice");
+}
+
+#[test]
+fn moving_a_joint_is_measured_again_and_only_the_newest_state_is_judged() {
+    let mut story = comparing();
+    while measure(&mut story) > 0 {}
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(40.0, 0.0));
+    assert_eq!(
+        story.host.jobs.len(),
+        1,
+        "one at a time, however many states there were"
+    );
+    measure(&mut story);
+    story.host.time += Duration::from_millis(100);
+    story.button(false);
+    while measure(&mut story) > 0 {}
+    assert!(!has_text(&story, "0 of 60"), "{:?}", texts(&story));
+}
+
+#[test]
+fn a_comparison_is_saved_side_by_side_and_ends_with_esc() {
+    let mut story = comparing();
+    while measure(&mut story) > 0 {}
+    story.click("Save…");
+    assert_eq!(story.host.requests.last().unwrap().name, "comparison.png");
+    story.choose("three.png");
+    let bytes = &story.host.written[Path::new("three.png")];
+    let three = image::decode(Path::new("three.png"), bytes).unwrap();
+    assert_eq!((three.width, three.height), (3 * 300 + 2 * 8, 200));
+    let part = |x: u32| -> Vec<u8> {
+        let rows = three.rgba.chunks_exact(4 * three.width as usize);
+        let (from, to) = (4 * x as usize, 4 * (x + 300) as usize);
+        rows.flat_map(|row| row[from..to].to_vec()).collect()
+    };
+    assert!(part(0) == part(308), "the live view is the saved picture");
+    story.key(Key::Escape);
+    assert!(!story.has("Stop comparing") && !story.host.quits);
+}
+
+#[test]
+fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_reason() {
+    let mut story = Story::start(&[]);
+    let wide = editor_core::geometry::Picture {
+        width: 5000,
+        height: 1,
+        rgba: vec![7; 4 * 5000],
+    };
+    let bytes = image::encode(&wide, PictureFormat::Png).unwrap();
+    story.host.files.insert("wide.png".into(), bytes);
+    story.host.files.insert("none.png".into(), b"none".to_vec());
+    for name in ["wide.png", "none.png"] {
+        story.host.drop_file(name);
+        story.settle();
+    }
+    let messages = story.messages();
+    let expected = "wide.png: expected a picture of at most 4096 pixels a side, found 5000×1";
+    assert_eq!(messages[0].1, expected);
+    assert!(messages[1].1.starts_with("none.png: "), "{messages:?}");
+    assert!(!story.has("Stop comparing"));
+}
+
+/// All texts that assistive technologies see.
+fn texts(story: &Story) -> Vec<String> {
+    let update = story.widgets.as_ref().expect("a frame");
+    let nodes = update.nodes.iter();
+    let text = |node: &egui::accesskit::Node| {
+        let value = node.value().or(node.label());
+        value.map(str::to_owned)
+    };
+    nodes.filter_map(|(_, node)| text(node)).collect()
+}
+
+fn has_text(story: &Story, part: &str) -> bool {
+    texts(story).iter().any(|text| text.starts_with(part))
+}

@@ -1,0 +1,175 @@
+//! Files that are dropped, saved, exported and refused.
+
+use super::Story;
+use editor_core::editor::Severity;
+use editor_core::io::image;
+use editor_core::program::Purpose;
+use egui::{Key, Modifiers};
+use glam::Vec3;
+use std::path::Path;
+
+fn decoded(story: &Story, path: &str) -> editor_core::geometry::Picture {
+    let bytes = &story.host.written[Path::new(path)];
+    image::decode(Path::new(path), bytes).expect("a picture")
+}
+
+#[test]
+fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "90");
+    story.click("File");
+    story.click("Export Geometry…");
+    let request = story.host.requests.last().unwrap();
+    assert_eq!(
+        (request.purpose, &*request.name),
+        (Purpose::ExportGeometry, "scene.obj")
+    );
+    story.choose("out/scene.obj");
+    let text = story.host.text("out/scene.obj");
+    let vertices: Vec<Vec3> = text
+        .lines()
+        .filter_map(|line| line.strip_prefix("v "))
+        .map(|line| {
+            let numbers: Vec<f32> = line.split(' ').map(|n| n.parse().unwrap()).collect();
+            Vec3::from_slice(&numbers)
+        })
+        .collect();
+    assert_eq!(vertices.len(), 6);
+    assert_eq!(vertices[0], Vec3::new(-0.2, 0.0, 0.0));
+    assert!(vertices[4].abs_diff_eq(Vec3::new(-1.0, 1.2, 0.0), 1e-5));
+    assert_eq!(
+        text.lines().filter(|line| line.starts_with("f ")).count(),
+        4
+    );
+    assert_eq!(story.messages(), [(Severity::Info, "Saved out/scene.obj")]);
+}
+
+#[test]
+fn a_name_that_could_not_be_read_again_is_refused_and_so_is_a_full_disk() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click("File");
+    story.click("Export Geometry…");
+    story.choose("scene.txt");
+    story.host.write_fault = Some("the disk is full".into());
+    story.choose("scene.obj");
+    let expected = [
+        "Not saved: scene.txt: expected a name that ends in .obj",
+        "Not saved: scene.obj: the disk is full",
+    ];
+    let found: Vec<&str> = story.messages().iter().map(|(_, text)| *text).collect();
+    assert_eq!(found, expected);
+    assert!(story.host.written.is_empty());
+}
+
+#[test]
+fn a_dropped_file_is_an_import_a_pose_or_a_picture_to_compare_with() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let pose = br#"{"joints": {"Elbow": [0, 0, 50], "Tail": [1, 2, 3]}}"#;
+    story.host.files.insert("bent.json".into(), pose.to_vec());
+    story.host.drop_file("bent.json");
+    story.settle();
+    assert!(
+        story
+            .degrees("Elbow")
+            .abs_diff_eq(Vec3::new(0.0, 0.0, 50.0), 1e-4)
+    );
+    let without = "bent.json: applied without Tail, which this character does not have";
+    assert_eq!(story.messages(), [(Severity::Warning, without)]);
+
+    story.host.drop_file("builtin:gem");
+    story.settle();
+    assert_eq!(story.names(), ["Strip", "Gem"]);
+    assert_eq!(story.shape().name, "Gem");
+    assert!(!story.has("Stop comparing"));
+}
+
+#[test]
+fn a_screenshot_of_the_view_has_the_size_that_was_asked_for_and_no_marks() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F12);
+    story.click("Custom");
+    story.type_into("Picture width", "320");
+    story.type_into("Picture height", "200");
+    story.click("Save…");
+    story.choose("strip.png");
+    let picture = decoded(&story, "strip.png");
+    assert_eq!((picture.width, picture.height), (320, 200));
+    let background = &picture.rgba[..4];
+    let drawn = picture.rgba.chunks_exact(4).filter(|p| *p != background);
+    assert!(drawn.count() > 500, "the strip is in the picture");
+
+    // A name that says no format is refused before anything is drawn.
+    story.key(Key::F12);
+    story.click("Save…");
+    story.choose("strip.bmp");
+    let messages = story.messages();
+    assert!(
+        messages
+            .last()
+            .unwrap()
+            .1
+            .starts_with("Not saved: strip.bmp: expected")
+    );
+}
+
+#[test]
+fn a_screenshot_with_panels_waits_until_the_dialog_is_gone() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let shown = story.picture();
+    story.key(Key::F12);
+    story.click("With panels");
+    story.click("Save…");
+    story.host.dialog_is_open = true;
+    story.choose("window.png");
+    assert!(story.host.written.is_empty());
+    story.host.dialog_is_open = false;
+    story.point(egui::pos2(-10.0, -10.0));
+    story.settle();
+    let saved = decoded(&story, "window.png");
+    assert_eq!((saved.width, saved.height), (shown.width, shown.height));
+    // Where the pointer was, and how often frames came, may show.
+    assert!(super::differing(&saved, &shown) < 4_000);
+}
+
+#[test]
+fn curves_are_exported_under_the_name_of_their_shape_and_read_back() {
+    let mut story = Story::start(&["builtin:vase"]);
+    story.click("File");
+    story.click("Export Curve…");
+    assert_eq!(story.host.requests.last().unwrap().name, "vase.swp");
+    story.choose("mine.swp");
+    let bytes = story.host.written[Path::new("mine.swp")].clone();
+    story.host.files.insert("mine.swp".into(), bytes);
+    story.host.drop_file("mine.swp");
+    story.settle();
+    let scene = story.session().scene();
+    let [vase, mine] = scene.shapes() else {
+        panic!("{:?}", story.names());
+    };
+    let curves = |id| scene.curve(id).expect("curves").curves();
+    assert_eq!(curves(vase.id), curves(mine.id));
+}
+
+#[test]
+fn kept_poses_are_saved_under_their_names_and_loaded() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow X", "15");
+    story.key_with(Modifiers::COMMAND, Key::K);
+    let kept = story.character().poses();
+    assert_eq!(kept.len(), 1);
+    let name = kept[0].name.clone();
+    story.click("Poses (1)");
+    story.click(&format!("Save {name}"));
+    assert_eq!(story.host.requests.last().unwrap().name, "pose-1.json");
+    story.choose("p.json");
+    assert!(story.host.text("p.json").contains("\"Elbow\": [15, 0, 0]"));
+
+    story.key_with(Modifiers::ALT | Modifiers::SHIFT, Key::R);
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    let bytes = story.host.written[Path::new("p.json")].clone();
+    story.host.files.insert("p.json".into(), bytes);
+    story.click("Pose");
+    story.click("Load Pose…");
+    story.choose("p.json");
+    assert_eq!(story.degrees("Elbow"), Vec3::new(15.0, 0.0, 0.0));
+}

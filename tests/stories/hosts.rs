@@ -1,0 +1,78 @@
+//! Hosts of other kinds: one for which egui is run by somebody else, and one that loses its
+//! graphics.
+
+use super::{SIZE, Story, differing, started_before};
+use crate::host::MemoryHost;
+use editor_core::gpu::{Backend, HeadlessContext};
+use editor_core::program::{Graphics, Options, Pass, Program};
+use egui::{Event, Key, Modifiers, RawInput, Rect, pos2, vec2};
+
+#[test]
+fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene_after_it() {
+    let headless = HeadlessContext::new(Backend::Auto).unwrap();
+    let mut graphics = Graphics::new(headless.gl()).unwrap();
+    let mut host = MemoryHost {
+        stored: [started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let options = Options {
+        files: vec!["builtin:robot".into()],
+        ..Options::default()
+    };
+    let mut program = Program::start(&options, graphics.info(), &mut host);
+    let context = egui::Context::default();
+    let mut frame = |events: Vec<Event>| {
+        let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(SIZE.0 as f32, SIZE.1 as f32));
+        let raw = RawInput {
+            screen_rect: Some(screen),
+            events,
+            ..RawInput::default()
+        };
+        let mut view = Rect::NOTHING;
+        let mut output = context.run_ui(raw, |root| {
+            view = program.show(root, Pass::Input, &mut host).panels.view_rect;
+        });
+        output.textures_delta.clear();
+        let size = (view.width() as u32, view.height() as u32);
+        program.draw(&mut graphics, size, None, &mut host).unwrap();
+        let picture = graphics.scene_picture().unwrap();
+        assert_eq!((picture.width(), picture.height()), size);
+        assert!(
+            graphics.window_picture().is_none(),
+            "the panels are somebody else's"
+        );
+        (
+            editor_core::render::read_picture(picture).unwrap(),
+            host.quits,
+        )
+    };
+    frame(Vec::new());
+    let (before, _) = frame(Vec::new());
+    let key = |key, modifiers| Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    frame(vec![key(Key::X, Modifiers::SHIFT)]);
+    let (after, quits) = frame(Vec::new());
+    assert!(differing(&before, &after) > 1_000, "the camera moved");
+    assert!(!quits);
+    assert!(frame(vec![key(Key::Escape, Modifiers::NONE)]).1);
+}
+
+#[test]
+fn graphics_that_are_lost_are_made_again_and_the_picture_comes_back() {
+    let mut story = Story::start(&["builtin:robot"]);
+    let before = story.scene_picture();
+    let other = HeadlessContext::new(Backend::Auto).unwrap();
+    story.graphics = Graphics::new(other.gl()).unwrap();
+    // The panels' letters were uploaded to the graphics that are gone.
+    story.context = egui::Context::default();
+    story.context.enable_accesskit();
+    story.settle();
+    assert_eq!(differing(&before, &story.scene_picture()), 0);
+    drop(story);
+    drop(other);
+}

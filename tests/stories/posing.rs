@@ -1,0 +1,208 @@
+//! Importing a character and posing it, by sliders and by hand.
+
+use super::{Story, differing};
+use editor_core::editor::Severity;
+use editor_core::program::Purpose;
+use editor_core::scene::bones_in_world;
+use egui::{Key, Modifiers, Pos2, pos2, vec2};
+use glam::Vec3;
+
+/// Where the end of the bone of `joint` of the selected character is in the window.
+fn end_of_bone(story: &Story, joint: usize) -> Pos2 {
+    let session = story.session();
+    let shape = session.evaluated().shape(story.shape().id).unwrap();
+    let mut bones = bones_in_world(session.scene(), shape);
+    let (.., end) = bones.find(|bone| bone.0 == joint).expect("a bone");
+    let view = story.view();
+    let size = glam::Vec2::new(view.width(), view.height());
+    let at = session.view().camera.pixel(end, size).unwrap();
+    view.min + vec2(at.x, at.y)
+}
+
+#[test]
+fn a_character_is_imported_posed_by_a_slider_and_the_mesh_follows() {
+    let mut story = Story::start(&[]);
+    let empty = story.scene_picture();
+    story.key_with(Modifiers::CTRL | Modifiers::SHIFT, Key::I);
+    let request = story.host.requests.last().unwrap().clone();
+    assert_eq!(
+        (request.purpose, request.folder),
+        (Purpose::ImportCharacter, None)
+    );
+    story.choose("models/strip.obj");
+    assert_eq!(story.names(), ["Strip"]);
+    let imported = story.scene_picture();
+    assert!(differing(&empty, &imported) > 500);
+
+    let field = story.place("Elbow Z");
+    story.drag(field, field + vec2(90.0, 0.0));
+    assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 90.0));
+    // The upper edge, held by the elbow alone, is turned by 90° about (0, 1, 0).
+    let shape = story.session().evaluated().shape(story.shape().id).unwrap();
+    let corner = shape.geometry.positions()[4];
+    assert!(
+        corner.abs_diff_eq(Vec3::new(-1.0, 1.2, 0.0), 1e-5),
+        "{corner}"
+    );
+    assert!(differing(&imported, &story.scene_picture()) > 500);
+
+    // The folder of the chosen file is where the next dialog opens.
+    story.key_with(Modifiers::CTRL | Modifiers::SHIFT, Key::I);
+    let folder = story.host.requests.last().unwrap().folder.clone();
+    assert_eq!(folder, Some("models".into()));
+}
+
+#[test]
+fn one_broken_file_is_one_message_and_the_scene_stays_as_it_is() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let document = story.session().document();
+    let broken = b"v 0 0 0\nf 1 2 3\n".to_vec();
+    story.host.files.insert("broken.obj".into(), broken);
+    story.host.drop_file("broken.obj");
+    story.settle();
+    let [(Severity::Error, message)] = story.messages()[..] else {
+        panic!("{:?}", story.messages());
+    };
+    assert!(message.starts_with("broken.obj:2:5: expected"), "{message}");
+    assert_eq!(story.names(), ["Strip"]);
+    assert_eq!(story.session().document(), document);
+}
+
+#[test]
+fn a_file_with_several_shapes_is_one_edit() {
+    let mut story = Story::start(&[]);
+    story.host.drop_file("builtin:creature");
+    story.settle();
+    let first = story.session().document();
+    assert!(!story.names().is_empty());
+    // What a whole scene brings in is selected by its last shape.
+    assert_eq!(
+        story.session().selected(),
+        story.session().scene().shapes().last().map(|s| s.id)
+    );
+    story.key(Key::Delete);
+    assert_ne!(story.session().document(), first);
+}
+
+#[test]
+fn dragging_one_angle_leaves_the_others_exactly_as_they_were_given() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Y", "-30");
+    let given = story.character().pose().rotation(1).radians.y;
+    assert_eq!(given, -30.0_f32.to_radians());
+    let field = story.place("Elbow X");
+    story.drag(field, field + vec2(12.0, 0.0));
+    let angles = story.character().pose().rotation(1).radians;
+    assert_eq!(angles.y, given);
+    assert_eq!(angles.x, 12.0_f32.to_radians());
+    // Past the end of the circle an angle goes on.
+    let field = story.place("Elbow Y");
+    story.drag(field, field + vec2(-10.0, 0.0));
+    assert!((story.degrees("Elbow").y + 40.0).abs() < 1e-4);
+    story.click("Pose");
+    story.click("Save Pose…");
+    story.choose("bent.json");
+    let text = story.host.text("bent.json");
+    assert!(text.contains("\"Elbow\": [12, -40, 0]"), "{text}");
+}
+
+#[test]
+fn a_slider_that_is_cancelled_puts_everything_back_as_if_it_had_not_been_touched() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Y", "330");
+    let (document, pose) = (story.session().document(), story.character().pose().clone());
+    let field = story.place("Elbow Y");
+    story.press_and_drag(field, field + vec2(45.0, 0.0));
+    assert!(story.session().is_in_gesture());
+    assert_ne!(story.character().pose(), &pose);
+    story.key(Key::Escape);
+    assert!(!story.session().is_in_gesture() && !story.host.quits);
+    assert_eq!(story.character().pose(), &pose);
+    assert_eq!(story.session().document(), document);
+    story.button(false);
+    story.settle();
+    assert_eq!(story.character().pose(), &pose);
+}
+
+#[test]
+fn a_bone_is_dragged_by_hand_and_the_gesture_is_kept_or_cancelled() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::B);
+    let (document, before) = (story.session().document(), story.scene_picture());
+    let tip = end_of_bone(&story, 1) + vec2(0.0, 6.0);
+    story.press_and_drag(tip, tip + vec2(80.0, 40.0));
+    assert!(story.session().is_in_gesture());
+    assert!(story.degrees("Elbow").length() > 20.0);
+    story.key(Key::Escape);
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    assert_eq!(story.session().document(), document);
+    story.button(false);
+    story.point(pos2(5.0, 300.0));
+    story.settle();
+
+    story.drag(tip, tip + vec2(80.0, 40.0));
+    assert!(!story.session().is_in_gesture());
+    assert!(story.degrees("Elbow").length() > 20.0);
+    assert_eq!(story.degrees("Root"), Vec3::ZERO);
+    assert_ne!(story.session().document(), document);
+    assert!(differing(&before, &story.scene_picture()) > 500);
+}
+
+#[test]
+fn a_pose_goes_over_the_clipboard_from_one_character_to_another() {
+    let mut story = Story::start(&["models/strip.obj", "models/strip.obj"]);
+    story.type_into("Elbow Z", "45/2");
+    story.key_with(Modifiers::COMMAND, Key::C);
+    let copied: serde_json::Value = serde_json::from_str(&story.host.clipboard).unwrap();
+    assert_eq!(copied["joints"]["Elbow"][2], 22.5);
+
+    let first = story.session().scene().shapes()[0].id;
+    let second = story.shape().id;
+    story
+        .program
+        .session_mut()
+        .look(editor_core::editor::View::Select(Some(first)));
+    story.settle();
+    story.key_with(Modifiers::COMMAND, Key::V);
+    assert_eq!(story.shape().id, first);
+    assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
+    assert_ne!(first, second);
+
+    story.host.clipboard = "no pose".into();
+    story.key_with(Modifiers::COMMAND, Key::V);
+    let messages = story.messages();
+    let (severity, text) = messages.last().unwrap();
+    assert_eq!(*severity, Severity::Error);
+    assert!(text.starts_with("clipboard:1:1: "), "{text}");
+    assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
+}
+
+#[test]
+fn deleting_a_shape_selects_the_one_that_takes_its_place() {
+    let mut story = Story::start(&["models/strip.obj", "builtin:gem", "builtin:gear"]);
+    let gem = story.session().scene().shapes()[1].id;
+    story
+        .program
+        .session_mut()
+        .look(editor_core::editor::View::Select(Some(gem)));
+    story.settle();
+    story.key(Key::Delete);
+    assert_eq!(story.names(), ["Strip", "Gear"]);
+    assert_eq!(story.shape().name, "Gear");
+    story.key(Key::Delete);
+    assert_eq!(story.shape().name, "Strip");
+    story.key(Key::Delete);
+    assert_eq!(story.session().selected(), None);
+}
+
+#[test]
+fn hovering_changes_what_is_marked_and_not_the_document() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::B);
+    let document = story.session().document();
+    story.point(end_of_bone(&story, 1));
+    story.settle();
+    assert_eq!(story.session().hovered_joint(), Some(1));
+    assert_eq!(story.session().document(), document);
+    assert!(story.host.cursor.is_some());
+}

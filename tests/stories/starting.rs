@@ -1,0 +1,108 @@
+//! Starting, choosing how the program looks and works, and leaving.
+
+use super::{Story, differing};
+use crate::host::MemoryHost;
+use editor_core::editor::Severity;
+use editor_core::program::{Options, StorageKey};
+use editor_core::scene::{Look, Skinning, ViewDirection};
+use egui::{Key, Modifiers};
+
+fn preferences(story: &Story) -> serde_json::Value {
+    let stored = &story.host.stored[&StorageKey::Preferences];
+    serde_json::from_slice(stored).expect("preferences are JSON")
+}
+
+#[test]
+fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() {
+    let first = Story::start_at(MemoryHost::default(), &[]);
+    assert_eq!(first.host.title, "Editor — Your Name");
+    assert_eq!(first.names(), ["Floor", "Ann", "Robot", "Dog"]);
+    assert_eq!(first.session().view().look, Look::Studio);
+    assert_eq!(preferences(&first)["started_before"], true);
+
+    let again = MemoryHost {
+        stored: first.host.stored.clone(),
+        ..MemoryHost::default()
+    };
+    let second = Story::start_at(again, &[]);
+    assert!(second.names().is_empty());
+    assert!(differing(&first.picture(), &second.picture()) > 10_000);
+}
+
+#[test]
+fn files_that_are_named_at_the_start_are_opened_and_faults_are_messages() {
+    let options = Options {
+        title: Some("Editor — Ann".into()),
+        ..Options::default()
+    };
+    let files = ["models/strip.obj", "no/such.obj", "builtin:gem"];
+    let story = Story::start_with(MemoryHost::default(), options, &files);
+    assert_eq!(story.host.title, "Editor — Ann");
+    assert_eq!(story.names(), ["Strip", "Gem"]);
+    let missing = (Severity::Error, "no/such.obj: there is no such file");
+    assert_eq!(story.messages(), [missing]);
+}
+
+#[test]
+fn what_is_chosen_is_there_at_the_next_start() {
+    let mut story = Story::start(&["builtin:gem"]);
+    for (menu, submenu, item) in [
+        ("View", "Theme", "Light"),
+        ("View", "Navigation", "Blender"),
+        ("View", "Skinning", "Processor"),
+    ] {
+        story.click(menu);
+        story.click(submenu);
+        story.click(item);
+    }
+    let kept = preferences(&story);
+    assert_eq!(kept["theme"], "Light");
+    assert_eq!(kept["navigation"], "blender");
+    assert_eq!(kept["skinning"], "cpu");
+}
+
+#[test]
+fn skinning_asked_for_at_the_start_is_for_that_time_only() {
+    let options = Options {
+        skinning: Some(Skinning::Cpu),
+        ..Options::default()
+    };
+    let story = Story::start_with(MemoryHost::default(), options, &["models/strip.obj"]);
+    assert_eq!(preferences(&story)["skinning"], serde_json::Value::Null);
+}
+
+#[test]
+fn views_and_fit_move_the_camera_and_leave_the_document_alone() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let document = story.session().document();
+    story.key_with(Modifiers::SHIFT, Key::X);
+    let camera = story.session().view().camera;
+    let preset = editor_core::scene::Camera::preset(ViewDirection::PlusX);
+    assert_eq!(camera, preset);
+    story.key(Key::F);
+    let fitted = story.session().view().camera;
+    // The strip stands on the origin and is 2 high.
+    assert!(fitted.target.abs_diff_eq(glam::Vec3::Y, 1e-4), "{fitted:?}");
+    assert_eq!(story.session().document(), document);
+}
+
+#[test]
+fn esc_ends_the_program_where_nothing_else_is_to_end() {
+    let mut story = Story::start(&[]);
+    story.key(Key::F12);
+    assert!(story.has("Save…"), "the dialog shows");
+    story.key(Key::Escape);
+    assert!(!story.has("Save…") && !story.host.quits);
+    story.key(Key::Escape);
+    assert!(story.host.quits);
+}
+
+#[test]
+fn nothing_is_drawn_and_nothing_waits_while_nothing_changes() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let before = story.scene_picture();
+    let wait = story.frame(Vec::new());
+    assert!(wait.as_secs() > 1_000, "{wait:?}");
+    assert!(story.host.jobs.is_empty() && story.host.events.is_empty());
+    assert_eq!(differing(&before, &story.scene_picture()), 0);
+}
