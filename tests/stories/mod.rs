@@ -40,7 +40,6 @@ pub struct Story {
     pub host: MemoryHost,
     pub context: egui::Context,
     pointer: Pos2,
-    modifiers: Modifiers,
     /// Widgets of the last frame, as assistive technologies see them.
     widgets: Option<TreeUpdate>,
     _headless: HeadlessContext,
@@ -79,7 +78,6 @@ impl Story {
             host,
             context,
             pointer: pos2(-10.0, -10.0),
-            modifiers: Modifiers::NONE,
             widgets: None,
             _headless: headless,
         };
@@ -95,7 +93,6 @@ impl Story {
             screen_rect: Some(screen),
             max_texture_side: Some(4096),
             time: Some(self.host.time.as_secs_f64()),
-            modifiers: self.modifiers,
             events,
             ..RawInput::default()
         };
@@ -213,7 +210,7 @@ impl Story {
             pos: self.pointer,
             button: PointerButton::Primary,
             pressed,
-            modifiers: self.modifiers,
+            modifiers: Modifiers::NONE,
         }]);
     }
 
@@ -246,7 +243,7 @@ impl Story {
     }
 
     fn key_with(&mut self, modifiers: Modifiers, key: Key) {
-        self.modifiers = modifiers;
+        self.frame(vec![Event::ModifiersChanged(modifiers)]);
         for pressed in [true, false] {
             self.frame(vec![Event::Key {
                 key,
@@ -256,7 +253,7 @@ impl Story {
                 modifiers,
             }]);
         }
-        self.modifiers = Modifiers::NONE;
+        self.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
         self.settle();
     }
 
