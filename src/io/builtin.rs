@@ -1,6 +1,6 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
-use super::{Diagnostic, Files, files};
+use super::{Diagnostic, Files, file_access};
 use std::path::{Path, PathBuf};
 
 /// What the path of a built-in file starts with.
@@ -120,8 +120,9 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
     let Some(name) = builtin_name(path) else {
         return Ok(path.to_owned());
     };
-    let primary =
-        |asset: &Path| ["obj", "dae", "swp", "scene", "json"].contains(&&*files::extension(asset));
+    let primary = |asset: &Path| {
+        ["obj", "dae", "swp", "scene", "json"].contains(&&*file_access::extension(asset))
+    };
     let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
     paths()
         .find(|asset| *asset == Path::new(name))

@@ -1,3 +1,5 @@
+//! What importers say about a file: errors and warnings with their places.
+
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -21,6 +23,18 @@ pub struct Position {
     pub line: usize,
     /// Column.
     pub column: usize,
+}
+
+impl Position {
+    /// The place of the byte `offset` of `text`, the whole file.
+    pub(super) fn in_text(text: &str, offset: usize) -> Self {
+        let before = text.get(..offset).unwrap_or(text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        Self {
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+        }
+    }
 }
 
 impl Diagnostic {
@@ -76,5 +90,35 @@ impl<T> Imported<T> {
             value: change(self.value),
             warnings: self.warnings,
         }
+    }
+}
+
+/// More warnings than anyone reads are counted instead of kept.
+const MOST_WARNINGS: usize = 100;
+
+/// The warnings about a file: the first of them, and how many there are.
+#[derive(Debug, Default)]
+pub(super) struct Warnings {
+    kept: Vec<Diagnostic>,
+    unshown: usize,
+}
+
+impl Warnings {
+    /// Keeps a warning, or counts it when enough are kept; then `warning` is not called.
+    pub fn push_with(&mut self, warning: impl FnOnce() -> Diagnostic) {
+        if self.kept.len() < MOST_WARNINGS {
+            self.kept.push(warning());
+        } else {
+            self.unshown += 1;
+        }
+    }
+
+    /// The warnings about the file at `path`; a last one says how many are not shown.
+    pub fn into_vec(mut self, path: &Path) -> Vec<Diagnostic> {
+        if self.unshown > 0 {
+            let message = format!("{} more warnings are not shown", self.unshown);
+            self.kept.push(Diagnostic::new(path, message));
+        }
+        self.kept
     }
 }

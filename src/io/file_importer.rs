@@ -1,7 +1,7 @@
 use super::{
     Diagnostic, Files, Imported, builtin,
     dae::{DaeReport, DaeScene, read_dae},
-    files, is_character, read_character, read_shape_obj, read_swp, scene_file,
+    file_access, is_character, read_character, read_shape_obj, read_swp, scene_file,
 };
 use crate::character::Character;
 use crate::geometry::SharedMesh;
@@ -34,7 +34,7 @@ pub struct NewShape {
 #[doc(alias = "FileImporter")]
 pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" if is_character(files, &file) => import_character(files, path),
         "obj" => import_shape(files, path),
         "swp" => import_curve(files, path),
@@ -74,7 +74,7 @@ pub fn import_character(
     path: &Path,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" => {
             exists(files, &file)?;
             let character = read_character(files, &file)?;
@@ -105,7 +105,7 @@ pub fn import_character(
 /// If it cannot be read or is not well formed.
 pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" => {
             let mesh = read_shape_obj(files, &file, &files.read(&file)?)?;
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
@@ -131,7 +131,7 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
 /// If it cannot be read or is not well formed.
 pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "swp" => {
             let curves = read_swp(&file, &files.read(&file)?)?;
             let kind = |curves| ShapeKind::Curve(CurveShape::new(curves));
@@ -169,7 +169,7 @@ impl Loaded {
     /// If it cannot be read or is not well formed; then nothing is added.
     pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
         let file = to_open(path)?;
-        match files::extension(&file).as_str() {
+        match file_access::extension(&file).as_str() {
             "scene" => {
                 let read = scene_file::read_scene(files, &file)?;
                 self.warnings.extend(read.warnings);

@@ -1,6 +1,6 @@
 use super::obj::{self, Corner, FaceReader};
 use super::scanner::Scanner;
-use super::{Diagnostic, Files, Imported, material};
+use super::{Diagnostic, Files, Imported, mtl as material};
 use crate::geometry::{Material, MaterialGroup, Mesh, Normals, Triangulator, face_normal};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
@@ -133,7 +133,7 @@ impl PlainReader<'_> {
             Some("vt") => {
                 let u = self.scanner.number("a number for u")?;
                 let word = self.scanner.word();
-                let v = word.map_or(Some(0.0), |word| super::number::finite(word.text));
+                let v = word.map_or(Some(0.0), |word| super::scanner::finite(word.text));
                 let v = v.ok_or_else(|| self.scanner.expected("a number for v", word))?;
                 self.data.push_str(&format!("vt {u} {v}\n"));
                 self.faces.counts[1] += 1;

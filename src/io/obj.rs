@@ -1,4 +1,4 @@
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{Scanner, Word, finite, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::geometry::{Mesh, Triangulator};
 use glam::Vec3;
@@ -97,8 +97,7 @@ pub(super) fn read_position(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
     let Some(fourth) = scanner.word() else {
         return Ok(position);
     };
-    let weight = super::number::finite(fourth.text)
-        .ok_or_else(|| scanner.expected("a number", Some(fourth)))?;
+    let weight = finite(fourth.text).ok_or_else(|| scanner.expected("a number", Some(fourth)))?;
     if scanner.word().is_some() {
         return Ok(position);
     }

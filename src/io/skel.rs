@@ -1,4 +1,4 @@
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{Scanner, Word, finite, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
 use glam::Vec3;
@@ -71,7 +71,7 @@ pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, D
 }
 
 fn read_row<'a>(scanner: &mut Scanner<'a>, first: Word<'a>) -> Result<Row<'a>, Diagnostic> {
-    let x = super::number::finite(first.text)
+    let x = finite(first.text)
         .ok_or_else(|| scanner.expected("a number for the joint's x", Some(first)))?;
     let y = scanner.number("a number for the joint's y")?;
     let z = scanner.number("a number for the joint's z")?;

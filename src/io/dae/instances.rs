@@ -1,12 +1,11 @@
 //! What the nodes of the scene show: meshes, and skins with the joints that their names mean.
 
-use super::document::{Dae, Node, children};
-use super::geometry::Geometry;
-use super::guard::{MOST_BOUND, MOST_INSTANCES};
-use super::nodes::{SceneNode, subtree};
-use super::numbers::text;
+use super::document::{Dae, MOST_BOUND, MOST_INSTANCES, Node, children};
+use super::meshes::Geometry;
 use super::quoted;
 use super::skin::{self, Controller, Geometries, Skin};
+use super::sources::text;
+use super::visual_scene::{SceneNode, subtree};
 use crate::io::Diagnostic;
 use roxmltree::NodeId;
 use std::collections::HashMap;

@@ -5,38 +5,31 @@
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
 //! file's rest orientation is not kept but in the direction of its bone.
 //!
-//! Memory and time stay in proportion to the file (see `guard`), whatever it says.
+//! Memory and time stay in proportion to the file (see `document`), whatever it says.
 
 mod assemble;
 mod document;
-mod geometry;
-mod guard;
 mod instances;
-mod material;
-mod nodes;
-mod numbers;
-mod primitives;
-mod report;
+mod materials;
+mod meshes;
 mod rigs;
 mod skin;
-mod source;
-mod space;
-mod texture;
-mod tips;
+mod sources;
+mod visual_scene;
 
 use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
 use assemble::{Assembler, Part};
-use document::{Dae, label, parse_xml};
+pub use assemble::{DaeReport, InverseBind};
+use document::{Dae, FARTHEST, label, parse_xml};
 use instances::{Instance, collect};
-use material::Materials;
-use nodes::SceneNode;
-pub use report::{DaeReport, InverseBind};
+use materials::Materials;
 use rigs::{Rig, Rigs};
-pub use space::{FileSpace, UpAxis};
 use std::path::Path;
+use visual_scene::SceneNode;
+pub use visual_scene::{FileSpace, UpAxis};
 
 /// What a Collada file shows.
 #[derive(Clone, Debug)]
@@ -107,7 +100,7 @@ fn document_text(bytes: &[u8]) -> String {
 fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagnostic> {
     let space = FileSpace::read(dae);
     let ours_from_file = space.ours_from_file();
-    let mut nodes = nodes::flatten(dae)?;
+    let mut nodes = visual_scene::flatten(dae)?;
     let instances = collect(dae, &mut nodes)?;
     ignore_libraries(dae);
     let rigs = Rigs::new(&nodes, &instances);
@@ -217,7 +210,7 @@ fn character(
 
 fn is_far(joint: &Joint) -> bool {
     // Not a number compares as false.
-    let near = f64::from(joint.offset.abs().max_element()) < guard::FARTHEST;
+    let near = f64::from(joint.offset.abs().max_element()) < FARTHEST;
     !near || joint.offset.is_nan()
 }
 

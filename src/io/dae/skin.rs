@@ -1,10 +1,9 @@
 //! `<controller>`: which joints move which positions.
 
 use super::document::{Dae, Node, child};
-use super::geometry::{self, Geometry};
-use super::numbers::{integers, matrix};
+use super::meshes::{self, Geometry};
 use super::quoted;
-use super::source::{Input, Sources, inputs, names};
+use super::sources::{Input, Sources, inputs, integers, matrix, names};
 use crate::io::Diagnostic;
 use glam::DMat4;
 use std::collections::HashMap;
@@ -63,7 +62,7 @@ impl Geometries {
             return known.clone();
         }
         let geometry = dae
-            .or_warn(geometry::read(dae, &mut self.sources, node))
+            .or_warn(meshes::read_geometry(dae, &mut self.sources, node))
             .map(Rc::new);
         self.read.insert(node.id(), geometry.clone());
         geometry

@@ -1,4 +1,4 @@
-use super::pictures::Pictures;
+use super::image::Pictures;
 use super::scanner::{Scanner, quoted};
 use super::{Diagnostic, Files, Imported, scanner};
 use crate::geometry::Material;
