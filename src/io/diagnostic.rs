@@ -113,6 +113,14 @@ impl Warnings {
         }
     }
 
+    /// Adds `others` after these.
+    pub fn append(&mut self, others: Self) {
+        for warning in others.kept {
+            self.push_with(|| warning);
+        }
+        self.unshown += others.unshown;
+    }
+
     /// The warnings about the file at `path`; a last one says how many are not shown.
     pub fn into_vec(mut self, path: &Path) -> Vec<Diagnostic> {
         if self.unshown > 0 {

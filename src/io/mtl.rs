@@ -1,96 +1,111 @@
+//! Materials of `.mtl` files: `tobj` reads them, line by line as far as they are well formed.
+
+use super::diagnostic::Warnings;
 use super::image::Pictures;
 use super::scanner::{Scanner, quoted};
-use super::{Diagnostic, Files, Imported, scanner};
+use super::{Diagnostic, Files};
 use crate::geometry::Material;
 use glam::Vec3;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-/// What a material looks like before `Kd` says so.
-const UNSAID: Vec3 = Vec3::splat(0.8);
+/// The diffuse color of a material that has none.
+const DEFAULT_COLOR: Vec3 = Vec3::splat(0.8);
 
-/// The lines of an `.mtl` file that this program uses, and nothing else: `newmtl`, `Kd` with
-/// three numbers, `map_Kd` with a path. `tobj` gives a whole file up, or stops the program, at
-/// others, so it gets these.
-pub(super) fn plain_mtl(path: &Path, bytes: &[u8]) -> Result<Imported<String>, Diagnostic> {
+/// Reads the materials of the `.mtl` file at `path`: names, diffuse colors and pictures. `tobj`
+/// gives a whole file up at the first line that it cannot read, so it gets the lines that matter
+/// here (`newmtl`, `Kd`, `map_Kd`) and are well formed; others of these are warnings.
+///
+/// # Errors
+/// If the file is no text, or a material has no name.
+pub(super) fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic> {
     let mut scanner = Scanner::new(path, bytes)?;
-    let mut plain = String::new();
-    let mut warnings = Vec::new();
-    let mut named = false;
+    let mut lines = String::new();
+    let mut warnings = Warnings::default();
     loop {
         let word = scanner.word();
-        match word.map(|word| word.text) {
-            Some("newmtl") => match scanner.rest() {
-                Some(name) => {
-                    plain.push_str(&format!("newmtl {}\n", name.text));
-                    named = true;
-                }
-                None => return Err(scanner.expected("the name of the material", None)),
-            },
-            Some("Kd") if named => match read_color(&mut scanner) {
-                Ok(color) => {
-                    let [r, g, b] = color.clamp(Vec3::ZERO, Vec3::ONE).to_array();
-                    plain.push_str(&format!("Kd {r} {g} {b}\n"));
-                }
-                Err(error) => warnings.push(error),
-            },
-            Some("map_Kd") if named => match scanner.rest() {
-                Some(file) => plain.push_str(&format!("map_Kd {}\n", file.text)),
-                None => warnings.push(scanner.expected("the name of a picture", None)),
-            },
-            Some("Kd" | "map_Kd") => warnings.push(scanner.expected("newmtl first", word)),
-            _ => {}
+        let keyword = word.map_or("", |word| word.text);
+        let read = match keyword {
+            "newmtl" => {
+                let name = scanner.rest();
+                name.ok_or_else(|| scanner.expected("the name of the material", None))?;
+                Ok(())
+            }
+            "Kd" | "map_Kd" if lines.is_empty() => Err(scanner.expected("newmtl first", word)),
+            "Kd" => check_color(&mut scanner),
+            "map_Kd" => {
+                let name = scanner.rest().map(|_| ());
+                name.ok_or_else(|| scanner.expected("the name of a picture", None))
+            }
+            _ => Ok(()),
+        };
+        match read {
+            Err(warning) => warnings.push_with(|| warning),
+            Ok(()) if matches!(keyword, "newmtl" | "Kd" | "map_Kd") => {
+                lines.push_str(scanner.read_of_line());
+                lines.push('\n');
+            }
+            Ok(()) => {}
         }
         if !scanner.next_line() {
             break;
         }
     }
-    Ok(Imported {
-        value: plain,
+    let (materials, _) = tobj::load_mtl_buf(&mut lines.as_bytes())
+        .map_err(|error| Diagnostic::new(path, error.to_string()))?;
+    Ok(ReadMtl {
+        materials,
         warnings,
     })
 }
 
-fn read_color(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
-    Ok(Vec3::new(
-        scanner.number("a number for red")?,
-        scanner.number("a number for green")?,
-        scanner.number("a number for blue")?,
-    ))
+/// What an `.mtl` file holds.
+pub(super) struct ReadMtl {
+    /// In the order of the file.
+    pub materials: Vec<tobj::Material>,
+    /// About lines that were left out.
+    pub warnings: Warnings,
 }
 
-/// The materials that `tobj` found, with their pictures, whose paths are relative to `folder`.
-/// What goes wrong with a picture becomes a warning: the mesh stays.
-pub(super) fn materials(
+fn check_color(scanner: &mut Scanner) -> Result<(), Diagnostic> {
+    for channel in ["red", "green", "blue"] {
+        scanner.number(&format!("a number for {channel}"))?;
+    }
+    Ok(())
+}
+
+/// The materials that `tobj` read, by name, the last of several; with their pictures, whose paths
+/// are relative to `folder`. A picture that cannot be read is a warning, and the color stays.
+pub(super) fn with_pictures(
     files: &dyn Files,
     folder: &Path,
-    found: Vec<tobj::Material>,
-) -> Imported<Vec<Material>> {
-    let mut warnings: Vec<Diagnostic> = Vec::new();
+    read: Vec<tobj::Material>,
+) -> (HashMap<String, Material>, Warnings) {
+    let mut warnings = Warnings::default();
     let mut told = HashSet::new();
     let mut pictures = Pictures::new(files);
-    let materials = found
+    let materials = read
         .into_iter()
         .map(|material| {
             let texture = material.diffuse_texture.and_then(|named| {
                 let path = picture_path(&pictures, folder, &named);
                 let picture = pictures.get(&path);
                 picture
-                    .map_err(|warning| told.insert(path).then(|| warnings.push(warning)))
+                    .map_err(|warning| told.insert(path).then(|| warnings.push_with(|| warning)))
                     .ok()
             });
+            let color = material.diffuse.map(Vec3::from);
             let white = texture.as_ref().map(|_| Vec3::ONE);
-            Material {
-                color: material.diffuse.map(Vec3::from).or(white).unwrap_or(UNSAID),
+            let color = color.or(white).unwrap_or(DEFAULT_COLOR);
+            let read = Material {
+                color: color.clamp(Vec3::ZERO, Vec3::ONE),
                 name: material.name,
                 texture,
-            }
+            };
+            (read.name.clone(), read)
         })
         .collect();
-    Imported {
-        value: materials,
-        warnings,
-    }
+    (materials, warnings)
 }
 
 /// The picture that a `map_Kd` line names: all of it as a path, or, where options come before
@@ -111,11 +126,9 @@ pub(super) fn beside(folder: &Path, named: &str) -> PathBuf {
 }
 
 /// The warning for a material that no `.mtl` file has.
-pub(super) fn unknown(name: scanner::Word) -> String {
-    format!(
-        "expected a material of the .mtl file, found {}",
-        quoted(name.text)
-    )
+pub(super) fn unknown(name: &str) -> String {
+    let found = quoted(name);
+    format!("expected a material of the .mtl file, found {found}")
 }
 
 #[cfg(test)]

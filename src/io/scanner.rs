@@ -92,6 +92,16 @@ impl<'a> Scanner<'a> {
         rest.text.strip_prefix('#').map(str::trim)
     }
 
+    /// The part of this line that was read, without a comment.
+    pub fn read_of_line(&self) -> &'a str {
+        &self.text[self.line_start..self.at]
+    }
+
+    /// The file that the text is from.
+    pub fn path(&self) -> &'a Path {
+        self.path
+    }
+
     /// Goes to the start of the next line; false at the end of the file.
     pub fn next_line(&mut self) -> bool {
         let Some(rest) = self.text.as_bytes().get(self.at..) else {
