@@ -175,8 +175,11 @@ impl Data {
         let mut uses = uses.iter().peekable();
         let mut group: Option<MaterialGroup> = None;
         for (index, face) in faces.iter().enumerate() {
+            let mut latest = None;
             while let Some(next) = uses.next_if(|next| next.faces_before <= index) {
-                let material = materials.get(next.name);
+                latest = Some(materials.get(next.name));
+            }
+            if let Some(material) = latest {
                 let known = group.as_ref().map(|group| &group.material.name);
                 if known != material.map(|material| &material.name) {
                     close(&mut builder, group.take());
@@ -232,5 +235,140 @@ fn close(builder: &mut MeshBuilder, group: Option<MaterialGroup>) {
     if let Some(group) = group {
         let triangles = group.triangles.start..builder.triangle_count();
         builder.push_group(MaterialGroup { triangles, ..group });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Normals;
+    use std::path::PathBuf;
+
+    const MTL: &str = "newmtl red\nKd 1 0 0 # red\nNs nonsense\nnewmtl green\nKd 0 2 0\n";
+
+    fn read(obj: &str) -> Result<Imported<Mesh>, String> {
+        let files = HashMap::from([(PathBuf::from("a.mtl"), MTL.as_bytes().to_vec())]);
+        read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes())
+            .map_err(|error| error.to_string())
+    }
+
+    fn told(warnings: &[Diagnostic]) -> Vec<String> {
+        warnings.iter().map(ToString::to_string).collect()
+    }
+
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    #[test]
+    fn positions_keep_the_order_of_the_file_without_those_that_no_face_uses() {
+        let mesh = read("v 9 9 9\nv 0 0 1\nv 0 0 2\nv 9 9 9\nv 0 0 3\nf 5 3 2\n");
+        let mesh = mesh.unwrap().value;
+        assert_eq!(mesh.positions, [1.0, 2.0, 3.0].map(|z| Vec3::Z * z));
+        assert_eq!(mesh.triangles, [[2, 1, 0]]);
+        assert_eq!(mesh.normals, Normals::Flat);
+        assert_eq!(mesh.seams, None);
+    }
+
+    #[test]
+    fn corners_that_disagree_in_texture_coordinates_share_their_position() {
+        let obj = format!("{SQUARE}vt 0 0\nvt 0.5 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4\n");
+        let mesh = read(&obj).unwrap().value;
+        assert_eq!(mesh.positions.len(), 4);
+        assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
+        let seams = mesh.seams.clone().unwrap();
+        assert_eq!(seams.copies, [0, 2]);
+        let of_second = mesh.vertex_triangles()[1].map(|i| mesh.texture_coordinates[i as usize]);
+        let half = Vec2::new(0.5, 1.0);
+        assert_eq!(of_second, [half, half, Vec2::ZERO]);
+    }
+
+    #[test]
+    fn a_triangle_with_a_corner_without_normal_is_flat_as_a_whole() {
+        let normals = "vn 3 0 0\nvn 0 0 0\n";
+        let obj = format!("{SQUARE}{normals}f 1//1 2//1 3//1\nf 1//1 3//1 4//2\n");
+        let mesh = read(&obj).unwrap().value;
+        let Normals::PerVertex(normals) = &mesh.normals else {
+            panic!("{mesh:?}");
+        };
+        let of_triangle = |triangle: usize| {
+            let corners = mesh.vertex_triangles()[triangle];
+            corners.map(|corner| normals[corner as usize])
+        };
+        assert_eq!(of_triangle(0), [Vec3::X; 3]);
+        assert_eq!(of_triangle(1), [Vec3::Z; 3]);
+    }
+
+    #[test]
+    fn materials_are_runs_of_triangles_wherever_their_file_is_named() {
+        let obj = format!(
+            "{SQUARE}f 1 2 3\nusemtl red\nf 1 2 3 4\nusemtl gone\nusemtl red\nf 1 2 3\n\
+             usemtl green\nf 1 2 3\nusemtl gone\nf 1 2 3\nusemtl gone\nmtllib a.mtl\n"
+        );
+        let read = read(&obj).unwrap();
+        let groups: Vec<_> = read.value.groups.iter().collect();
+        let runs = groups
+            .iter()
+            .map(|group| (&*group.material.name, group.triangles.clone()));
+        assert_eq!(runs.collect::<Vec<_>>(), [("red", 1..4), ("green", 4..5)]);
+        assert_eq!(groups[0].material.color, Vec3::X);
+        assert_eq!(groups[1].material.color, Vec3::Y, "no channel is above 1");
+        let gone = "a.obj:8:8: expected a material of the .mtl file, found “gone”";
+        assert_eq!(told(&read.warnings), [gone]);
+    }
+
+    #[test]
+    fn an_index_of_0_means_none_with_one_warning_for_the_file() {
+        let obj = format!("{SQUARE}vn 1 0 0\nf 1/0/1 2/0/1 3/0/1\nf 1/0/1 3/0/1 4/0/1\n");
+        let read = read(&obj).unwrap();
+        assert!(read.value.texture_coordinates.is_empty());
+        assert_eq!(read.value.normals, Normals::PerVertex(vec![Vec3::X; 4]));
+        assert_eq!(
+            told(&read.warnings),
+            [
+                "a.obj:6:3: expected texture coordinates and normals counted from 1, found 0 in 6 \
+              corners: taken as none"
+            ]
+        );
+    }
+
+    #[test]
+    fn lines_that_cannot_be_read_are_left_out_of_a_library_and_no_others() {
+        let files = |mtl: &str| HashMap::from([(PathBuf::from("a.mtl"), mtl.as_bytes().to_vec())]);
+        let obj = format!("mtllib a.mtl\n{SQUARE}usemtl a\nf 1 2 3\n");
+        let mtl = "Kd 1 1 1\nnewmtl a\nKd 0 1 0\nKd 1 0\nmap_Kd\nillum\n";
+        let read = read_shape_obj(&files(mtl), Path::new("a.obj"), obj.as_bytes()).unwrap();
+        assert_eq!(read.value.groups[0].material.color, Vec3::Y);
+        assert_eq!(
+            told(&read.warnings),
+            [
+                "a.mtl:1:1: expected newmtl first, found “Kd”",
+                "a.mtl:4:7: expected a number for blue, found the end of the line",
+                "a.mtl:5:7: expected the name of a picture, found the end of the line",
+            ]
+        );
+    }
+
+    #[test]
+    fn each_fault_is_told_where_it_is() {
+        for (line, error) in [
+            ("vt x", "1:4: expected a number for u, found “x”"),
+            ("vt 0 nan", "1:6: expected a number for v, found “nan”"),
+            (
+                "vn 0 1",
+                "1:7: expected a number for z, found the end of the line",
+            ),
+            (
+                "usemtl",
+                "1:7: expected the name of a material, found the end of the line",
+            ),
+        ] {
+            let obj = format!("{line}\n{SQUARE}f 1 2 3\n");
+            assert_eq!(
+                read(&obj).map(|_| ()),
+                Err(format!("a.obj:{error}")),
+                "{line}"
+            );
+        }
+        let faces = read(SQUARE).unwrap_err();
+        assert_eq!(faces, "a.obj: expected faces (lines `f a b c`), found none");
     }
 }
