@@ -96,7 +96,7 @@ fn read_row(
     }
 }
 
-/// What is odd about the weights, each with how often and the line where it is first seen.
+/// Oddities of the weights: for each the number of vertices and the line of the first.
 #[derive(Default)]
 struct Oddities {
     negative: Seen,

@@ -3,10 +3,10 @@
 use super::{Diagnostic, Files, file_access};
 use std::path::{Path, PathBuf};
 
-/// What the path of a built-in file starts with.
+/// Prefix of the paths of built-in files.
 pub const PREFIX: &str = "builtin:";
 
-/// What a built-in file holds.
+/// Content of a built-in file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuiltinKind {
     /// A mesh with skeleton and weights.
@@ -21,12 +21,12 @@ pub enum BuiltinKind {
     Pose,
 }
 
-/// Something that `builtin:NAME` stands for.
+/// A built-in file that has a name of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Builtin {
     /// Its name after `builtin:`.
     pub name: &'static str,
-    /// What it is.
+    /// Its content.
     pub kind: BuiltinKind,
 }
 
@@ -111,8 +111,7 @@ pub fn catalogue() -> Vec<Builtin> {
 }
 
 /// The file that `path` stands for. `builtin:adult` is `builtin:characters/adult.obj`, and
-/// `builtin:poses/adult-walk` has its extension added; what is complete, and every path on disk,
-/// stays as it is.
+/// `builtin:poses/adult-walk` gets its extension; complete names, and paths on disk, stay.
 ///
 /// # Errors
 /// If `path` starts with `builtin:` and there is no such thing; the message lists all.

@@ -1,18 +1,18 @@
-//! What importers say about a file: errors and warnings with their places.
+//! Errors and warnings about files, with their places.
 
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// An error or a warning about a file, printed as `path:line:column: message`.
 ///
-/// Messages say what was expected and what was found.
+/// Messages read `expected …, found …`.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct Diagnostic {
     /// The file at fault.
     pub path: PathBuf,
     /// Where in the file, if the fault has a place.
     pub position: Option<Position>,
-    /// What is wrong.
+    /// The message: what was expected and what was found.
     pub message: String,
 }
 
@@ -66,12 +66,12 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// What an importer returns: the value, and what it noticed on the way.
+/// Result of an importer: the value and its warnings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported<T> {
-    /// What was read.
+    /// The value.
     pub value: T,
-    /// What was odd but not wrong enough to stop.
+    /// Faults that did not keep the value from being read.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -84,7 +84,7 @@ impl<T> Imported<T> {
         }
     }
 
-    /// The same warnings about what `change` makes of the value.
+    /// Changes the value and keeps the warnings.
     pub fn map<U>(self, change: impl FnOnce(T) -> U) -> Imported<U> {
         Imported {
             value: change(self.value),

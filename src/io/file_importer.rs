@@ -17,15 +17,15 @@ pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 /// Something imported, ready to be put into a scene.
 #[derive(Clone, Debug)]
 pub struct NewShape {
-    /// What the list will call it.
+    /// Name in the list of shapes.
     pub name: String,
-    /// What it is.
+    /// Its geometry.
     pub kind: ShapeKind,
     /// Where it came from.
     pub source: Source,
 }
 
-/// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
+/// Imports the file at `path` by its extension: an `.obj` file with a skeleton or
 /// weights beside it is a character, others are shapes; a `.swp` file holds curves, and a `.dae`
 /// file may hold several characters and shapes. `builtin:NAME` stands for a file too.
 ///
@@ -49,7 +49,7 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     }
 }
 
-/// Imports the Collada file at `path`, and says what else was found in it.
+/// Imports the Collada file at `path`, with a report about its other content.
 ///
 /// # Errors
 /// If it cannot be read or is not well formed.
@@ -98,7 +98,7 @@ pub fn import_character(
     }
 }
 
-/// Import Shape: the mesh of the `.obj` file at `path`, whatever lies beside it, or those of a
+/// Import Shape: the mesh of the `.obj` file at `path`, even beside a skeleton, or those of a
 /// `.dae` file without their skeletons.
 ///
 /// # Errors
@@ -141,14 +141,14 @@ pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     }
 }
 
-/// What the program starts with: the scenes and shapes of one or more files in one scene.
+/// The content of one or more files in one scene: what the program starts with.
 #[derive(Clone, Debug, Default)]
 pub struct Loaded {
     /// All their shapes, in the order of the files.
     pub scene: Scene,
     /// The view of the last scene file; none if there is none.
     pub view: Option<ViewSettings>,
-    /// What was odd about them.
+    /// Warnings about them.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -163,7 +163,7 @@ impl Loaded {
         }
     }
 
-    /// Adds what the file at `path` holds: the shapes of a scene with its view, or an import.
+    /// Adds the content of the file at `path`: the shapes of a scene with its view, or an import.
     ///
     /// # Errors
     /// If it cannot be read or is not well formed; then nothing is added.
@@ -193,7 +193,7 @@ impl Loaded {
         Ok(())
     }
 
-    /// Adds what was imported.
+    /// Adds imported shapes.
     pub fn add_imported(&mut self, imported: Imported<Vec<NewShape>>) {
         self.warnings.extend(imported.warnings);
         for NewShape { name, kind, source } in imported.value {
@@ -242,7 +242,7 @@ fn posable(character: Character) -> ShapeKind {
     ShapeKind::Character(CharacterShape::new(Arc::new(character)))
 }
 
-/// The characters of a Collada file, then its static meshes. What is alone in its file has the
+/// The characters of a Collada file, then its static meshes. The only one of a file has the
 /// file's name, others that of the file and their own.
 fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
     let characters = scene.characters.into_iter();
@@ -267,7 +267,7 @@ fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
         .collect()
 }
 
-/// What to say about a file of the wrong kind; that there is none comes first.
+/// The error for a file of the wrong kind, or that there is no such file.
 fn cannot_open(
     files: &dyn Files,
     path: &Path,

@@ -22,7 +22,7 @@ pub enum PictureFormat {
     Gif,
 }
 
-/// Of 100: hardly to be told from the original.
+/// Of 100; here differences from the original are hardly visible.
 const JPEG_QUALITY: u8 = 95;
 /// From 1, slow, to 30; below 10 the search for colors takes seconds and gains nothing seen.
 const GIF_SPEED: i32 = 10;
@@ -92,7 +92,7 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
     Ok(bytes)
 }
 
-/// Reads a PNG, JPEG or GIF, whatever its name says; of several frames the first.
+/// Reads a PNG, JPEG or GIF by its content, not its name; of several frames the first.
 ///
 /// # Errors
 /// If it is none of these, is damaged, or would take an unreasonable amount of memory.
@@ -121,7 +121,7 @@ fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
     Ok(usize::try_from(pixels.saturating_mul(4)).unwrap_or(usize::MAX))
 }
 
-/// What kind of picture it is, and what reads it.
+/// The name of a picture's format, and the reader of the picture.
 type Opened<'a> = (&'static str, ImageReader<Cursor<&'a [u8]>>);
 
 fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
@@ -183,8 +183,8 @@ impl<'a> Pictures<'a> {
     /// The picture at `path`.
     ///
     /// # Errors
-    /// If it cannot be read, or there would be too many bytes of pictures with it; the same error
-    /// for whoever asks again.
+    /// If it cannot be read, or all pictures together would have too many bytes. Asking again
+    /// gives the same error.
     pub fn get(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
         if let Some(known) = self.read.get(path) {
             return known.clone();

@@ -1,5 +1,5 @@
 //! JSON with places: `jsonc-parser` gives the tree with the bytes that each part comes from, and
-//! [`Json`] hands it to serde, so that whatever is wrong points at the key or value at fault.
+//! [`Json`] hands it to serde, so that every error points at the key or value at fault.
 
 use super::scanner::{quoted, shown, utf8};
 use super::{Diagnostic, Position};
@@ -21,7 +21,7 @@ use std::marker::PhantomData;
 use std::ops::Range;
 use std::path::Path;
 
-/// JSON as the standard has it (RFC 8259), without what the parser would take besides.
+/// JSON as the standard has it (RFC 8259): the parser's extensions are off.
 const STRICT: ParseOptions = ParseOptions {
     allow_comments: false,
     allow_loose_object_property_names: false,
@@ -171,7 +171,7 @@ fn one_of(names: &[&str]) -> String {
     }
 }
 
-/// What the parser says, as what was expected and what stands there instead.
+/// The parser's error in the words of this program, with its place.
 fn syntax_fault(text: &str, error: &ParseError) -> Fault {
     use ParseErrorKind as Kind;
     use ParseStringErrorKind as StringKind;
@@ -563,7 +563,7 @@ impl<'de> Visitor<'de> for Three {
     }
 }
 
-/// A number for which a check does not say what is wrong.
+/// Reads a finite number that the check accepts; the check returns the message for others.
 struct Checked(fn(f32) -> Result<(), String>);
 
 impl<'de> DeserializeSeed<'de> for Checked {

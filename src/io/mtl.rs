@@ -59,7 +59,7 @@ pub(super) fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic>
     })
 }
 
-/// What an `.mtl` file holds.
+/// Content of an `.mtl` file.
 pub(super) struct ReadMtl {
     /// In the order of the file.
     pub materials: Vec<tobj::Material>,

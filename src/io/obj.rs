@@ -47,7 +47,7 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
     })
 }
 
-/// What follows the `v` of a line: three coordinates, then either nothing, or a weight that
+/// Reads the rest of a `v` line: three coordinates, then either nothing, or a weight that
 /// divides them, or a color, which is passed over.
 pub(super) fn read_position(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
     let position = read_vec3(scanner)?;
@@ -149,7 +149,7 @@ impl FaceReader {
         self.faces.count()
     }
 
-    /// Reads what follows the `f`. A face of fewer than three corners is left out, with a warning.
+    /// Reads the rest of an `f` line. A face of fewer than three corners is left out, with a warning.
     ///
     /// # Errors
     /// At the first corner that is not well formed.
@@ -244,7 +244,7 @@ impl FaceReader {
         Ok(u32::try_from(index).unwrap_or(u32::MAX))
     }
 
-    /// The faces and what is odd about them, at the end of the file.
+    /// The faces and the warnings about them, at the end of the file.
     ///
     /// # Errors
     /// At the first corner that names something that does not exist, and if there are no vertices

@@ -137,7 +137,7 @@ fn object(entries: &Entries) -> String {
     text + "\n  }"
 }
 
-/// What a pose file calls a joint so that it is this joint again.
+/// The key under which a pose file finds `joint` again: its name, its sid or its index.
 fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
     let described = &skeleton.joints()[joint];
     let names = [Some(&described.name), described.sid.as_ref()];

@@ -31,7 +31,7 @@ impl PoseFile {
         })
     }
 
-    /// What it says.
+    /// Its content.
     pub fn data(&self) -> &PoseData {
         &self.data
     }
@@ -41,7 +41,7 @@ impl PoseFile {
     ///
     /// # Errors
     /// If there is no character, or a joint that none has; the message lists names like it. Or if
-    /// two entries mean one joint. Then nothing is changed.
+    /// two entries name one joint. Then nothing is changed.
     pub fn apply_to(&self, scene: &mut Scene) -> Result<(), Diagnostic> {
         let characters: Vec<(ShapeId, &SkeletalModel)> = scene
             .shapes()
@@ -115,7 +115,7 @@ impl PoseFile {
 pub(super) struct Misfit {
     /// The byte of the text where its key starts.
     pub at: usize,
-    /// What was expected and what was found.
+    /// The message: what was expected and what was found.
     pub message: String,
 }
 

@@ -152,7 +152,7 @@ impl<'a> Scanner<'a> {
     /// The next word as a finite number.
     ///
     /// # Errors
-    /// If it is none or missing; `what` is what the error says was expected.
+    /// If it is none or missing; `what` names the number in the error.
     #[inline]
     pub fn number(&mut self, what: &str) -> Result<f32, Diagnostic> {
         let word = self.word();

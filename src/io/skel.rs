@@ -91,7 +91,7 @@ fn read_row<'a>(scanner: &mut Scanner<'a>, first: Word<'a>) -> Result<Row<'a>, D
     })
 }
 
-/// A course character hangs together: its root's weights are not even in the file.
+/// A character of the course has one root: `.attach` files have no column for its weights.
 fn check_roots(scanner: &Scanner, rows: &[Row]) -> Result<(), Diagnostic> {
     let mut roots = rows.iter().filter(|row| row.parent.is_none());
     match (roots.next(), roots.next()) {

@@ -41,7 +41,7 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
     })
 }
 
-/// What files of the course call curves that no surface needs.
+/// The name of curves that no surface needs, in files of the course.
 const NAMELESS: &str = ".";
 const KEYWORDS: &str = "bez2, bez3, bsp2, bsp3, circ, srev or gcyl";
 

@@ -172,7 +172,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         }
     }
 
-    /// Hangs all positions of `instance` on one joint.
+    /// Binds all positions of `instance` to one joint.
     pub fn add_rigid(&mut self, part: &mut Part, instance: &Instance<'a>, joint: u32) {
         for _ in &instance.geometry.positions {
             let influence = Influence { joint, weight: 1.0 };
@@ -181,7 +181,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
     }
 }
 
-/// What a transform does to normals and to the side that triangles show.
+/// Effect of a transform on normals and on the winding of triangles.
 struct Turn {
     normals: Mat3,
     mirrors: bool,
@@ -238,7 +238,7 @@ fn texture_of_set(texture: &[(usize, Attribute)], set: Option<usize>) -> Option<
     asked.or_else(lowest).map(|(_, attribute)| attribute)
 }
 
-/// What was found in a Collada file besides the characters and meshes made of it.
+/// Facts about a Collada file besides its characters and meshes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DaeReport {
     /// Its axes and unit.
@@ -253,7 +253,7 @@ pub struct DaeReport {
     /// The joint whose inverse bind matrix agrees worst with the scene's rest pose; `None`
     /// without any.
     pub worst_inverse_bind: Option<InverseBind>,
-    /// What the file has and this program has no use for, and how often.
+    /// Content that this program does not use, by kind, with the number of each.
     pub ignored: BTreeMap<String, usize>,
 }
 
@@ -288,7 +288,7 @@ impl DaeReport {
         self.weight_sums = Some((least.min(sum), most.max(sum)));
     }
 
-    /// Compares a skin's inverse bind matrices with the scene; what there is to warn of.
+    /// Compares a skin's inverse bind matrices with the scene; returns a warning if they differ.
     pub(super) fn add_inverse_binds(
         &mut self,
         binding: &Binding,

@@ -12,8 +12,7 @@ use std::path::Path;
 
 pub(super) type Node<'a> = roxmltree::Node<'a, 'a>;
 
-/// A Collada document with what is needed all over: elements by id, places, and the warnings
-/// gathered on the way.
+/// A Collada document with its elements by id, places in its text, and the warnings so far.
 pub(super) struct Dae<'a> {
     pub path: &'a Path,
     text: &'a str,
@@ -215,14 +214,14 @@ impl<'a> Dae<'a> {
             .or_default() += 1;
     }
 
-    /// All that was noticed: warnings, and what was ignored how often.
+    /// The warnings, and the number of each kind of content that was ignored.
     pub fn into_notes(self) -> (Vec<Diagnostic>, BTreeMap<String, usize>) {
         let Notes { warnings, ignored } = self.notes.into_inner();
         (warnings.into_vec(self.path), ignored)
     }
 }
 
-/// The first child of `node` called `tag`, whatever its name space.
+/// The first child of `node` called `tag`, in any name space.
 pub(super) fn child<'a>(node: Node<'a>, tag: &str) -> Option<Node<'a>> {
     children(node, tag).next()
 }
@@ -300,7 +299,7 @@ fn check_limits(path: &Path, text: &str) -> Result<(), Diagnostic> {
     Ok(())
 }
 
-/// What ends the comment, text as it stands, or instruction at the start of `rest`; `None` for a
+/// The end mark of the comment, CDATA section or instruction at the start of `rest`; `None` for a
 /// tag. A document type is none of these: the reader refuses it.
 fn markup_without_attributes(rest: &str) -> Option<&'static str> {
     let kinds = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];

@@ -1,4 +1,4 @@
-//! What the nodes of the scene show: meshes, and skins with the joints that their names mean.
+//! Instances of meshes and skins in the scene, and the joints that skins name.
 
 use super::document::{Dae, MOST_BOUND, MOST_INSTANCES, Node, children};
 use super::meshes::Geometry;
@@ -30,7 +30,7 @@ impl Instance<'_> {
     }
 }
 
-/// How a skin hangs on the scene.
+/// Binding of a skin to nodes of the scene.
 pub(super) struct Binding<'a> {
     pub skin: Rc<Skin<'a>>,
     /// The nodes that `<skeleton>` names.
@@ -135,7 +135,7 @@ impl<'a> Reader<'_, 'a> {
     }
 }
 
-/// Finds nodes of the scene by what the file calls them.
+/// Finds nodes of the scene by element and by sid.
 struct Lookup<'a> {
     by_element: HashMap<NodeId, usize>,
     by_sid: HashMap<&'a str, Vec<usize>>,

@@ -35,7 +35,7 @@ pub(super) struct Materials<'a> {
 #[derive(Clone)]
 struct Effect {
     material: Material,
-    /// What the texture calls its coordinates.
+    /// The texture's name for its coordinates.
     coordinates: Option<String>,
 }
 
@@ -268,7 +268,7 @@ fn candidates(url: &str) -> Vec<PathBuf> {
     candidates.into_iter().map(PathBuf::from).collect()
 }
 
-/// `%20` and the like as the bytes that they mean; what makes no text stays as it was.
+/// Decodes `%20` and the like; text that would not be UTF-8 stays as it was.
 fn percent_decoded(text: &str) -> String {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();

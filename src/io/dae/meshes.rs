@@ -15,7 +15,7 @@ pub(super) struct Geometry {
     pub primitives: Vec<Primitive>,
 }
 
-/// What `<vertices>` bundles under one index.
+/// `<vertices>`: inputs that share one index.
 struct Vertices<'a> {
     pub id: &'a str,
     pub others: Vec<(Input<'a>, Rc<Source>)>,

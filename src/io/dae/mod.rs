@@ -1,11 +1,11 @@
 //! Collada (`.dae`): rigged characters and static meshes.
 //!
-//! The reader forgives what can be forgiven: a part that is broken is left out with a warning,
-//! and only a file with nothing left is an error. Everything ends up in one space, +Y up and in
+//! The reader is forgiving: a broken part is left out with a warning, and only a file with nothing
+//! left is an error. Everything ends up in one space, +Y up and in
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
 //! file's rest orientation is not kept but in the direction of its bone.
 //!
-//! Memory and time stay in proportion to the file (see `document`), whatever it says.
+//! Memory and time stay in proportion to the size of the file (limits in `document`).
 
 mod assemble;
 mod document;
@@ -31,7 +31,7 @@ use std::path::Path;
 use visual_scene::SceneNode;
 pub use visual_scene::{FileSpace, UpAxis};
 
-/// What a Collada file shows.
+/// Content of a Collada file.
 #[derive(Clone, Debug)]
 pub struct DaeScene {
     /// Skeletons with the meshes bound to them, in the order of their first skin. The skins of
@@ -41,11 +41,11 @@ pub struct DaeScene {
     pub characters: Vec<DaeCharacter>,
     /// Meshes that no skeleton moves, in the order of the scene.
     pub meshes: Vec<DaeMesh>,
-    /// What else was found.
+    /// Facts about the file.
     pub report: DaeReport,
 }
 
-/// A character and what the file calls it.
+/// A character and its name in the file.
 #[derive(Clone, Debug)]
 pub struct DaeCharacter {
     /// The name of the node that holds its roots.
@@ -54,7 +54,7 @@ pub struct DaeCharacter {
     pub character: Character,
 }
 
-/// A static mesh and what the file calls it.
+/// A static mesh and its name in the file.
 #[derive(Clone, Debug)]
 pub struct DaeMesh {
     /// The name of its node.
@@ -214,7 +214,7 @@ fn is_far(joint: &Joint) -> bool {
     !near || joint.offset.is_nan()
 }
 
-/// Counts the libraries that hold what is not shown.
+/// Counts the libraries whose content is not used.
 fn ignore_libraries(dae: &Dae) {
     for library in dae.root.children().filter(roxmltree::Node::is_element) {
         let tag = library.tag_name().name();

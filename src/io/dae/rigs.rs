@@ -16,7 +16,7 @@ pub(super) struct Rig {
     pub joint_of_node: HashMap<usize, u32>,
 }
 
-/// The rigs of a scene and who belongs to which.
+/// The rigs of a scene, and the rig of each node.
 pub(super) struct Rigs {
     pub rigs: Vec<Rig>,
     rig_of_tree: HashMap<usize, usize>,
@@ -54,7 +54,7 @@ impl Rigs {
         rigs
     }
 
-    /// The rig that `binding` hangs on, if any.
+    /// The rig that `binding` binds to, if any.
     pub fn of_binding(&self, binding: &Binding) -> Option<usize> {
         let tree = self.trees(binding).next()?;
         self.rig_of_tree.get(&tree).copied()
@@ -182,7 +182,7 @@ impl Rigs {
             .collect()
     }
 
-    /// What to call `rig`: the node that holds its roots, else its first root.
+    /// Name of `rig`: that of the node that holds its roots, else of its first root.
     pub fn name<'a>(rig: &Rig, nodes: &[SceneNode<'a>]) -> &'a str {
         let root = rig.nodes.first().copied();
         ancestors(nodes, root)
@@ -244,14 +244,14 @@ fn tips_of_joints(
     tips
 }
 
-/// How far along a joint's +Y `point` lies, in the joint's own units, if it does at all.
+/// How far along a joint's +Y `point` lies, in the joint's own units; `None` if it does not.
 fn height_above(ours_from_joint: &DMat4, point: DVec3) -> Option<f64> {
     let determinant = ours_from_joint.determinant();
     let height = ours_from_joint.inverse().transform_point3(point).y;
     (determinant != 0.0 && height.is_finite() && height > 1e-6).then_some(height)
 }
 
-/// What Blender writes beside a bone that has no child to end at: from its head to its tip.
+/// The vector from head to tip that Blender writes for a bone without children.
 fn blender_tip(node: &SceneNode) -> Option<DVec3> {
     let technique = children(node.xml, "extra")
         .flat_map(|extra| children(extra, "technique"))

@@ -317,7 +317,7 @@ fn columns(accessor: Node) -> (Vec<usize>, usize) {
     }
 }
 
-/// An `<input>`: what it is, and where its index lies among those of a vertex.
+/// An `<input>`: its semantic, and the offset of its index among those of a vertex.
 pub(super) struct Input<'a> {
     pub node: Node<'a>,
     pub semantic: &'a str,

@@ -19,7 +19,7 @@ pub(super) struct SceneNode<'a> {
 }
 
 impl<'a> SceneNode<'a> {
-    /// What the file calls it: its name, else its short or full id.
+    /// Its name in the file, else its sid or id.
     pub fn name(&self) -> &'a str {
         ["name", "sid", "id"]
             .iter()
@@ -180,7 +180,7 @@ pub enum UpAxis {
 }
 
 impl FileSpace {
-    /// What `<asset>` says; +Y up and meters where it says nothing.
+    /// Space of `<asset>`; +Y up and meters where it says nothing.
     pub(super) fn read(dae: &Dae) -> Self {
         let asset = child(dae.root, "asset");
         let up = asset.and_then(|asset| child(asset, "up_axis"));
