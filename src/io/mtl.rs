@@ -170,6 +170,14 @@ mod tests {
             panic!("{:?}", read.value.groups);
         };
         assert!(Arc::ptr_eq(a, b));
+        let colors = read.value.groups.iter().map(|group| group.material.color);
+        let (white, gray) = (Vec3::ONE, Vec3::splat(0.8));
+        let expected = [white, white, gray, gray];
+        assert_eq!(
+            colors.collect::<Vec<_>>(),
+            expected,
+            "white shows a picture as it is"
+        );
         let told: Vec<String> = read.warnings.iter().map(|w| w.to_string()).collect();
         assert_eq!(told, ["gone.png: there is no such file"]);
     }

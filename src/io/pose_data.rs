@@ -234,6 +234,16 @@ mod tests {
             let found = written(Vec3::from(degrees));
             assert!(found.contains(&format!("\"Arm\": {text}")), "{found}");
         }
+        for tenths in -7200..=7200_i16 {
+            let found = written(Vec3::X * (f32::from(tenths) / 10.0));
+            let (sign, size) = (if tenths < 0 { "-" } else { "" }, tenths.unsigned_abs());
+            let text = match size % 10 {
+                0 => format!("{sign}{}", size / 10),
+                tenth => format!("{sign}{}.{tenth}", size / 10),
+            };
+            let whole = tenths == 0 || found.contains(&format!("[{text}, 0, 0]"));
+            assert!(whole, "{text} {found}");
+        }
     }
 
     #[test]

@@ -253,3 +253,22 @@ fn skeleton((kind, ..): &Named) -> Option<&SkeletalModel> {
         _ => None,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::builtin::WithBuiltin;
+
+    #[test]
+    fn points_and_lines_have_sizes_that_can_be_drawn() {
+        let text = r#"{"format": "editor-scene", "version": 1, "shapes": [{"source": "builtin:chain",
+            "display": {"point_size": 1e9, "line_width": -3}}]}"#;
+        let files = HashMap::from([(PathBuf::from("a.scene"), text.as_bytes().to_vec())]);
+        let read = read_scene(&WithBuiltin(files), Path::new("a.scene")).unwrap();
+        let ShapeKind::Character(character) = &read.value.shapes[0].kind else {
+            panic!("{:?}", read.value.shapes);
+        };
+        let display = character.display;
+        assert_eq!((display.point_size, display.line_width), (64.0, 1.0));
+    }
+}

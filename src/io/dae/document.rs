@@ -324,3 +324,24 @@ fn count_attributes(rest: &str) -> (usize, usize) {
     }
     (attributes, rest.len())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_lines_and_characters_from_1() {
+        let text = "<COLLADA><a/>\n<b>é</b> <c/></COLLADA>";
+        let path = Path::new("a.dae");
+        let xml = parse_xml(path, text).unwrap();
+        let dae = Dae::new(path, text, &xml).unwrap();
+        for (tag, told) in [
+            ("a", "a.dae:1:10: x"),
+            ("b", "a.dae:2:1: x"),
+            ("c", "a.dae:2:10: x"),
+        ] {
+            let node = child(dae.root, tag).unwrap();
+            assert_eq!(dae.error(node, "x").to_string(), told);
+        }
+    }
+}
