@@ -247,7 +247,13 @@ mod tests {
     #[test]
     fn the_search_for_ears_has_a_bound_for_each_polygon_and_for_all() {
         let comb = |count: usize| -> Vec<Vec3> {
-            let tooth = |i: usize| Vec3::new(i as f32, if i % 2 == 0 { 1000.0 } else { 1.0 }, 0.0);
+            let tooth = |i: usize| {
+                Vec3::new(
+                    i as f32,
+                    if i.is_multiple_of(2) { 1000.0 } else { 1.0 },
+                    0.0,
+                )
+            };
             (0..count).rev().map(tooth).chain([Vec3::ZERO]).collect()
         };
         let mut triangulator = Triangulator::default();

@@ -131,7 +131,8 @@ fn object(entries: &Entries) -> String {
         let comma = if index == 0 { "" } else { "," };
         // A key can only fail to be written where memory ends; writing to a string cannot fail.
         let key = serde_json::to_string(key.as_str()).unwrap_or_default();
-        let [x, y, z] = value.to_array();
+        // Adding 0 takes the sign from -0.
+        let [x, y, z] = (*value + Vec3::ZERO).to_array();
         let _ = write!(text, "{comma}\n    {key}: [{x}, {y}, {z}]");
     }
     text + "\n  }"
