@@ -22,15 +22,21 @@ use std::time::Duration;
 /// Width and height of the window, in pixels and points.
 const SIZE: (u32, u32) = (1000, 640);
 
-/// A character of two joints, the upper one of which bends a strip.
+/// A strip that an elbow bends in its middle. Joint 2 is the elbow.
 const STRIP: [(&str, &str); 3] = [
     (
         "models/strip.obj",
         "v -0.2 0 0\nv 0.2 0 0\nv 0.2 1 0\nv -0.2 1 0\nv 0.2 2 0\nv -0.2 2 0\n\
          f 1 2 3\nf 1 3 4\nf 4 3 5\nf 4 5 6\n",
     ),
-    ("models/strip.skel", "0 0 0 -1 # Root\n0 1 0 0 # Elbow\n"),
-    ("models/strip.attach", "0\n0\n0.5\n0.5\n1\n1\n"),
+    (
+        "models/strip.skel",
+        "0 0 0 -1 # Root\n0 0 0 0 # Hip\n0 1 0 1 # Elbow\n",
+    ),
+    (
+        "models/strip.attach",
+        "1 0\n1 0\n0.5 0.5\n0.5 0.5\n0 1\n0 1\n",
+    ),
 ];
 
 /// One running program with its user.
