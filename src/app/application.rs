@@ -1,6 +1,6 @@
 use super::workspace::Workspace;
 use crate::gpu::{ContextError, GpuError};
-use crate::render::InterfaceError;
+use crate::render::{InterfaceError, RenderError};
 use crate::scene::Skinning;
 use egui_winit::accesskit_winit;
 use std::path::PathBuf;
@@ -30,6 +30,9 @@ pub enum AppError {
     /// OpenGL failed.
     #[error(transparent)]
     Gpu(#[from] GpuError),
+    /// The scene could not be drawn.
+    #[error(transparent)]
+    Render(#[from] RenderError),
     /// The panels cannot be painted.
     #[error(transparent)]
     Interface(#[from] InterfaceError),

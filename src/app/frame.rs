@@ -5,7 +5,7 @@ use super::input_parts::parts;
 use super::workspace::Workspace;
 use crate::editor::Severity;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
-use crate::render::{Frame, Marks, compose, read_picture, view_place};
+use crate::render::{Frame, Marks, RenderError, compose, read_picture, view_place};
 use crate::revision::Revision;
 use crate::ui;
 use egui::{FullOutput, RawInput};
@@ -104,7 +104,7 @@ impl Workspace {
         let fitted = self.fit_pictures(place, size);
         let drawn = self.draw_scene(matches!(fitted, Ok(true)));
         let has_wrong_size = matches!(fitted, Err(GpuError::Size { .. }));
-        let mut told = self.tell_fault(fitted.map(drop))?;
+        let mut told = self.tell_fault(fitted.map(drop).map_err(RenderError::from))?;
         self.pictures.has_wrong_size = has_wrong_size;
         told |= self.tell_fault(drawn)?;
         let compared = self.draw_comparison();
@@ -188,7 +188,7 @@ impl Workspace {
     }
 
     /// Draws the scene, if something changed or its picture is `fresh`.
-    fn draw_scene(&mut self, fresh: bool) -> Result<(), GpuError> {
+    fn draw_scene(&mut self, fresh: bool) -> Result<(), RenderError> {
         let marks = Marks {
             selected: self.session.selected(),
             hovered: self.hovered_shape,
@@ -229,15 +229,18 @@ impl Workspace {
     ///
     /// # Errors
     /// If nothing can be drawn any more, or nothing ever could.
-    fn tell_fault(&mut self, drawn: Result<(), GpuError>) -> Result<bool, AppError> {
+    fn tell_fault(&mut self, drawn: Result<(), RenderError>) -> Result<bool, AppError> {
         let Err(error) = drawn else {
             return Ok(false);
         };
-        if matches!(error, GpuError::Lost { .. }) || self.pictures.window.is_none() {
+        if matches!(error, RenderError::Gpu(GpuError::Lost { .. }))
+            || self.pictures.window.is_none()
+        {
             return Err(error.into());
         }
         // While the size of the window changes, so does the text of what is the same failure.
-        let is_same = matches!(error, GpuError::Size { .. }) && self.pictures.has_wrong_size;
+        let is_same = matches!(error, RenderError::Gpu(GpuError::Size { .. }))
+            && self.pictures.has_wrong_size;
         let text = format!("The picture is not as it should be: {error}");
         let mut told = self.session.messages.history().iter();
         if is_same || told.any(|message| message.text == text) {
@@ -273,7 +276,7 @@ impl Workspace {
         if let Some(path) = self.pending_screenshot.take_if(|_| screenshot_due) {
             match read_picture(target) {
                 Ok(picture) => self.save_picture(&path, &picture),
-                Err(error) => self.tell_undrawn(&error),
+                Err(error) => self.tell_undrawn(&error.into()),
             }
         }
         Ok(())

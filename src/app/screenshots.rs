@@ -3,10 +3,10 @@ use super::workspace::Workspace;
 use crate::disk;
 use crate::editor::{Screenshot, Severity};
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, GpuError};
+use crate::gpu::Framebuffer;
 use crate::io::Diagnostic;
 use crate::io::image::{self, PictureFormat};
-use crate::render::{Frame, Marks, read_picture};
+use crate::render::{Frame, Marks, RenderError, read_picture};
 use std::path::Path;
 
 impl Workspace {
@@ -24,7 +24,7 @@ impl Workspace {
         }
     }
 
-    pub(super) fn tell_undrawn(&mut self, error: &GpuError) {
+    pub(super) fn tell_undrawn(&mut self, error: &RenderError) {
         let text = format!("The picture could not be drawn: {error}");
         self.session.messages.tell(Severity::Error, text);
         self.request_redraw();
@@ -36,7 +36,7 @@ impl Workspace {
         self.tell_saved(path, written);
     }
 
-    fn view_picture(&mut self, (width, height): (u32, u32)) -> Result<Picture, GpuError> {
+    fn view_picture(&mut self, (width, height): (u32, u32)) -> Result<Picture, RenderError> {
         let gl = self.window.gl();
         let samples = globals::SAMPLES.min(gl.info().max_samples);
         let target = Framebuffer::new(gl, width, height, samples)?;
@@ -47,7 +47,7 @@ impl Workspace {
             marks: Marks::default(),
         };
         self.renderer.draw(&frame, &target)?;
-        read_picture(&target)
+        Ok(read_picture(&target)?)
     }
 }
 

@@ -1,7 +1,7 @@
 use super::output::tell;
 use crate::gpu::GpuError;
 use crate::io::Diagnostic;
-use crate::render::{InterfaceError, OffscreenError};
+use crate::render::{InterfaceError, OffscreenError, RenderError};
 use std::process::ExitCode;
 
 /// Why a command did not do what it was asked.
@@ -29,6 +29,12 @@ impl From<OffscreenError> for CliError {
 
 impl From<GpuError> for CliError {
     fn from(error: GpuError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<RenderError> for CliError {
+    fn from(error: RenderError) -> Self {
         Self::Other(error.to_string())
     }
 }

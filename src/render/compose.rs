@@ -1,9 +1,11 @@
+//! The picture of the scene and the panels over it, in one.
+
 use super::InterfacePainter;
 use crate::gpu::{Framebuffer, GpuError, Rect};
 
 /// Puts a picture of the scene into `target` at `place` (pixels from the bottom left) and paints
-/// the panels over it: what the window shows, and what a picture with panels is. A picture of
-/// another size is scaled.
+/// the panels over it, as in the window and in pictures with panels. A picture of another size is
+/// scaled.
 ///
 /// # Errors
 /// When `target` has samples.
@@ -27,8 +29,8 @@ pub fn compose(
     placed
 }
 
-/// Where in a picture the view lies, in whole pixels, from its place in the interface: `min` and
-/// `max` in points from the top left.
+/// Rectangle of the view in a picture, in whole pixels, from its corners in the interface, in points
+/// from the top left.
 pub fn view_place(
     (min_x, min_y): (f32, f32),
     (max_x, max_y): (f32, f32),

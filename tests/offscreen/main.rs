@@ -4,6 +4,7 @@
 mod reference_data;
 
 mod backends;
+mod contexts;
 mod draw_state;
 mod gpu;
 mod immediate;

@@ -3,8 +3,8 @@ use crate::app::globals;
 use crate::app::workspace::Workspace;
 use crate::editor::Severity;
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, GpuError};
-use crate::render::{Frame, Marks, read_picture};
+use crate::gpu::Framebuffer;
+use crate::render::{Frame, Marks, RenderError, read_picture};
 
 impl Workspace {
     /// Draws the scene in the reference's size if it changed, and has the two measured. Whether
@@ -27,7 +27,7 @@ impl Workspace {
         }
     }
 
-    fn draw_compared(&mut self, comparison: &mut Comparison) -> Result<bool, GpuError> {
+    fn draw_compared(&mut self, comparison: &mut Comparison) -> Result<bool, RenderError> {
         let smooth = comparison.settings.smooth_edges;
         let now = Some((self.session.revision(), smooth));
         if comparison.drawn == now {
