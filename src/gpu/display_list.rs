@@ -168,5 +168,12 @@ mod tests {
         assert_eq!(after(Primitive::Points, 5, Primitive::Points), 1);
         assert_eq!(after(Primitive::LineStrip, 4, Primitive::LineStrip), 2);
         assert_eq!(after(Primitive::Lines, 4, Primitive::Points), 2);
+        let larger = Group {
+            look: PointLook { size: 2.0, ..look },
+            ..group(Primitive::Points, 5..6)
+        };
+        let mut groups = vec![group(Primitive::Points, 0..5)];
+        add(&mut groups, larger);
+        assert_eq!(groups.len(), 2);
     }
 }

@@ -171,6 +171,35 @@ fn a_picture_is_copied_into_a_part_of_another() {
 }
 
 #[test]
+fn a_copy_of_another_size_mixes_neighbors() {
+    on_each_backend(|gl| {
+        let source = black(gl, 2, 1, 0);
+        DrawState {
+            viewport: [1, 0, 1, 1],
+            ..DrawState::opaque(2, 1)
+        }
+        .apply(gl);
+        let whole = [(-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        let corners = Buffer::vertices(gl, Usage::Static, &whole).expect("a buffer");
+        let builder = VertexArray::builder(gl).attribute(&corners, Attribute::f32(0, 3));
+        let array = builder.build().expect("a vertex array");
+        fill(&flat_program(gl), &array, Vec4::ONE);
+        let target = black(gl, 8, 1, 0);
+        let rect = |width| Rect {
+            x: 0,
+            y: 0,
+            width,
+            height: 1,
+        };
+        source.blit_into(&target, rect(2), rect(8)).expect("a copy");
+        let picture = Picture::of(&target);
+        let row: Vec<u8> = (0..8).map(|x| picture.at(x, 0)[0]).collect();
+        assert_eq!((row[0], row[7]), (0, 255));
+        assert!(row.is_sorted() && (40..120).contains(&row[3]), "{row:?}");
+    });
+}
+
+#[test]
 fn a_scissor_left_behind_cuts_neither_clearing_nor_copying_nor_reading() {
     on_each_backend(|gl| {
         for samples in [0, 4] {
