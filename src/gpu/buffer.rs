@@ -10,7 +10,7 @@ use glow::HasContext as _;
 
 use super::{Gl, GpuError};
 
-/// How often the content will change.
+/// Frequency of changes of the content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Usage {
     /// Written once, drawn often.

@@ -16,7 +16,7 @@ pub struct DisplayList {
     pub(in crate::gpu) groups: Vec<Group>,
 }
 
-/// What one `begin … end` came to.
+/// The vertices of one or more `begin … end` that are drawn by one call.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::gpu) struct Group {
     pub(in crate::gpu) primitive: Primitive,
@@ -24,7 +24,7 @@ pub(in crate::gpu) struct Group {
     pub(in crate::gpu) look: PointLook,
 }
 
-/// How points were to look.
+/// Size and shape of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::gpu) struct PointLook {
     pub(in crate::gpu) size: f32,

@@ -44,7 +44,7 @@ pub struct DrawState {
     pub depth_write: bool,
     /// Combination of colors.
     pub blend: Blend,
-    /// Which of red, green, blue, alpha are written.
+    /// Whether red, green, blue and alpha are written.
     pub color_mask: [bool; 4],
 }
 

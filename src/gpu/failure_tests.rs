@@ -112,9 +112,9 @@ fn nothing_is_called_while_the_context_cannot_be_made_current() {
     assert!(is_lost(Immediate::new(gl).unwrap_err()));
     assert!(InterfacePainter::new(gl).is_err());
     assert!(gl.with_glow(|_| ()).is_err_and(is_lost));
-    let told = gl.check("the test").unwrap_err();
+    let message = gl.check("the test").unwrap_err();
     assert_eq!(
-        told.to_string(),
+        message.to_string(),
         "the graphics context was lost in the test (the display is gone): restart the program"
     );
     drop((
@@ -134,8 +134,8 @@ fn calls_that_were_left_out_are_reported_once_the_context_is_back() {
     TestDriver::refuse_current(true);
     picture.clear([0.0; 4]);
     TestDriver::refuse_current(false);
-    let told = driver.gl().check("clearing").unwrap_err().to_string();
-    assert!(told.contains("the display is gone"), "{told}");
+    let message = driver.gl().check("clearing").unwrap_err().to_string();
+    assert!(message.contains("the display is gone"), "{message}");
     assert_eq!(picture.read_rgba().unwrap(), [255; 16]);
 }
 
@@ -200,6 +200,6 @@ fn errors_of_earlier_calls_are_not_the_buffer_s() {
         .unwrap();
     let buffer = Buffer::vertices(gl, Usage::Static, &[0_u8; 9]).unwrap();
     assert_eq!(buffer.len(), 9);
-    let told = gl.check("an unknown constant").unwrap_err().to_string();
-    assert!(told.contains("GL_INVALID_ENUM"), "{told}");
+    let message = gl.check("an unknown constant").unwrap_err().to_string();
+    assert!(message.contains("GL_INVALID_ENUM"), "{message}");
 }

@@ -80,7 +80,7 @@ impl Framebuffer {
         })
     }
 
-    /// The one that was kept if it has this size and, as all of these, no samples; otherwise a new
+    /// The kept framebuffer, if it has this size and, as all of these, no samples; otherwise a new
     /// one takes its place.
     ///
     /// # Errors
@@ -159,7 +159,7 @@ impl Framebuffer {
     /// framebuffer is bound.
     ///
     /// # Errors
-    /// What [`Gl::check`] finds, so that no broken picture is taken for a good one.
+    /// Every fault that [`Gl::check`] returns, so that no broken picture is taken for a good one.
     pub fn read_rgba(&self) -> Result<Vec<u8>, GpuError> {
         self.resolve();
         let row = self.width as usize * 4;

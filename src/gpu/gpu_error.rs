@@ -33,7 +33,7 @@ pub enum ContextError {
     /// OSMesa made no context.
     #[error("OSMesa gives no context ({cause}): use --gl egl")]
     Osmesa {
-        /// What failed.
+        /// The step that failed, and why.
         cause: String,
     },
     /// Neither EGL nor OSMesa works.
@@ -66,7 +66,7 @@ pub enum ContextError {
     /// The window system gives no window with OpenGL.
     #[error("no window with OpenGL can be opened ({cause}). {WINDOW_REMEDY}")]
     Window {
-        /// What failed.
+        /// The step that failed, and why.
         cause: String,
     },
     /// An existing context stopped working.
@@ -135,7 +135,7 @@ pub enum GpuError {
          with this graphics driver"
     )]
     Size {
-        /// What was asked for.
+        /// The kind of object.
         what: &'static str,
         /// In pixels.
         width: u32,
@@ -149,9 +149,9 @@ pub enum GpuError {
         "{asked} samples a pixel are more than this graphics driver can do: at most {max} (0 for none)"
     )]
     Samples {
-        /// What was asked for.
+        /// The number asked for.
         asked: u32,
-        /// What the driver can do.
+        /// The most that the driver can do.
         max: u32,
     },
     /// Data of the wrong length, or an attribute that does not fit its buffer.
@@ -159,7 +159,7 @@ pub enum GpuError {
     Data {
         /// The object concerned.
         what: &'static str,
-        /// What is wrong with it.
+        /// The problem with it.
         problem: String,
     },
     /// The driver made no object, or none that is complete: usually it ran out of memory.
@@ -168,7 +168,7 @@ pub enum GpuError {
          need less memory"
     )]
     Create {
-        /// What was asked for.
+        /// The kind of object.
         what: &'static str,
         /// The driver's reason.
         why: String,
@@ -176,7 +176,7 @@ pub enum GpuError {
     /// The context and all its objects are gone.
     #[error("the graphics context was lost in {what} ({why}): restart the program")]
     Lost {
-        /// What was being done.
+        /// The operation.
         what: String,
         /// The platform's reason.
         why: String,
@@ -184,7 +184,7 @@ pub enum GpuError {
     /// Errors that the driver, or this layer, noticed since the last check.
     #[error("OpenGL reports errors in {what}: {}", faults.join("; "))]
     Faults {
-        /// What was being done.
+        /// The operation.
         what: String,
         /// One entry a fault, each reported once.
         faults: Vec<String>,

@@ -6,7 +6,7 @@ use glam::{Mat4, Vec2, Vec3, Vec4};
 use super::display_list::{self, Group, PointLook};
 use super::{Buffer, Gl, GpuError, Primitive, Program, Usage, VertexArray};
 
-/// What the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) make.
+/// Shape that the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// `GL_POINTS`.
@@ -27,7 +27,7 @@ pub enum Mode {
     Quads,
 }
 
-/// How points look.
+/// Shape of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[doc(alias = "GL_POINT_SMOOTH")]
 pub enum PointShape {
@@ -54,13 +54,13 @@ const KEPT_VERTICES: usize = 1 << 16;
 /// `begin … end`, into what is bound and with the [`DrawState`](super::DrawState) applied last.
 ///
 /// As in OpenGL, the matrix, color, sizes and shape stay until changed. A vertex outside of
-/// `begin … end`, or those two in a wrong order, are faults told by [`Gl::check`].
+/// `begin … end`, or those two in a wrong order, are faults that [`Gl::check`] returns.
 pub struct Immediate {
     pub(in crate::gpu) gl: Gl,
     pub(in crate::gpu) program: Program,
     buffer: Buffer<Vertex>,
     vertex_array: VertexArray,
-    /// Those of the group, behind those of the groups before it in a list.
+    /// Vertices of the current group, after those of earlier groups in a list.
     pub(in crate::gpu) vertices: Vec<Vertex>,
     pub(in crate::gpu) group_start: usize,
     /// The groups of the list that is recorded, if one is.
@@ -234,7 +234,7 @@ impl Immediate {
         self.vertex_array.draw(&self.program, primitive, 0..count);
     }
 
-    /// How the points of a group look; what are none do not.
+    /// Size and shape of the points of a group; defaults for groups of lines and triangles.
     pub(in crate::gpu) fn look(&self, mode: Mode) -> PointLook {
         if mode == Mode::Points {
             PointLook {

@@ -9,13 +9,13 @@ use std::rc::Rc;
 use super::context::NativeContext;
 use super::{Api, Backend, Gl, HeadlessContext};
 
-/// A context whose driver and window system fail when told to. One at a time on each thread.
+/// A context whose driver and window system fail on demand. One at a time on each thread.
 pub(crate) struct TestDriver {
     gl: Gl,
 }
 
 impl TestDriver {
-    /// Works as any other until it is told to fail.
+    /// Works as any other at first.
     pub(crate) fn new() -> Self {
         Self::without(&[])
     }
@@ -68,7 +68,7 @@ impl TestDriver {
         STATE.with(|state| state.stray.take())
     }
 
-    /// How many watched functions were called since the last time.
+    /// Number of calls of watched functions since the last time.
     pub(crate) fn calls() -> usize {
         STATE.with(|state| state.calls.take())
     }

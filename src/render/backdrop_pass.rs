@@ -1,4 +1,4 @@
-//! What is drawn before the shapes: the background, the Mannequin look's floor, and the axes.
+//! The passes before the shapes: the background, the Mannequin look's floor, and the axes.
 
 use super::renderer::PassContext;
 use super::surface_pass::MANNEQUIN_LIGHT;

@@ -47,7 +47,7 @@ pub(super) struct CachedMesh {
     moving: Option<Moving>,
 }
 
-/// What an uploaded mesh is made of, apart from its pose.
+/// Identity of an uploaded mesh, apart from its pose.
 #[derive(Debug)]
 pub(super) struct MeshKey {
     mesh: Revision,

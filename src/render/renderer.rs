@@ -254,7 +254,7 @@ impl Renderer {
 /// Textures that a skinning vertex shader reads: palettes and influences.
 const TEXTURES_NEEDED: u32 = 2;
 
-/// Where skinning is done: as asked for, and as in use.
+/// Choice of where skinning is done: as asked for, and as in use.
 #[derive(Debug)]
 struct SkinningChoice {
     asked: Option<Skinning>,

@@ -122,20 +122,20 @@ fn objects_of_two_contexts_are_not_used_together() {
 
     pictures[0].bind();
     lower_left_half(here, 0.0).draw(&flat_program(there), Primitive::Triangles, 0..3);
-    let told = here
+    let message = here
         .check("a foreign program")
         .expect_err("a fault")
         .to_string();
-    assert!(told.contains("program of another context"), "{told}");
+    assert!(message.contains("program of another context"), "{message}");
 
     let context = egui::Context::default();
     let mut painter = InterfacePainter::new(here).expect("a painter");
     painter.paint(&context, white_panel(&context), &pictures[1]);
-    let told = here
+    let message = here
         .check("a foreign picture")
         .expect_err("a fault")
         .to_string();
-    assert!(told.contains("picture of another context"), "{told}");
+    assert!(message.contains("picture of another context"), "{message}");
     for picture in &pictures {
         assert_eq!(Picture::of(picture).count(|pixel| pixel != BLACK), 0);
     }

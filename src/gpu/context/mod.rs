@@ -12,7 +12,7 @@ use std::rc::{Rc, Weak};
 
 use super::{ContextError, Gl};
 
-/// Which library gives a context without a window.
+/// Library for contexts without a window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
     /// EGL, and OSMesa where that fails.
@@ -24,7 +24,7 @@ pub enum Backend {
     Osmesa,
 }
 
-/// Which dialect of OpenGL is asked for.
+/// Kind of OpenGL of a context.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Api {
     /// OpenGL 3.3 core.
@@ -60,10 +60,10 @@ impl HeadlessContext {
         }
     }
 
-    /// A context of one dialect; [`Backend::Auto`] means EGL here, and OSMesa has no OpenGL ES.
+    /// A context of one kind of OpenGL; [`Backend::Auto`] means EGL here, and OSMesa has no OpenGL ES.
     ///
     /// # Errors
-    /// When no driver is found or none speaks this dialect in a version that is new enough.
+    /// When no driver is found or none has this kind of OpenGL in a version that is new enough.
     pub fn with_api(backend: Backend, api: Api) -> Result<Self, ContextError> {
         let (gl, backend) = match backend {
             Backend::Auto | Backend::Egl => (egl::create(api)?, Backend::Egl),
@@ -78,7 +78,7 @@ impl HeadlessContext {
         &self.gl
     }
 
-    /// Which library the context came from, never [`Backend::Auto`].
+    /// The library that the context came from, never [`Backend::Auto`].
     #[must_use]
     pub fn backend(&self) -> Backend {
         self.backend
