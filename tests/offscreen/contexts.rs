@@ -11,8 +11,8 @@ use editor_core::scene::NewShape;
 use editor_core::scene::{Scene, ShapeKind, ViewSettings};
 use glam::Vec3;
 
-use crate::gpu::{OPAQUE_RED, fill, lower_left_half};
-use crate::support::{BLACK, Picture, RED, black, draw_scene, flat_program};
+use crate::offscreen::gpu::{OPAQUE_RED, fill, lower_left_half};
+use crate::offscreen::support::{BLACK, Picture, RED, black, draw_scene, flat_program};
 
 #[test]
 fn contexts_live_side_by_side_and_objects_find_their_own() {

@@ -17,7 +17,7 @@ use editor_core::scene::{
 };
 use glam::{Quat, Vec2, Vec3};
 
-use crate::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
 
 /// Odd, so that the camera's target is in the middle of a pixel.
 const SIZE: (u32, u32) = (41, 31);

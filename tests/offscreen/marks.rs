@@ -13,7 +13,7 @@ use editor_core::scene::{
 };
 use glam::{Vec2, Vec3};
 
-use crate::support::{Picture, WHITE, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, WHITE, draw_scene, on_each_backend};
 
 /// Odd, so that the camera's target is in the middle of a pixel.
 const SIZE: (u32, u32) = (161, 121);
@@ -96,7 +96,7 @@ fn the_pointer_s_outline_is_bright_and_gives_way_to_the_selection_s() {
     on_each_backend(|gl| {
         let mut scene = Scene::new();
         let [one, other] =
-            ["one", "other"].map(|name| scene.add(name.to_owned(), ShapeKind::Cube, None));
+            ["one", "other"].map(|name| scene.add(NewShape::new(name, ShapeKind::Cube)));
         let hovered = Marks {
             hovered: Some(other),
             ..Marks::default()
