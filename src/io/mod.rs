@@ -12,6 +12,7 @@ pub mod image;
 mod import_character;
 mod import_shape;
 mod json;
+mod json_node;
 mod mtl;
 mod obj;
 mod pose_data;
