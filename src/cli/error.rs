@@ -2,7 +2,7 @@ use super::output::tell;
 use crate::gpu::GpuError;
 use crate::io::Diagnostic;
 use crate::program::ProgramError;
-use crate::render::OffscreenError;
+use crate::render::{OffscreenError, RenderError};
 use std::process::ExitCode;
 
 /// Why a command did not do what it was asked.
@@ -30,6 +30,12 @@ impl From<OffscreenError> for CliError {
 
 impl From<GpuError> for CliError {
     fn from(error: GpuError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<RenderError> for CliError {
+    fn from(error: RenderError) -> Self {
         Self::Other(error.to_string())
     }
 }

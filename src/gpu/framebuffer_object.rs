@@ -2,18 +2,19 @@
 
 use glow::HasContext as _;
 
+use super::texture::SPARE_UNIT;
 use super::{Gl, GpuError};
 
-/// One framebuffer object and what is attached to it: renderbuffers, and without samples a
-/// texture for the color, so that later passes can read it.
-pub(in crate::gpu) struct Target {
+/// A framebuffer object with its attachments: renderbuffers, and without samples a texture for the
+/// color, so that later passes can read it.
+pub(in crate::gpu) struct FramebufferObject {
     gl: Gl,
     pub(in crate::gpu) raw: glow::Framebuffer,
     pub(in crate::gpu) texture: Option<glow::Texture>,
     attachments: Vec<glow::Renderbuffer>,
 }
 
-impl Target {
+impl FramebufferObject {
     pub(in crate::gpu) fn new(
         gl: &Gl,
         width: u32,
@@ -25,8 +26,9 @@ impl Target {
             what: "picture",
             why,
         };
+        let glow = gl.current_for("making a picture")?;
         // SAFETY: current context.
-        let raw = unsafe { gl.raw().create_framebuffer() }.map_err(create)?;
+        let raw = unsafe { glow.create_framebuffer() }.map_err(create)?;
         let mut target = Self {
             gl: gl.clone(),
             raw,
@@ -34,22 +36,22 @@ impl Target {
             attachments: Vec::new(),
         };
         // SAFETY: current context.
-        unsafe { gl.raw().bind_framebuffer(glow::FRAMEBUFFER, Some(raw)) };
+        unsafe { glow.bind_framebuffer(glow::FRAMEBUFFER, Some(raw)) };
         let size = [width, height, samples].map(|n| i32::try_from(n).unwrap_or(i32::MAX));
         if samples == 0 {
-            target.attach_texture(size).map_err(create)?;
+            target.attach_texture(glow, size).map_err(create)?;
         } else {
             target
-                .attach(glow::COLOR_ATTACHMENT0, glow::RGBA8, size)
+                .attach(glow, glow::COLOR_ATTACHMENT0, glow::RGBA8, size)
                 .map_err(create)?;
         }
         if depth {
             target
-                .attach(glow::DEPTH_ATTACHMENT, glow::DEPTH_COMPONENT24, size)
+                .attach(glow, glow::DEPTH_ATTACHMENT, glow::DEPTH_COMPONENT24, size)
                 .map_err(create)?;
         }
         // SAFETY: current context.
-        let status = unsafe { gl.raw().check_framebuffer_status(glow::FRAMEBUFFER) };
+        let status = unsafe { glow.check_framebuffer_status(glow::FRAMEBUFFER) };
         gl.check("making a picture")
             .map_err(|error| create(error.to_string()))?;
         if status != glow::FRAMEBUFFER_COMPLETE {
@@ -58,15 +60,18 @@ impl Target {
         Ok(target)
     }
 
-    fn attach_texture(&mut self, [width, height, _]: [i32; 3]) -> Result<(), String> {
-        let glow = self.gl.raw();
-        // SAFETY: current context; this framebuffer is bound, no data is passed, and the driver
-        // checks the sizes.
+    fn attach_texture(
+        &mut self,
+        glow: &glow::Context,
+        [width, height, _]: [i32; 3],
+    ) -> Result<(), String> {
+        // SAFETY: `new` passes a current context in which this framebuffer is bound; no data is
+        // passed, and the driver checks the sizes.
         unsafe {
             let raw = glow.create_texture()?;
             self.texture = Some(raw);
-            // Whoever bound a texture to the active unit will expect to find it there.
-            let bound = glow.get_parameter_texture(glow::TEXTURE_BINDING_2D);
+            glow.active_texture(glow::TEXTURE0 + SPARE_UNIT);
+            glow.bind_buffer(glow::PIXEL_UNPACK_BUFFER, None);
             glow.bind_texture(glow::TEXTURE_2D, Some(raw));
             for (name, value) in [
                 (glow::TEXTURE_MIN_FILTER, glow::NEAREST),
@@ -94,15 +99,19 @@ impl Target {
                 Some(raw),
                 0,
             );
-            glow.bind_texture(glow::TEXTURE_2D, bound);
         }
         Ok(())
     }
 
-    fn attach(&mut self, point: u32, format: u32, size: [i32; 3]) -> Result<(), String> {
-        let [width, height, samples] = size;
-        let glow = self.gl.raw();
-        // SAFETY: current context; this framebuffer is bound, and the driver checks the sizes.
+    fn attach(
+        &mut self,
+        glow: &glow::Context,
+        point: u32,
+        format: u32,
+        [width, height, samples]: [i32; 3],
+    ) -> Result<(), String> {
+        // SAFETY: `new` passes a current context in which this framebuffer is bound, and the driver
+        // checks the sizes.
         unsafe {
             let raw = glow.create_renderbuffer()?;
             self.attachments.push(raw);
@@ -125,10 +134,12 @@ impl Target {
     }
 }
 
-impl Drop for Target {
+impl Drop for FramebufferObject {
     fn drop(&mut self) {
-        let glow = self.gl.raw();
-        // SAFETY: current context; deleted once.
+        let Some(glow) = self.gl.current() else {
+            return;
+        };
+        // SAFETY: current context; each is deleted once.
         unsafe {
             glow.delete_framebuffer(self.raw);
             self.attachments

@@ -1,12 +1,85 @@
-//! `<triangles>`, `<polylist>`, `<polygons>`, `<tristrips>`, `<trifans>`: corners by index.
+//! `<geometry>`: positions, and triangles (`<triangles>`, `<polylist>`, `<polygons>`,
+//! `<tristrips>`, `<trifans>`) whose corners index positions, normals and texture coordinates.
 
 use super::document::{Dae, Node, child, children};
-use super::geometry::Vertices;
-use super::numbers::integers;
-use super::source::{Input, Source, Sources, inputs};
+use super::label;
+use super::sources::{Input, Source, Sources, inputs, integers};
 use crate::io::Diagnostic;
 use glam::Vec3;
 use std::rc::Rc;
+
+/// A mesh as the file has it, in its own space.
+pub(super) struct Geometry {
+    pub name: String,
+    pub positions: Vec<Vec3>,
+    pub primitives: Vec<Primitive>,
+}
+
+/// `<vertices>`: inputs that share one index.
+struct Vertices<'a> {
+    pub id: &'a str,
+    pub others: Vec<(Input<'a>, Rc<Source>)>,
+}
+
+/// Reads a `<geometry>`.
+///
+/// # Errors
+/// If it is no mesh or has no positions. Triangles that cannot be read are warnings.
+pub(super) fn read_geometry<'a>(
+    dae: &Dae<'a>,
+    sources: &mut Sources,
+    node: Node<'a>,
+) -> Result<Geometry, Diagnostic> {
+    let Some(mesh) = child(node, "mesh") else {
+        let message = format!(
+            "expected <mesh> in {}: other kinds are not read",
+            label(node)
+        );
+        return Err(dae.error(node, message));
+    };
+    let vertices = dae.child(mesh, "vertices")?;
+    let mut positions = None;
+    let mut others = Vec::new();
+    for input in inputs(dae, vertices)? {
+        match input.semantic {
+            "POSITION" => positions = Some(sources.floats(dae, input.node, 3)?),
+            semantic => {
+                if let Some(columns) = columns(semantic)
+                    && let Some(source) = dae.or_warn(sources.floats(dae, input.node, columns))
+                {
+                    others.push((input, source));
+                }
+            }
+        }
+    }
+    let Some(positions) = positions else {
+        return Err(dae.error(
+            vertices,
+            "expected an <input> with the POSITION, found none",
+        ));
+    };
+    let positions: Vec<Vec3> = positions.rows().map(Vec3::from_array).collect();
+    if positions.is_empty() {
+        return Err(dae.error(node, "expected positions, found none"));
+    }
+    let vertices = Vertices {
+        id: vertices.attribute("id").unwrap_or_default(),
+        others,
+    };
+    let primitives = mesh
+        .children()
+        .filter(Node::is_element)
+        .filter_map(|node| dae.or_warn(read_primitive(dae, sources, node, &vertices, &positions)))
+        .flatten()
+        .filter(|primitive| !primitive.positions.is_empty())
+        .collect();
+    let name = node.attribute("name").or(node.attribute("id"));
+    Ok(Geometry {
+        name: name.unwrap_or("Mesh").to_owned(),
+        positions,
+        primitives,
+    })
+}
 
 /// Triangles with one material.
 pub(super) struct Primitive {
@@ -28,7 +101,7 @@ pub(super) struct Attribute {
 }
 
 /// How many columns an input of use must have; `None` for one that is of no use.
-pub(super) fn columns(semantic: &str) -> Option<usize> {
+fn columns(semantic: &str) -> Option<usize> {
     match semantic {
         "NORMAL" => Some(3),
         "TEXCOORD" => Some(2),
@@ -40,7 +113,7 @@ pub(super) fn columns(semantic: &str) -> Option<usize> {
 ///
 /// # Errors
 /// If its indices are no numbers or have no positions.
-pub(super) fn read<'a>(
+fn read_primitive<'a>(
     dae: &Dae<'a>,
     sources: &mut Sources,
     node: Node<'a>,
