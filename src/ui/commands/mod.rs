@@ -1,3 +1,16 @@
+//! Commands: everything that a menu item or a key can start.
+
+mod keys;
+mod run;
+mod table;
+
+pub use keys::{GESTURES, Gesture};
+pub use table::{COMMANDS, Entry, Menu};
+
+pub(super) use keys::{gesture, pressed, tooltip, with_key};
+pub(super) use run::{REVOLUTION_STEPS, curves, is_on, run, why_disabled};
+pub(super) use table::{entries, label};
+
 use crate::editor::Tool;
 use crate::geometry::Basis;
 use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, Skinning, ViewDirection};
@@ -7,29 +20,29 @@ use egui::ThemePreference;
 /// Everything that a menu item or a key can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
-    /// Opens the dialog for a picture of the view.
+    /// Opens the screenshot dialog.
     Screenshot,
-    /// Writes the selected curves into a file.
+    /// Exports the curves of the selected shape.
     ExportCurve,
-    /// Writes the geometry of the scene into a file.
+    /// Exports the geometry of the scene.
     ExportGeometry,
-    /// Closes what is open, else ends the program.
+    /// Closes the last dialog that was opened, else ends the program.
     Quit,
-    /// Adds a shape.
+    /// Inserts a shape.
     Insert(Primitive),
-    /// Adds a shape from a file.
+    /// Imports a shape.
     ImportShape,
-    /// Adds curves from a file.
+    /// Imports curves.
     ImportCurve,
-    /// Adds a character from its files.
+    /// Imports a character.
     ImportCharacter,
-    /// Turns a curve of the selected shape about +Y.
+    /// Makes a surface of revolution from a curve of the selected shape, about +Y.
     MakeSurfaceOfRevolution,
-    /// Carries one curve of the selected shape along another.
+    /// Makes a surface by sweeping one curve of the selected shape along another.
     MakeSweep,
-    /// Takes the selected shape away.
+    /// Deletes the selected shape.
     Delete,
-    /// Puts the selected shape back to how it started.
+    /// Resets the selected shape to how it was inserted.
     Reset,
     /// Hides the selected shape in the view, or shows it.
     ToggleVisible,
@@ -37,59 +50,59 @@ pub enum Command {
     ToggleLocked,
     /// One of the six views.
     ViewFrom(ViewDirection),
-    /// The course's first view.
+    /// Resets the camera to where it started.
     ResetCamera,
-    /// Fills the view with the selected shape.
+    /// Fits the selected shape, or everything, to the view.
     Fit,
     /// Shows or hides the axes.
     ToggleAxis,
     /// Shows or hides the grid on the ground.
     ToggleGrid,
-    /// Chooses light and background.
+    /// Chooses the look: light and background.
     SetLook(Look),
-    /// Chooses the normals to light surfaces with.
+    /// Chooses the normals that surfaces are lit with.
     SetShading(Shading),
     /// Chooses the colors of the panels.
     SetTheme(ThemePreference),
     /// Chooses how mouse and keys move the camera.
     SetNavigation(Navigation),
-    /// Puts a scene from inside the program in the place of the one that is open.
+    /// Opens a built-in scene by its name.
     OpenScene(&'static str),
-    /// Puts the camera and all poses back to where they started.
+    /// Resets the camera and all poses.
     ResetViewAndPose,
     /// Chooses a picture to compare the view with.
     Compare,
-    /// Chooses what deforms characters; whatever suits the driver if `None`.
+    /// Chooses what deforms characters; automatic if `None`.
     SetSkinning(Option<Skinning>),
-    /// Chooses what a left drag in the view does.
+    /// Chooses a tool.
     SetTool(Tool),
-    /// Shows gizmos along the axes of the joint or shape, or of the world.
+    /// Switches gizmos between local and world axes.
     ToggleLocalAxes,
-    /// Puts the selected joint back to rest.
+    /// Resets the selected joint.
     ResetJoint,
-    /// Puts every joint of the selected character back to rest.
+    /// Resets every joint of the selected character.
     ResetPose,
     /// Exchanges left and right in the pose of the selected character.
     MirrorPose,
-    /// Puts the pose of the selected character on the clipboard.
+    /// Copies the pose of the selected character to the clipboard.
     CopyPose,
-    /// Gives the selected character the pose on the clipboard.
+    /// Applies the pose on the clipboard to the selected character.
     PastePose,
-    /// Keeps the pose with the selected character.
+    /// Adds the pose to the list of the selected character.
     KeepPose,
-    /// Writes the pose of the selected character to a file.
+    /// Saves the pose of the selected character.
     SavePose,
-    /// Gives the selected character the pose of a file.
+    /// Loads a pose for the selected character.
     LoadPose,
-    /// Pins a joint for the IK tool, or lets go of it.
+    /// Pins a joint for the IK tool, or unpins it.
     PinJoint,
-    /// Lets go of all pinned joints.
+    /// Unpins all joints.
     UnpinAll,
-    /// Opens the list of keys and gestures.
+    /// Opens Help ▸ Keys and Mouse.
     Keys,
-    /// Opens the history of messages.
+    /// Opens Help ▸ Messages.
     Messages,
-    /// Opens the window about the program.
+    /// Opens Help ▸ About.
     About,
 }
 
@@ -117,7 +130,7 @@ pub enum Primitive {
 }
 
 impl Primitive {
-    /// The shape itself.
+    /// A new shape of this kind.
     pub fn kind(self) -> ShapeKind {
         match self {
             Self::Cube => ShapeKind::Cube,

@@ -1,21 +1,86 @@
-use super::control_points::{self, Listed};
-use super::curve_commands::{STEPS, curves};
-use super::number_field::NumberField;
-use super::properties::labelled;
-use super::state::CurveState;
-use super::theme::Palette;
-use super::widgets::named;
-use crate::editor::{Edit, Session};
-use crate::geometry::{Basis, Curve, CurveForm, MAX_STEPS};
-use crate::scene::{CurveItemKind, CurveSet, CurveShape, EvaluatedCurves, ShapeId};
-use crate::ui::Action;
-use egui::{Align, Button, Label, Layout, Rect, RichText, Ui, vec2};
+//! A curve in the shape panel: how it is drawn, and the list of its curves and surfaces.
 
-/// Of longer lists only the rows in sight are shown to egui.
+use super::commands::{REVOLUTION_STEPS, curves};
+use super::control_points::Listed;
+use super::number_field::NumberField;
+use super::theme::Palette;
+use super::view_gestures::Grab;
+use super::widgets::{labelled, named, titled_choice};
+use super::{Action, control_points};
+use crate::editor::{ControlPointDrag, Edit, Session};
+use crate::geometry::{Basis, Curve, CurveForm, MAX_STEPS};
+use crate::scene::{
+    CurveItem, CurveItemKind, CurveSet, CurveShape, CurveVisibility, EvaluatedCurves, ShapeId,
+    SurfaceVisibility,
+};
+use egui::{Align, Button, Checkbox, Label, Layout, Rect, RichText, Ui, vec2};
+use std::collections::HashMap;
+
+/// State of the list of curves, and of drags of control points.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CurveState {
+    /// Whether a curve or surface is unfolded, by its shape and its index; without an entry, the only
+    /// one of a shape is.
+    pub unfolded: HashMap<(ShapeId, usize), bool>,
+    /// Curve and control point whose row was under the pointer in the last frame.
+    pub hovered: Option<(usize, usize)>,
+    /// The control point that is being dragged.
+    pub gesture: Option<Grab<ControlPointDrag>>,
+}
+
+/// How curves and surfaces are drawn, and whether the frames of closed sweeps close.
+pub(super) fn display(ui: &mut Ui, id: ShapeId, shape: &CurveShape, actions: &mut Vec<Action>) {
+    let mut changed = shape.display;
+    ui.checkbox(&mut changed.control_points, "Show Control Points")
+        .on_hover_text("Show the points that shape the curves; drag them in the view");
+    let curves = [
+        (CurveVisibility::Off, "Off", "Hide the curves"),
+        (CurveVisibility::On, "On", "Show the curves"),
+        (
+            CurveVisibility::OnWithFrames,
+            "On with Normals/Tangents/Binormals",
+            "Show the curves with normal (red), tangent (blue) and binormal (green) at each point",
+        ),
+    ];
+    titled_choice(ui, "Curve Visibility", &mut changed.curve, &curves);
+    let surfaces = [
+        (SurfaceVisibility::Off, "Off", "Hide the surfaces"),
+        (
+            SurfaceVisibility::WireframeWithNormals,
+            "Wireframe with Normals",
+            "Show every edge of the surfaces, and the normal of each vertex",
+        ),
+        (SurfaceVisibility::Shaded, "Shaded", "Show the surfaces lit"),
+    ];
+    titled_choice(ui, "Surface Visibility", &mut changed.surface, &surfaces);
+    if changed != shape.display {
+        actions.push(Action::Edit(Edit::SetCurveDisplay(id, changed)));
+    }
+    frame_closing(ui, id, shape, actions);
+}
+
+/// A switch for the frames of closed sweeps.
+fn frame_closing(ui: &mut Ui, id: ShapeId, shape: &CurveShape, actions: &mut Vec<Action>) {
+    let swept = |item: &CurveItem| matches!(item.kind, CurveItemKind::Sweep { .. });
+    let sweeps = shape.curves().items().iter().any(swept);
+    let mut closing = shape.frame_closing();
+    let checkbox = Checkbox::new(&mut closing, "Close Frames");
+    let hint = "Spread the angle by which the frame misses its start along a closed sweep, so \
+                that the surface closes without a step";
+    let switch = ui
+        .add_enabled(sweeps, checkbox)
+        .on_hover_text(hint)
+        .on_disabled_hover_text("There is no sweep here");
+    if switch.changed() {
+        actions.push(Action::Edit(Edit::SetFrameClosing(id, closing)));
+    }
+}
+
+/// Number of rows above which only the rows in view are shown to egui.
 const MANY: usize = 256;
 
-/// The curves and surfaces of the selected shape, one fold each.
-pub(super) fn show(
+/// The curves and surfaces of a shape, each of which unfolds.
+pub(super) fn list(
     ui: &mut Ui,
     session: &Session,
     id: ShapeId,
@@ -28,7 +93,7 @@ pub(super) fn show(
     title(ui, id, actions);
     let items = shape.curves().items();
     if items.is_empty() {
-        ui.label(RichText::new("Nothing here yet. Add brings a curve.").weak());
+        ui.label(RichText::new("Nothing here yet. Add makes a curve.").weak());
     }
     let evaluated = session
         .evaluated()
@@ -70,14 +135,14 @@ pub(super) fn show(
     }
     for action in &actions[asked_before..] {
         if let Action::Edit(Edit::RemoveCurveItem { item, .. }) = action {
-            // Those behind it get other numbers.
+            // The indices of those after it change.
             let stays = |&(shape, index): &(ShapeId, usize)| shape != id || index < *item;
             state.unfolded.retain(|key, _| stays(key));
         }
     }
 }
 
-/// The list's title, with a menu of curves to add.
+/// Title of the list, with a menu of curves to add.
 fn title(ui: &mut Ui, id: ShapeId, actions: &mut Vec<Action>) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
@@ -102,7 +167,7 @@ fn title(ui: &mut Ui, id: ShapeId, actions: &mut Vec<Action>) {
     });
 }
 
-/// What the list calls an item: its number and name, since names need not be unique.
+/// Title of an item in the list: its number and name, because names need not be unique.
 fn item_title(set: &CurveSet, index: usize) -> String {
     let name = set.items().get(index).map_or("", |item| &item.name);
     format!("{}. {name}", index + 1)
@@ -114,6 +179,7 @@ struct Item<'a> {
     index: usize,
     shape: &'a CurveShape,
     title: String,
+    /// The control point under the pointer, in the view or in the list.
     hovered: Option<usize>,
 }
 
@@ -137,7 +203,7 @@ impl Item<'_> {
         let header = ui.allocate_ui_with_layout(size, layout, |ui| {
             let remove = ui.add(Button::new("×").frame_when_inactive(false));
             let remove = named(remove, &format!("Remove {}", self.title));
-            if remove.on_hover_text(self.what_goes_along()).clicked() {
+            if remove.on_hover_text(self.removal()).clicked() {
                 actions.push(Action::Edit(Edit::RemoveCurveItem {
                     shape: self.id,
                     item: self.index,
@@ -161,11 +227,12 @@ impl Item<'_> {
         header.inner.on_hover_text(hint).clicked()
     }
 
-    fn what_goes_along(&self) -> &'static str {
+    /// Tooltip of the button that removes it.
+    fn removal(&self) -> &'static str {
         if self.set().is_profile(self.index) || self.set().is_sweep(self.index) {
-            "Take this curve away, and the surfaces made from it"
+            "Remove this curve, and the surfaces made from it"
         } else {
-            "Take this away"
+            "Remove this"
         }
     }
 
@@ -190,7 +257,7 @@ impl Item<'_> {
         }
     }
 
-    /// All about the item; the control point whose row the pointer is over.
+    /// Properties of the item; returns the control point whose row is under the pointer.
     fn contents(
         &self,
         ui: &mut Ui,
@@ -201,7 +268,7 @@ impl Item<'_> {
             CurveItemKind::Curve(ref curve) => return self.curve(ui, curve, actions),
             CurveItemKind::Revolution { steps, profile } => {
                 note(ui, &format!("{} about the Y axis", self.title_of(profile)));
-                self.steps(ui, "Steps of turn", steps, STEPS, actions);
+                self.steps(ui, "Steps of turn", steps, REVOLUTION_STEPS, actions);
             }
             CurveItemKind::Sweep { profile, sweep } => {
                 let (profile, along) = (self.title_of(profile), self.title_of(sweep));
@@ -217,6 +284,7 @@ impl Item<'_> {
         None
     }
 
+    /// Properties of a curve; returns as [`Self::contents`].
     fn curve(&self, ui: &mut Ui, curve: &Curve, actions: &mut Vec<Action>) -> Option<usize> {
         let (label, start) = match curve.form() {
             CurveForm::Circle { .. } => ("Steps around", 60),
@@ -252,6 +320,7 @@ impl Item<'_> {
         hovered
     }
 
+    /// A field for the number of steps.
     fn steps(&self, ui: &mut Ui, label: &str, now: u32, rest: u32, actions: &mut Vec<Action>) {
         let name = format!("{} steps", self.title);
         let steps = labelled(ui, label, |ui, size| {
@@ -261,7 +330,7 @@ impl Item<'_> {
                 .decimals(0..=0)
                 .show(ui, size)
         });
-        // Rounded: a float of 1 to 10,000 fits.
+        // From 1 to 10,000: fits.
         let steps = steps.map(|steps| steps.round() as u32);
         if let Some(steps) = steps.filter(|&steps| steps != now) {
             actions.push(Action::Edit(Edit::SetSteps {
@@ -283,7 +352,7 @@ impl Item<'_> {
                 actions.push(Action::Edit(Edit::MakeSurfaceOfRevolution {
                     shape: self.id,
                     profile: self.index,
-                    steps: STEPS,
+                    steps: REVOLUTION_STEPS,
                 }));
             }
             let menu = ui.menu_button("Sweep along this ⏷", |ui| {

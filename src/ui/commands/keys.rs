@@ -1,33 +1,69 @@
-//! The commands, the keys that start them, and the gestures beside them.
+//! Keyboard shortcuts of the commands, and the list of mouse gestures.
 
-mod command;
-mod gestures;
-mod menu;
-mod table;
-
-pub use command::{Command, Primitive};
-pub use gestures::{GESTURES, Gesture};
-pub use menu::Menu;
-pub use table::{COMMANDS, Entry};
-
-pub(super) use gestures::gesture;
-
-use super::Navigation;
+use super::table::{CTRL, entry_of};
+use super::{COMMANDS, Command, Entry};
+use crate::ui::Navigation;
 use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
-use table::CTRL;
 
-/// The table's entries for one menu, in order.
-pub(super) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry> {
-    COMMANDS.iter().filter(move |entry| entry.menu == menu)
+/// A mouse gesture, as Help ▸ Keys and Mouse lists it.
+#[derive(Clone, Copy, Debug)]
+pub struct Gesture {
+    /// Buttons and movement, such as "Drag a ring".
+    pub gesture: &'static str,
+    /// Effect.
+    pub does: &'static str,
 }
 
+/// A row of that list.
+pub(in crate::ui) const fn gesture(gesture: &'static str, does: &'static str) -> Gesture {
+    Gesture { gesture, does }
+}
+
+/// Gestures in the view, without those that move the camera (see [`Navigation`]), then in the
+/// panels.
+pub const GESTURES: &[Gesture] = &[
+    gesture("Click in the view", "Select the shape under the pointer"),
+    gesture(
+        "Drag a control point",
+        "Move it; Esc or right click cancels",
+    ),
+    gesture("Wheel in the view", "Move the camera closer or away"),
+    gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),
+    gesture("Pose: Left, Right", "Roll the bone under the pointer"),
+    gesture("Pose: click a bone", "Show rings that turn it"),
+    gesture("Move: drag a bone", "Move its root, with Shift every root"),
+    gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
+    gesture("Drag a ring", "Turn the joint about it, with Ctrl by 15°"),
+    gesture(
+        "Drag an arrow or a square",
+        "Move along it, with Ctrl by 0.1",
+    ),
+    gesture(
+        "IK: drag a bone",
+        "Bring its end somewhere; a chain follows",
+    ),
+    gesture("IK: drag the root", "Move it all; pinned joints stay"),
+    gesture("IK: click a bone", "Select the joint at its nearer end"),
+    gesture("Esc, right click in a drag", "Put everything back"),
+    gesture("Click the axis ball", "Look from the side that was clicked"),
+    gesture(
+        "Drag a number",
+        "Change it; Shift is finer, Ctrl is coarser",
+    ),
+    gesture("Click a number", "Type a value or a sum such as 45/2"),
+    gesture("Right click a number", "Put it back to where it started"),
+    gesture("Up, Down in a list", "Choose the row above or below"),
+    gesture("Left, Right in the joint list", "Fold or unfold a joint"),
+    gesture("Ctrl and +, −, 0", "Larger, smaller, normal text"),
+];
+
 impl Entry {
-    /// The keys that start it in a way of navigation, whose own come before the others'.
+    /// Shortcuts in a navigation, whose own take precedence over the general ones.
     fn shortcuts_in(
         &self,
         navigation: Navigation,
     ) -> impl Iterator<Item = &'static KeyboardShortcut> {
-        let means_another = move |shortcut: &&KeyboardShortcut| match self.only_in {
+        let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
             None => COMMANDS.iter().any(|other| {
                 other.only_in == Some(navigation) && other.shortcuts.contains(shortcut)
@@ -35,11 +71,11 @@ impl Entry {
         };
         self.shortcuts
             .iter()
-            .filter(move |shortcut| !means_another(shortcut))
+            .filter(move |shortcut| !is_overridden(shortcut))
     }
 
-    /// All those keys, as the window about the keys shows them; empty where there are none.
-    pub(super) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
+    /// All its shortcuts as text, such as `?, F1`; empty if it has none.
+    pub(in crate::ui) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
         let keys: Vec<String> = self
             .shortcuts_in(navigation)
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
@@ -47,8 +83,8 @@ impl Entry {
         keys.join(", ")
     }
 
-    /// The first of them, for a menu.
-    pub(super) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
+    /// The first shortcut as text, for a menu; empty if it has none.
+    pub(in crate::ui) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
         self.shortcuts_in(navigation)
             .next()
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
@@ -63,41 +99,27 @@ impl Entry {
     }
 }
 
-/// `Esc` and `?` are what keyboards have on them.
+/// Key names as keyboards have them: `Esc`, `?`.
 fn short(shortcut: &str) -> String {
     shortcut
         .replace("Escape", "Esc")
         .replace("Questionmark", "?")
 }
 
-fn entry_of(command: Command) -> Option<&'static Entry> {
-    COMMANDS.iter().find(|entry| entry.command == command)
-}
-
-/// Whether `command` is listed in `menu`.
-pub(super) fn is_in(menu: Menu, command: Command) -> bool {
-    entry_of(command).is_some_and(|entry| entry.menu == menu)
-}
-
-/// What menus call `command`.
-pub(super) fn label(command: Command) -> &'static str {
-    entry_of(command).map_or("", |entry| entry.label)
-}
-
-/// The tooltip of `command`, with its key, one that no way of navigation uses otherwise.
-pub(super) fn tooltip(ctx: &Context, command: Command) -> String {
+/// Tooltip of `command`, with its shortcut in the default navigation.
+pub(in crate::ui) fn tooltip(ctx: &Context, command: Command) -> String {
     let entry = entry_of(command);
     entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))
 }
 
-/// Other words for what `command` does, with its key as in [`tooltip`].
-pub(super) fn with_key(ctx: &Context, command: Command, words: &str) -> String {
+/// `words`, followed by the shortcut of `command` as in [`tooltip`].
+pub(in crate::ui) fn with_key(ctx: &Context, command: Command, words: &str) -> String {
     let entry = entry_of(command);
     entry.map_or(String::new(), |entry| entry.with_key(ctx, words))
 }
 
-/// Takes the pressed keys of the table out of this frame's input and returns what they start.
-pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
+/// Commands whose shortcuts were pressed in this frame; their events are consumed.
+pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         let held = input.pointer.any_down();
@@ -109,13 +131,13 @@ pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
                     modifiers,
                     ..
                 } => (*modifiers, *key),
-                // These two keys arrive as what they mean.
+                // egui reports these two shortcuts as what they mean.
                 Event::Copy => (CTRL, Key::C),
                 Event::Paste(_) => (CTRL, Key::V),
                 _ => return true,
             };
             let hit = command_of(modifiers, key, navigation)
-                // Esc with something in the hand is meant for that, and ends nothing else.
+                // Esc while a button is down cancels that drag, and ends nothing else.
                 .filter(|&command| !(held && command == Command::Quit));
             commands.extend(hit);
             hit.is_none()
@@ -125,7 +147,7 @@ pub(super) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
 }
 
 fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<Command> {
-    // Where the question mark lies, and with which modifiers, differs between keyboards.
+    // Keyboards differ in the key of the question mark and in its modifiers.
     let modifiers = if key == Key::Questionmark {
         Modifiers::NONE
     } else {
@@ -142,8 +164,9 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
 
 #[cfg(test)]
 mod tests {
-    use super::table::{NONE, SHIFT};
     use super::*;
+    use crate::ui::commands::table::{NONE, SHIFT};
+    use crate::ui::commands::{Menu, Primitive};
 
     #[test]
     fn no_two_commands_share_a_key_or_a_label() {
@@ -166,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_means_another_command_with_shift() {
+    fn a_key_is_overridden_command_with_shift() {
         assert_eq!(
             command_of(NONE, Key::T, Navigation::Course),
             Some(Command::ToggleAxis)

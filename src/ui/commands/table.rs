@@ -1,23 +1,87 @@
-use super::{Command, Menu, Primitive};
+//! The table of commands: labels, tooltips, menus and keyboard shortcuts.
+
+use super::{Command, Primitive};
 use crate::editor::Tool;
 use crate::scene::{Look, Shading, Skinning, ViewDirection};
 use crate::ui::Navigation;
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 
-/// One line of the table of commands.
+/// Menu of a command, or the part of a menu between two separators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Menu {
+    /// File.
+    File,
+    /// File ▸ Built-in Scene.
+    Scenes,
+    /// Insert, first part.
+    Insert,
+    /// Insert, the part with curves.
+    Curves,
+    /// Insert ▸ Import.
+    Import,
+    /// View, first part.
+    View,
+    /// View ▸ Look.
+    Look,
+    /// View ▸ Shading.
+    Shading,
+    /// View, last part.
+    Ground,
+    /// View, the part about comparing.
+    Compare,
+    /// View ▸ Navigation.
+    Navigation,
+    /// View ▸ Theme.
+    Theme,
+    /// View ▸ Skinning.
+    Skinning,
+    /// Pose, the tools.
+    Tools,
+    /// Pose, what acts on the whole pose.
+    Pose,
+    /// Help.
+    Help,
+    /// Buttons of the shape panel, and the icons in its list.
+    Shape,
+}
+
+impl Menu {
+    /// All menus, in the order of Help ▸ Keys and Mouse.
+    pub const ALL: &[Self] = &[
+        Self::File,
+        Self::Scenes,
+        Self::Insert,
+        Self::Curves,
+        Self::Import,
+        Self::Shape,
+        Self::View,
+        Self::Look,
+        Self::Shading,
+        Self::Ground,
+        Self::Compare,
+        Self::Navigation,
+        Self::Theme,
+        Self::Skinning,
+        Self::Tools,
+        Self::Pose,
+        Self::Help,
+    ];
+}
+
+/// One row of the table of commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// What it starts.
+    /// Command that it starts.
     pub command: Command,
-    /// Where it is listed.
+    /// Menu that lists it.
     pub menu: Menu,
-    /// What menus call it.
+    /// Label in the menu.
     pub label: &'static str,
-    /// What the tooltip says.
+    /// Text of the tooltip.
     pub tooltip: &'static str,
-    /// Keys that start it; menus show the first.
+    /// Keyboard shortcuts; menus show the first.
     pub shortcuts: &'static [KeyboardShortcut],
-    /// The one way of navigation in which its keys are those; they come before the others' then.
+    /// The only navigation in which its shortcuts work; there they take precedence over others.
     pub only_in: Option<Navigation>,
 }
 
@@ -47,7 +111,7 @@ const fn entry(
     }
 }
 
-/// A command with keys that it has in one way of navigation alone.
+/// A command whose shortcuts work in one navigation only.
 const fn only_in(navigation: Navigation, entry: Entry) -> Entry {
     Entry {
         only_in: Some(navigation),
@@ -106,19 +170,19 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
     entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
-    entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh brings; facetted where it has none", &[key(NONE, Key::F5)]),
+    entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh comes with; faceted where it has none", &[key(NONE, Key::F5)]),
     entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
     entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
     entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
     entry(Command::SetNavigation(Navigation::Course), Menu::Navigation, "As the course's editor", "Left drag moves the scene, right drag turns it", &[]),
-    entry(Command::SetNavigation(Navigation::Orbit), Menu::Navigation, "Orbit", "As three.js has it: left drag turns the scene, right or middle drag moves it", &[]),
+    entry(Command::SetNavigation(Navigation::Orbit), Menu::Navigation, "Orbit", "As in three.js: left drag turns the scene, right or middle drag moves it", &[]),
     entry(Command::SetNavigation(Navigation::Mannequin), Menu::Navigation, "Mannequin", "As in the Virtual Mannequin: left drag turns, right drag zooms, W S A D and arrows walk, 1 to 7 open its scenes", &[]),
     entry(Command::SetNavigation(Navigation::Blender), Menu::Navigation, "Blender", "Middle drag turns the scene, with Shift it moves it, with Ctrl it zooms", &[]),
-    entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop has it", &[]),
+    entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop is set", &[]),
     entry(Command::SetTheme(ThemePreference::Dark), Menu::Theme, "Dark", "Light text on dark panels", &[]),
     entry(Command::SetTheme(ThemePreference::Light), Menu::Theme, "Light", "Dark text on light panels", &[]),
     entry(Command::SetSkinning(None), Menu::Skinning, "Automatic", "The graphics card deforms characters where there is one", &[]),
-    entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and hands their vertices over", &[]),
+    entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and uploads their vertices", &[]),
     entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
 
     entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
@@ -133,12 +197,32 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),
     entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]),
     entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL, Key::C)]),
-    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Take on the pose on the clipboard", &[key(CTRL, Key::V)]),
+    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL, Key::V)]),
     entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]),
     entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]),
-    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Take on the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),
+    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),
 
     entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
-    entry(Command::Messages, Menu::Help, "Messages", "Everything the program has told since it started", &[key(NONE, Key::F9)]),
+    entry(Command::Messages, Menu::Help, "Messages", "Every message since the program started", &[key(NONE, Key::F9)]),
     entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),
 ];
+
+/// Rows of the table for one menu, in order.
+pub(in crate::ui) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry> {
+    COMMANDS.iter().filter(move |entry| entry.menu == menu)
+}
+
+/// Row of `command` in the table.
+pub(super) fn entry_of(command: Command) -> Option<&'static Entry> {
+    COMMANDS.iter().find(|entry| entry.command == command)
+}
+
+/// Whether `command` is listed in `menu`.
+pub(in crate::ui) fn is_in(menu: Menu, command: Command) -> bool {
+    entry_of(command).is_some_and(|entry| entry.menu == menu)
+}
+
+/// Label of `command` in menus.
+pub(in crate::ui) fn label(command: Command) -> &'static str {
+    entry_of(command).map_or("", |entry| entry.label)
+}

@@ -1,15 +1,15 @@
-//! Numbers as text: as many decimals as there is room for, none that mean nothing.
+//! Numbers as text, with as many decimals as there is room for.
 
 use std::ops::RangeInclusive;
 
-/// `value` with all the decimals that a user could mean: up to 4, without trailing zeros.
+/// `value` with up to 4 decimals, without trailing zeros.
 pub(super) fn precise(value: f64) -> String {
     rounded(value, 0, 4)
 }
 
-/// `value` with as many of the decimals as `fits` lets through, and with `unit` if that costs
-/// none of them; the fewest, where nothing fits. What would round up to a whole `turn` is 0, and
-/// angles have their unit only where every angle has room for it, so that rows look alike.
+/// `value` with as many of `decimals` as fit, and with `unit` if it fits without dropping a decimal;
+/// if nothing fits, without decimals. A value that would round up to a whole `turn` is written as 0,
+/// and angles have their unit only if every angle has room for it, so that rows look alike.
 pub(super) fn fitted(
     value: f64,
     unit: &str,
