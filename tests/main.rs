@@ -13,6 +13,7 @@ mod builtin;
 mod collada;
 mod compare;
 mod curves;
+mod editing;
 mod ik;
 mod interface;
 mod offscreen;

@@ -1,5 +1,5 @@
 use crate::curves::support::read;
-use editor_core::editor::{Edit, Session, Severity};
+use editor_core::editor::{Edit, Session};
 use editor_core::geometry::Basis;
 use editor_core::scene::NewShape;
 use editor_core::scene::{
@@ -124,7 +124,7 @@ fn steps_and_radius_can_be_changed() {
 }
 
 #[test]
-fn a_refused_change_is_told_and_changes_nothing() {
+fn a_refused_change_says_why_and_changes_nothing() {
     let (mut session, id) = session(read("circ a 5 1 srev s 7 a").unwrap());
     let before = curves(&session, id).clone();
     let edit = Edit::SetSteps {
@@ -132,11 +132,11 @@ fn a_refused_change_is_told_and_changes_nothing() {
         item: 1,
         steps: 0,
     };
-    session.edit(edit).unwrap();
+    let document = session.document();
+    let refused = session.edit(edit).unwrap_err();
+    assert_eq!(refused.to_string(), "expected 1 to 10000 steps, found 0");
     assert_eq!(curves(&session, id), &before);
-    let told = &session.messages.fresh()[0];
-    assert_eq!(told.severity, Severity::Error);
-    assert_eq!(told.text, "expected 1 to 10000 steps, found 0");
+    assert_eq!(session.document(), document);
 }
 
 #[test]
@@ -174,9 +174,9 @@ fn a_curve_in_space_is_no_profile() {
         profile: 0,
         steps: 20,
     };
-    session.edit(edit).unwrap();
+    let refused = session.edit(edit).unwrap_err();
     assert_eq!(curves(&session, id).items().len(), 1);
-    assert!(session.messages.fresh()[0].text.contains("plane z = 0"));
+    assert!(refused.to_string().contains("plane z = 0"), "{refused}");
 }
 
 #[test]
@@ -201,7 +201,10 @@ fn edits_of_what_does_not_exist_do_nothing() {
     session
         .edit(set_point(ShapeId(99), 0, 0, Vec3::ONE))
         .unwrap();
-    session.edit(set_point(id, 0, 0, Vec3::ONE)).unwrap();
-    session.edit(set_point(id, 9, 0, Vec3::ONE)).unwrap();
+    // A circle has no control points, and there is no tenth curve.
+    for curve in [0, 9] {
+        let edited = session.edit(set_point(id, curve, 0, Vec3::ONE));
+        assert!(edited.is_err() || edited.is_ok_and(|change| change.is_nothing()));
+    }
     assert_eq!(curves(&session, id), &CurveSet::start_circle());
 }

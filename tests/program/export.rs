@@ -156,3 +156,64 @@ fn exported_vertices_agree_with_the_course_editor() {
         }
     }
 }
+
+#[test]
+fn the_four_largest_weights_count_where_the_command_says_so() {
+    let folder = folder();
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    // Five joints beside the root, all in one place, hold the one vertex that is off the ground.
+    write("arm.obj", "v 1 0 0\nv 0 0 0\nv 0 0 1\nf 1 2 3\n");
+    write(
+        "arm.skel",
+        &("0 0 0 -1\n".to_owned() + &"0 0 0 0\n".repeat(5)),
+    );
+    write(
+        "arm.attach",
+        "0.3 0.25 0.2 0.15 0.1\n1 0 0 0 0\n1 0 0 0 0\n",
+    );
+    // The fifth, and weakest, turns it by half a circle: to (-1, 0, 0).
+    write("turn.json", r#"{"joints": {"5": [0, 0, 180]}}"#);
+    let first = |influences: &str| {
+        let arguments = [
+            "export",
+            "arm.obj",
+            "--pose",
+            "turn.json",
+            "--influences",
+            influences,
+        ];
+        let ran = editor_in(
+            folder.path(),
+            &[&arguments[..], &["-o", "out.obj"]].concat(),
+        );
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        vertices(&folder.path().join("out.obj"))[0]
+    };
+    let near = |found: [f32; 3], x: f32| (found[0] - x).abs() < 1e-6 && found[1].abs() < 1e-6;
+    // 0.9 of it stays, 0.1 goes over.
+    assert!(near(first("all"), 0.8), "{:?}", first("all"));
+    assert!(near(first("4"), 1.0), "{:?}", first("4"));
+    for wrong in ["3", "0", "many"] {
+        let arguments = ["export", "arm.obj", "--influences", wrong, "-o", "no.obj"];
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(2), "{wrong}: {}", ran.err);
+    }
+    assert!(!folder.path().join("no.obj").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_is_replaced_and_never_written_over() {
+    let folder = folder();
+    let (out, held) = (
+        folder.path().join("out.obj"),
+        folder.path().join("held.obj"),
+    );
+    fs::write(&out, "the version before").unwrap();
+    // Whoever holds the old file goes on reading the whole of it.
+    fs::hard_link(&out, &held).unwrap();
+    let ran = editor_in(folder.path(), &["export", "box.obj", "-o", "out.obj"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert_eq!(fs::read_to_string(&held).unwrap(), "the version before");
+    assert_eq!(vertices(&out).len(), 4);
+}

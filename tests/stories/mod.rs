@@ -4,6 +4,7 @@
 mod comparing;
 mod files;
 mod hosts;
+mod looking;
 mod posing;
 mod starting;
 

@@ -1,0 +1,314 @@
+//! The document: every change goes through one function, which says what changed, and gestures are
+//! kept or cancelled as a whole.
+
+use editor_core::character::{Attachments, Character, Joint, Pose, SkeletalModel};
+use editor_core::editor::{Change, Edit, Session, View, apply};
+use editor_core::geometry::Mesh;
+use editor_core::math::Euler;
+use editor_core::scene::{
+    Camera, CharacterShape, NewShape, Scene, ShapeColor, ShapeId, ShapeKind, ViewSettings,
+};
+use glam::Vec3;
+use proptest::prelude::*;
+use std::sync::Arc;
+
+/// Two roots; an elbow hangs on the first.
+fn character() -> ShapeKind {
+    let joint = |name: &str, parent| Joint {
+        name: name.to_owned(),
+        parent,
+        offset: Vec3::Y,
+        ..Joint::default()
+    };
+    let joints = vec![
+        joint("Left", None),
+        joint("Elbow", Some(0)),
+        joint("Right", None),
+    ];
+    let skeleton = SkeletalModel::new(joints).unwrap();
+    let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();
+    ShapeKind::Character(CharacterShape::new(Arc::new(character)))
+}
+
+/// A session with two characters and a cube, in this order.
+fn session() -> (Session, [ShapeId; 3]) {
+    let shapes = vec![
+        NewShape::new("One", character()),
+        NewShape::new("Other", character()),
+        NewShape::new("Cube", ShapeKind::Cube),
+    ];
+    let session = Session::with_shapes(shapes, ViewSettings::default());
+    let [one, other, cube] = session.scene().shapes() else {
+        panic!("three shapes");
+    };
+    let ids = [one.id, other.id, cube.id];
+    (session, ids)
+}
+
+/// A pose with an angle and an offset at every joint that can have one.
+fn posed() -> Pose {
+    let mut pose = Pose::new();
+    for joint in 0..3 {
+        let degrees = Vec3::new(10.0, -20.0, 30.0) * (joint + 1) as f32;
+        pose.set_joint_transform(joint, Euler::from_degrees(degrees));
+    }
+    pose.set_root_offset(0, Vec3::new(1.0, 2.0, 3.0));
+    pose.set_root_offset(2, Vec3::new(-4.0, 0.0, 0.5));
+    pose
+}
+
+fn pose_of(session: &Session, id: ShapeId) -> &Pose {
+    session.scene().character(id).expect("a character").pose()
+}
+
+#[test]
+fn an_edit_says_which_shapes_it_added_removed_and_altered() {
+    let (mut session, [one, other, cube]) = session();
+    let inserted = vec![
+        NewShape::new("A", ShapeKind::Sphere),
+        NewShape::new("B", ShapeKind::Pyramid),
+    ];
+    let change = session.edit(Edit::Insert(inserted)).unwrap();
+    let added = vec![ShapeId(4), ShapeId(5)];
+    let expected = Change {
+        added: added.clone(),
+        ..Change::default()
+    };
+    assert_eq!(change, expected);
+    assert_eq!(session.selected(), Some(ShapeId(5)));
+
+    let both = Edit::Together(vec![Edit::Delete(other), Edit::SetVisible(one, false)]);
+    let expected = Change {
+        removed: vec![other],
+        altered: vec![one],
+        ..Change::default()
+    };
+    assert_eq!(session.edit(both).unwrap(), expected);
+    let change = session.edit(Edit::SetVisible(cube, true)).unwrap();
+    assert!(change.is_nothing(), "it was visible before: {change:?}");
+}
+
+#[test]
+fn an_edit_that_changes_nothing_leaves_the_revision_of_the_document() {
+    let (mut session, [one, _, cube]) = session();
+    let document = session.document();
+    for edit in [
+        Edit::SetPose(one, Pose::new()),
+        Edit::SetVisible(cube, true),
+        Edit::Delete(ShapeId(99)),
+        Edit::Together(Vec::new()),
+        Edit::ResetJoint(one, 7),
+    ] {
+        session.edit(edit).unwrap();
+        assert_eq!(session.document(), document);
+    }
+    for view in [
+        View::SetCamera(Camera::default()),
+        View::Select(Some(one)),
+        View::SelectJoint(Some(1)),
+        View::HoverBone(Some((one, 1))),
+        View::SetAxis(false),
+    ] {
+        session.look(view);
+        assert_eq!(session.document(), document);
+    }
+    session.edit(Edit::SetVisible(cube, false)).unwrap();
+    assert_ne!(session.document(), document);
+}
+
+#[test]
+fn together_means_all_or_none() {
+    let (mut session, [one, _, _]) = session();
+    let document = session.document();
+    let curves = "circ a 4 0.5";
+    let circle = editor_core::io::read_swp(std::path::Path::new("a.swp"), curves.as_bytes());
+    let kind = ShapeKind::Curve(editor_core::scene::CurveShape::new(circle.unwrap().value));
+    session
+        .edit(Edit::Insert(vec![NewShape::new("Circle", kind)]))
+        .unwrap();
+    let curve = session.selected().unwrap();
+    let before = session.document();
+    assert_ne!(before, document);
+    let refused = Edit::Together(vec![
+        Edit::SetVisible(one, false),
+        Edit::SetRadius {
+            shape: curve,
+            curve: 0,
+            radius: f32::NAN,
+        },
+    ]);
+    assert!(session.edit(refused).is_err());
+    assert!(session.scene().shape(one).unwrap().visible);
+    assert_eq!(session.document(), before);
+}
+
+#[test]
+fn opening_replaces_everything_and_says_so() {
+    let (mut session, [one, ..]) = session();
+    session.look(View::SelectJoint(Some(0)));
+    let opened = session.opened();
+    let mut scene = session.scene().clone();
+    let change = apply(
+        &mut scene,
+        Edit::Open(vec![NewShape::new("New", ShapeKind::Cube)]),
+    )
+    .unwrap();
+    assert!(change.opened && change.added == [one]);
+    assert_eq!(scene.shapes().len(), 1);
+
+    session.open(
+        vec![NewShape::new("New", ShapeKind::Cube)],
+        ViewSettings::default(),
+    );
+    assert_ne!(session.opened(), opened);
+    assert_eq!(session.scene().shapes()[0].name, "New");
+    assert_eq!(
+        (session.selected(), session.selected_joint()),
+        (Some(one), None)
+    );
+}
+
+#[test]
+fn resets_put_back_angles_and_offsets_of_what_they_name_and_of_nothing_else() {
+    let (mut session, [one, other, _]) = session();
+    let all_posed = |session: &mut Session| {
+        session.edit(Edit::SetPose(one, posed())).unwrap();
+        session.edit(Edit::SetPose(other, posed())).unwrap();
+    };
+    all_posed(&mut session);
+    session.edit(Edit::ResetJoint(one, 0)).unwrap();
+    let pose = pose_of(&session, one);
+    assert_eq!(
+        (pose.rotation(0), pose.root_offset(0)),
+        (Euler::ZERO, Vec3::ZERO)
+    );
+    assert_eq!(pose.rotation(1), posed().rotation(1));
+    assert_eq!(pose.root_offset(2), Vec3::new(-4.0, 0.0, 0.5));
+    assert_eq!(pose_of(&session, other), &posed());
+
+    all_posed(&mut session);
+    session
+        .edit(Edit::SetColor(other, ShapeColor::Preset(3)))
+        .unwrap();
+    session.edit(Edit::Reset(other)).unwrap();
+    assert!(pose_of(&session, other).is_bind());
+    let shape = session.scene().shape(other).unwrap();
+    assert_eq!(shape.placement, shape.start);
+    assert_eq!(pose_of(&session, one), &posed());
+}
+
+#[test]
+fn replacing_one_angle_leaves_the_others_bit_for_bit() {
+    let (mut session, [one, ..]) = session();
+    let rotation = Euler::from_radians(Vec3::new(0.1, -7.3, 400.25));
+    session
+        .edit(Edit::SetJointTransform {
+            shape: one,
+            joint: 1,
+            rotation,
+        })
+        .unwrap();
+    let edit = Edit::SetJointAngle {
+        shape: one,
+        joint: 1,
+        axis: 0,
+        radians: -0.5,
+    };
+    session.edit(edit).unwrap();
+    let now = pose_of(&session, one).rotation(1).radians;
+    assert_eq!(now.to_array(), [-0.5, -7.3, 400.25]);
+}
+
+#[test]
+fn deleting_takes_the_shape_that_was_named_and_selects_its_successor() {
+    let (mut session, [one, other, cube]) = session();
+    session.look(View::Select(Some(one)));
+    session.edit(Edit::Delete(cube)).unwrap();
+    assert_eq!(session.selected(), Some(one), "another shape was deleted");
+    session.edit(Edit::Delete(one)).unwrap();
+    assert_eq!(session.selected(), Some(other));
+    let left: Vec<ShapeId> = session
+        .scene()
+        .shapes()
+        .iter()
+        .map(|shape| shape.id)
+        .collect();
+    assert_eq!(left, [other]);
+}
+
+#[test]
+fn a_gesture_ends_when_shapes_come_or_go_and_a_second_one_begins_anew() {
+    let (mut session, [one, ..]) = session();
+    session.begin_gesture();
+    session.edit(Edit::SetPose(one, posed())).unwrap();
+    session
+        .edit(Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]))
+        .unwrap();
+    assert!(!session.is_in_gesture());
+    session.cancel_gesture();
+    assert_eq!(
+        pose_of(&session, one),
+        &posed(),
+        "nothing was left to cancel"
+    );
+
+    session.begin_gesture();
+    session.edit(Edit::SetPose(one, Pose::new())).unwrap();
+    let change = session.commit_gesture();
+    assert_eq!(change.altered, [one]);
+    session.begin_gesture();
+    assert!(session.commit_gesture().is_nothing());
+}
+
+/// Edits of every kind that a gesture makes.
+fn edits() -> impl Strategy<Value = Edit> {
+    let angle = -7.0..7.0_f32;
+    prop_oneof![
+        (1..=2_u32, 0..3_usize, 0..3_usize, angle.clone()).prop_map(
+            |(shape, joint, axis, radians)| {
+                Edit::SetJointAngle {
+                    shape: ShapeId(shape),
+                    joint,
+                    axis,
+                    radians,
+                }
+            }
+        ),
+        (1..=2_u32, -5.0..5.0_f32).prop_map(|(shape, x)| Edit::SetRootOffset {
+            shape: ShapeId(shape),
+            root: 0,
+            offset: Vec3::X * x
+        }),
+        (1..=3_u32, angle).prop_map(|(shape, x)| {
+            let mut transform = editor_core::math::Transform::IDENTITY;
+            transform.position = Vec3::splat(x);
+            Edit::SetTransform(ShapeId(shape), transform)
+        }),
+        (1..=3_u32, any::<bool>()).prop_map(|(shape, on)| Edit::SetVisible(ShapeId(shape), on)),
+        (1..=2_u32).prop_map(|shape| Edit::KeepPose {
+            shape: ShapeId(shape),
+            name: "Kept".into()
+        }),
+        (1..=3_u32).prop_map(|shape| Edit::Reset(ShapeId(shape))),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn a_cancelled_gesture_gives_back_the_document_whatever_was_edited(
+        before in prop::collection::vec(edits(), 0..4), during in prop::collection::vec(edits(), 0..12),
+    ) {
+        let (mut session, _) = session();
+        for edit in before {
+            session.edit(edit).unwrap();
+        }
+        let (scene, document): (Scene, _) = (session.scene().clone(), session.document());
+        session.begin_gesture();
+        for edit in during {
+            session.edit(edit).unwrap();
+        }
+        session.cancel_gesture();
+        prop_assert_eq!(session.scene(), &scene);
+        prop_assert_eq!(session.document(), document);
+    }
+}

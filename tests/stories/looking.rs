@@ -1,0 +1,308 @@
+//! Looking: views, mouse and wheel, and every key of the program, by what the course's editor and
+//! the assignment say that they do.
+
+use super::Story;
+use editor_core::editor::Tool;
+use editor_core::scene::{Camera, Look, Shading, ShapeKind};
+use editor_core::ui::{COMMANDS, Command};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, pos2, vec2};
+use glam::{Vec2, Vec3};
+
+/// A place in the view over which there is nothing.
+const EMPTY: Pos2 = pos2(90.0, 560.0);
+
+impl Story {
+    fn camera(&self) -> Camera {
+        self.session().view().camera
+    }
+
+    /// Where a point of the world is in the view, in points.
+    fn pixel(&self, world: Vec3) -> Vec2 {
+        let view = self.view();
+        let size = Vec2::new(view.width(), view.height());
+        self.camera().pixel(world, size).expect("before the eye")
+    }
+
+    fn drag_with(&mut self, button: PointerButton, by: egui::Vec2) {
+        let event = |pos, pressed| Event::PointerButton {
+            pos,
+            button,
+            pressed,
+            modifiers: Modifiers::NONE,
+        };
+        self.point(EMPTY);
+        self.frame(vec![event(EMPTY, true)]);
+        self.point(EMPTY + by * 0.5);
+        self.point(EMPTY + by);
+        self.frame(vec![event(EMPTY + by, false)]);
+        self.settle();
+    }
+
+    fn wheel(&mut self, notches: f32) {
+        self.point(EMPTY);
+        self.frame(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, notches),
+            modifiers: Modifiers::NONE,
+            phase: egui::TouchPhase::Move,
+        }]);
+        self.settle();
+    }
+}
+
+#[test]
+fn the_six_views_look_at_the_origin_from_five_away_along_their_axis() {
+    let mut story = Story::start(&["builtin:gem"]);
+    // Axis that the eye is on, and the one that points right in the picture.
+    let views = [
+        (Modifiers::NONE, Key::Num3, Vec3::X, Vec3::NEG_Z),
+        (Modifiers::COMMAND, Key::Num3, Vec3::NEG_X, Vec3::Z),
+        (Modifiers::NONE, Key::Num7, Vec3::Y, Vec3::X),
+        (Modifiers::COMMAND, Key::Num7, Vec3::NEG_Y, Vec3::X),
+        (Modifiers::NONE, Key::Num1, Vec3::Z, Vec3::X),
+        (Modifiers::COMMAND, Key::Num1, Vec3::NEG_Z, Vec3::NEG_X),
+    ];
+    for (modifiers, key, eye, right) in views {
+        story.key_with(modifiers, key);
+        let camera = story.camera();
+        assert!(
+            camera.eye().abs_diff_eq(eye * 5.0, 1e-4),
+            "{eye}: {:?}",
+            camera.eye()
+        );
+        assert!(
+            camera.right().abs_diff_eq(right, 1e-4),
+            "{eye}: {:?}",
+            camera.right()
+        );
+        assert_eq!(camera.target, Vec3::ZERO);
+    }
+}
+
+#[test]
+fn in_the_course_the_scene_follows_a_left_drag_turns_with_a_right_one_and_comes_with_the_wheel() {
+    let mut story = Story::start(&[]);
+    story.key(Key::Num1);
+    // Toward the eye, to the right, up: the picture's axes from +Z are the world's.
+    let start = story.camera();
+    story.drag_with(PointerButton::Primary, vec2(40.0, 30.0));
+    let moved = story.camera().target;
+    assert!(
+        moved.abs_diff_eq(Vec3::new(-0.4, 0.3, 0.0), 1e-5),
+        "{moved}"
+    );
+
+    story.key(Key::Num1);
+    story.drag_with(PointerButton::Secondary, vec2(40.0, 0.0));
+    let turned = story.camera();
+    assert!(
+        (turned.theta - start.theta + 0.2).abs() < 1e-5,
+        "{turned:?}"
+    );
+    // What is near the eye moves to the right with the pointer.
+    let near = Vec3::Z;
+    assert!(story.pixel(near).x > story.pixel(Vec3::ZERO).x + 10.0);
+
+    story.key(Key::Num1);
+    story.wheel(1.0);
+    assert_eq!(story.camera().radius, 4.5);
+    story.wheel(-2.0);
+    assert_eq!(story.camera().radius, 5.5);
+}
+
+#[test]
+fn dragging_the_scene_up_or_down_turns_it_with_the_pointer_in_every_navigation() {
+    for (menu, button) in [
+        ("As the course's editor", PointerButton::Secondary),
+        ("Orbit", PointerButton::Primary),
+        ("Blender", PointerButton::Middle),
+    ] {
+        let mut story = Story::start(&[]);
+        story.click("View");
+        story.click("Navigation");
+        story.click(menu);
+        story.key_with(Modifiers::NONE, Key::Home);
+        let near = story.camera().eye() * 0.2;
+        let before = story.pixel(near);
+        story.drag_with(button, vec2(30.0, -24.0));
+        let after = story.pixel(near);
+        assert!(after.x > before.x + 2.0, "{menu}: {before} {after}");
+        assert!(after.y < before.y - 2.0, "{menu}: {before} {after}");
+        let radius = story.camera().radius;
+        story.wheel(1.0);
+        assert!(
+            story.camera().radius < radius,
+            "{menu}: the wheel brings the scene nearer"
+        );
+    }
+}
+
+#[test]
+fn fitting_fills_the_selected_shape_into_the_view_whatever_its_aspect() {
+    // Lower than wide and wider than low: the strip is 0.4 wide and 2 high.
+    let mut story = Story::start(&["models/strip.obj", "builtin:gem"]);
+    let strip = story.session().scene().shapes()[0].id;
+    story.key(Key::Num1);
+    story.key(Key::F);
+    let gem = story.camera();
+    story.click_at_world(Vec3::new(0.0, 1.9, 0.0), strip);
+    story.key(Key::F);
+    assert_ne!(story.camera(), gem, "another shape, another place");
+    let height = story.view().height();
+    let (top, bottom) = (story.pixel(Vec3::Y * 2.0).y, story.pixel(Vec3::ZERO).y);
+    assert!(top > 0.0 && bottom < height);
+    let share = (bottom - top) / height;
+    assert!((0.85..0.95).contains(&share), "{share} of the height");
+}
+
+impl Story {
+    /// Clicks what is drawn of a point of the world, and checks which shape that selects.
+    fn click_at_world(&mut self, world: Vec3, shape: editor_core::scene::ShapeId) {
+        self.key(Key::Home);
+        self.key(Key::Num1);
+        let pixel = self.pixel(world);
+        let at = self.view().min + vec2(pixel.x, pixel.y);
+        self.click_at(at);
+        assert_eq!(self.session().selected(), Some(shape));
+    }
+}
+
+/// What a key does, beyond what other stories show: the key, and whether it has happened.
+type Effect = (Modifiers, Key, Command, fn(&Story) -> bool);
+
+#[test]
+fn every_key_of_the_views_tools_and_insert_menus_does_what_its_entry_says() {
+    use editor_core::ui::Primitive;
+    let (none, shift, ctrl) = (Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND);
+    fn newest(story: &Story) -> &ShapeKind {
+        &story
+            .session()
+            .scene()
+            .shapes()
+            .last()
+            .expect("a shape")
+            .kind
+    }
+    let effects: &[Effect] = &[
+        (none, Key::F3, Command::SetLook(Look::Studio), |s| {
+            s.session().view().look == Look::Studio
+        }),
+        (none, Key::F4, Command::ToggleGrid, |s| {
+            !s.session().view().grid
+        }),
+        (none, Key::F2, Command::SetLook(Look::Course), |s| {
+            s.session().view().look == Look::Course
+        }),
+        (none, Key::F6, Command::SetShading(Shading::Flat), |s| {
+            s.session().view().shading == Shading::Flat
+        }),
+        (none, Key::F7, Command::SetShading(Shading::Smooth), |s| {
+            s.session().view().shading == Shading::Smooth
+        }),
+        (
+            none,
+            Key::F5,
+            Command::SetShading(Shading::AsAuthored),
+            |s| s.session().view().shading == Shading::AsAuthored,
+        ),
+        (none, Key::T, Command::ToggleAxis, |s| {
+            !s.session().view().axis
+        }),
+        (none, Key::H, Command::ToggleVisible, |s| !s.shape().visible),
+        (shift, Key::L, Command::ToggleLocked, |s| s.shape().locked),
+        (shift, Key::C, Command::Insert(Primitive::Cube), |s| {
+            matches!(newest(s), ShapeKind::Cube)
+        }),
+        (shift, Key::S, Command::Insert(Primitive::Sphere), |s| {
+            matches!(newest(s), ShapeKind::Sphere)
+        }),
+        (shift, Key::P, Command::Insert(Primitive::Pyramid), |s| {
+            matches!(newest(s), ShapeKind::Pyramid)
+        }),
+        (shift, Key::T, Command::Insert(Primitive::Teapot), |s| {
+            matches!(newest(s), ShapeKind::Teapot)
+        }),
+        (
+            shift,
+            Key::I,
+            Command::Insert(Primitive::Icosahedron),
+            |s| matches!(newest(s), ShapeKind::Icosahedron),
+        ),
+        (shift, Key::U, Command::Insert(Primitive::Custom), |s| {
+            matches!(newest(s), ShapeKind::Custom)
+        }),
+        (
+            shift,
+            Key::B,
+            Command::Insert(Primitive::BezierCurve),
+            |s| s.shape().name == "Bézier Curve",
+        ),
+        (
+            shift,
+            Key::N,
+            Command::Insert(Primitive::BSplineCurve),
+            |s| s.shape().name == "B-Spline Curve",
+        ),
+        (shift, Key::O, Command::Insert(Primitive::Circle), |s| {
+            s.shape().name == "Circle"
+        }),
+        (ctrl, Key::I, Command::ImportShape, |s| {
+            s.host.requests.last().unwrap().purpose.title() == "Import Shape"
+        }),
+        (
+            ctrl.plus(Modifiers::ALT),
+            Key::I,
+            Command::ImportCurve,
+            |s| s.host.requests.last().unwrap().purpose.title() == "Import Curve",
+        ),
+        (ctrl.plus(shift), Key::I, Command::ImportCharacter, |s| {
+            s.host
+                .requests
+                .last()
+                .unwrap()
+                .purpose
+                .title()
+                .starts_with("Import Character")
+        }),
+        (ctrl.plus(shift), Key::E, Command::ExportGeometry, |s| {
+            s.host.requests.last().unwrap().name == "scene.obj"
+        }),
+        (none, Key::G, Command::SetTool(Tool::Move), |s| {
+            s.has_selected("Move tool")
+        }),
+        (none, Key::I, Command::SetTool(Tool::Ik), |s| {
+            s.has_selected("IK tool")
+        }),
+        (none, Key::V, Command::SetTool(Tool::Select), |s| {
+            s.has_selected("Select tool")
+        }),
+        (none, Key::F9, Command::Messages, |s| s.has("Messages")),
+        (none, Key::F1, Command::Keys, |s| s.has("Keys and Mouse")),
+    ];
+    let mut story = Story::start(&["builtin:gem"]);
+    for (modifiers, key, command, has_happened) in effects {
+        let entry = COMMANDS
+            .iter()
+            .find(|entry| entry.command == *command)
+            .expect("an entry");
+        let shortcut = entry
+            .shortcuts
+            .iter()
+            .any(|shortcut| shortcut.logical_key == *key);
+        assert!(shortcut, "{command:?} has another key");
+        assert!(
+            !has_happened(&story),
+            "{command:?} has happened before its key"
+        );
+        story.key_with(*modifiers, *key);
+        assert!(has_happened(&story), "{command:?} has not happened");
+    }
+}
+
+impl Story {
+    /// Whether the button of that name is on.
+    fn has_selected(&self, label: &str) -> bool {
+        let node = self.node(label).expect("a button");
+        node.is_selected() == Some(true) || node.toggled() == Some(egui::accesskit::Toggled::True)
+    }
+}
