@@ -1,7 +1,7 @@
 use glam::{Vec2, Vec3};
 
-/// Above this many corners the search for ears, whose time grows with the cube of it, gives way
-/// to a fan.
+/// Above this many corners the search for ears, whose time grows with the cube of it, gives way to
+/// a fan.
 const MOST_CORNERS: usize = 512;
 /// How often a corner is looked at in the search for ears, over all polygons of a mesh: about a
 /// second.
