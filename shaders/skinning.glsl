@@ -15,7 +15,7 @@ struct Rows {
     vec4 z;
 };
 
-// Both tables are 1024 cells wide, as render/table.rs lays them out.
+// Both tables are 1024 cells wide, as render/skinning_tables.rs lays them out.
 vec4 cell(sampler2D table, int index) {
     return texelFetch(table, ivec2(index & 1023, index >> 10), 0);
 }

@@ -5,7 +5,7 @@ use crate::gpu::GpuError;
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, expect_extension};
 use crate::program::ProgramError;
-use crate::render::OffscreenError;
+use crate::render::{OffscreenError, RenderError};
 use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
@@ -37,6 +37,12 @@ impl From<OffscreenError> for CliError {
 
 impl From<GpuError> for CliError {
     fn from(error: GpuError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<RenderError> for CliError {
+    fn from(error: RenderError) -> Self {
         Self::Other(error.to_string())
     }
 }

@@ -132,4 +132,20 @@ mod tests {
         let right = "20,0,20,20".parse().unwrap();
         assert!(Pair::new(&a, &b, &[right]).unwrap().ssim() < Some(0.9));
     }
+
+    #[test]
+    fn windows_whose_middle_is_ignored_are_no_part_of_the_mean() {
+        let a = filled(40, 20, [90, 90, 90, 255]);
+        let b = painted(40, 20, |x, y| {
+            let gray = if x < 20 { (y * 9) as u8 } else { 90 };
+            [gray, gray, gray, 255]
+        });
+        let mean = |ignore: &[_]| Pair::new(&a, &b, ignore).unwrap().ssim().unwrap();
+        // Of 30×10 windows the 10×10 from column 25 on see equal pixels alone, and have the value 1.
+        let kept = mean(&["25,0,15,20".parse().unwrap()]);
+        assert!(
+            (300.0 * mean(&[]) - (200.0 * kept + 100.0)).abs() < 1e-3,
+            "{kept}"
+        );
+    }
 }

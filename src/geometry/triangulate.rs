@@ -1,17 +1,17 @@
 use glam::{Vec2, Vec3};
 
-/// Above this many corners the search for ears, whose time grows with the cube of it, gives way to
-/// a fan.
+/// A polygon with more corners becomes a fan: the time of the search for ears grows with the cube
+/// of their number.
 const MOST_CORNERS: usize = 512;
-/// How often a corner is looked at in the search for ears, over all polygons of a mesh: about a
+/// The most corners that the search for ears looks at, over all polygons of a mesh: about a
 /// second.
 const MOST_WORK: usize = 1_000_000_000;
 
-/// Cuts polygons into triangles, in bounded time: a mesh full of large polygons with dents gets
-/// fans once its share of work is spent.
+/// Cuts polygons into triangles in bounded time: when a mesh has spent its share of work, the rest
+/// of its concave polygons become fans.
 #[derive(Debug)]
 pub struct Triangulator {
-    /// How often corners may still be looked at.
+    /// How many corners may still be looked at.
     left: usize,
 }
 
@@ -22,21 +22,21 @@ impl Default for Triangulator {
 }
 
 impl Triangulator {
-    /// Cuts a polygon into triangles that wind as it does, as indices into `corners`; two fewer
-    /// than corners, none below three. A polygon that turns one way only becomes a fan round its
-    /// first corner. Others, dents in them or not quite flat, are cut ear by ear in the plane of
-    /// their mean normal (Meisters 1975); where none is left, as in a polygon that crosses itself,
-    /// a fan is made of the rest.
+    /// Cuts a polygon into triangles that wind as it does, as indices into `corners`: two fewer
+    /// than corners, none below three, and every corner in one of them. A convex polygon becomes a
+    /// fan around its first corner. Others, concave or not quite flat, are cut ear by ear in the
+    /// plane of their mean normal (Meisters 1975); where no ear is left, as in a polygon that
+    /// crosses itself, the rest becomes a fan.
     pub fn cut(&mut self, corners: &[Vec3]) -> Vec<[usize; 3]> {
         let count = corners.len();
         let mut left: Vec<usize> = (0..count).collect();
         let mut triangles = Vec::with_capacity(count.saturating_sub(2));
         if (4..=MOST_CORNERS).contains(&count) && self.left > 0 {
             let flat = in_their_plane(corners);
-            let dents = |left: &[usize]| (0..left.len()).any(|at| turn(&flat, left, at) < 0.0);
-            while left.len() > 3 && self.left > 0 && dents(&left) {
+            let is_concave = |left: &[usize]| (0..left.len()).any(|at| turn(&flat, left, at) < 0.0);
+            while left.len() > 3 && self.left > 0 && is_concave(&left) {
                 let ear = (0..left.len()).find(|&at| is_ear(&flat, &left, at));
-                // Each that was asked looked at all others, at most.
+                // For each candidate all others were looked at, at most.
                 let asked = ear.map_or(left.len(), |ear| ear + 1);
                 self.left = self.left.saturating_sub(asked * left.len());
                 let Some(ear) = ear else { break };
@@ -49,7 +49,7 @@ impl Triangulator {
     }
 }
 
-/// The corners seen from the side from which they wind counter-clockwise.
+/// The corners in their plane, as seen from the side where they wind counter-clockwise.
 fn in_their_plane(corners: &[Vec3]) -> Vec<Vec2> {
     let first = corners[0];
     let doubled_area = (2..corners.len())
@@ -179,5 +179,90 @@ mod tests {
         assert_eq!(triangulator.cut(&turned), triangulate(&turned));
         assert_ne!(triangulate(&turned), [[0, 1, 2], [0, 2, 3]]);
         assert_eq!(triangulator.cut(&turned), [[0, 1, 2], [0, 2, 3]]);
+    }
+
+    /// Twice the area of a triangle seen from +Z, negative if it is seen from behind.
+    fn doubled_area([a, b, c]: [Vec3; 3]) -> f32 {
+        (b - a).cross(c - a).z
+    }
+
+    #[test]
+    fn a_concave_polygon_that_is_not_flat_keeps_its_outline_and_its_side() {
+        // The letter L, corners up to 0.2 off its plane, in every order of its corners.
+        let outline = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
+        let heights = [0.0, 0.2, -0.1, 0.1, 0.0, -0.2];
+        for first in 0..6 {
+            let corners: Vec<Vec3> = (0..6)
+                .map(|i| (first + i) % 6)
+                .map(|i| Vec3::new(outline[i].0 as f32, outline[i].1 as f32, heights[i]))
+                .collect();
+            let triangles = triangulate(&corners);
+            let areas = triangles
+                .iter()
+                .map(|t| doubled_area(t.map(|i| corners[i])));
+            let areas: Vec<f32> = areas.collect();
+            assert_eq!(areas.len(), 4);
+            assert!(areas.iter().all(|&area| area > 0.1), "{first} {areas:?}");
+            let area = areas.iter().sum::<f32>() / 2.0;
+            assert!((area - 3.0).abs() < 1e-5, "{first} {area}");
+        }
+    }
+
+    #[test]
+    fn a_bent_quad_is_cut_between_its_first_and_third_corner() {
+        let quad = [
+            Vec3::ZERO,
+            Vec3::new(1.0, 0.0, 0.4),
+            Vec3::new(1.0, 1.0, 0.0),
+            Vec3::Y,
+        ];
+        for first in 0..4 {
+            let corners: Vec<Vec3> = (0..4).map(|i| quad[(first + i) % 4]).collect();
+            assert_eq!(triangulate(&corners), [[0, 1, 2], [0, 2, 3]], "{first}");
+        }
+    }
+
+    #[test]
+    fn corners_on_a_straight_edge_stay_corners_of_triangles() {
+        // An L whose long edges have corners in their middles, where neighbors may join them.
+        let outline = [
+            (0, 0),
+            (1, 0),
+            (2, 0),
+            (2, 1),
+            (1, 1),
+            (1, 2),
+            (0, 2),
+            (0, 1),
+        ];
+        let corners = outline.map(|(x, y)| Vec3::new(x as f32, y as f32, 0.0));
+        let triangles = triangulate(&corners);
+        assert_eq!(triangles.len(), 6);
+        for corner in 0..8 {
+            assert!(triangles.iter().any(|t| t.contains(&corner)), "{corner}");
+        }
+        assert!((area(&corners, &triangles) - 3.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn the_search_for_ears_has_a_bound_for_each_polygon_and_for_all() {
+        let comb = |count: usize| -> Vec<Vec3> {
+            let tooth = |i: usize| {
+                Vec3::new(
+                    i as f32,
+                    if i.is_multiple_of(2) { 1000.0 } else { 1.0 },
+                    0.0,
+                )
+            };
+            (0..count).rev().map(tooth).chain([Vec3::ZERO]).collect()
+        };
+        let mut triangulator = Triangulator::default();
+        assert_eq!(triangulator.cut(&comb(100_000)).len(), 99_999);
+        assert_eq!(triangulator.left, MOST_WORK, "too large to search");
+        triangulator.left = 1_000_000;
+        for _ in 0..20 {
+            assert_eq!(triangulator.cut(&comb(511)).len(), 510);
+        }
+        assert_eq!(triangulator.left, 0);
     }
 }

@@ -1,4 +1,4 @@
-//! Memory of the graphics card that vertices, instances and indices are read from.
+//! Buffers in the memory of the graphics card: vertices, instances and indices.
 
 use std::cell::Cell;
 use std::marker::PhantomData;
@@ -10,7 +10,7 @@ use glow::HasContext as _;
 
 use super::{Gl, GpuError};
 
-/// How often the content will change.
+/// Frequency of changes of the content.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Usage {
     /// Written once, drawn often.
@@ -28,17 +28,18 @@ impl Usage {
     }
 }
 
-/// Bytes that a buffer keeps however little is written.
+/// Bytes that a buffer keeps, however little is written.
 const SMALL: usize = 1 << 16;
 
 /// The driver's object, shared with the vertex arrays that read it.
 pub(in crate::gpu) struct Storage {
-    gl: Gl,
+    pub(in crate::gpu) gl: Gl,
     pub(in crate::gpu) raw: glow::Buffer,
     target: u32,
     usage: Usage,
+    /// Bytes that the driver has reserved.
     capacity: Cell<usize>,
-    /// In bytes.
+    /// Bytes that may be read: draws check their ranges against it.
     pub(in crate::gpu) used: Cell<usize>,
     /// The largest index, for index buffers.
     pub(in crate::gpu) max_index: Cell<u32>,
@@ -46,8 +47,10 @@ pub(in crate::gpu) struct Storage {
 
 impl Drop for Storage {
     fn drop(&mut self) {
-        // SAFETY: current context; deleted once, after the last vertex array that reads it.
-        unsafe { self.gl.raw().delete_buffer(self.raw) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; deleted once, after the last vertex array that reads it.
+            unsafe { glow.delete_buffer(self.raw) }
+        }
     }
 }
 
@@ -57,8 +60,9 @@ impl Storage {
             what: "buffer",
             why,
         };
+        let glow = gl.current_for("making a buffer")?;
         // SAFETY: current context.
-        let raw = unsafe { gl.raw().create_buffer() }.map_err(create)?;
+        let raw = unsafe { glow.create_buffer() }.map_err(create)?;
         let (capacity, used, max_index) = (Cell::new(0), Cell::new(0), Cell::new(0));
         Ok(Self {
             gl: gl.clone(),
@@ -80,13 +84,17 @@ impl Storage {
         } else {
             bytes.len()
         };
-        let most = self.gl.most_buffer_bytes();
-        let size = i32::try_from(capacity).ok().filter(|&size| size <= most);
-        let size = size.ok_or_else(|| GpuError::Data {
+        let size = i32::try_from(capacity).map_err(|_| GpuError::Data {
             what: "buffer",
-            problem: format!("{capacity} bytes are more than the {most} it can hold"),
+            problem: format!(
+                "{capacity} bytes are more than the {} it can hold",
+                i32::MAX
+            ),
         })?;
-        let glow = self.gl.raw();
+        let glow = self.gl.current_for("writing a buffer")?;
+        // Until the driver is known to have reserved the memory, nothing may be read.
+        self.capacity.set(0);
+        self.used.set(0);
         // SAFETY: current context; the size is at least that of the data. An index buffer would
         // otherwise become part of whatever vertex array happens to be bound.
         unsafe {
@@ -99,6 +107,7 @@ impl Storage {
             }
             glow.bind_buffer(self.target, None);
         }
+        self.gl.check_memory("buffer")?;
         self.capacity.set(capacity);
         self.used.set(bytes.len());
         Ok(())
@@ -121,7 +130,7 @@ impl<T: Pod> Buffer<T> {
     /// Vertices or instances. `data` may be empty.
     ///
     /// # Errors
-    /// When the driver makes no buffer, or the data is larger than 2 GiB.
+    /// When the driver has not the memory, or the data is larger than 2 GiB.
     pub fn vertices(gl: &Gl, usage: Usage, data: &[T]) -> Result<Self, GpuError> {
         let storage = Rc::new(Storage::new(gl, glow::ARRAY_BUFFER, usage)?);
         storage.write(bytemuck::cast_slice(data))?;
@@ -134,7 +143,8 @@ impl<T: Pod> Buffer<T> {
     /// Replaces the content by vertices or instances, of any number; memory that fits is reused.
     ///
     /// # Errors
-    /// When the data is larger than 2 GiB; the content is then unchanged.
+    /// When the data is larger than 2 GiB; the content is then unchanged. When the driver has not
+    /// the memory; the buffer is then empty.
     pub fn update(&self, data: &[T]) -> Result<(), GpuError> {
         self.storage.write(bytemuck::cast_slice(data))
     }
@@ -145,14 +155,14 @@ impl<T: Pod> Buffer<T> {
         self.storage.used.get() / size_of::<T>().max(1)
     }
 
-    /// Whether nothing can be drawn from it.
+    /// Whether it has no elements.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 }
 
-/// Indices into the vertices of a [`VertexArray`](super::VertexArray).
+/// Indices of vertices of a [`VertexArray`](super::VertexArray).
 #[derive(Debug)]
 pub struct IndexBuffer {
     buffer: Buffer<u32>,
@@ -162,7 +172,7 @@ impl IndexBuffer {
     /// `data` may be empty.
     ///
     /// # Errors
-    /// When the driver makes no buffer, or the data is larger than 2 GiB.
+    /// When the driver has not the memory, or the data is larger than 2 GiB.
     pub fn new(gl: &Gl, usage: Usage, data: &[u32]) -> Result<Self, GpuError> {
         let storage = Rc::new(Storage::new(gl, glow::ELEMENT_ARRAY_BUFFER, usage)?);
         let indices = Self {
@@ -178,7 +188,8 @@ impl IndexBuffer {
     /// Replaces the content by indices, of any number; memory that fits is reused.
     ///
     /// # Errors
-    /// When the data is larger than 2 GiB; the content is then unchanged.
+    /// When the data is larger than 2 GiB; the content is then unchanged. When the driver has not
+    /// the memory; the buffer is then empty.
     pub fn update(&self, data: &[u32]) -> Result<(), GpuError> {
         self.buffer.update(data)?;
         self.storage()
@@ -193,7 +204,7 @@ impl IndexBuffer {
         self.buffer.len()
     }
 
-    /// Whether nothing can be drawn from it.
+    /// Whether it has no indices.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.buffer.is_empty()

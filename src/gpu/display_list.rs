@@ -16,7 +16,7 @@ pub struct DisplayList {
     pub(in crate::gpu) groups: Vec<Group>,
 }
 
-/// What one `begin … end` came to.
+/// The vertices of one or more `begin … end` that are drawn by one call.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::gpu) struct Group {
     pub(in crate::gpu) primitive: Primitive,
@@ -24,7 +24,7 @@ pub(in crate::gpu) struct Group {
     pub(in crate::gpu) look: PointLook,
 }
 
-/// How points were to look.
+/// Size and shape of points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::gpu) struct PointLook {
     pub(in crate::gpu) size: f32,
@@ -168,5 +168,12 @@ mod tests {
         assert_eq!(after(Primitive::Points, 5, Primitive::Points), 1);
         assert_eq!(after(Primitive::LineStrip, 4, Primitive::LineStrip), 2);
         assert_eq!(after(Primitive::Lines, 4, Primitive::Points), 2);
+        let larger = Group {
+            look: PointLook { size: 2.0, ..look },
+            ..group(Primitive::Points, 5..6)
+        };
+        let mut groups = vec![group(Primitive::Points, 0..5)];
+        add(&mut groups, larger);
+        assert_eq!(groups.len(), 2);
     }
 }

@@ -4,7 +4,7 @@ use glow::HasContext as _;
 
 use super::Gl;
 
-/// Which fragments pass against the depth that is there.
+/// Comparison of a fragment's depth with the depth that is there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DepthTest {
     /// All of them; depth is neither read nor written.
@@ -18,10 +18,10 @@ pub enum DepthTest {
     Always,
 }
 
-/// How a fragment's color combines with the one that is there.
+/// Combination of a fragment's color with the color that is there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Blend {
-    /// It replaces it.
+    /// The fragment's color replaces the one that is there.
     #[default]
     None,
     /// Covers it by its alpha; the picture's own alpha stays right too.
@@ -30,21 +30,21 @@ pub enum Blend {
     Premultiplied,
 }
 
-/// Everything about a draw that is neither shader nor data.
+/// The state of a draw, apart from shader and data.
 ///
 /// [`apply`](Self::apply) sets the whole of it every time, since a user interface painter leaves
 /// its own state behind. Rectangles are x, y, width, height in pixels, from the bottom left.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrawState {
-    /// Where the picture goes.
+    /// Rectangle that clip space is mapped to.
     pub viewport: [i32; 4],
-    /// Which fragments pass.
+    /// Comparison that decides which fragments pass.
     pub depth_test: DepthTest,
-    /// Whether those that pass leave their depth.
+    /// Whether fragments that pass write their depth.
     pub depth_write: bool,
-    /// How colors combine.
+    /// Combination of colors.
     pub blend: Blend,
-    /// Which of red, green, blue, alpha change.
+    /// Whether red, green, blue and alpha are written.
     pub color_mask: [bool; 4],
 }
 
@@ -65,11 +65,13 @@ impl DrawState {
     /// Makes this the state of the following draws, whatever was set before.
     pub fn apply(&self, gl: &Gl) {
         gl.set_viewport(self.viewport);
-        let glow = gl.raw();
-        reset_unused(glow, gl.info().is_gles);
+        let Some(glow) = gl.current() else {
+            return;
+        };
         let [red, green, blue, alpha] = self.color_mask;
-        // SAFETY: current context; all values are constants that OpenGL knows.
+        // SAFETY: current context; all values are constants of OpenGL 3.3 and OpenGL ES 3.0.
         unsafe {
+            reset_unused(glow, gl.info().is_gles);
             set_enabled(glow, glow::DEPTH_TEST, self.depth_test != DepthTest::Off);
             glow.depth_func(match self.depth_test {
                 DepthTest::Less => glow::LESS,
@@ -78,13 +80,15 @@ impl DrawState {
             });
             glow.depth_mask(self.depth_write);
             glow.color_mask(red, green, blue, alpha);
+            self.blend.apply(glow);
         }
-        self.blend.apply(glow);
     }
 }
 
 impl Blend {
-    fn apply(self, glow: &glow::Context) {
+    /// # Safety
+    /// The context is current.
+    unsafe fn apply(self, glow: &glow::Context) {
         let source = if self == Self::Alpha {
             glow::SRC_ALPHA
         } else {
@@ -95,7 +99,7 @@ impl Blend {
         } else {
             glow::ONE_MINUS_SRC_ALPHA
         };
-        // SAFETY: current context; all values are constants that OpenGL knows.
+        // SAFETY: by this function's contract; all values are constants of OpenGL 3.3 and ES 3.0.
         unsafe {
             set_enabled(glow, glow::BLEND, self != Self::None);
             glow.blend_equation(glow::FUNC_ADD);
@@ -104,8 +108,11 @@ impl Blend {
     }
 }
 
-/// State that no draw of ours changes, but others may have.
-fn reset_unused(glow: &glow::Context, is_gles: bool) {
+/// Resets the state that no draw of this layer needs, but that other code may have set.
+///
+/// # Safety
+/// The context is current, and `is_gles` says truly whether it is one of OpenGL ES.
+unsafe fn reset_unused(glow: &glow::Context, is_gles: bool) {
     let off = [
         glow::CULL_FACE,
         glow::DITHER,
@@ -127,7 +134,8 @@ fn reset_unused(glow: &glow::Context, is_gles: bool) {
         glow::POLYGON_OFFSET_LINE,
         glow::POLYGON_OFFSET_POINT,
     ];
-    // SAFETY: current context; all values are constants that OpenGL 3.3 knows, or ES where it is.
+    // SAFETY: by this function's contract; all values are constants of OpenGL 3.3, or of ES 3.0
+    // where the context is one.
     unsafe {
         off.iter().for_each(|&capability| glow.disable(capability));
         glow.front_face(glow::CCW);
@@ -147,9 +155,9 @@ fn reset_unused(glow: &glow::Context, is_gles: bool) {
 }
 
 /// # Safety
-/// The context is current and knows `capability`.
+/// The context is current and has `capability`.
 unsafe fn set_enabled(glow: &glow::Context, capability: u32, enabled: bool) {
-    // SAFETY: by contract.
+    // SAFETY: by this function's contract.
     unsafe {
         if enabled {
             glow.enable(capability)

@@ -1,4 +1,4 @@
-//! What the driver behind a new context is, can do, and says.
+//! The driver behind a context: its version, limits and messages.
 
 use std::ffi::{CStr, c_char, c_void};
 use std::sync::{Arc, Mutex};
@@ -8,7 +8,7 @@ use glow::HasContext as _;
 use super::ContextError;
 use super::gl::MAX_MESSAGES;
 
-/// What the driver is and can do.
+/// Properties and limits of the driver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Info {
     /// `GL_VERSION`.
@@ -29,6 +29,8 @@ pub struct Info {
     pub max_texture_size: u32,
     /// Most textures that a vertex shader can read.
     pub max_vertex_textures: u32,
+    /// Number of attributes that a vertex can have.
+    pub max_vertex_attributes: u32,
     /// Longest side of a framebuffer, in pixels.
     pub max_framebuffer_size: u32,
     /// Largest point, in pixels.
@@ -37,18 +39,22 @@ pub struct Info {
     pub max_line_width: f32,
 }
 
-/// `glow` panics on a missing or odd version string, so it is looked at beforehand.
-pub(in crate::gpu) fn check_version(
+/// Checks that the version is one that the project needs. `glow` panics on a missing or odd version
+/// string, so this comes first.
+///
+/// # Safety
+/// A context is current, and what `load` returns for a name is its entry point of that name.
+pub(in crate::gpu) unsafe fn check_version(
     load: &impl Fn(&CStr) -> *const c_void,
 ) -> Result<(), ContextError> {
     type GetString = unsafe extern "system" fn(u32) -> *const c_char;
-    let missing = || ContextError::Native("the driver does not tell its OpenGL version".to_owned());
+    let missing = || ContextError::Native("the driver reports no OpenGL version".to_owned());
     let function = load(c"glGetString");
     if function.is_null() {
         return Err(missing());
     }
-    // SAFETY: this is what the specification says `glGetString` is, and the context is current;
-    // the string is static and terminated by zero.
+    // SAFETY: the entry point of this name has this type in the OpenGL specification, and the
+    // context is current; the string that it returns is static and terminated by zero.
     let version = unsafe {
         let get_string = std::mem::transmute::<*const c_void, GetString>(function);
         let text = get_string(glow::VERSION);
@@ -73,12 +79,16 @@ pub(in crate::gpu) fn check_version(
     Ok(())
 }
 
-/// Lets the driver tell its errors in words, where it can.
-pub(in crate::gpu) fn collect_messages(glow: &mut glow::Context) -> Arc<Mutex<Vec<String>>> {
+/// Collects the driver's messages of errors and of high severity, where it has any.
+///
+/// # Safety
+/// The context of `glow` is current, now and when `glow` is dropped.
+pub(in crate::gpu) unsafe fn collect_messages(glow: &mut glow::Context) -> Arc<Mutex<Vec<String>>> {
     let messages = Arc::new(Mutex::new(Vec::new()));
     if glow.supports_debug() {
         let queue = Arc::clone(&messages);
-        // SAFETY: current context; the callback owns what it uses, and `glow` unregisters it.
+        // SAFETY: the context is current. The callback owns what it uses; `glow` frees it after it
+        // was unregistered, which the contract of this function makes possible.
         unsafe {
             glow.enable(glow::DEBUG_OUTPUT);
             // Otherwise the driver may call from a thread of its own.
@@ -98,23 +108,27 @@ pub(in crate::gpu) fn collect_messages(glow: &mut glow::Context) -> Arc<Mutex<Ve
     messages
 }
 
-pub(in crate::gpu) fn read_info(glow: &glow::Context) -> Info {
+/// Asks for the properties and limits.
+///
+/// # Safety
+/// The context of `glow` is current.
+pub(in crate::gpu) unsafe fn read_info(glow: &glow::Context) -> Info {
     let largest = |parameter| {
         let mut range = [0.0_f32; 2];
-        // SAFETY: current context; both ranges that are asked for have two numbers.
+        // SAFETY: the context is current; both ranges that are asked for have two numbers.
         unsafe { glow.get_parameter_f32_slice(parameter, &mut range) };
         range[1].max(1.0)
     };
-    // SAFETY: current context.
+    // SAFETY: the context is current.
     let text = |parameter| unsafe { glow.get_parameter_string(parameter) };
-    // SAFETY: current context.
+    // SAFETY: the context is current.
     let number = |parameter| {
         unsafe { glow.get_parameter_i32(parameter) }
             .max(0)
             .unsigned_abs()
     };
     let mut viewport = [0; 2];
-    // SAFETY: current context; this parameter is two numbers.
+    // SAFETY: the context is current; this parameter is two numbers.
     unsafe { glow.get_parameter_i32_slice(glow::MAX_VIEWPORT_DIMS, &mut viewport) };
     let largest_viewport = viewport[0].min(viewport[1]).max(0).unsigned_abs();
     let is_gles = glow.version().is_embedded;
@@ -139,6 +153,7 @@ pub(in crate::gpu) fn read_info(glow: &glow::Context) -> Info {
         max_samples: number(glow::MAX_SAMPLES),
         max_texture_size: number(glow::MAX_TEXTURE_SIZE),
         max_vertex_textures: number(glow::MAX_VERTEX_TEXTURE_IMAGE_UNITS),
+        max_vertex_attributes: number(glow::MAX_VERTEX_ATTRIBS),
         max_framebuffer_size: number(glow::MAX_RENDERBUFFER_SIZE)
             .min(number(glow::MAX_TEXTURE_SIZE))
             .min(largest_viewport),

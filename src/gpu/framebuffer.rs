@@ -2,7 +2,7 @@
 
 use glow::HasContext as _;
 
-use super::target::Target;
+use super::framebuffer_object::FramebufferObject;
 use super::{Gl, GpuError};
 
 /// A rectangle of pixels, counted from the bottom left.
@@ -27,8 +27,8 @@ pub struct Framebuffer {
     width: u32,
     height: u32,
     samples: u32,
-    drawn: Target,
-    resolved: Option<Target>,
+    drawn: FramebufferObject,
+    resolved: Option<FramebufferObject>,
 }
 
 impl std::fmt::Debug for Framebuffer {
@@ -65,10 +65,10 @@ impl Framebuffer {
             });
         }
         gl.check("what preceded a new picture")?;
-        let drawn = Target::new(gl, width, height, samples, true)?;
+        let drawn = FramebufferObject::new(gl, width, height, samples, true)?;
         let resolved = match samples {
             0 => None,
-            _ => Some(Target::new(gl, width, height, 0, false)?),
+            _ => Some(FramebufferObject::new(gl, width, height, 0, false)?),
         };
         Ok(Self {
             gl: gl.clone(),
@@ -80,7 +80,7 @@ impl Framebuffer {
         })
     }
 
-    /// The one that was kept if it has this size and, as all of these, no samples; otherwise a new
+    /// The kept framebuffer, if it has this size and, as all of these, no samples; otherwise a new
     /// one takes its place.
     ///
     /// # Errors
@@ -119,11 +119,9 @@ impl Framebuffer {
 
     /// Draws go here from now on. The viewport is the draw state's.
     pub fn bind(&self) {
-        // SAFETY: current context.
-        unsafe {
-            self.gl
-                .raw()
-                .bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.raw))
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context.
+            unsafe { glow.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.raw)) }
         }
     }
 
@@ -131,10 +129,12 @@ impl Framebuffer {
     /// farthest, whatever state is set. A [`DrawState`](super::DrawState) is to be applied next.
     pub fn clear(&self, [red, green, blue, alpha]: [f32; 4]) {
         self.bind();
-        prepare_whole(&self.gl);
-        let glow = self.gl.raw();
+        let Some(glow) = self.gl.current() else {
+            return;
+        };
         // SAFETY: current context.
         unsafe {
+            prepare_whole(glow, self.gl.info().is_gles);
             glow.color_mask(true, true, true, true);
             glow.depth_mask(true);
             glow.clear_color(red, green, blue, alpha);
@@ -159,14 +159,14 @@ impl Framebuffer {
     /// framebuffer is bound.
     ///
     /// # Errors
-    /// What [`Gl::check`] finds, so that no broken picture is taken for a good one.
+    /// Every fault that [`Gl::check`] returns, so that no broken picture is taken for a good one.
     pub fn read_rgba(&self) -> Result<Vec<u8>, GpuError> {
         self.resolve();
         let row = self.width as usize * 4;
         let mut pixels = vec![0; row * self.height as usize];
         let Rect { width, height, .. } = self.rect();
-        let glow = self.gl.raw();
-        // SAFETY: current context; rows are packed without gaps, so they fill the buffer exactly.
+        let glow = self.gl.current_for("reading a picture back")?;
+        // SAFETY: current context; rows are packed without gaps, so they fill the slice exactly.
         unsafe {
             glow.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.readable()));
             glow.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
@@ -202,14 +202,17 @@ impl Framebuffer {
     /// sizes differ. Afterwards the other is bound.
     ///
     /// # Errors
-    /// When the other has samples: OpenGL cannot copy into those.
+    /// When the other has samples, which OpenGL cannot copy into, or is of another context.
     pub fn blit_into(&self, other: &Self, source: Rect, target: Rect) -> Result<(), GpuError> {
+        let refused = |problem: &str| GpuError::Data {
+            what: "framebuffer",
+            problem: problem.to_owned(),
+        };
         if other.samples > 0 {
-            let problem = "a picture with samples cannot be copied into".to_owned();
-            return Err(GpuError::Data {
-                what: "framebuffer",
-                problem,
-            });
+            return Err(refused("a picture with samples cannot be copied into"));
+        }
+        if !other.is_of(&self.gl) {
+            return Err(refused("a picture cannot be copied into another context"));
         }
         self.resolve();
         blit(
@@ -223,29 +226,31 @@ impl Framebuffer {
         Ok(())
     }
 
-    /// A `sampler2D` of this unit reads the picture from now on, unfiltered; not while it is
-    /// drawn into. Afterwards this framebuffer is bound.
+    /// Binds the picture to a texture unit, where a `sampler2D` reads it, unfiltered; not while it
+    /// is drawn into. Afterwards this framebuffer is bound.
     pub fn bind_texture(&self, unit: u32) {
-        self.bind_filtered(unit, glow::NEAREST, glow::NEAREST);
+        let _ = self.bind_filtered(unit, glow::NEAREST, glow::NEAREST);
     }
 
     /// As [`bind_texture`](Self::bind_texture), but neighbors are mixed, and smaller versions of
     /// the picture, as it is now, are made for `textureLod` and for distance.
     pub fn bind_texture_with_mipmaps(&self, unit: u32) {
-        self.bind_filtered(unit, glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR);
-        // SAFETY: current context; the texture is bound to the active unit and has its first level.
-        unsafe { self.gl.raw().generate_mipmap(glow::TEXTURE_2D) };
+        if let Some(glow) = self.bind_filtered(unit, glow::LINEAR_MIPMAP_LINEAR, glow::LINEAR) {
+            // SAFETY: current context; the texture is bound to the active unit and has its first
+            // level.
+            unsafe { glow.generate_mipmap(glow::TEXTURE_2D) };
+        }
     }
 
-    fn bind_filtered(&self, unit: u32, min: u32, mag: u32) {
+    fn bind_filtered(&self, unit: u32, min: u32, mag: u32) -> Option<&glow::Context> {
         self.resolve();
         let target = self.resolved.as_ref().unwrap_or(&self.drawn);
+        let glow = self.gl.current()?;
         // SAFETY: current context; a target without samples has a texture.
         unsafe {
-            let glow = self.gl.raw();
             glow.active_texture(glow::TEXTURE0.saturating_add(unit));
             glow.bind_texture(glow::TEXTURE_2D, target.texture);
-            // A sampler object left there by somebody else would win over the texture's sampling.
+            // A sampler object left there by other code would replace the texture's sampling.
             glow.bind_sampler(unit, None);
             for (name, value) in [
                 (glow::TEXTURE_MIN_FILTER, min),
@@ -254,6 +259,12 @@ impl Framebuffer {
                 glow.tex_parameter_i32(glow::TEXTURE_2D, name, value.cast_signed());
             }
         }
+        Some(glow)
+    }
+
+    /// Whether it is an object of the context of `gl`.
+    pub(in crate::gpu) fn is_of(&self, gl: &Gl) -> bool {
+        self.gl.is_same(gl)
     }
 
     fn rect(&self) -> Rect {
@@ -271,15 +282,17 @@ impl Framebuffer {
     }
 }
 
-/// Copying and clearing obey the scissor test and sRGB conversion, so both go off.
-fn prepare_whole(gl: &Gl) {
-    let glow = gl.raw();
-    // SAFETY: current context; OpenGL ES has no such conversion to switch.
+/// Switches the scissor test and sRGB conversion off, which copying and clearing obey.
+///
+/// # Safety
+/// The context is current, and `is_gles` says truly whether it is one of OpenGL ES.
+unsafe fn prepare_whole(glow: &glow::Context, is_gles: bool) {
+    // SAFETY: by this function's contract; OpenGL ES has no such conversion to switch.
     unsafe {
         glow.disable(glow::SCISSOR_TEST);
         glow.disable(glow::RASTERIZER_DISCARD);
         glow.disable(glow::DITHER);
-        if !gl.info().is_gles {
+        if !is_gles {
             glow.disable(glow::FRAMEBUFFER_SRGB);
         }
     }
@@ -292,16 +305,18 @@ fn blit(
     to: Option<glow::Framebuffer>,
     target: Rect,
 ) {
-    prepare_whole(gl);
+    let Some(glow) = gl.current() else {
+        return;
+    };
     let same_size = (source.width, source.height) == (target.width, target.height);
     let filter = if same_size {
         glow::NEAREST
     } else {
         glow::LINEAR
     };
-    let glow = gl.raw();
-    // SAFETY: current context; parts outside of a picture are left out by the driver.
+    // SAFETY: current context, which both are of; the driver leaves out parts outside of a picture.
     unsafe {
+        prepare_whole(glow, gl.info().is_gles);
         glow.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(from));
         glow.bind_framebuffer(glow::DRAW_FRAMEBUFFER, to);
         glow.blit_framebuffer(

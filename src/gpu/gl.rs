@@ -1,41 +1,51 @@
-//! [`Gl`]: the handle through which everything here speaks to OpenGL.
+//! [`Gl`]: the handle to a context. It is the only way to the driver's entry points.
 
 use std::cell::{Cell, RefCell};
 use std::ffi::{CStr, c_void};
 use std::fmt;
+use std::mem::ManuallyDrop;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
 
 use glow::HasContext as _;
 
-use super::current::{NativeContext, OwnedNative};
+use super::context::{NativeContext, OwnedNative};
 use super::{ContextError, GpuError, Info, driver};
 
 /// Messages kept between two checks; more would only repeat what the first ones say.
 pub(in crate::gpu) const MAX_MESSAGES: usize = 64;
 
+/// A context: the driver's entry points, and below them the platform's side.
 struct Inner {
-    glow: Arc<glow::Context>,
+    /// Shared with the interface's painter, which holds a [`Gl`] and so never is the last owner.
+    glow: ManuallyDrop<Arc<glow::Context>>,
     info: Info,
     driver_messages: Arc<Mutex<Vec<String>>>,
     faults: RefCell<Vec<String>>,
     viewport: Cell<[i32; 4]>,
-    most_buffer_bytes: Cell<i32>,
-    /// The last field: `glow` says good-bye to the driver while the context is still there.
+    /// Whether the driver has said that the context is lost. It may say so only once.
+    is_lost: Cell<bool>,
     native: OwnedNative,
 }
 
 impl Drop for Inner {
     fn drop(&mut self) {
-        // Where this fails, the driver ignores what `glow` tells it.
-        let _ = self.native.make_current();
+        // `glow` unregisters its callback when it is dropped, which is a call to the driver. Where
+        // the context cannot be made current, the entry points are leaked instead.
+        if self.native.make_current().is_ok() {
+            // SAFETY: the context is current and alive, since `native` is dropped after this body;
+            // the field is dropped here and nowhere else, and not used afterwards.
+            unsafe { ManuallyDrop::drop(&mut self.glow) }
+        }
     }
 }
 
 /// A handle to an OpenGL context: cheap to clone, tied to the thread that made it.
 ///
-/// Each object made from it holds a clone, and the context lives until the last clone is dropped.
-/// Several contexts may live on one thread: whatever is used makes its own context current first.
+/// Each object made from it holds a clone, and the context lives until the last clone is dropped,
+/// in whatever order that happens. Several contexts may live on one thread: each call makes the
+/// context of its object current first. Where that fails, nothing is called, and
+/// [`check`](Self::check) returns the failure.
 #[derive(Clone)]
 pub struct Gl {
     inner: Rc<Inner>,
@@ -49,86 +59,84 @@ impl fmt::Debug for Gl {
 
 impl Gl {
     /// Makes `native` current and loads the entry points through `load` (null for unknown names).
-    pub(in crate::gpu) fn new(
+    ///
+    /// # Safety
+    /// While `native` lives and is current, what `load` returns for a name is the entry point of
+    /// that name as the OpenGL specification has it, or null.
+    pub(in crate::gpu) unsafe fn new(
         native: Rc<dyn NativeContext>,
         load: impl Fn(&CStr) -> *const c_void,
     ) -> Result<Self, ContextError> {
         let native = OwnedNative::new(native);
-        native.make_current()?;
-        driver::check_version(&load)?;
-        // SAFETY: the context is current, and `load` returns the entry points of its driver.
+        native.make_current().map_err(ContextError::Native)?;
+        // SAFETY: the context is current, and `load` is as this function's contract has it.
+        unsafe { driver::check_version(&load) }?;
+        // SAFETY: as above; the version is one that `glow` can parse.
         let mut glow = unsafe { glow::Context::from_loader_function_cstr(load) };
-        let driver_messages = driver::collect_messages(&mut glow);
-        let info = driver::read_info(&glow);
-        let viewport = Cell::new([0; 4]);
-        let most_buffer_bytes = Cell::new(i32::MAX);
-        let faults = RefCell::default();
-        let glow = Arc::new(glow);
+        // SAFETY: the context is current, and `glow` is dropped while it is: see `Inner`.
+        let driver_messages = unsafe { driver::collect_messages(&mut glow) };
+        // SAFETY: the context is current.
+        let info = unsafe { driver::read_info(&glow) };
         Ok(Self {
             inner: Rc::new(Inner {
-                glow,
+                glow: ManuallyDrop::new(Arc::new(glow)),
                 info,
                 driver_messages,
-                faults,
-                viewport,
-                most_buffer_bytes,
+                faults: RefCell::default(),
+                viewport: Cell::new([0; 4]),
+                is_lost: Cell::new(false),
                 native,
             }),
         })
     }
 
-    /// What the driver is and can do.
+    /// Properties and limits of the driver.
     #[must_use]
     pub fn info(&self) -> &Info {
         &self.inner.info
     }
 
-    /// Makes this context current on the thread. Needed only before foreign code (a user interface
-    /// painter) uses [`glow_context`](Self::glow_context); everything in `gpu` does it by itself.
+    /// Makes this context current on the thread. Everything in `gpu` does so by itself.
     ///
     /// # Errors
     /// When the window system refuses, for example after the display was lost.
     pub fn make_current(&self) -> Result<(), ContextError> {
-        self.inner.native.make_current()
+        let made = self.inner.native.make_current();
+        made.map_err(ContextError::Native)
     }
 
-    /// The `glow` context, for the user interface's painter. It must not be used after the last
-    /// [`Gl`] of this context is gone, nor without [`make_current`](Self::make_current).
-    #[must_use]
-    pub fn glow_context(&self) -> Arc<glow::Context> {
-        Arc::clone(&self.inner.glow)
+    /// Runs `calls` with the driver's entry points while the context is current. State that it
+    /// leaves behind is no problem: every draw sets all that it depends on.
+    ///
+    /// # Errors
+    /// [`GpuError::Lost`] if the context cannot be made current; `calls` is not run then.
+    pub fn with_glow<R>(&self, calls: impl FnOnce(&glow::Context) -> R) -> Result<R, GpuError> {
+        self.current_for("calling the driver").map(calls)
     }
 
     /// Draws into the window from now on, instead of a framebuffer.
     pub fn bind_window(&self) {
-        // SAFETY: current context.
-        unsafe { self.raw().bind_framebuffer(glow::FRAMEBUFFER, None) }
+        if let Some(glow) = self.current() {
+            // SAFETY: current context.
+            unsafe { glow.bind_framebuffer(glow::FRAMEBUFFER, None) }
+        }
     }
 
-    /// Everything that went wrong since the last check, each fault told once.
+    /// Everything that went wrong since the last check, each fault once. `what` is what was done
+    /// in between, for the message.
     ///
     /// # Errors
     /// [`GpuError::Faults`] with the driver's error codes and messages of errors or high severity,
     /// and the mistakes that this layer caught before they reached the driver; [`GpuError::Lost`]
     /// if the context is gone.
     pub fn check(&self, what: &str) -> Result<(), GpuError> {
-        let mut faults = Vec::new();
-        // A lost context may report errors for ever, hence the bound.
-        for _ in 0..MAX_MESSAGES {
-            // SAFETY: current context.
-            match unsafe { self.raw().get_error() } {
-                glow::NO_ERROR => break,
-                glow::CONTEXT_LOST => {
-                    let what = what.to_owned();
-                    return Err(GpuError::Lost { what });
-                }
-                code => faults.push(error_name(code)),
-            }
+        let glow = self.current_for(what)?;
+        let mut faults: Vec<String> = self.take_error_flags(glow).map(error_name).collect();
+        if self.inner.is_lost.get() {
+            return Err(lost(what, "the driver was reset"));
         }
         faults.append(&mut self.inner.faults.borrow_mut());
-        if let Ok(mut messages) = self.inner.driver_messages.lock() {
-            faults.append(&mut messages);
-        }
+        faults.append(&mut self.take_driver_messages());
         if faults.is_empty() {
             return Ok(());
         }
@@ -136,13 +144,61 @@ impl Gl {
         Err(GpuError::Faults { what, faults })
     }
 
-    /// The entry points, with the context made current. If that fails, the fault is kept for
-    /// [`check`](Self::check); the drivers then ignore the calls.
-    pub(in crate::gpu) fn raw(&self) -> &glow::Context {
-        if let Err(error) = self.make_current() {
-            self.report(error.to_string());
+    /// Whether the driver had the memory for everything since errors were last asked for. Other
+    /// errors are kept for [`check`](Self::check).
+    pub(in crate::gpu) fn check_memory(&self, what: &'static str) -> Result<(), GpuError> {
+        let glow = self.current_for("reserving memory")?;
+        let (exhausted, others): (Vec<u32>, Vec<u32>) = self
+            .take_error_flags(glow)
+            .partition(|&code| code == glow::OUT_OF_MEMORY);
+        others
+            .into_iter()
+            .for_each(|code| self.report(error_name(code)));
+        if self.inner.is_lost.get() {
+            return Err(lost("reserving memory", "the driver was reset"));
         }
-        &self.inner.glow
+        if exhausted.is_empty() {
+            return Ok(());
+        }
+        // The driver's own words for it would otherwise be reported a second time.
+        let mut why = vec!["out of graphics memory".to_owned()];
+        why.append(&mut self.take_driver_messages());
+        let why = why.join("; ");
+        Err(GpuError::Create { what, why })
+    }
+
+    /// The entry points, with the context current on this thread. `None` if it cannot be made
+    /// current: nothing may be called then, and [`check`](Self::check) returns the failure.
+    pub(in crate::gpu) fn current(&self) -> Option<&glow::Context> {
+        match self.make_current() {
+            Ok(()) => Some(&self.inner.glow),
+            Err(error) => {
+                self.report(error.to_string());
+                None
+            }
+        }
+    }
+
+    /// As [`current`](Self::current), for callers that return the failure themselves.
+    pub(in crate::gpu) fn current_for(&self, what: &str) -> Result<&glow::Context, GpuError> {
+        match self.inner.native.make_current() {
+            Ok(()) => Ok(&self.inner.glow),
+            Err(why) => Err(lost(what, &why)),
+        }
+    }
+
+    /// The entry points for a painter that keeps them.
+    ///
+    /// # Safety
+    /// The caller holds a [`Gl`] of this context until the last copy is dropped, and makes the
+    /// context current, successfully, before each use.
+    pub(in crate::gpu) unsafe fn shared_glow(&self) -> Arc<glow::Context> {
+        Arc::clone(&self.inner.glow)
+    }
+
+    /// Whether both are handles to one context. Names of objects mean nothing in another one.
+    pub(in crate::gpu) fn is_same(&self, other: &Self) -> bool {
+        Rc::ptr_eq(&self.inner, &other.inner)
     }
 
     /// Keeps a fault until the next check.
@@ -153,17 +209,6 @@ impl Gl {
         }
     }
 
-    /// The most that a buffer holds: what OpenGL can count.
-    pub(in crate::gpu) fn most_buffer_bytes(&self) -> i32 {
-        self.inner.most_buffer_bytes.get()
-    }
-
-    /// Lets buffers hold `bytes` at most, as with a driver that is out of memory.
-    #[cfg(test)]
-    pub(crate) fn limit_buffers(&self, bytes: i32) {
-        self.inner.most_buffer_bytes.set(bytes);
-    }
-
     /// The viewport that was set last: x, y, width, height in pixels.
     pub(in crate::gpu) fn viewport(&self) -> [i32; 4] {
         self.inner.viewport.get()
@@ -171,9 +216,45 @@ impl Gl {
 
     pub(in crate::gpu) fn set_viewport(&self, viewport: [i32; 4]) {
         let [x, y, width, height] = viewport;
-        self.inner.viewport.set(viewport);
-        // SAFETY: current context.
-        unsafe { self.raw().viewport(x, y, width.max(0), height.max(0)) }
+        if let Some(glow) = self.current() {
+            self.inner.viewport.set(viewport);
+            // SAFETY: current context; sizes are not negative.
+            unsafe { glow.viewport(x, y, width.max(0), height.max(0)) }
+        }
+    }
+
+    /// Resets the driver's error flags and returns their codes, without that of a lost context,
+    /// which is remembered.
+    fn take_error_flags(&self, glow: &glow::Context) -> impl Iterator<Item = u32> {
+        let mut codes = Vec::new();
+        // A lost context may report errors for ever, hence the bound.
+        for _ in 0..MAX_MESSAGES {
+            // SAFETY: current context: `glow` was just handed out by `current_for`.
+            match unsafe { glow.get_error() } {
+                glow::NO_ERROR => break,
+                glow::CONTEXT_LOST => {
+                    self.inner.is_lost.set(true);
+                    break;
+                }
+                code => codes.push(code),
+            }
+        }
+        codes.into_iter()
+    }
+
+    fn take_driver_messages(&self) -> Vec<String> {
+        let messages = self.inner.driver_messages.lock();
+        messages.map_or_else(
+            |_| Vec::new(),
+            |mut messages| std::mem::take(&mut *messages),
+        )
+    }
+}
+
+fn lost(what: &str, why: &str) -> GpuError {
+    GpuError::Lost {
+        what: what.to_owned(),
+        why: why.to_owned(),
     }
 }
 
@@ -185,58 +266,5 @@ fn error_name(code: u32) -> String {
         glow::INVALID_FRAMEBUFFER_OPERATION => "GL_INVALID_FRAMEBUFFER_OPERATION".to_owned(),
         glow::OUT_OF_MEMORY => "GL_OUT_OF_MEMORY (out of graphics memory)".to_owned(),
         other => format!("GL error 0x{other:04x}"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::gpu::{Api, Backend, DrawState, Framebuffer, HeadlessContext};
-
-    /// A context that another handle owns.
-    struct Borrowed(Gl);
-
-    impl NativeContext for Borrowed {
-        fn make_current(&self) -> Result<(), ContextError> {
-            self.0.make_current()
-        }
-        fn release(&self) {}
-    }
-
-    /// Functions that OpenGL 3.3 does not promise and OpenGL ES has.
-    const NEWER: [&CStr; 6] = [
-        c"glClearDepthf",
-        c"glDepthRangef",
-        c"glGetShaderPrecisionFormat",
-        c"glInvalidateFramebuffer",
-        c"glTexStorage2D",
-        c"glTexStorage2DMultisample",
-    ];
-
-    #[test]
-    fn a_driver_of_exactly_opengl_3_3_has_all_that_pictures_need() {
-        type Load = unsafe extern "system" fn(*const std::ffi::c_char) -> *const c_void;
-        // SAFETY: the library's own initialization asks for nothing.
-        let Ok(library) = (unsafe { libloading::Library::new("libEGL.so.1") }) else {
-            return;
-        };
-        let context = HeadlessContext::with_api(Backend::Egl, Api::Gl).unwrap();
-        // SAFETY: this is what the specification says `eglGetProcAddress` is.
-        let load = unsafe { library.get::<Load>(b"eglGetProcAddress\0") }.unwrap();
-        let native = Rc::new(Borrowed(context.gl().clone()));
-        let gl = Gl::new(native, |name| {
-            if NEWER.contains(&name) {
-                return std::ptr::null();
-            }
-            // SAFETY: names end with zero; an unknown name gives null.
-            unsafe { load(name.as_ptr()) }
-        });
-        let gl = gl.unwrap();
-        for samples in [0, 4] {
-            let picture = Framebuffer::new(&gl, 4, 4, samples).unwrap();
-            picture.clear([1.0; 4]);
-            DrawState::opaque(4, 4).apply(&gl);
-            assert!(picture.read_rgba().unwrap().iter().all(|&c| c == 255));
-        }
     }
 }

@@ -4,10 +4,9 @@ use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 
 use super::display_list::{self, Group, PointLook};
-use super::thick_line::{self, Point};
 use super::{Buffer, Gl, GpuError, Primitive, Program, Usage, VertexArray};
 
-/// What the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) make.
+/// Shape that the vertices between [`begin`](Immediate::begin) and [`end`](Immediate::end) form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// `GL_POINTS`.
@@ -28,7 +27,7 @@ pub enum Mode {
     Quads,
 }
 
-/// How points look.
+/// Shape of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[doc(alias = "GL_POINT_SMOOTH")]
 pub enum PointShape {
@@ -55,13 +54,13 @@ const KEPT_VERTICES: usize = 1 << 16;
 /// `begin … end`, into what is bound and with the [`DrawState`](super::DrawState) applied last.
 ///
 /// As in OpenGL, the matrix, color, sizes and shape stay until changed. A vertex outside of
-/// `begin … end`, or those two in a wrong order, are faults told by [`Gl::check`].
+/// `begin … end`, or those two in a wrong order, are faults that [`Gl::check`] returns.
 pub struct Immediate {
     pub(in crate::gpu) gl: Gl,
     pub(in crate::gpu) program: Program,
     buffer: Buffer<Vertex>,
     vertex_array: VertexArray,
-    /// Those of the group, behind those of the groups before it in a list.
+    /// Vertices of the current group, after those of earlier groups in a list.
     pub(in crate::gpu) vertices: Vec<Vertex>,
     pub(in crate::gpu) group_start: usize,
     /// The groups of the list that is recorded, if one is.
@@ -235,7 +234,7 @@ impl Immediate {
         self.vertex_array.draw(&self.program, primitive, 0..count);
     }
 
-    /// How the points of a group look; what are none do not.
+    /// Size and shape of the points of a group; defaults for groups of lines and triangles.
     pub(in crate::gpu) fn look(&self, mode: Mode) -> PointLook {
         if mode == Mode::Points {
             PointLook {
@@ -306,10 +305,114 @@ impl Immediate {
         }
         let quads = segments
             .into_iter()
-            .filter_map(|(from, to)| thick_line::quad(from, to, self.line_width, viewport));
+            .filter_map(|(from, to)| thick_line(from, to, self.line_width, viewport));
         self.vertices.extend(quads.flatten().map(|point| Vertex {
             position: point.clip,
             color: point.color,
         }));
+    }
+}
+
+/// Below this clip-space w a point is at the eye, or behind it.
+const MIN_W: f32 = 1e-6;
+
+/// A point in clip space with its color.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Point {
+    clip: Vec4,
+    color: Vec4,
+}
+
+impl Point {
+    fn lerp(self, other: Self, t: f32) -> Self {
+        Self {
+            clip: self.clip.lerp(other.clip, t),
+            color: self.color.lerp(other.color, t),
+        }
+    }
+}
+
+/// Two triangles that cover the segment `width` pixels wide, or `None` where it is behind the eye or
+/// seen end-on: core OpenGL does not promise wide lines. `viewport` is the size of the picture in
+/// pixels.
+///
+/// The part before the near plane is cut off first: projecting it would turn the line around.
+fn thick_line(from: Point, to: Point, width: f32, viewport: Vec2) -> Option<[Point; 6]> {
+    let (from, to) = cut(from, to, |clip| clip.z + clip.w)?;
+    let (from, to) = cut(from, to, |clip| clip.w - MIN_W)?;
+    let on_screen = |point: Point| point.clip.truncate().truncate() / point.clip.w * viewport * 0.5;
+    let along = (on_screen(to) - on_screen(from)).try_normalize()?;
+    let aside = along.perp() * width / viewport;
+    let moved = |point: Point, by: Vec2| Point {
+        clip: point.clip + (by * point.clip.w).extend(0.0).extend(0.0),
+        ..point
+    };
+    let (a, b) = (moved(from, -aside), moved(to, -aside));
+    let (c, d) = (moved(to, aside), moved(from, aside));
+    Some([a, b, c, a, c, d])
+}
+
+/// The part of a segment where `inside` is not negative.
+fn cut(from: Point, to: Point, inside: impl Fn(Vec4) -> f32) -> Option<(Point, Point)> {
+    let (start, end) = (inside(from.clip), inside(to.clip));
+    match (start >= 0.0, end >= 0.0) {
+        (true, true) => Some((from, to)),
+        (true, false) => Some((from, from.lerp(to, start / (start - end)))),
+        (false, true) => Some((from.lerp(to, start / (start - end)), to)),
+        (false, false) => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VIEWPORT: Vec2 = Vec2::new(200.0, 100.0);
+
+    fn point(x: f32, y: f32, z: f32, w: f32) -> Point {
+        Point {
+            clip: Vec4::new(x, y, z, w),
+            color: Vec4::ONE,
+        }
+    }
+
+    #[test]
+    fn a_line_is_as_wide_as_asked_at_both_ends_whatever_their_distance() {
+        let quad = thick_line(
+            point(0.0, 0.0, 0.0, 1.0),
+            point(2.0, 0.0, 3.0, 4.0),
+            5.0,
+            VIEWPORT,
+        )
+        .unwrap();
+        let height = |p: Point| p.clip.y / p.clip.w * VIEWPORT.y * 0.5;
+        let [a, b, c, _, _, d] = quad;
+        assert!((height(d) - height(a) - 5.0).abs() < 1e-5);
+        assert!((height(c) - height(b) - 5.0).abs() < 1e-5);
+    }
+
+    #[test]
+    fn a_line_that_passes_the_eye_ends_at_the_near_plane() {
+        let behind = Point {
+            color: Vec4::ZERO,
+            ..point(0.0, 0.0, -3.0, -1.0)
+        };
+        let quad = thick_line(point(1.0, 0.0, 0.0, 2.0), behind, 2.0, VIEWPORT).unwrap();
+        // z + w goes from 2 to -4: a third of the way.
+        let end = quad[1];
+        assert!((end.clip.z + end.clip.w).abs() < 1e-6);
+        assert!((end.clip.w - 1.0).abs() < 1e-6);
+        assert!((end.color.x - 2.0 / 3.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn nothing_is_left_of_a_line_behind_the_eye_or_without_a_direction() {
+        let behind = point(0.0, 0.0, -3.0, -1.0);
+        assert_eq!(
+            thick_line(behind, point(1.0, 0.0, -3.0, 1.0), 2.0, VIEWPORT),
+            None
+        );
+        let there = point(0.5, 0.5, 0.0, 1.0);
+        assert_eq!(thick_line(there, there, 2.0, VIEWPORT), None);
     }
 }

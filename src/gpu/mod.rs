@@ -6,49 +6,57 @@
 //!
 //! This is the one module of the project with `unsafe` (the course kept its GL error handling in
 //! `ErrorHandling`). One argument carries nearly every block: a GL entry point may be called when
-//! its context is current on the calling thread and every pointer and range passed to it is valid.
-//! - Entry points are reached through `Gl::raw` only, which makes the context current first.
-//!   [`Gl`] is neither `Send` nor `Sync`, so the thread is the one that created it.
-//! - Every object holds a [`Gl`], which keeps its context alive, so no call outlives the context.
+//! its context is current on the calling thread, every pointer and range passed to it is valid, and
+//! every name passed to it is of that context.
+//! - Entry points are reached only through `Gl::current` and its kin, which make the context current
+//!   first and give nothing where that fails. [`Gl`] is neither `Send` nor `Sync`, so the thread is
+//!   the one that created it. They are used before anything else can make another context current.
+//! - Every object holds a [`Gl`], which keeps the context alive, so no call outlives the context,
+//!   whatever is dropped first. The one painter that keeps entry points of its own,
+//!   `InterfacePainter`, holds a [`Gl`] as well.
+//! - Objects that are used together are checked to be of one context.
 //! - Pointers come from slices, whose lengths are checked against the sizes passed beside them;
-//!   draws check their ranges against the buffers attached to the vertex array.
+//!   draws check their ranges against the buffers attached to the vertex array, whose sizes count
+//!   only once the driver has reserved the memory.
 //!
-//! `SAFETY: current context` below refers to this paragraph.
+//! `SAFETY: current context` below refers to this paragraph. It relies on nothing else in the
+//! process making contexts current on threads on which a [`Gl`] lives.
 //!
 //! # Faults
 //!
-//! What a caller can act on is a [`GpuError`]. What is a mistake in our own drawing code (a uniform
-//! that no shader declares, a draw beyond a buffer's end) draws nothing, is kept, and is returned
-//! once by [`Gl::check`], together with what the driver reports.
+//! A failure that a caller can act on is a [`GpuError`]. A mistake in our own drawing code (a
+//! uniform that no shader declares, a draw beyond a buffer's end) draws nothing, is kept, and is
+//! returned once by [`Gl::check`], together with what the driver reports.
 #![doc(alias = "ErrorHandling")]
 
-mod attribute;
 mod buffer;
 mod context;
-mod current;
 mod display_list;
 mod draw_state;
 mod driver;
-mod error;
+#[cfg(test)]
+mod failure_tests;
 mod framebuffer;
+mod framebuffer_object;
 mod gl;
+mod gpu_error;
 mod immediate;
+pub(crate) mod interface_painter;
 mod program;
-mod target;
+#[cfg(test)]
+pub(crate) mod test_driver;
 mod texture;
-mod thick_line;
 mod vertex_array;
 
-pub use attribute::Attribute;
 pub use buffer::{Buffer, IndexBuffer, Usage};
-pub use context::{Api, Backend, ContextError, HeadlessContext, WindowContext};
+pub use context::{Api, Backend, HeadlessContext, WindowContext};
 pub use display_list::DisplayList;
 pub use draw_state::{Blend, DepthTest, DrawState};
 pub use driver::Info;
-pub use error::GpuError;
 pub use framebuffer::{Framebuffer, Rect};
 pub use gl::Gl;
+pub use gpu_error::{ContextError, GpuError};
 pub use immediate::{Immediate, Mode, PointShape};
 pub use program::Program;
 pub use texture::{Filter, FloatTexture, Sampling, Texture, Wrap};
-pub use vertex_array::{Primitive, VertexArray, VertexArrayBuilder};
+pub use vertex_array::{Attribute, Primitive, VertexArray, VertexArrayBuilder};

@@ -22,7 +22,7 @@ struct Uniform {
 ///
 /// Uniforms are set by name and keep their value until set again. A name that the source declares
 /// but the driver removed as unused is ignored; one that the source never declares, or a value of
-/// the wrong type, is a fault told by [`Gl::check`].
+/// the wrong type, is a fault that [`Gl::check`] returns.
 #[doc(alias = "ShaderLoader")]
 pub struct Program {
     gl: Gl,
@@ -41,7 +41,7 @@ impl std::fmt::Debug for Program {
 
 impl Program {
     /// Compiles and links. Bodies have no `#version` line and stay within what OpenGL 3.3 and
-    /// OpenGL ES 3.0 share (`1.0`, never `1`); `label` is the name that errors tell.
+    /// OpenGL ES 3.0 share (`1.0`, never `1`); `label` is the name in errors.
     ///
     /// # Errors
     /// [`GpuError::Compile`] and [`GpuError::Link`] with the driver's text.
@@ -57,8 +57,9 @@ impl Program {
             what: "shader program",
             why,
         };
+        let glow = gl.current_for("making a shader program")?;
         // SAFETY: current context.
-        let raw = unsafe { gl.raw().create_program() }.map_err(create)?;
+        let raw = unsafe { glow.create_program() }.map_err(create)?;
         let mut declared = declared_uniforms(vertex_body);
         declared.append(&mut declared_uniforms(fragment_body));
         let mut program = Self {
@@ -69,7 +70,6 @@ impl Program {
             declared,
             unknown: RefCell::default(),
         };
-        let glow = gl.raw();
         // SAFETY: current context; the objects are of this context and alive.
         unsafe {
             glow.attach_shader(raw, vertex.raw);
@@ -85,7 +85,8 @@ impl Program {
                 });
             }
         }
-        program.uniforms = active_uniforms(glow, raw);
+        // SAFETY: current context; the program was linked.
+        program.uniforms = unsafe { active_uniforms(glow, raw) };
         Ok(program)
     }
 
@@ -97,13 +98,21 @@ impl Program {
 
     /// Draws use this program from now on.
     pub(in crate::gpu) fn bind(&self) {
-        // SAFETY: current context.
-        unsafe { self.gl.raw().use_program(Some(self.raw)) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; the program is linked and alive.
+            unsafe { glow.use_program(Some(self.raw)) }
+        }
+    }
+
+    /// Whether it is an object of the context of `gl`.
+    pub(in crate::gpu) fn is_of(&self, gl: &Gl) -> bool {
+        self.gl.is_same(gl)
     }
 
     /// Sets a `float`.
     pub fn set_f32(&self, name: &str, value: f32) {
-        // SAFETY: current context; the location is this program's, which is bound.
+        // SAFETY: `set` passes a current context in which this program is bound, and a location of
+        // this program whose type it has checked.
         self.set(name, &[glow::FLOAT], |gl, at| unsafe {
             gl.uniform_1_f32(Some(at), value)
         });
@@ -162,11 +171,14 @@ impl Program {
         });
     }
 
+    /// Calls `set` with the program bound, if it has a uniform of this name and one of `kinds`.
     fn set(&self, name: &str, kinds: &[u32], set: impl Fn(&glow::Context, &glow::UniformLocation)) {
         match self.uniforms.get(name) {
             Some(uniform) if kinds.contains(&uniform.kind) => {
                 self.bind();
-                set(self.gl.raw(), &uniform.location);
+                if let Some(glow) = self.gl.current() {
+                    set(glow, &uniform.location);
+                }
             }
             Some(_) => self.complain(name, "has another type than the value set"),
             None if self.declared.contains(name) => {}
@@ -184,12 +196,14 @@ impl Program {
 
 impl Drop for Program {
     fn drop(&mut self) {
-        // SAFETY: current context; deleted once.
-        unsafe { self.gl.raw().delete_program(self.raw) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; deleted once.
+            unsafe { glow.delete_program(self.raw) }
+        }
     }
 }
 
-/// A compiled stage; a program keeps what it needs of it.
+/// A compiled stage. Once the program is linked it is no longer needed.
 struct Shader<'a> {
     gl: &'a Gl,
     raw: glow::Shader,
@@ -206,13 +220,13 @@ impl<'a> Shader<'a> {
             what: "shader",
             why,
         };
-        let glow = gl.raw();
+        let glow = gl.current_for("compiling a shader")?;
         // SAFETY: current context.
         let shader = Self {
             gl,
             raw: unsafe { glow.create_shader(kind) }.map_err(create)?,
         };
-        // SAFETY: current context.
+        // SAFETY: current context; the shader is of this context and alive.
         let log = unsafe {
             glow.shader_source(shader.raw, &format!("{header}{body}"));
             glow.compile_shader(shader.raw);
@@ -236,14 +250,21 @@ impl<'a> Shader<'a> {
 
 impl Drop for Shader<'_> {
     fn drop(&mut self) {
-        // SAFETY: current context; deleted once.
-        unsafe { self.gl.raw().delete_shader(self.raw) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; deleted once.
+            unsafe { glow.delete_shader(self.raw) }
+        }
     }
 }
 
-fn active_uniforms(glow: &glow::Context, program: glow::Program) -> HashMap<String, Uniform> {
+/// # Safety
+/// The context is current, and the program is one of its programs, and linked.
+unsafe fn active_uniforms(
+    glow: &glow::Context,
+    program: glow::Program,
+) -> HashMap<String, Uniform> {
     let mut uniforms = HashMap::new();
-    // SAFETY: current context; the program is linked, and indices stay below its count.
+    // SAFETY: by this function's contract; indices stay below the program's count.
     unsafe {
         for index in 0..glow.get_active_uniforms(program) {
             let Some(active) = glow.get_active_uniform(program, index) else {
@@ -264,7 +285,7 @@ fn active_uniforms(glow: &glow::Context, program: glow::Program) -> HashMap<Stri
     uniforms
 }
 
-/// Every word of every statement that says `uniform`: more than the names, and never fewer.
+/// All words of the statements with `uniform`: the names of all uniforms, among others.
 fn declared_uniforms(body: &str) -> BTreeSet<String> {
     let is_word = |c: char| c.is_alphanumeric() || c == '_';
     body.split(';')

@@ -1,13 +1,17 @@
 //! Textures: pictures to show, and tables of numbers to look up in a shader.
 //!
-//! Making or updating one leaves it bound to unit 0: bind what a draw reads just before it.
+//! Making or updating one binds it to the [`SPARE_UNIT`], so that no unit that a draw reads changes.
 
 use bytemuck::cast_slice;
 use glow::HasContext as _;
 
 use super::{Gl, GpuError};
 
-/// What is seen between and around the centers of pixels.
+/// The texture unit for making and updating textures. Draws use the first few; OpenGL ES 3.0 and
+/// WebGL 2 promise 32.
+pub(in crate::gpu) const SPARE_UNIT: u32 = 31;
+
+/// Color between the centers of pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Filter {
     /// The nearest pixel.
@@ -17,7 +21,7 @@ pub enum Filter {
     Linear,
 }
 
-/// What is seen outside of 0..1.
+/// Color outside of 0..1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Wrap {
     /// The pixel at the edge.
@@ -27,7 +31,7 @@ pub enum Wrap {
     Repeat,
 }
 
-/// How a shader reads a [`Texture`].
+/// Sampling of a [`Texture`] in a shader.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Sampling {
     /// Between pixels.
@@ -74,18 +78,19 @@ impl Texture {
             Wrap::Repeat => glow::REPEAT,
         };
         raw.set_sampling(min, mag, wrap);
-        if sampling.mipmaps {
-            raw.bind(0);
+        if sampling.mipmaps
+            && let Some(glow) = raw.bind(SPARE_UNIT)
+        {
             // SAFETY: current context; the texture is bound and has its first level.
-            unsafe { gl.raw().generate_mipmap(glow::TEXTURE_2D) };
+            unsafe { glow.generate_mipmap(glow::TEXTURE_2D) };
         }
         gl.check("making a texture")?;
         Ok(Self { raw })
     }
 
-    /// A `sampler2D` of this unit reads it from now on.
+    /// Binds it to `unit`, where a `sampler2D` reads it.
     pub fn bind(&self, unit: u32) {
-        self.raw.bind(unit);
+        let _ = self.raw.bind(unit);
     }
 }
 
@@ -129,9 +134,9 @@ impl FloatTexture {
         self.raw.gl.check("writing a float texture")
     }
 
-    /// A `sampler2D` of this unit reads it from now on.
+    /// Binds it to `unit`, where a `sampler2D` reads it.
     pub fn bind(&self, unit: u32) {
-        self.raw.bind(unit);
+        let _ = self.raw.bind(unit);
     }
 }
 
@@ -146,33 +151,36 @@ impl Raw {
             what: "texture",
             why,
         };
+        let glow = gl.current_for("making a texture")?;
         // SAFETY: current context.
-        let raw = unsafe { gl.raw().create_texture() }.map_err(create)?;
+        let raw = unsafe { glow.create_texture() }.map_err(create)?;
         Ok(Self {
             gl: gl.clone(),
             raw,
         })
     }
 
-    fn bind(&self, unit: u32) {
-        let glow = self.gl.raw();
-        // SAFETY: current context; a unit that does not exist is an error of the driver's.
+    /// Binds it to `unit` and makes that the active one; the entry points to go on with.
+    fn bind(&self, unit: u32) -> Option<&glow::Context> {
+        let glow = self.gl.current()?;
+        // SAFETY: current context; the driver reports a unit that does not exist.
         unsafe {
             glow.active_texture(glow::TEXTURE0.saturating_add(unit));
             glow.bind_texture(glow::TEXTURE_2D, Some(self.raw));
-            // A sampler object left there by somebody else would win over the texture's sampling.
+            // A sampler object left there by other code would replace the texture's sampling.
             glow.bind_sampler(unit, None);
         }
+        Some(glow)
     }
 
     fn set_sampling(&self, min: u32, mag: u32, wrap: u32) {
-        self.bind(0);
+        let Some(glow) = self.bind(SPARE_UNIT) else {
+            return;
+        };
         let set = |parameter, value: u32| {
             // SAFETY: current context; the texture is bound, the constants are OpenGL's.
             unsafe {
-                self.gl
-                    .raw()
-                    .tex_parameter_i32(glow::TEXTURE_2D, parameter, value as i32)
+                glow.tex_parameter_i32(glow::TEXTURE_2D, parameter, value.cast_signed());
             };
         };
         set(glow::TEXTURE_MIN_FILTER, min);
@@ -206,9 +214,9 @@ impl Raw {
                 problem,
             });
         }
-        self.bind(0);
-        let glow = self.gl.raw();
-        // SAFETY: current context; the data has exactly the length that the driver will read,
+        let glow = self.gl.current_for("writing a texture")?;
+        self.bind(SPARE_UNIT);
+        // SAFETY: current context; the texture is bound, and the data has exactly the length that the driver will read,
         // since rows are unpacked without gaps. Sizes and formats fit i32.
         unsafe {
             glow.bind_buffer(glow::PIXEL_UNPACK_BUFFER, None);
@@ -234,7 +242,9 @@ impl Raw {
 
 impl Drop for Raw {
     fn drop(&mut self) {
-        // SAFETY: current context; deleted once.
-        unsafe { self.gl.raw().delete_texture(self.raw) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; deleted once.
+            unsafe { glow.delete_texture(self.raw) }
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Vertex arrays: which attribute reads which buffer how, and drawing from them.
+//! Vertex arrays: the layout of attributes in buffers, and draws from them.
 
 use std::mem::size_of;
 use std::ops::Range;
@@ -7,11 +7,10 @@ use std::rc::Rc;
 use bytemuck::Pod;
 use glow::HasContext as _;
 
-use super::attribute::{Source, attach};
 use super::buffer::Storage;
-use super::{Attribute, Buffer, Gl, GpuError, IndexBuffer, Program};
+use super::{Buffer, Gl, GpuError, IndexBuffer, Program};
 
-/// What consecutive vertices make. [`Immediate`](super::Immediate) adds quads.
+/// Shape that consecutive vertices form. [`Immediate`](super::Immediate) adds quads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Primitive {
     /// One point a vertex.
@@ -41,6 +40,133 @@ impl Primitive {
             Self::TriangleStrip => glow::TRIANGLE_STRIP,
             Self::TriangleFan => glow::TRIANGLE_FAN,
         }
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    F32,
+    U32,
+}
+
+/// Source of one `in` variable of a vertex shader: its place and type in the elements of a buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Attribute {
+    location: u32,
+    components: u32,
+    kind: Kind,
+    offset: usize,
+    divisor: u32,
+}
+
+impl Attribute {
+    /// A `float` or `vec2` to `vec4` at `layout(location = …)`, from `components` (1 to 4) `f32`.
+    #[must_use]
+    pub const fn f32(location: u32, components: u32) -> Self {
+        Self {
+            location,
+            components,
+            kind: Kind::F32,
+            offset: 0,
+            divisor: 0,
+        }
+    }
+
+    /// A `uint` or `uvec2` to `uvec4`, from `components` (1 to 4) `u32`.
+    #[must_use]
+    pub const fn u32(location: u32, components: u32) -> Self {
+        Self {
+            location,
+            components,
+            kind: Kind::U32,
+            offset: 0,
+            divisor: 0,
+        }
+    }
+
+    /// Sets its offset in each element, in bytes (0 by default).
+    #[must_use]
+    pub const fn offset(self, bytes: usize) -> Self {
+        Self {
+            offset: bytes,
+            ..self
+        }
+    }
+
+    /// Advances once every `instances` instances instead of once a vertex (0: once a vertex).
+    #[must_use]
+    pub const fn divisor(self, instances: u32) -> Self {
+        Self {
+            divisor: instances,
+            ..self
+        }
+    }
+
+    /// Whether it lies within elements of `stride` bytes, at a location below `max_location`.
+    fn fits(&self, stride: usize, max_location: u32) -> bool {
+        (1..=4).contains(&self.components)
+            && self.offset.saturating_add(self.byte_len()) <= stride
+            && self.location < max_location
+    }
+
+    fn byte_len(&self) -> usize {
+        (self.components as usize).saturating_mul(size_of::<f32>())
+    }
+}
+
+/// An attribute with the buffer that it reads.
+struct Source {
+    attribute: Attribute,
+    stride: usize,
+    storage: Rc<Storage>,
+}
+
+impl Source {
+    /// Number of elements that can be read.
+    fn elements(&self) -> usize {
+        let needed = self.attribute.offset + self.attribute.byte_len();
+        match self.storage.used.get().checked_sub(needed) {
+            Some(rest) => rest / self.stride + 1,
+            None => 0,
+        }
+    }
+}
+
+/// # Safety
+/// The context is current and that of the buffer, a vertex array is bound, and the layout fits the
+/// elements.
+unsafe fn attach(glow: &glow::Context, source: &Source) {
+    let Attribute {
+        location,
+        kind,
+        divisor,
+        ..
+    } = source.attribute;
+    // `fits` has checked that these are small.
+    let components = source.attribute.components as i32;
+    let (stride, offset) = (source.stride as i32, source.attribute.offset as i32);
+    // SAFETY: by this function's contract; the buffer is of the same context.
+    unsafe {
+        glow.bind_buffer(glow::ARRAY_BUFFER, Some(source.storage.raw));
+        glow.enable_vertex_attrib_array(location);
+        match kind {
+            Kind::F32 => glow.vertex_attrib_pointer_f32(
+                location,
+                components,
+                glow::FLOAT,
+                false,
+                stride,
+                offset,
+            ),
+            Kind::U32 => glow.vertex_attrib_pointer_i32(
+                location,
+                components,
+                glow::UNSIGNED_INT,
+                stride,
+                offset,
+            ),
+        }
+        glow.vertex_attrib_divisor(location, divisor);
     }
 }
 
@@ -81,39 +207,41 @@ impl VertexArrayBuilder {
     /// The finished vertex array.
     ///
     /// # Errors
-    /// When an attribute reaches beyond its element or has not 1 to 4 components, or the driver
-    /// makes no vertex array.
+    /// When an attribute reaches beyond its element or has not 1 to 4 components, a buffer is of
+    /// another context, or the driver makes no vertex array.
     pub fn build(self) -> Result<VertexArray, GpuError> {
         let Self {
             gl,
             sources,
             indices,
         } = self;
-        let glow = gl.raw();
-        // SAFETY: current context.
-        let max = unsafe { glow.get_parameter_i32(glow::MAX_VERTEX_ATTRIBS) }
-            .max(0)
-            .unsigned_abs();
+        let invalid = |problem| GpuError::Data {
+            what: "vertex attribute",
+            problem,
+        };
         for Source {
             attribute, stride, ..
         } in &sources
         {
-            if !attribute.fits(*stride, max) {
+            if !attribute.fits(*stride, gl.info().max_vertex_attributes) {
                 let problem =
                     format!("{attribute:?} does not fit into an element of {stride} bytes");
-                return Err(GpuError::Data {
-                    what: "vertex attribute",
-                    problem,
-                });
+                return Err(invalid(problem));
             }
         }
+        let mut storages = sources.iter().map(|source| &source.storage).chain(&indices);
+        if !storages.all(|storage| storage.gl.is_same(&gl)) {
+            return Err(invalid("its buffer is of another context".to_owned()));
+        }
+        let glow = gl.current_for("making a vertex array")?;
         let create = |why| GpuError::Create {
             what: "vertex array",
             why,
         };
         // SAFETY: current context.
         let raw = unsafe { glow.create_vertex_array() }.map_err(create)?;
-        // SAFETY: current context; the layout was checked, and draws check their ranges.
+        // SAFETY: current context, which all buffers are of; the layout was checked, and draws check
+        // their ranges.
         unsafe {
             glow.bind_vertex_array(Some(raw));
             sources.iter().for_each(|source| attach(glow, source));
@@ -136,7 +264,8 @@ impl VertexArrayBuilder {
 
 /// A set of attributes to draw from. It shares the buffers, so they may be updated, and dropped.
 ///
-/// A draw beyond the end of a buffer draws nothing and is a fault told by [`Gl::check`].
+/// A draw beyond the end of a buffer, or with a program of another context, draws nothing and is a
+/// fault that [`Gl::check`] returns.
 pub struct VertexArray {
     gl: Gl,
     raw: glow::VertexArray,
@@ -162,14 +291,14 @@ impl VertexArray {
         }
     }
 
-    /// How many vertices the buffers hold now; any number if no attribute moves by vertex.
+    /// Number of vertices in the buffers; `u32::MAX` if no attribute advances by vertex.
     #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.count(|divisor| (divisor == 0).then_some(1))
             .unwrap_or(u32::MAX)
     }
 
-    /// How many indices the index buffer holds now (0 without one).
+    /// Number of indices in the index buffer (0 without one).
     #[must_use]
     pub fn index_count(&self) -> u32 {
         let used = self
@@ -196,8 +325,9 @@ impl VertexArray {
         else {
             return;
         };
-        program.bind();
-        let glow = self.gl.raw();
+        let Some(glow) = self.bind_program(program) else {
+            return;
+        };
         // SAFETY: current context; the range was checked against every buffer.
         unsafe {
             glow.bind_vertex_array(Some(self.raw));
@@ -234,10 +364,12 @@ impl VertexArray {
             ));
             return;
         }
-        program.bind();
-        let glow = self.gl.raw();
+        let Some(glow) = self.bind_program(program) else {
+            return;
+        };
         let offset = first * size_of::<u32>() as i32;
-        // SAFETY: current context; the range and the largest index were checked.
+        // SAFETY: current context; the range was checked against the indices, and the largest index
+        // against every buffer.
         unsafe {
             glow.bind_vertex_array(Some(self.raw));
             glow.draw_elements_instanced(
@@ -251,7 +383,18 @@ impl VertexArray {
         }
     }
 
-    /// First, count and instances if there is something to draw that lies in the buffers.
+    /// The entry points, with `program` bound in them.
+    fn bind_program(&self, program: &Program) -> Option<&glow::Context> {
+        if !program.is_of(&self.gl) {
+            self.report("a draw with a program of another context".to_owned());
+            return None;
+        }
+        program.bind();
+        self.gl.current()
+    }
+
+    /// First, count and instances as OpenGL takes them; `None` if there is nothing to draw, or not
+    /// all of it is in the buffers, which is reported.
     fn checked(
         &self,
         range: &Range<u32>,
@@ -279,10 +422,11 @@ impl VertexArray {
         ))
     }
 
-    /// The fewest elements, times the number that `repeat` gives, among attributes that have one.
+    /// The smallest number of elements, times what `repeat` returns for the divisor, among the
+    /// attributes for which it returns something.
     fn count(&self, repeat: impl Fn(u32) -> Option<u32>) -> Option<u32> {
         let counts = self.sources.iter().filter_map(|source| {
-            let repeat = repeat(source.attribute.instance_divisor())?;
+            let repeat = repeat(source.attribute.divisor)?;
             let elements = u32::try_from(source.elements()).unwrap_or(u32::MAX);
             Some(elements.saturating_mul(repeat))
         });
@@ -296,7 +440,9 @@ impl VertexArray {
 
 impl Drop for VertexArray {
     fn drop(&mut self) {
-        // SAFETY: current context; deleted once.
-        unsafe { self.gl.raw().delete_vertex_array(self.raw) }
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; deleted once.
+            unsafe { glow.delete_vertex_array(self.raw) }
+        }
     }
 }

@@ -1,5 +1,5 @@
-use super::scanner::Scanner;
-use super::{Diagnostic, Imported, Position, number};
+use super::scanner::{Scanner, finite};
+use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
 use std::path::Path;
 
@@ -82,8 +82,8 @@ fn read_row(
             None => return Err(wrong_count(scanner)),
             Some(_) if read == columns => return Err(wrong_count(scanner)),
             Some(word) => {
-                let weight = number::finite(word.text)
-                    .ok_or_else(|| scanner.expected("a weight", Some(word)))?;
+                let weight =
+                    finite(word.text).ok_or_else(|| scanner.expected("a weight", Some(word)))?;
                 read += 1;
                 if weight != 0.0 {
                     row.push(Influence {
@@ -96,7 +96,7 @@ fn read_row(
     }
 }
 
-/// What is odd about the weights, each with how often and the line where it is first seen.
+/// Oddities of the weights: for each the number of vertices and the line of the first.
 #[derive(Default)]
 struct Oddities {
     negative: Seen,

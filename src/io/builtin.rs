@@ -1,12 +1,12 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
-use super::{Diagnostic, Files, files};
+use super::{Diagnostic, Files, file_access};
 use std::path::{Path, PathBuf};
 
-/// What the path of a built-in file starts with.
+/// Prefix of the paths of built-in files.
 pub const PREFIX: &str = "builtin:";
 
-/// What a built-in file holds.
+/// Content of a built-in file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BuiltinKind {
     /// A mesh with skeleton and weights.
@@ -21,12 +21,12 @@ pub enum BuiltinKind {
     Pose,
 }
 
-/// Something that `builtin:NAME` stands for.
+/// A built-in file that has a name of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Builtin {
     /// Its name after `builtin:`.
     pub name: &'static str,
-    /// What it is.
+    /// Its content.
     pub kind: BuiltinKind,
 }
 
@@ -111,8 +111,7 @@ pub fn catalogue() -> Vec<Builtin> {
 }
 
 /// The file that `path` stands for. `builtin:adult` is `builtin:characters/adult.obj`, and
-/// `builtin:poses/adult-walk` has its extension added; what is complete, and every path on disk,
-/// stays as it is.
+/// `builtin:poses/adult-walk` gets its extension; complete names, and paths on disk, stay.
 ///
 /// # Errors
 /// If `path` starts with `builtin:` and there is no such thing; the message lists all.
@@ -120,8 +119,9 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
     let Some(name) = builtin_name(path) else {
         return Ok(path.to_owned());
     };
-    let primary =
-        |asset: &Path| ["obj", "dae", "swp", "scene", "json"].contains(&&*files::extension(asset));
+    let primary = |asset: &Path| {
+        ["obj", "dae", "swp", "scene", "json"].contains(&&*file_access::extension(asset))
+    };
     let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
     paths()
         .find(|asset| *asset == Path::new(name))

@@ -4,11 +4,11 @@ use std::fmt::Write;
 
 /// The current geometry of a scene in the world, as an `.obj` file: an `o` for each shape, its
 /// vertices in the order of their file and under its pose, its triangles; of curves all surfaces,
-/// whatever is displayed, then an `l` element for each curve in the order of the file. Shapes that
+/// displayed or not, then an `l` element for each curve in the order of the file. Shapes that
 /// are hidden in the view are no less there. Numbers have as many digits as it takes to read the
 /// same ones back.
 ///
-/// `evaluated` must be what follows from `scene`.
+/// `evaluated` must be the evaluation of `scene`.
 pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
     let mut out = String::new();
     let mut first_vertex = 1;

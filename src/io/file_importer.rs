@@ -1,7 +1,7 @@
 use super::{
     Diagnostic, Files, Imported, builtin,
     dae::{DaeReport, DaeScene, read_dae},
-    files, is_character, read_character, read_shape_obj, read_swp, scene_file,
+    file_access, is_character, read_character, read_shape_obj, read_swp, scene_file,
 };
 use crate::character::Character;
 use crate::geometry::SharedMesh;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// The extensions of files that can be imported into a scene, in lower case.
 pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 
-/// Imports what the file at `path` holds, by its extension: an `.obj` file with a skeleton or
+/// Imports the file at `path` by its extension: an `.obj` file with a skeleton or
 /// weights beside it is a character, others are shapes; a `.swp` file holds curves, and a `.dae`
 /// file may hold several characters and shapes. `builtin:NAME` stands for a file too.
 ///
@@ -23,7 +23,7 @@ pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 #[doc(alias = "FileImporter")]
 pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" if is_character(files, &file) => import_character(files, path),
         "obj" => import_shape(files, path),
         "swp" => import_curve(files, path),
@@ -38,7 +38,7 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     }
 }
 
-/// Imports the Collada file at `path`, and says what else was found in it.
+/// Imports the Collada file at `path`, with a report about its other content.
 ///
 /// # Errors
 /// If it cannot be read or is not well formed.
@@ -63,7 +63,7 @@ pub fn import_character(
     path: &Path,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" => {
             exists(files, &file)?;
             let character = read_character(files, &file)?;
@@ -87,14 +87,14 @@ pub fn import_character(
     }
 }
 
-/// Import Shape: the mesh of the `.obj` file at `path`, whatever lies beside it, or those of a
+/// Import Shape: the mesh of the `.obj` file at `path`, even beside a skeleton, or those of a
 /// `.dae` file without their skeletons.
 ///
 /// # Errors
 /// If it cannot be read or is not well formed.
 pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "obj" => {
             let mesh = read_shape_obj(files, &file, &files.read(&file)?)?;
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
@@ -123,7 +123,7 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
 /// If it cannot be read or is not well formed.
 pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
-    match files::extension(&file).as_str() {
+    match file_access::extension(&file).as_str() {
         "swp" => {
             let curves = read_swp(&file, &files.read(&file)?)?;
             let kind = |curves| ShapeKind::Curve(CurveShape::new(curves));
@@ -140,18 +140,18 @@ pub struct Loaded {
     pub shapes: Vec<NewShape>,
     /// The view of the last scene file; none if there is none.
     pub view: Option<ViewSettings>,
-    /// What was odd about them.
+    /// Warnings about them.
     pub warnings: Vec<Diagnostic>,
 }
 
 impl Loaded {
-    /// Adds what the file at `path` holds: the shapes of a scene with its view, or an import.
+    /// Adds the content of the file at `path`: the shapes of a scene with its view, or an import.
     ///
     /// # Errors
     /// If it cannot be read or is not well formed; then nothing is added.
     pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
         let file = to_open(path)?;
-        match files::extension(&file).as_str() {
+        match file_access::extension(&file).as_str() {
             "scene" => {
                 let read = scene_file::read_scene(files, &file)?;
                 self.warnings.extend(read.warnings);
@@ -173,7 +173,7 @@ impl Loaded {
         Ok(())
     }
 
-    /// Adds what was imported.
+    /// Adds imported shapes.
     pub fn add_imported(&mut self, imported: Imported<Vec<NewShape>>) {
         self.warnings.extend(imported.warnings);
         self.shapes.extend(imported.value);
@@ -217,7 +217,7 @@ fn posable(character: Character) -> ShapeKind {
     ShapeKind::Character(CharacterShape::new(Arc::new(character)))
 }
 
-/// The characters of a Collada file, then its static meshes. What is alone in its file has the
+/// The characters of a Collada file, then its static meshes. The only one of a file has the
 /// file's name, others that of the file and their own.
 fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
     let characters = scene.characters.into_iter();
@@ -242,7 +242,7 @@ fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
         .collect()
 }
 
-/// What to say about a file of the wrong kind; that there is none comes first.
+/// The error for a file of the wrong kind, or that there is no such file.
 fn cannot_open(
     files: &dyn Files,
     path: &Path,

@@ -1,13 +1,15 @@
-//! Pictures as files: PNG, JPEG and GIF.
+//! Pictures as files: PNG, JPEG and GIF; and the pictures that other files name.
 
-use super::{Diagnostic, files};
+use super::{Diagnostic, Files, file_access};
 use crate::geometry::Picture;
 use ::image::codecs::gif::GifEncoder;
 use ::image::codecs::jpeg::JpegEncoder;
 use ::image::codecs::png::PngEncoder;
 use ::image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader};
+use std::collections::HashMap;
 use std::io::Cursor;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// The kinds of picture that this program writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +22,7 @@ pub enum PictureFormat {
     Gif,
 }
 
-/// Of 100: hardly to be told from the original.
+/// Of 100; here differences from the original are hardly visible.
 const JPEG_QUALITY: u8 = 95;
 /// From 1, slow, to 30; below 10 the search for colors takes seconds and gains nothing seen.
 const GIF_SPEED: i32 = 10;
@@ -31,7 +33,7 @@ impl PictureFormat {
     /// # Errors
     /// If it is none of those that can be written; the message names them.
     pub fn of(path: &Path) -> Result<Self, Diagnostic> {
-        let extension = files::extension(path);
+        let extension = file_access::extension(path);
         match extension.as_str() {
             "png" => Ok(Self::Png),
             "jpg" | "jpeg" => Ok(Self::Jpeg),
@@ -40,7 +42,7 @@ impl PictureFormat {
                 path,
                 format!(
                     "expected a picture's name that ends in .png, .jpg or .gif, found {}",
-                    files::shown_extension(&extension)
+                    file_access::shown_extension(&extension)
                 ),
             )),
         }
@@ -90,7 +92,7 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
     Ok(bytes)
 }
 
-/// Reads a PNG, JPEG or GIF, whatever its name says; of several frames the first.
+/// Reads a PNG, JPEG or GIF by its content, not its name; of several frames the first.
 ///
 /// # Errors
 /// If it is none of these, is damaged, or would take an unreasonable amount of memory.
@@ -111,7 +113,7 @@ pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
 ///
 /// # Errors
 /// If it is no picture, or its head is damaged.
-pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
+fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
     let (name, reader) = open(path, bytes)?;
     let size = reader.into_dimensions();
     let (width, height) = size.map_err(|error| damaged(path, name, &error))?;
@@ -119,7 +121,7 @@ pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnosti
     Ok(usize::try_from(pixels.saturating_mul(4)).unwrap_or(usize::MAX))
 }
 
-/// What kind of picture it is, and what reads it.
+/// The name of a picture's format, and the reader of the picture.
 type Opened<'a> = (&'static str, ImageReader<Cursor<&'a [u8]>>);
 
 fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
@@ -150,6 +152,62 @@ fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
         ),
     };
     Diagnostic::new(path, message)
+}
+
+/// Bytes of all pictures of a file together, when decoded.
+const MOST_BYTES: usize = 1 << 29;
+
+/// The pictures that a file names, each read once and shared by all that show it.
+pub(super) struct Pictures<'a> {
+    files: &'a dyn Files,
+    read: HashMap<PathBuf, Result<Arc<Picture>, Diagnostic>>,
+    /// Bytes that may still be read.
+    left: usize,
+}
+
+impl<'a> Pictures<'a> {
+    /// None yet; they will come from `files`.
+    pub fn new(files: &'a dyn Files) -> Self {
+        Self {
+            files,
+            read: HashMap::new(),
+            left: MOST_BYTES,
+        }
+    }
+
+    /// Whether there is a file at `path`.
+    pub fn exists(&self, path: &Path) -> bool {
+        self.files.exists(path)
+    }
+
+    /// The picture at `path`.
+    ///
+    /// # Errors
+    /// If it cannot be read, or all pictures together would have too many bytes. Asking again
+    /// gives the same error.
+    pub fn get(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
+        if let Some(known) = self.read.get(path) {
+            return known.clone();
+        }
+        let read = self.read(path);
+        self.read.insert(path.to_owned(), read.clone());
+        read
+    }
+
+    fn read(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
+        let bytes = self.files.read(path)?;
+        // Asked before it is decoded, which takes time and that much memory.
+        let size = decoded_size(path, &bytes)?;
+        let Some(left) = self.left.checked_sub(size) else {
+            let message = format!(
+                "expected at most {MOST_BYTES} bytes of pictures, found more: this one is left out"
+            );
+            return Err(Diagnostic::new(path, message));
+        };
+        let picture = decode(path, &bytes)?;
+        self.left = left;
+        Ok(Arc::new(picture))
+    }
 }
 
 #[cfg(test)]
@@ -239,5 +297,33 @@ mod tests {
         assert!(encode(&wide, PictureFormat::Gif).is_err());
         assert!(encode(&wide, PictureFormat::Jpeg).is_err());
         assert!(decode(Path::new("a.png"), b"no picture").is_err());
+    }
+
+    #[test]
+    fn pictures_are_shared_and_what_exceeds_the_limit_is_left_out() {
+        let png = |width: u32| {
+            let picture = Picture {
+                width,
+                height: 1,
+                rgba: vec![7; width as usize * 4],
+            };
+            encode(&picture, PictureFormat::Png).unwrap()
+        };
+        let paths = ["a.png", "b.png", "c.png"].map(PathBuf::from);
+        let widths = [20, 5, 4];
+        let files = HashMap::from_iter(paths.iter().cloned().zip(widths.map(png)));
+        let mut pictures = Pictures {
+            left: 97,
+            ..Pictures::new(&files)
+        };
+        let [a, b, c] = &paths;
+        let first = pictures.get(a).unwrap();
+        assert!(Arc::ptr_eq(&first, &pictures.get(a).unwrap()));
+        let error = pictures.get(b).unwrap_err().to_string();
+        let expected = "b.png: expected at most 536870912 bytes of pictures, found more";
+        assert!(error.starts_with(expected), "{error}");
+        // Smaller ones still have room.
+        assert_eq!(pictures.get(c).unwrap().width, 4);
+        assert_eq!(pictures.left, 1);
     }
 }

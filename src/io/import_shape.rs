@@ -1,20 +1,16 @@
-use super::obj::{self, Corner, FaceReader};
-use super::scanner::Scanner;
-use super::{Diagnostic, Files, Imported, material};
-use crate::geometry::{Material, MaterialGroup, Mesh, Normals, Triangulator, face_normal};
+use super::diagnostic::Warnings;
+use super::obj::{self, Corner, FaceReader, Faces};
+use super::scanner::{Scanner, Word, finite};
+use super::{Diagnostic, Files, Imported, Position, mtl};
+use crate::geometry::{self, Material, MaterialGroup, Mesh, MeshBuilder, Triangulator};
 use glam::{Vec2, Vec3};
-use std::collections::BTreeMap;
-use std::fmt::Write;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 /// Reads any `.obj` file as one mesh: all its objects together, polygons cut into triangles,
-/// normals and texture coordinates where it has them, materials with color and picture. Where
-/// only some corners have a normal the others are shaded flat; a missing `.mtl` file or picture
-/// is a warning.
-///
-/// `tobj` puts positions, texture coordinates and normals under one index, and so renumbers the
-/// vertices: for characters use [`super::read_character_obj`]. What it gets to read is not the
-/// file but what `plain_obj` makes of it.
+/// normals and texture coordinates where it has them, materials with color and picture. Its
+/// positions are those of the file that faces use, in their order. A triangle with a corner that
+/// has no normal is shaded flat; a missing `.mtl` file or picture is a warning.
 ///
 /// # Errors
 /// At the first line that is not well formed or names something that does not exist, and if
@@ -25,66 +21,16 @@ pub fn read_shape_obj(
     path: &Path,
     bytes: &[u8],
 ) -> Result<Imported<Mesh>, Diagnostic> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut plain = plain_obj(files, path, bytes)?;
-    let options = tobj::LoadOptions {
-        single_index: true,
-        ..tobj::LoadOptions::default()
-    };
-    let (models, materials) = tobj::load_obj_buf(&mut plain.obj.as_bytes(), &options, |_| {
-        tobj::load_mtl_buf(&mut plain.mtl.as_bytes())
-    })
-    .map_err(|error| Diagnostic::new(path, error.to_string()))?;
-    let materials = materials.map_err(|error| Diagnostic::new(path, error.to_string()))?;
-    let materials = material::materials(files, folder, materials);
-    plain.warnings.extend(materials.warnings);
-
-    let mut parts = Parts::default();
-    for model in &models {
-        let material = model
-            .mesh
-            .material_id
-            .and_then(|id| materials.value.get(id));
-        parts.add(&model.mesh, material);
-    }
-    if !plain.has_texture_coordinates {
-        parts.texture_coordinates.clear();
-    }
-    Ok(Imported {
-        value: parts.into_mesh(),
-        warnings: plain.warnings,
-    })
-}
-
-/// An `.obj` file and its materials in a form that `tobj` cannot misread.
-struct Plain {
-    obj: String,
-    mtl: String,
-    has_texture_coordinates: bool,
-    warnings: Vec<Diagnostic>,
-}
-
-/// Checks every line that matters and writes it again for `tobj`: comments, colors of vertices
-/// and lines without faces gone; materials first, then data, then faces; indices positive and
-/// every corner with all three, where the first texture coordinate and the first normal, all
-/// zero, stand for none.
-///
-/// Left to itself `tobj` tells no line, takes a comment after a face for a corner, mixes up
-/// vertices with and without normals, and overflows on an index 0.
-fn plain_obj(files: &dyn Files, path: &Path, bytes: &[u8]) -> Result<Plain, Diagnostic> {
-    let mut reader = PlainReader {
+    let mut reader = ShapeReader {
         files,
-        path,
+        folder: path.parent().unwrap_or(Path::new("")),
         scanner: Scanner::new(path, bytes)?,
+        data: Data::default(),
         faces: FaceReader::default(),
-        data: "vt 0 0\nvn 0 0 0\n".to_owned(),
-        face_lines: String::new(),
-        mtl: String::new(),
-        mtl_missing: false,
-        used_materials: BTreeMap::new(),
-        face_count: 0,
-        has_texture_coordinates: false,
-        warnings: Vec::new(),
+        materials: Vec::new(),
+        materials_missing: false,
+        uses: Vec::new(),
+        warnings: Warnings::default(),
     };
     loop {
         reader.line()?;
@@ -92,58 +38,53 @@ fn plain_obj(files: &dyn Files, path: &Path, bytes: &[u8]) -> Result<Plain, Diag
             break;
         }
     }
-    reader.faces.check(&reader.scanner)?;
-    obj::check_not_empty(path, reader.faces.counts[0], reader.face_count)?;
-    reader.warn_of_unknown_materials();
-    reader
-        .warnings
-        .extend(reader.faces.warnings(&reader.scanner));
-    Ok(Plain {
-        obj: format!("mtllib all\n{}{}", reader.data, reader.face_lines),
-        mtl: reader.mtl,
-        has_texture_coordinates: reader.has_texture_coordinates,
-        warnings: reader.warnings,
-    })
+    reader.finish()
 }
 
-struct PlainReader<'a> {
+struct ShapeReader<'a> {
     files: &'a dyn Files,
-    path: &'a Path,
+    folder: &'a Path,
     scanner: Scanner<'a>,
+    data: Data,
     faces: FaceReader,
-    data: String,
-    face_lines: String,
-    mtl: String,
-    mtl_missing: bool,
-    /// Each with the warning, should no file have it.
-    used_materials: BTreeMap<&'a str, Diagnostic>,
-    face_count: usize,
-    has_texture_coordinates: bool,
-    warnings: Vec<Diagnostic>,
+    materials: Vec<tobj::Material>,
+    materials_missing: bool,
+    uses: Vec<Use<'a>>,
+    warnings: Warnings,
 }
 
-impl PlainReader<'_> {
+/// A `usemtl` line.
+struct Use<'a> {
+    name: &'a str,
+    /// How many faces come before it.
+    faces_before: usize,
+    /// Where the name stands.
+    at: Position,
+}
+
+impl<'a> ShapeReader<'a> {
     fn line(&mut self) -> Result<(), Diagnostic> {
         match self.scanner.word().map(|word| word.text) {
             Some("v") => {
-                let position = obj::read_position(&mut self.scanner)?;
-                self.push_data("v", position);
+                self.data
+                    .positions
+                    .push(obj::read_position(&mut self.scanner)?);
                 self.faces.counts[0] += 1;
             }
             Some("vt") => {
                 let u = self.scanner.number("a number for u")?;
                 let word = self.scanner.word();
-                let v = word.map_or(Some(0.0), |word| super::number::finite(word.text));
+                let v = word.map_or(Some(0.0), |word| finite(word.text));
                 let v = v.ok_or_else(|| self.scanner.expected("a number for v", word))?;
-                self.data.push_str(&format!("vt {u} {v}\n"));
+                self.data.texture.push(Vec2::new(u, v));
                 self.faces.counts[1] += 1;
             }
             Some("vn") => {
                 let normal = obj::read_vec3(&mut self.scanner)?;
-                self.push_data("vn", normal);
+                self.data.normals.push(normal.try_normalize());
                 self.faces.counts[2] += 1;
             }
-            Some("f") => self.face()?,
+            Some("f") => self.faces.read(&mut self.scanner)?,
             Some("mtllib") => self.material_library(),
             Some("usemtl") => self.use_material()?,
             _ => {}
@@ -151,171 +92,283 @@ impl PlainReader<'_> {
         Ok(())
     }
 
-    fn push_data(&mut self, key: &str, Vec3 { x, y, z }: Vec3) {
-        self.data.push_str(&format!("{key} {x} {y} {z}\n"));
-    }
-
-    fn face(&mut self) -> Result<(), Diagnostic> {
-        let start = self.face_lines.len();
-        self.face_lines.push('f');
-        let (lines, textured) = (&mut self.face_lines, &mut self.has_texture_coordinates);
-        let arity = self.faces.read(&mut self.scanner, |corner: Corner| {
-            // From 1 in the file, and one more for the zeros that were put first.
-            let after_zeros = |index: Option<u32>| index.map_or(1, |index| u64::from(index) + 2);
-            let texture = after_zeros(corner.texture);
-            let normal = after_zeros(corner.normal);
-            *textured |= corner.texture.is_some();
-            // Writing to a string cannot fail.
-            let _ = write!(
-                lines,
-                " {}/{texture}/{normal}",
-                u64::from(corner.position) + 1
-            );
-        })?;
-        if arity < 3 {
-            self.face_lines.truncate(start);
-        } else {
-            self.face_lines.push('\n');
-            self.face_count += 1;
-        }
-        Ok(())
-    }
-
     fn material_library(&mut self) {
         let name = self.scanner.rest();
         let Some(word) = name else {
-            let warning = self.scanner.expected("the name of an .mtl file", None);
-            self.warnings.push(warning);
+            let scanner = &self.scanner;
+            self.warnings
+                .push_with(|| scanner.expected("the name of an .mtl file", None));
             return;
         };
-        let folder = self.path.parent().unwrap_or(Path::new(""));
-        let mtl_path = material::beside(folder, word.text);
-        let read = self.files.read(&mtl_path);
-        match read.and_then(|bytes| material::plain_mtl(&mtl_path, &bytes)) {
-            Ok(plain) => {
-                self.mtl.push_str(&plain.value);
-                self.warnings.extend(plain.warnings);
+        let path = mtl::beside(self.folder, word.text);
+        let read = self.files.read(&path);
+        match read.and_then(|bytes| mtl::read_mtl(&path, &bytes)) {
+            Ok(read) => {
+                self.materials.extend(read.materials);
+                self.warnings.append(read.warnings);
             }
             Err(error) => {
-                let at = self.scanner.position(name);
-                self.warnings.push(
-                    self.scanner
-                        .error(at, format!("materials left out: {error}")),
-                );
-                self.mtl_missing = true;
+                let scanner = &self.scanner;
+                self.warnings.push_with(|| {
+                    let message = format!("materials left out: {error}");
+                    scanner.error(scanner.position(name), message)
+                });
+                self.materials_missing = true;
             }
         }
     }
 
     fn use_material(&mut self) -> Result<(), Diagnostic> {
-        let name = self.scanner.rest();
+        let name: Option<Word<'a>> = self.scanner.rest();
         let word = name.ok_or_else(|| self.scanner.expected("the name of a material", None))?;
-        self.face_lines.push_str(&format!("usemtl {}\n", word.text));
-        let (scanner, at) = (&self.scanner, self.scanner.position(name));
-        self.used_materials
-            .entry(word.text)
-            .or_insert_with(|| scanner.error(at, material::unknown(word)));
+        let at = self.scanner.position(name);
+        self.uses.push(Use {
+            name: word.text,
+            faces_before: self.faces.face_count(),
+            at,
+        });
         Ok(())
     }
 
-    /// Each unknown material once, and none if their file is missing, which was told.
-    fn warn_of_unknown_materials(&mut self) {
-        if self.mtl_missing {
-            return;
-        }
-        for name in self.mtl.lines().filter_map(|l| l.strip_prefix("newmtl ")) {
-            self.used_materials.remove(name);
-        }
-        let unknown = std::mem::take(&mut self.used_materials);
-        self.warnings.extend(unknown.into_values());
-    }
-}
-
-/// The mesh as it comes together from `tobj`'s models, one a run of faces of one material.
-#[derive(Default)]
-struct Parts {
-    positions: Vec<Vec3>,
-    normals: Vec<Vec3>,
-    texture_coordinates: Vec<Vec2>,
-    triangles: Vec<[u32; 3]>,
-    groups: Vec<MaterialGroup>,
-    cutter: Triangulator,
-}
-
-impl Parts {
-    fn add(&mut self, mesh: &tobj::Mesh, material: Option<&Material>) {
-        let first = self.positions.len() as u32;
-        let vec3s = |flat: &[f32]| {
-            flat.chunks_exact(3)
-                .map(Vec3::from_slice)
-                .collect::<Vec<_>>()
-        };
-        let positions = vec3s(&mesh.positions);
-        let all_triangles = vec![3; mesh.indices.len() / 3];
-        let arities = if mesh.face_arities.is_empty() {
-            &all_triangles
-        } else {
-            &mesh.face_arities
-        };
-        let triangles = obj::triangles(&mut self.cutter, &positions, &mesh.indices, arities);
-        let start = self.triangles.len();
-        self.triangles
-            .extend(triangles.iter().map(|t| t.map(|index| first + index)));
-        self.positions.extend(positions);
-        let normals = vec3s(&mesh.normals).into_iter();
-        self.normals.extend(normals.map(Vec3::normalize_or_zero));
-        let uvs = mesh.texcoords.chunks_exact(2).map(Vec2::from_slice);
-        self.texture_coordinates.extend(uvs);
-
-        let range = start..self.triangles.len();
-        match (material, self.groups.last_mut()) {
-            (None, _) => {}
-            (Some(material), Some(last))
-                if last.triangles.end == start && last.material == *material =>
-            {
-                last.triangles.end = range.end;
-            }
-            (Some(material), _) => self.groups.push(MaterialGroup {
-                triangles: range,
-                material: material.clone(),
-            }),
-        }
-    }
-
-    fn into_mesh(mut self) -> Mesh {
-        let normals = if self.normals.iter().all(|&normal| normal == Vec3::ZERO) {
-            Normals::Flat
-        } else {
-            self.flatten_where_normals_are_missing();
-            Normals::PerVertex(self.normals)
-        };
-        Mesh {
-            normals,
-            texture_coordinates: self.texture_coordinates,
-            groups: self.groups,
-            ..Mesh::new(self.positions, self.triangles)
-        }
-    }
-
-    /// Gives each triangle with a corner that has no normal corners of its own, with the face's.
-    fn flatten_where_normals_are_missing(&mut self) {
-        for triangle in &mut self.triangles {
-            let corners = triangle.map(|index| index as usize);
-            if corners
-                .iter()
-                .all(|&corner| self.normals[corner] != Vec3::ZERO)
-            {
-                continue;
-            }
-            let normal = face_normal(corners.map(|corner| self.positions[corner]));
-            for (index, corner) in triangle.iter_mut().zip(corners) {
-                *index = self.positions.len() as u32;
-                self.positions.push(self.positions[corner]);
-                self.normals.push(normal);
-                if let Some(&uv) = self.texture_coordinates.get(corner) {
-                    self.texture_coordinates.push(uv);
+    fn finish(mut self) -> Result<Imported<Mesh>, Diagnostic> {
+        let (faces, face_warnings) = self.faces.finish(&self.scanner)?;
+        let (materials, material_warnings) =
+            mtl::with_pictures(self.files, self.folder, self.materials);
+        let mesh = self.data.mesh(&faces, &self.uses, &materials);
+        // If a library is missing, which has a warning of its own, so may the material be.
+        if !self.materials_missing {
+            let mut unknown = BTreeMap::new();
+            for Use { name, at, .. } in &self.uses {
+                if !materials.contains_key(*name) {
+                    unknown.entry(*name).or_insert(*at);
                 }
             }
+            let scanner = &self.scanner;
+            for (name, at) in unknown {
+                self.warnings
+                    .push_with(|| scanner.error(at, mtl::unknown(name)));
+            }
         }
+        self.warnings.append(face_warnings);
+        self.warnings.append(material_warnings);
+        Ok(Imported {
+            value: mesh,
+            warnings: self.warnings.into_vec(self.scanner.path()),
+        })
+    }
+}
+
+/// The numbers that corners of faces index.
+#[derive(Default)]
+struct Data {
+    positions: Vec<Vec3>,
+    texture: Vec<Vec2>,
+    /// Of unit length; none for one without a direction.
+    normals: Vec<Option<Vec3>>,
+}
+
+impl Data {
+    fn mesh(&self, faces: &Faces, uses: &[Use], materials: &HashMap<String, Material>) -> Mesh {
+        let mut builder = MeshBuilder::new();
+        let of_position = self.add_used_positions(faces, &mut builder);
+        let mut cutter = Triangulator::default();
+        let mut uses = uses.iter().peekable();
+        let mut group: Option<MaterialGroup> = None;
+        for (index, face) in faces.iter().enumerate() {
+            let mut latest = None;
+            while let Some(next) = uses.next_if(|next| next.faces_before <= index) {
+                latest = Some(materials.get(next.name));
+            }
+            if let Some(material) = latest {
+                let known = group.as_ref().map(|group| &group.material.name);
+                if known != material.map(|material| &material.name) {
+                    close(&mut builder, group.take());
+                    let start = builder.triangle_count();
+                    group = material.map(|material| MaterialGroup {
+                        triangles: start..start,
+                        material: material.clone(),
+                    });
+                }
+            }
+            for triangle in obj::triangles(face, &self.positions, &mut cutter) {
+                let corners = triangle.map(|corner| self.corner(&face[corner], &of_position));
+                let has_normals = corners.iter().all(|corner| corner.normal.is_some());
+                builder.push_triangle(corners.map(|corner| geometry::Corner {
+                    normal: corner.normal.filter(|_| has_normals),
+                    ..corner
+                }));
+            }
+        }
+        close(&mut builder, group);
+        builder.build()
+    }
+
+    /// Adds the positions that faces use, and returns the index that each has in the mesh.
+    fn add_used_positions(&self, faces: &Faces, builder: &mut MeshBuilder) -> Vec<u32> {
+        let mut used = vec![false; self.positions.len()];
+        for corner in faces.iter().flatten() {
+            used[corner.position as usize] = true;
+        }
+        let mut next = 0;
+        let numbered = used.iter().map(|&used| {
+            let index = next;
+            next += u32::from(used);
+            index
+        });
+        let numbered = numbered.collect();
+        let positions = self.positions.iter().zip(&used);
+        builder.extend_positions(positions.filter(|(_, used)| **used).map(|(&p, _)| p));
+        numbered
+    }
+
+    fn corner(&self, corner: &Corner, of_position: &[u32]) -> geometry::Corner {
+        geometry::Corner {
+            position: of_position[corner.position as usize],
+            normal: corner.normal.and_then(|at| self.normals[at as usize]),
+            texture: corner.texture.map(|at| self.texture[at as usize]),
+        }
+    }
+}
+
+/// Ends `group` at the triangles so far.
+fn close(builder: &mut MeshBuilder, group: Option<MaterialGroup>) {
+    if let Some(group) = group {
+        let triangles = group.triangles.start..builder.triangle_count();
+        builder.push_group(MaterialGroup { triangles, ..group });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Normals;
+    use std::path::PathBuf;
+
+    const MTL: &str = "newmtl red\nKd 1 0 0 # red\nNs nonsense\nnewmtl green\nKd 0 2 0\n";
+
+    fn read(obj: &str) -> Result<Imported<Mesh>, String> {
+        let files = HashMap::from([(PathBuf::from("a.mtl"), MTL.as_bytes().to_vec())]);
+        read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes())
+            .map_err(|error| error.to_string())
+    }
+
+    fn told(warnings: &[Diagnostic]) -> Vec<String> {
+        warnings.iter().map(ToString::to_string).collect()
+    }
+
+    const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+    #[test]
+    fn positions_keep_the_order_of_the_file_without_those_that_no_face_uses() {
+        let mesh = read("v 9 9 9\nv 0 0 1\nv 0 0 2\nv 9 9 9\nv 0 0 3\nf 5 3 2\n");
+        let mesh = mesh.unwrap().value;
+        assert_eq!(mesh.positions, [1.0, 2.0, 3.0].map(|z| Vec3::Z * z));
+        assert_eq!(mesh.triangles, [[2, 1, 0]]);
+        assert_eq!(mesh.normals, Normals::Flat);
+        assert_eq!(mesh.seams, None);
+    }
+
+    #[test]
+    fn corners_that_disagree_in_texture_coordinates_share_their_position() {
+        let obj = format!("{SQUARE}vt 0 0\nvt 0.5 1\nf 1/1 2/1 3/1\nf 1/2 3/2 4\n");
+        let mesh = read(&obj).unwrap().value;
+        assert_eq!(mesh.positions.len(), 4);
+        assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
+        let seams = mesh.seams.clone().unwrap();
+        assert_eq!(seams.copies, [0, 2]);
+        let of_second = mesh.vertex_triangles()[1].map(|i| mesh.texture_coordinates[i as usize]);
+        let half = Vec2::new(0.5, 1.0);
+        assert_eq!(of_second, [half, half, Vec2::ZERO]);
+    }
+
+    #[test]
+    fn a_triangle_with_a_corner_without_normal_is_flat_as_a_whole() {
+        let normals = "vn 3 0 0\nvn 0 0 0\n";
+        let obj = format!("{SQUARE}{normals}f 1//1 2//1 3//1\nf 1//1 3//1 4//2\n");
+        let mesh = read(&obj).unwrap().value;
+        let Normals::PerVertex(normals) = &mesh.normals else {
+            panic!("{mesh:?}");
+        };
+        let of_triangle = |triangle: usize| {
+            let corners = mesh.vertex_triangles()[triangle];
+            corners.map(|corner| normals[corner as usize])
+        };
+        assert_eq!(of_triangle(0), [Vec3::X; 3]);
+        assert_eq!(of_triangle(1), [Vec3::Z; 3]);
+    }
+
+    #[test]
+    fn materials_are_runs_of_triangles_wherever_their_file_is_named() {
+        let obj = format!(
+            "{SQUARE}f 1 2 3\nusemtl red\nf 1 2 3 4\nusemtl gone\nusemtl red\nf 1 2 3\n\
+             usemtl green\nf 1 2 3\nusemtl gone\nf 1 2 3\nusemtl gone\nmtllib a.mtl\n"
+        );
+        let read = read(&obj).unwrap();
+        let groups: Vec<_> = read.value.groups.iter().collect();
+        let runs = groups
+            .iter()
+            .map(|group| (&*group.material.name, group.triangles.clone()));
+        assert_eq!(runs.collect::<Vec<_>>(), [("red", 1..4), ("green", 4..5)]);
+        assert_eq!(groups[0].material.color, Vec3::X);
+        assert_eq!(groups[1].material.color, Vec3::Y, "no channel is above 1");
+        let gone = "a.obj:8:8: expected a material of the .mtl file, found “gone”";
+        assert_eq!(told(&read.warnings), [gone]);
+    }
+
+    #[test]
+    fn an_index_of_0_means_none_with_one_warning_for_the_file() {
+        let obj = format!("{SQUARE}vn 1 0 0\nf 1/0/1 2/0/1 3/0/1\nf 1/0/1 3/0/1 4/0/1\n");
+        let read = read(&obj).unwrap();
+        assert!(read.value.texture_coordinates.is_empty());
+        assert_eq!(read.value.normals, Normals::PerVertex(vec![Vec3::X; 4]));
+        assert_eq!(
+            told(&read.warnings),
+            [
+                "a.obj:6:3: expected texture coordinates and normals counted from 1, found 0 in 6 \
+              corners: taken as none"
+            ]
+        );
+    }
+
+    #[test]
+    fn lines_that_cannot_be_read_are_left_out_of_a_library_and_no_others() {
+        let files = |mtl: &str| HashMap::from([(PathBuf::from("a.mtl"), mtl.as_bytes().to_vec())]);
+        let obj = format!("mtllib a.mtl\n{SQUARE}usemtl a\nf 1 2 3\n");
+        let mtl = "Kd 1 1 1\nnewmtl a\nKd 0 1 0\nKd 1 0\nmap_Kd\nillum\n";
+        let read = read_shape_obj(&files(mtl), Path::new("a.obj"), obj.as_bytes()).unwrap();
+        assert_eq!(read.value.groups[0].material.color, Vec3::Y);
+        assert_eq!(
+            told(&read.warnings),
+            [
+                "a.mtl:1:1: expected newmtl first, found “Kd”",
+                "a.mtl:4:7: expected a number for blue, found the end of the line",
+                "a.mtl:5:7: expected the name of a picture, found the end of the line",
+            ]
+        );
+    }
+
+    #[test]
+    fn each_fault_is_told_where_it_is() {
+        for (line, error) in [
+            ("vt x", "1:4: expected a number for u, found “x”"),
+            ("vt 0 nan", "1:6: expected a number for v, found “nan”"),
+            (
+                "vn 0 1",
+                "1:7: expected a number for z, found the end of the line",
+            ),
+            (
+                "usemtl",
+                "1:7: expected the name of a material, found the end of the line",
+            ),
+        ] {
+            let obj = format!("{line}\n{SQUARE}f 1 2 3\n");
+            assert_eq!(
+                read(&obj).map(|_| ()),
+                Err(format!("a.obj:{error}")),
+                "{line}"
+            );
+        }
+        let faces = read(SQUARE).unwrap_err();
+        assert_eq!(faces, "a.obj: expected faces (lines `f a b c`), found none");
     }
 }

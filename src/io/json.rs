@@ -1,248 +1,241 @@
-//! What the formats written as JSON share.
+//! JSON with places: `jsonc-parser` gives the tree with the bytes that each part comes from, and
+//! [`Json`] hands it to serde, so that every error points at the key or value at fault.
 
-use super::{Diagnostic, scanner};
+use super::json_node::Node;
+use super::scanner::{quoted, utf8};
+use super::{Diagnostic, Position};
 use glam::Vec3;
+use jsonc_parser::ast::Value;
+use jsonc_parser::errors::{ParseError, ParseErrorKind};
+use jsonc_parser::{CollectOptions, ParseOptions, ParseStringErrorKind, parse_to_ast};
 use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
 use serde::de::{
-    DeserializeOwned, Deserializer, Error as _, IgnoredAny, MapAccess, SeqAccess, Visitor,
+    self, DeserializeOwned, DeserializeSeed, Deserializer, Error as _, Expected, SeqAccess,
+    Unexpected, Visitor,
 };
 use std::fmt;
 use std::marker::PhantomData;
 use std::path::Path;
 
-/// Reads `bytes` as one object.
-///
-/// # Errors
-/// With line and column, for what is no JSON and for what is no such object.
-pub(super) fn read<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Diagnostic> {
-    let text = scanner::utf8(path, bytes)?;
-    let read: Result<Object<T>, _> = serde_json::from_str(text);
-    read.map(|object| object.0).map_err(|error| {
-        let line = text.lines().nth(error.line().saturating_sub(1));
-        let line = line.unwrap_or("").as_bytes();
-        // The library counts columns in bytes.
-        let mut before = error.column().saturating_sub(1).min(line.len());
-        if error.is_data() {
-            before = start_of_token(line, before);
-        }
-        let found = String::from_utf8_lossy(&line[before..]).chars().next();
-        let column = String::from_utf8_lossy(&line[..before]).chars().count() + 1;
-        Diagnostic::at(path, error.line().max(1), column, in_words(&error, found))
-    })
+/// JSON as the standard has it (RFC 8259): the parser's extensions are off.
+const STRICT: ParseOptions = ParseOptions {
+    allow_comments: false,
+    allow_loose_object_property_names: false,
+    allow_trailing_commas: false,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: false,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: false,
+    allow_bare_decimal_point_numbers: false,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
+/// A JSON file, parsed.
+pub(super) struct Json<'a> {
+    path: &'a Path,
+    text: &'a str,
+    root: Value<'a>,
 }
 
-/// The library's message without the place, which it repeats, turned to what was expected and
-/// what was found, which is `found` where it keeps that to itself.
-fn in_words(error: &serde_json::Error, found: Option<char>) -> String {
-    let message = error.to_string();
-    let place = format!(" at line {} column {}", error.line(), error.column());
-    let message = message.strip_suffix(&place).unwrap_or(&message);
-    let found = found.map_or("the end of the line".to_owned(), |found| {
-        scanner::quoted(&found.to_string())
-    });
-    if error.is_eof() {
-        let expected = match message.strip_prefix("EOF while parsing ") {
-            Some(begun @ ("an object" | "a list" | "a string")) => format!("the rest of {begun}"),
-            _ => "a value".to_owned(),
+impl<'a> Json<'a> {
+    /// Parses `bytes`, the content of the file at `path`.
+    ///
+    /// # Errors
+    /// At the first byte that is not JSON. Values more than 512 deep are an error too.
+    pub fn parse(path: &'a Path, bytes: &'a [u8]) -> Result<Self, Diagnostic> {
+        let text = utf8(path, bytes)?;
+        let end = text.trim_end().len();
+        let value = parse_to_ast(text, &CollectOptions::default(), &STRICT)
+            .map_err(|error| syntax_fault(text, &error))
+            .and_then(|parsed| {
+                let nothing = || Fault::at(end, "expected a value, found the end of the file");
+                parsed.value.ok_or_else(nothing)
+            });
+        match value {
+            Ok(root) => Ok(Self { path, text, root }),
+            Err(fault) => Err(fault.diagnostic(path, text)),
+        }
+    }
+
+    /// The file as a `T`. Every number that `T` takes as an `f32` is finite; no object of the file
+    /// has a key twice; a struct is written as an object and never as a list.
+    ///
+    /// # Errors
+    /// At the first key or value that does not fit.
+    pub fn read<T: DeserializeOwned>(&self) -> Result<T, Diagnostic> {
+        let node = Node {
+            text: self.text,
+            value: &self.root,
         };
-        return format!("expected {expected}, found the end of the file");
+        node.read(PhantomData)
+            .map_err(|fault| fault.diagnostic(self.path, self.text))
     }
-    if error.is_syntax() && message.starts_with("expected ") {
-        return format!("{message}, found {found}");
+
+    /// The whole text, into which the spans of `serde_spanned::Spanned` point.
+    pub fn text(&self) -> &'a str {
+        self.text
     }
-    if message == "trailing comma" {
-        return format!("expected another entry after the comma, found {found}");
-    }
-    if message == "trailing characters" {
-        return format!("expected the end of the file, found {found}");
-    }
-    if message == "number out of range" {
-        return "expected a number below 3.4e38, found a larger one".to_owned();
-    }
-    if let Some(field) = message.strip_prefix("missing field ") {
-        return format!("expected {field}, found none");
-    }
-    if let Some(field) = message.strip_prefix("duplicate field ") {
-        return format!("expected each name once, found {field} again");
-    }
-    let told = split(message, "invalid type: ", ", expected ")
-        .or_else(|| split(message, "invalid value: ", ", expected "))
-        .or_else(|| split(message, "invalid length ", ", expected "))
-        .or_else(|| split(message, "unknown field ", ", expected "))
-        .or_else(|| split(message, "unknown variant ", ", expected "));
-    match told {
-        Some((found, expected)) => {
-            let (expected, found) = (in_plain_words(expected), in_plain_words(found));
-            format!("expected {expected}, found {found}")
+}
+
+/// Why JSON could not be read.
+#[derive(Debug)]
+pub(super) struct Fault {
+    /// The byte of the text at fault; `None` until the innermost value around it is known.
+    at: Option<usize>,
+    message: String,
+}
+
+impl Fault {
+    /// A fault at the byte `at`.
+    pub fn at(at: usize, message: impl Into<String>) -> Self {
+        Self {
+            at: Some(at),
+            message: message.into(),
         }
-        None => message.to_owned(),
     }
-}
 
-/// The libraries' names for values, as the format's description would have them.
-fn in_plain_words(library: &str) -> &str {
-    match library {
-        "f32" => "a number",
-        "u32" => "a whole number from 0",
-        "a boolean" => "true or false",
-        "sequence" | "a sequence" => "a list",
-        "map" | "a map" => "an object",
-        _ => library
-            .strip_prefix("integer `")
-            .or_else(|| library.strip_prefix("floating point `"))
-            .or_else(|| library.strip_prefix("boolean `"))
-            .and_then(|value| value.strip_suffix('`'))
-            .unwrap_or(library),
-    }
-}
-
-/// What is written as an object. Left to itself the library takes a list of values in the order of
-/// the fields as well, which no description of our formats has.
-struct Object<T>(T);
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Object<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Fields<T>(PhantomData<T>);
-        impl<'de, T: Deserialize<'de>> Visitor<'de> for Fields<T> {
-            type Value = T;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("an object")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<T, A::Error> {
-                T::deserialize(MapAccessDeserializer::new(map))
-            }
+    /// The same fault at the byte `at`, if it has no place yet.
+    pub fn or_at(self, at: usize) -> Self {
+        Self {
+            at: self.at.or(Some(at)),
+            ..self
         }
-        deserializer.deserialize_any(Fields(PhantomData)).map(Self)
     }
-}
 
-/// A value that is written as an object.
-///
-/// # Errors
-/// If it is something else, or a wrong one.
-pub(super) fn object<'de, T, D>(deserializer: D) -> Result<T, D::Error>
-where
-    T: Deserialize<'de>,
-    D: Deserializer<'de>,
-{
-    Object::deserialize(deserializer).map(|object| object.0)
-}
-
-/// The same where it may be left out.
-///
-/// # Errors
-/// See [`object`].
-pub(super) fn optional_object<'de, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
-where
-    T: Deserialize<'de>,
-    D: Deserializer<'de>,
-{
-    object(deserializer).map(Some)
-}
-
-/// A list of such values.
-///
-/// # Errors
-/// See [`object`].
-pub(super) fn objects<'de, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
-where
-    T: Deserialize<'de>,
-    D: Deserializer<'de>,
-{
-    let objects: Vec<Object<T>> = Vec::deserialize(deserializer)?;
-    Ok(objects.into_iter().map(|object| object.0).collect())
-}
-
-/// What stands in `message` between `before` and `between`, and what after.
-fn split<'a>(message: &'a str, before: &str, between: &str) -> Option<(&'a str, &'a str)> {
-    message.strip_prefix(before)?.rsplit_once(between)
-}
-
-/// Where the string, number or word starts whose last byte is `end` of `line`.
-fn start_of_token(line: &[u8], end: usize) -> usize {
-    let before = &line[..end.min(line.len())];
-    if line.get(end) == Some(&b'"') {
-        // A quote within a string has a backslash before it.
-        (0..before.len())
-            .rev()
-            .find(|&at| before[at] == b'"' && (at == 0 || before[at - 1] != b'\\'))
-            .unwrap_or(end)
-    } else {
-        let in_word = |byte: &&u8| byte.is_ascii_alphanumeric() || b"+-.".contains(byte);
-        let up_to_end = line.get(..=end).unwrap_or(line).iter().rev();
-        end - up_to_end.take_while(in_word).count().saturating_sub(1)
-    }
-}
-
-/// Where the key `key` first stands in the text after `after`, itself a key; for faults that
-/// show only when the whole file is known.
-pub(super) fn position_of_key(text: &str, after: &str, key: &str) -> Option<super::Position> {
-    let spelled = serde_json::to_string(key).ok()?;
-    let from = text.find(&format!("\"{after}\""))? + after.len() + 2;
-    position_of_byte(text, from + text[from..].find(&spelled)?)
-}
-
-/// Where the value at `index` begins in the list that follows the first key `list`; for faults
-/// that show only when the whole file is known.
-pub(super) fn position_of_item(text: &str, list: &str, index: usize) -> Option<super::Position> {
-    let key = text.find(&format!("\"{list}\""))?;
-    let mut at = key + text[key..].find('[')? + 1;
-    let between = |c: char| c.is_whitespace() || c == ',';
-    for _ in 0..index {
-        at = text.len() - text[at..].trim_start_matches(between).len();
-        let mut values = serde_json::Deserializer::from_str(&text[at..]).into_iter::<IgnoredAny>();
-        values.next()?.ok()?;
-        at += values.byte_offset();
-    }
-    at = text.len() - text[at..].trim_start_matches(between).len();
-    position_of_byte(text, at)
-}
-
-fn position_of_byte(text: &str, at: usize) -> Option<super::Position> {
-    let before = text.get(..at)?;
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    Some(super::Position {
-        line: before.matches('\n').count() + 1,
-        column: before[line_start..].chars().count() + 1,
-    })
-}
-
-/// A number that an `f32` holds: JSON has larger ones.
-#[derive(Clone, Copy)]
-struct Finite(f32);
-
-impl<'de> Deserialize<'de> for Finite {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let number = f32::deserialize(deserializer)?;
-        if number.is_finite() {
-            Ok(Self(number))
-        } else {
-            let message = "expected a number below 3.4e38, found a larger one";
-            Err(D::Error::custom(message))
+    fn diagnostic(self, path: &Path, text: &str) -> Diagnostic {
+        Diagnostic {
+            position: self.at.map(|at| Position::in_text(text, at)),
+            ..Diagnostic::new(path, self.message)
         }
     }
 }
 
-/// A number that an `f32` holds.
-///
-/// # Errors
-/// If it does not.
-pub(super) fn finite<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
-    Finite::deserialize(deserializer).map(|number| number.0)
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)
+    }
 }
 
-/// Three numbers that an `f32` holds.
-///
-/// # Errors
-/// If one does not, or there are more or fewer.
-pub(super) fn finite3<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    deserializer.deserialize_seq(Three)
+impl std::error::Error for Fault {}
+
+impl de::Error for Fault {
+    fn custom<T: fmt::Display>(message: T) -> Self {
+        Self {
+            at: None,
+            message: message.to_string(),
+        }
+    }
+
+    fn invalid_type(found: Unexpected, expected: &dyn Expected) -> Self {
+        let found = match found {
+            Unexpected::Bool(value) => value.to_string(),
+            Unexpected::Float(number) => number.to_string(),
+            Unexpected::Str(text) => quoted(text),
+            Unexpected::Unit => "null".to_owned(),
+            Unexpected::Seq => "a list".to_owned(),
+            Unexpected::Map => "an object".to_owned(),
+            other => other.to_string(),
+        };
+        Self::custom(format!("expected {expected}, found {found}"))
+    }
+
+    fn invalid_length(count: usize, expected: &dyn Expected) -> Self {
+        Self::custom(format!("expected {expected}, found {count}"))
+    }
+
+    fn unknown_variant(found: &str, expected: &'static [&'static str]) -> Self {
+        let (expected, found) = (one_of(expected), quoted(found));
+        Self::custom(format!("expected {expected}, found {found}"))
+    }
+
+    fn unknown_field(found: &str, expected: &'static [&'static str]) -> Self {
+        Self::unknown_variant(found, expected)
+    }
+
+    fn missing_field(field: &'static str) -> Self {
+        Self::custom(format!("expected `{field}`, found none"))
+    }
 }
 
-struct Three;
+/// `names` as alternatives in a message.
+pub(super) fn one_of(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match names.as_slice() {
+        [] => "nothing".to_owned(),
+        [only] => only.clone(),
+        [one, other] => format!("{one} or {other}"),
+        _ => format!("one of {}", names.join(", ")),
+    }
+}
+
+/// The parser's error in the words of this program, with its place.
+fn syntax_fault(text: &str, error: &ParseError) -> Fault {
+    use ParseErrorKind as Kind;
+    use ParseStringErrorKind as StringKind;
+    let range = error.range();
+    let end = text.trim_end().len();
+    let next = |from: usize| {
+        let rest = text.get(from..).unwrap_or("");
+        from + (rest.len() - rest.trim_start().len())
+    };
+    let (at, expected) = match error.kind() {
+        Kind::UnterminatedObject => (end, "the rest of an object"),
+        Kind::UnterminatedArray => (end, "the rest of a list"),
+        Kind::TrailingCommasNotAllowed => (next(range.end), "another entry after the comma"),
+        Kind::ExpectedComma => (next(range.start), "a comma"),
+        Kind::ExpectedColonAfterObjectKey => (range.start, "a colon after the key"),
+        Kind::ExpectedObjectValue => (range.start, "a value after the colon"),
+        Kind::UnexpectedTokenInObject | Kind::ExpectedStringObjectProperty => {
+            (range.start, "a key in double quotes, a comma or `}`")
+        }
+        Kind::MultipleRootJsonValues => (range.start, "the end of the file"),
+        Kind::CommentsNotAllowed | Kind::UnterminatedCommentBlock => {
+            (range.start, "JSON, which has no comments")
+        }
+        Kind::SingleQuotedStringsNotAllowed => (range.start, "double quotes"),
+        Kind::NestingDepthExceeded => (range.start, "at most 512 values inside one another"),
+        Kind::String(StringKind::UnterminatedStringLiteral) => {
+            return Fault::at(range.start, "expected the closing quote, found none");
+        }
+        Kind::String(_) => (range.start, "an escape such as \\n or \\u00e9"),
+        Kind::ExpectedDigit
+        | Kind::ExpectedDigitFollowingNegativeSign
+        | Kind::ExpectedPlusMinusOrDigitInNumberLiteral
+        | Kind::BareDecimalPointNumbersNotAllowed
+        | Kind::HexadecimalNumbersNotAllowed
+        | Kind::NonFiniteNumbersNotAllowed
+        | Kind::UnaryPlusNumbersNotAllowed => (range.start, "a number such as -1.5 or 2e3"),
+        Kind::UnexpectedCloseBrace
+        | Kind::UnexpectedCloseBracket
+        | Kind::UnexpectedColon
+        | Kind::UnexpectedComma
+        | Kind::UnexpectedToken
+        | Kind::UnexpectedWord => (range.start, "a value"),
+    };
+    let at = at.min(end);
+    let found = match text[at..end].chars().next() {
+        Some(found) => quoted(&found.to_string()),
+        None => "the end of the file".to_owned(),
+    };
+    Fault::at(at, format!("expected {expected}, found {found}"))
+}
+
+/// Three numbers `[x, y, z]`, each of which `check` accepts.
+///
+/// # Errors
+/// If there are more or fewer; at the first that is no finite number, or for which `check` says
+/// what is wrong.
+pub(super) fn vec3<'de, D: Deserializer<'de>>(
+    deserializer: D,
+    check: fn(f32) -> Result<(), String>,
+) -> Result<Vec3, D::Error> {
+    deserializer.deserialize_tuple(3, Three { check })
+}
+
+struct Three {
+    check: fn(f32) -> Result<(), String>,
+}
 
 impl<'de> Visitor<'de> for Three {
     type Value = Vec3;
@@ -254,7 +247,7 @@ impl<'de> Visitor<'de> for Three {
     fn visit_seq<A: SeqAccess<'de>>(self, mut numbers: A) -> Result<Vec3, A::Error> {
         let mut vector = Vec3::ZERO;
         let mut count = 0;
-        while let Some(Finite(number)) = numbers.next_element()? {
+        while let Some(number) = numbers.next_element_seed(Checked(self.check))? {
             if count < 3 {
                 vector[count] = number;
             }
@@ -265,5 +258,178 @@ impl<'de> Visitor<'de> for Three {
         } else {
             Err(A::Error::invalid_length(count, &self))
         }
+    }
+}
+
+/// Reads a finite number that the check accepts; the check returns the message for others.
+struct Checked(fn(f32) -> Result<(), String>);
+
+impl<'de> DeserializeSeed<'de> for Checked {
+    type Value = f32;
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<f32, D::Error> {
+        let number = f32::deserialize(deserializer)?;
+        (self.0)(number).map_err(D::Error::custom)?;
+        Ok(number)
+    }
+}
+
+/// A number that `check` accepts.
+///
+/// # Errors
+/// If it is no finite number; what `check` says is wrong with it.
+pub(super) fn checked<'de, D: Deserializer<'de>>(
+    deserializer: D,
+    check: fn(f32) -> Result<(), String>,
+) -> Result<f32, D::Error> {
+    Checked(check).deserialize(deserializer)
+}
+
+/// A number above 0.
+///
+/// # Errors
+/// If it is not.
+pub(super) fn positive<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+    checked(deserializer, |number| match number {
+        _ if number > 0.0 => Ok(()),
+        _ => Err(format!("expected a number above 0, found {number}")),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_spanned::Spanned;
+    use std::collections::BTreeMap;
+
+    fn read<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+        Json::parse(Path::new("a.json"), text.as_bytes())
+            .and_then(|json| json.read())
+            .map_err(|error| error.to_string())
+    }
+
+    type Lists = BTreeMap<String, Vec<f32>>;
+
+    #[test]
+    fn what_is_no_json_is_told_where_it_is() {
+        for (text, error) in [
+            ("", "1:1: expected a value, found the end of the file"),
+            (
+                "\n {\n",
+                "2:3: expected the rest of an object, found the end of the file",
+            ),
+            (
+                "{\"a\": [1,\n2",
+                "2:2: expected the rest of a list, found the end of the file",
+            ),
+            (
+                "{\"a\": [1,\n ]}",
+                "2:2: expected another entry after the comma, found “]”",
+            ),
+            ("{\"é\": [1 2]}", "1:10: expected a comma, found “2”"),
+            (
+                "{\"é\" [1]}",
+                "1:6: expected a colon after the key, found “[”",
+            ),
+            (
+                "{\"a\":",
+                "1:6: expected a value after the colon, found the end of the file",
+            ),
+            (
+                "{a: [1]}",
+                "1:2: expected a key in double quotes, a comma or `}`, found “a”",
+            ),
+            (
+                "{\"a\": [1]} {}",
+                "1:12: expected the end of the file, found “{”",
+            ),
+            (
+                "{\"a\": [1]} // 1",
+                "1:12: expected JSON, which has no comments, found “/”",
+            ),
+            ("{'a': [1]}", "1:2: expected double quotes, found “'”"),
+            (
+                "{\"a\": [\"b\n",
+                "1:8: expected the closing quote, found none",
+            ),
+            ("{\"a\": [tru]}", "1:8: expected a value, found “t”"),
+            (
+                "{\"a\": [.5]}",
+                "1:8: expected a number such as -1.5 or 2e3, found “.”",
+            ),
+            ("{\"a\": [NaN]}", "1:8: expected a value, found “N”"),
+            ("{\"a\": [,]}", "1:8: expected a value, found “,”"),
+            ("{\"a\": [01]}", "1:9: expected a comma, found “1”"),
+            (
+                "{\"a\\q\": [1]}",
+                "1:4: expected an escape such as \\n or \\u00e9, found “\\”",
+            ),
+            (
+                "{\"a\tb\": [1]}",
+                "1:4: expected an escape such as \\n, found a control character in a string",
+            ),
+        ] {
+            assert_eq!(
+                read::<Lists>(text),
+                Err(format!("a.json:{error}")),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_told_at_its_first_byte() {
+        for (text, error) in [
+            ("[1]", "1:1: expected a map, found a list"),
+            (
+                "{\"a\": [1], \"b\":\n  {}}",
+                "2:3: expected a list, found an object",
+            ),
+            ("{\"a\": [1, null]}", "1:11: expected a number, found null"),
+            ("{\"a\": [1, \"2\"]}", "1:11: expected a number, found “2”"),
+            (
+                "{\"a\": [1, -1e39]}",
+                "1:11: expected a number below 3.4e38, found a larger one",
+            ),
+            (
+                "{\"é\": [], \"b\": [], \"\\u00e9\": []}",
+                "1:20: expected each name once, found “é” again",
+            ),
+        ] {
+            assert_eq!(
+                read::<Lists>(text),
+                Err(format!("a.json:{error}")),
+                "{text}"
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_are_rounded_once_to_the_nearest_f32() {
+        // Rounded to an `f64` first this lies halfway between two `f32`, and would round down.
+        let lists: Lists = read("{\"a\": [1.00000017881393432617187499, -0.1, 1E2]}").unwrap();
+        assert_eq!(lists["a"], [1.000_000_1, -0.1, 100.0]);
+    }
+
+    #[test]
+    fn spans_are_bytes_of_the_text() {
+        let text = "{\"é\":  [1, 25]}";
+        let lists: BTreeMap<Spanned<String>, Spanned<Vec<f32>>> = read(text).unwrap();
+        let (key, list) = lists.first_key_value().unwrap();
+        assert_eq!(&text[key.span()], "\"é\"");
+        assert_eq!(&text[list.span()], "[1, 25]");
+    }
+
+    #[test]
+    fn neither_depth_nor_length_stops_the_program() {
+        let deep = "[".repeat(1_000_000);
+        let error = read::<Lists>(&deep).unwrap_err();
+        assert!(
+            error.contains("at most 512 values inside one another"),
+            "{error}"
+        );
+        let long = format!("{{\"a\": [{}1, x]}}", "1, ".repeat(1_000_000));
+        let error = read::<Lists>(&long).unwrap_err();
+        assert_eq!(error, "a.json:1:3000011: expected a value, found “x”");
     }
 }

@@ -1,4 +1,7 @@
-use super::scanner::{Scanner, Word, quoted};
+//! Lines of `.obj` files, as characters and shapes share them, and the mesh of a character.
+
+use super::diagnostic::Warnings;
+use super::scanner::{Scanner, Word, finite, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::geometry::{Mesh, Triangulator};
 use glam::Vec3;
@@ -15,7 +18,6 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
     let mut scanner = Scanner::new(path, bytes)?;
     let mut positions = Vec::new();
     let mut faces = FaceReader::default();
-    let (mut corners, mut arities) = (Vec::new(), Vec::new());
     loop {
         match scanner.word().map(|word| word.text) {
             Some("v") => {
@@ -24,81 +26,35 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
             }
             Some("vt") => faces.counts[1] += 1,
             Some("vn") => faces.counts[2] += 1,
-            Some("f") => {
-                let first = corners.len();
-                let arity = faces.read(&mut scanner, |corner| corners.push(corner.position))?;
-                if arity < 3 {
-                    corners.truncate(first);
-                } else {
-                    arities.push(arity);
-                }
-            }
+            Some("f") => faces.read(&mut scanner)?,
             _ => {}
         }
         if !scanner.next_line() {
             break;
         }
     }
-    faces.check(&scanner)?;
-    check_not_empty(path, positions.len(), arities.len())?;
+    let (faces, warnings) = faces.finish(&scanner)?;
     let mut cutter = Triangulator::default();
-    let triangles = triangles(&mut cutter, &positions, &corners, &arities);
+    let mut triangles = Vec::with_capacity(faces.count());
+    for face in faces.iter() {
+        let position = |corner: usize| face[corner].position;
+        let cut = self::triangles(face, &positions, &mut cutter);
+        triangles.extend(cut.into_iter().map(|triangle| triangle.map(position)));
+    }
     Ok(Imported {
         value: Mesh::new(positions, triangles),
-        warnings: faces.warnings(&scanner),
+        warnings: warnings.into_vec(path),
     })
 }
 
-/// The faces whose corners, all in one row, are indices into `positions`, as triangles;
-/// `arities` are the counts of their corners.
-pub(super) fn triangles(
-    cutter: &mut Triangulator,
-    positions: &[Vec3],
-    corners: &[u32],
-    arities: &[u32],
-) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::with_capacity(arities.len());
-    let mut left = corners;
-    for &arity in arities {
-        let (face, after) = left.split_at(arity as usize);
-        left = after;
-        if let &[a, b, c] = face {
-            triangles.push([a, b, c]);
-        } else {
-            let around: Vec<Vec3> = face.iter().map(|&i| positions[i as usize]).collect();
-            triangles.extend(cutter.cut(&around).iter().map(|t| t.map(|i| face[i])));
-        }
-    }
-    triangles
-}
-
-/// # Errors
-/// If a file has nothing to draw.
-pub(super) fn check_not_empty(
-    path: &Path,
-    vertices: usize,
-    faces: usize,
-) -> Result<(), Diagnostic> {
-    let missing = match (vertices, faces) {
-        (0, _) => "vertices (lines `v x y z`)",
-        (_, 0) => "faces (lines `f a b c`)",
-        _ => return Ok(()),
-    };
-    Err(Diagnostic::new(
-        path,
-        format!("expected {missing}, found none"),
-    ))
-}
-
-/// What follows the `v` of a line: three coordinates, then either nothing, or a weight that
+/// Reads the rest of a `v` line: three coordinates, then either nothing, or a weight that
 /// divides them, or a color, which is passed over.
 pub(super) fn read_position(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
     let position = read_vec3(scanner)?;
     let Some(fourth) = scanner.word() else {
         return Ok(position);
     };
-    let weight = super::number::finite(fourth.text)
-        .ok_or_else(|| scanner.expected("a number", Some(fourth)))?;
+    let weight = finite(fourth.text).ok_or_else(|| scanner.expected("a number", Some(fourth)))?;
     if scanner.word().is_some() {
         return Ok(position);
     }
@@ -126,6 +82,45 @@ pub(super) struct Corner {
     pub normal: Option<u32>,
 }
 
+/// The faces of a file, each of three corners or more.
+#[derive(Debug, Default)]
+pub(super) struct Faces {
+    corners: Vec<Corner>,
+    /// Where each face ends in `corners`.
+    ends: Vec<usize>,
+}
+
+impl Faces {
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// The corners of each face.
+    pub fn iter(&self) -> impl Iterator<Item = &[Corner]> {
+        let starts = std::iter::once(0).chain(self.ends.iter().copied());
+        starts
+            .zip(&self.ends)
+            .map(|(start, &end)| &self.corners[start..end])
+    }
+}
+
+/// Cuts `face` into triangles, as indices of its corners. `positions` are those of the file.
+pub(super) fn triangles(
+    face: &[Corner],
+    positions: &[Vec3],
+    cutter: &mut Triangulator,
+) -> Vec<[usize; 3]> {
+    if face.len() == 3 {
+        return vec![[0, 1, 2]];
+    }
+    let outline: Vec<Vec3> = face
+        .iter()
+        .map(|corner| positions[corner.position as usize])
+        .collect();
+    cutter.cut(&outline)
+}
+
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
 /// Reads `f` lines and remembers which of them name something that does not exist yet.
@@ -133,9 +128,12 @@ const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 pub(super) struct FaceReader {
     /// How many vertices, texture coordinates and normals were read so far.
     pub counts: [usize; 3],
+    faces: Faces,
     ahead: Vec<Ahead>,
-    too_small: usize,
-    first_too_small: Option<Position>,
+    warnings: Warnings,
+    /// Corners with an index of 0 for texture coordinate or normal: how many, and the first.
+    zeros: usize,
+    first_zero: Option<Position>,
 }
 
 /// An index that was past the end when it was read.
@@ -146,35 +144,56 @@ struct Ahead {
 }
 
 impl FaceReader {
-    /// Reads what follows the `f`, and hands each corner to `corner`. The number of corners is
-    /// returned; faces of fewer than three are counted for [`FaceReader::warnings`].
-    pub fn read(
-        &mut self,
-        scanner: &mut Scanner,
-        mut corner: impl FnMut(Corner),
-    ) -> Result<u32, Diagnostic> {
-        let mut arity = 0;
+    /// How many faces were read so far.
+    pub fn face_count(&self) -> usize {
+        self.faces.count()
+    }
+
+    /// Reads the rest of an `f` line. A face of fewer than three corners is left out, with a warning.
+    ///
+    /// # Errors
+    /// At the first corner that is not well formed.
+    pub fn read(&mut self, scanner: &mut Scanner) -> Result<(), Diagnostic> {
+        let first = self.faces.corners.len();
         while let Some(word) = scanner.word() {
-            corner(self.corner(scanner, word)?);
-            arity += 1;
+            let corner = self.corner(scanner, word)?;
+            self.faces.corners.push(corner);
         }
-        if arity < 3 {
-            self.too_small += 1;
-            let here = scanner.position(None);
-            self.first_too_small.get_or_insert(here);
+        let found = self.faces.corners.len() - first;
+        if found < 3 {
+            self.faces.corners.truncate(first);
+            let line = scanner.position(None).line;
+            self.warnings.push_with(|| {
+                let message =
+                    format!("expected at least three corners, found {found}: the face is left out");
+                scanner.error(Position { line, column: 1 }, message)
+            });
+        } else {
+            self.faces.ends.push(self.faces.corners.len());
         }
-        Ok(arity)
+        Ok(())
     }
 
     fn corner(&mut self, scanner: &Scanner, word: Word) -> Result<Corner, Diagnostic> {
         let mut parts = word.text.split('/');
         let mut indices = [None; 3];
+        let mut has_zero = false;
         for (kind, index) in indices.iter_mut().enumerate() {
             *index = match parts.next() {
-                Some("") if kind > 0 => None,
-                Some(part) => Some(self.index(scanner, word, part, kind)?),
                 None => None,
+                Some("") if kind > 0 => None,
+                // Exporters write this where a corner has none.
+                Some("0") if kind > 0 => {
+                    has_zero = true;
+                    None
+                }
+                Some(part) => Some(self.index(scanner, word, part, kind)?),
             };
+        }
+        if has_zero {
+            self.zeros += 1;
+            self.first_zero
+                .get_or_insert_with(|| scanner.position(Some(word)));
         }
         match (indices, parts.next()) {
             ([Some(position), texture, normal], None) => Ok(Corner {
@@ -225,34 +244,48 @@ impl FaceReader {
         Ok(u32::try_from(index).unwrap_or(u32::MAX))
     }
 
-    /// To be called at the end of the file.
+    /// The faces and the warnings about them, at the end of the file.
     ///
     /// # Errors
-    /// At the first corner that names something that does not exist.
-    pub fn check(&self, scanner: &Scanner) -> Result<(), Diagnostic> {
-        let bad = self
-            .ahead
-            .iter()
-            .find(|a| a.index >= self.counts[a.kind] as i64);
-        bad.map_or(Ok(()), |bad| {
-            let (count, name, found) = (self.counts[bad.kind], KINDS[bad.kind], bad.index + 1);
-            let message = if count == 0 {
-                format!("expected no {name}, for the file has none, found {found}")
-            } else {
-                format!("expected a {name} from 1 to {count}, found {found}")
-            };
-            Err(scanner.error(bad.at, message))
-        })
+    /// At the first corner that names something that does not exist, and if there are no vertices
+    /// or no faces.
+    pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
+        let mut ahead = self.ahead.iter();
+        let missing = ahead.find(|a| a.index >= self.counts[a.kind] as i64);
+        if let Some(missing) = missing {
+            return Err(self.does_not_exist(scanner, missing));
+        }
+        let nothing = match (self.counts[0], self.faces.count()) {
+            (0, _) => Some("vertices (lines `v x y z`)"),
+            (_, 0) => Some("faces (lines `f a b c`)"),
+            _ => None,
+        };
+        if let Some(nothing) = nothing {
+            let message = format!("expected {nothing}, found none");
+            return Err(Diagnostic::new(scanner.path(), message));
+        }
+        if let Some(first) = self.first_zero {
+            let (zeros, plural) = (self.zeros, if self.zeros == 1 { "" } else { "s" });
+            self.warnings.push_with(|| {
+                let message = format!(
+                    "expected texture coordinates and normals counted from 1, found 0 in {zeros} \
+                     corner{plural}: taken as none"
+                );
+                scanner.error(first, message)
+            });
+        }
+        Ok((self.faces, self.warnings))
     }
 
-    /// What was odd about the faces.
-    pub fn warnings(&self, scanner: &Scanner) -> Vec<Diagnostic> {
-        let count = self.too_small;
-        let message = format!("{count} faces with fewer than three corners, which are left out");
-        let at = self.first_too_small.map(|at| Position { column: 1, ..at });
-        at.map(|at| scanner.error(at, message))
-            .into_iter()
-            .collect()
+    fn does_not_exist(&self, scanner: &Scanner, missing: &Ahead) -> Diagnostic {
+        let (count, name) = (self.counts[missing.kind], KINDS[missing.kind]);
+        let found = missing.index + 1;
+        let message = if count == 0 {
+            format!("expected no {name}, for the file has none, found {found}")
+        } else {
+            format!("expected a {name} from 1 to {count}, found {found}")
+        };
+        scanner.error(missing.at, message)
     }
 }
 
@@ -335,6 +368,14 @@ mod tests {
                 "a.obj:2:7: expected a vertex counted from 1, found “0”",
             ),
             (
+                "v 0 0 0\nf 0/1 1 1\n",
+                "a.obj:2:3: expected a vertex counted from 1, found “0”",
+            ),
+            (
+                "v 0 0 0\nf 1 1 1/00\n",
+                "a.obj:2:7: expected a texture coordinate counted from 1, found “00”",
+            ),
+            (
                 "v 0 0 0\nf 1 -2 1\n",
                 "a.obj:2:5: expected one of the 1 vertex lines so far, found “-2”",
             ),
@@ -368,12 +409,41 @@ mod tests {
     }
 
     #[test]
-    fn faces_too_small_are_left_out_with_a_warning() {
-        let read = read(&format!("{SQUARE}f 1 2\nf 1 2 3\nf\n")).unwrap();
-        assert_eq!(read.value.triangles.len(), 1);
+    fn a_face_of_fewer_than_three_corners_is_left_out_with_a_warning_that_names_its_line() {
+        let read = read(&format!("{SQUARE}f 1 2\nf 1 2 3\n\n  f\n")).unwrap();
+        assert_eq!(read.value.triangles, [[0, 1, 2]]);
         assert_eq!(
-            read.warnings[0].to_string(),
-            "a.obj:5:1: 2 faces with fewer than three corners, which are left out"
+            told(&read.warnings),
+            [
+                "a.obj:5:1: expected at least three corners, found 2: the face is left out",
+                "a.obj:8:1: expected at least three corners, found 0: the face is left out",
+            ]
         );
+    }
+
+    #[test]
+    fn many_faces_that_are_left_out_are_counted() {
+        let read = read(&format!("{SQUARE}{}f 1 2 3\n", "f 1 2\n".repeat(250))).unwrap();
+        assert_eq!(read.warnings.len(), 101);
+        let last = read.warnings[100].to_string();
+        assert_eq!(last, "a.obj: 150 more warnings are not shown");
+    }
+
+    #[test]
+    fn an_index_of_0_for_texture_coordinate_or_normal_means_none_with_one_warning() {
+        let data = format!("{SQUARE}vn 0 0 1\n");
+        let read = read(&format!("{data}f 1/0/1 2/0/1 3/0/1\n  f 1 3//0 4/0/0\n")).unwrap();
+        assert_eq!(read.value.triangles, [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(
+            told(&read.warnings),
+            [
+                "a.obj:6:3: expected texture coordinates and normals counted from 1, found 0 in 5 \
+              corners: taken as none"
+            ]
+        );
+    }
+
+    fn told(warnings: &[Diagnostic]) -> Vec<String> {
+        warnings.iter().map(ToString::to_string).collect()
     }
 }

@@ -1,22 +1,12 @@
-use super::joint_names::no_such_joint;
-use super::{Diagnostic, Entries, json, scanner};
+use super::json::Json;
+use super::pose_data::{Key, PoseData};
+use super::{Diagnostic, Position, scanner};
 use crate::character::{Pose, PoseError, SkeletalModel};
 use crate::math::Euler;
 use crate::scene::{Scene, ShapeId, ShapeKind};
-use serde::{Deserialize, Serialize};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-
-/// A pose as files have it: joints by name or index, angles in degrees.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct PoseData {
-    /// Name or index of a joint, and its angles about X, Y and Z in degrees.
-    #[serde(skip_serializing_if = "Entries::is_empty")]
-    pub joints: Entries,
-    /// Name or index of a root, and how far it has moved, in the character's model space.
-    #[serde(skip_serializing_if = "Entries::is_empty")]
-    pub roots: Entries,
-}
+use strsim::levenshtein;
 
 /// A pose file: the pose, and the text that errors point into.
 #[derive(Clone, Debug)]
@@ -33,14 +23,15 @@ impl PoseFile {
     /// # Errors
     /// If it is no JSON, or not of this form, or has a name or an index twice.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
+        let json = Json::parse(path, bytes)?;
         Ok(Self {
             path: path.to_owned(),
-            text: scanner::utf8(path, bytes)?.to_owned(),
-            data: json::read(path, bytes)?,
+            text: json.text().to_owned(),
+            data: json.read()?,
         })
     }
 
-    /// What it says.
+    /// Its content.
     pub fn data(&self) -> &PoseData {
         &self.data
     }
@@ -50,7 +41,7 @@ impl PoseFile {
     ///
     /// # Errors
     /// If there is no character, or a joint that none has; the message lists names like it. Or if
-    /// two entries mean one joint.
+    /// two entries name one joint.
     pub fn poses_for(&self, scene: &Scene) -> Result<Vec<(ShapeId, Pose)>, Diagnostic> {
         let characters: Vec<(ShapeId, &SkeletalModel)> = scene
             .shapes()
@@ -92,10 +83,10 @@ impl PoseFile {
         };
         let once = self.data.check_once(skeleton);
         once.map_err(|misfit| self.diagnostic(misfit))?;
-        let is_joint = |key: &str| Pose::find_joint(skeleton, key).is_ok();
-        let is_root = |key: &str| find_root(skeleton, key).is_ok();
-        let joints = self.data.joints.keys().filter(|key| !is_joint(key));
-        let roots = self.data.roots.keys().filter(|key| !is_root(key));
+        let joints = self.data.joints.keys().map(Key::as_str);
+        let joints = joints.filter(|key| Pose::find_joint(skeleton, key).is_err());
+        let roots = self.data.roots.keys().map(Key::as_str);
+        let roots = roots.filter(|key| find_root(skeleton, key).is_err());
         Ok((pose, joints.chain(roots).collect()))
     }
 
@@ -108,16 +99,22 @@ impl PoseFile {
         poses.map_err(|misfit| self.diagnostic(misfit))
     }
 
-    fn diagnostic(&self, (section, key, message): Misfit) -> Diagnostic {
+    fn diagnostic(&self, Misfit { at, message }: Misfit) -> Diagnostic {
         Diagnostic {
-            position: json::position_of_key(&self.text, section, &key),
+            position: Some(Position::in_text(&self.text, at)),
             ..Diagnostic::new(&self.path, message)
         }
     }
 }
 
-/// The section and the key of an entry that fits no skeleton, and what to say about it.
-type Misfit = (&'static str, String, String);
+/// An entry that fits no skeleton.
+#[derive(Debug)]
+pub(super) struct Misfit {
+    /// The byte of the text where its key starts.
+    pub at: usize,
+    /// The message: what was expected and what was found.
+    pub message: String,
+}
 
 impl PoseData {
     /// This pose for each of `skeletons`, by the joints that it has; `None` for one that has none
@@ -140,13 +137,13 @@ impl PoseData {
         let mut pose = Pose::new();
         let mut any = false;
         for (key, degrees) in &self.joints.0 {
-            if let Ok(joint) = Pose::find_joint(skeleton, key) {
+            if let Ok(joint) = Pose::find_joint(skeleton, key.as_str()) {
                 pose.set_joint_transform(joint, Euler::from_degrees(*degrees));
                 any = true;
             }
         }
         for (key, offset) in &self.roots.0 {
-            if let Ok(root) = find_root(skeleton, key) {
+            if let Ok(root) = find_root(skeleton, key.as_str()) {
                 pose.set_root_offset(root, *offset);
                 any = true;
             }
@@ -156,25 +153,31 @@ impl PoseData {
 
     /// Checks that every joint it names is in one of `skeletons`, and named once.
     fn check(&self, skeletons: &[&SkeletalModel]) -> Result<(), Misfit> {
-        let missing = |entries: &Entries, find: &dyn Fn(&SkeletalModel, &str) -> bool| {
-            let in_none = |key: &str| !skeletons.iter().any(|skeleton| find(skeleton, key));
-            let mut keys = entries.0.iter().map(|(key, _)| key.clone());
-            keys.find(|key| in_none(key))
+        type Find = fn(&SkeletalModel, &str) -> Result<usize, PoseError>;
+        let in_any = |key: &Key, find: Find| {
+            let mut found = skeletons
+                .iter()
+                .map(|skeleton| find(skeleton, key.as_str()));
+            found.any(|found| found.is_ok())
         };
-        let has_joint =
-            |skeleton: &SkeletalModel, key: &str| Pose::find_joint(skeleton, key).is_ok();
-        if let Some(key) = missing(&self.joints, &has_joint) {
-            let message = no_such_joint(&key, skeletons);
-            return Err(("joints", key, message));
+        let misfit = |key: &Key, message| Misfit {
+            at: key.at(),
+            message,
+        };
+        if let Some(key) = self
+            .joints
+            .keys()
+            .find(|key| !in_any(key, Pose::find_joint))
+        {
+            return Err(misfit(key, no_such_joint(key.as_str(), skeletons)));
         }
-        let has_root = |skeleton: &SkeletalModel, key: &str| find_root(skeleton, key).is_ok();
-        if let Some(key) = missing(&self.roots, &has_root) {
-            let message = if skeletons.iter().any(|skeleton| has_joint(skeleton, &key)) {
-                PoseError::NotARoot(key.clone()).to_string()
+        if let Some(key) = self.roots.keys().find(|key| !in_any(key, find_root)) {
+            let message = if in_any(key, Pose::find_joint) {
+                PoseError::NotARoot(key.as_str().to_owned()).to_string()
             } else {
-                no_such_joint(&key, skeletons)
+                no_such_joint(key.as_str(), skeletons)
             };
-            return Err(("roots", key, message));
+            return Err(misfit(key, message));
         }
         skeletons
             .iter()
@@ -183,13 +186,16 @@ impl PoseData {
 
     /// Checks that no two entries mean one joint.
     fn check_once(&self, skeleton: &SkeletalModel) -> Result<(), Misfit> {
-        for (section, entries) in [("joints", &self.joints), ("roots", &self.roots)] {
+        for entries in [&self.joints, &self.roots] {
             if let Some((earlier, key)) = entries.same_joint(skeleton) {
-                let [key_told, earlier] = [key, earlier].map(scanner::quoted);
+                let [found, earlier] = [key, earlier].map(|key| scanner::quoted(key.as_str()));
                 let message = format!(
-                    "expected each joint once, found {key_told} and {earlier}, which are the same"
+                    "expected each joint once, found {found} and {earlier}, which are the same"
                 );
-                return Err((section, key.to_owned(), message));
+                return Err(Misfit {
+                    at: key.at(),
+                    message,
+                });
             }
         }
         Ok(())
@@ -203,6 +209,38 @@ fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {
     } else {
         Err(PoseError::NotARoot(key.to_owned()))
     }
+}
+
+/// How many names an error suggests.
+const SUGGESTED: usize = 3;
+
+/// The message about `key`, which is a joint of none of `skeletons`; it lists names like it.
+fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
+    let found = scanner::quoted(key);
+    if key.parse::<i64>().is_ok() {
+        let most = skeletons.iter().map(|skeleton| skeleton.joints().len());
+        let last = most.max().unwrap_or(0).saturating_sub(1);
+        return format!(
+            "expected the name of a joint, or an index from 0 to {last}, found {found}"
+        );
+    }
+    let names = skeletons.iter().flat_map(|skeleton| skeleton.joints());
+    let names: HashSet<&str> = names.map(|joint| joint.name.as_str()).collect();
+    let key = key.to_lowercase();
+    let mut near: Vec<(usize, &str)> = names
+        .into_iter()
+        .map(|name| (levenshtein(&key, &name.to_lowercase()), name))
+        .collect();
+    near.sort_unstable();
+    let near: Vec<String> = near
+        .iter()
+        .take(SUGGESTED)
+        .map(|(_, name)| scanner::quoted(name))
+        .collect();
+    format!(
+        "expected the name or index of a joint, such as {}, found {found}",
+        near.join(", ")
+    )
 }
 
 #[cfg(test)]
@@ -303,19 +341,19 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0]}}",
-                "p.json:1:26: expected three numbers [x, y, z], found 2",
+                "p.json:1:21: expected three numbers [x, y, z], found 2",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, \"é\"]}}",
-                "p.json:1:28: expected a number, found string \"é\"",
+                "p.json:1:28: expected a number, found “é”",
             ),
             (
                 "{\"joints\": {\"Root\": [0, 0, 1e300]}}",
-                "p.json:1:33: expected a number below 3.4e38, found a larger one",
+                "p.json:1:28: expected a number below 3.4e38, found a larger one",
             ),
             (
                 "{\"joints\": {\"0\": [1, 0, 0],\n \"0\": [0, 0, 0]}}",
-                "p.json:2:2: expected each joint once, found “0” again",
+                "p.json:2:2: expected each name once, found “0” again",
             ),
             (
                 "{\"joints\": {\"Left elbow\": [1, 0, 0],\n \"1\": [0, 0, 0]}}",
@@ -331,15 +369,20 @@ mod tests {
             ),
             (
                 "{\"joints\": {\"Root\": \"up\"}}",
-                "p.json:1:21: expected three numbers [x, y, z], found string \"up\"",
+                "p.json:1:21: expected three numbers [x, y, z], found “up”",
             ),
             (
                 "{\"Joints\": {}}",
-                "p.json:1:2: expected `joints` or `roots`, found `Joints`",
+                "p.json:1:2: expected `joints` or `roots`, found “Joints”",
             ),
             (
                 "{\"joints\": {",
-                "p.json:1:12: expected the rest of an object, found the end of the file",
+                "p.json:1:13: expected the rest of an object, found the end of the file",
+            ),
+            (
+                // The same name stands before, as a value, and its key is spelled with an escape.
+                "{\"roots\": {\"Root\": [0, 0, 0]},\n \"joints\": {\"R\\u006fot\": [0, 0, 0], \"R\\u006f\": [0, 0, 0]}}",
+                "p.json:2:37: expected the name or index of a joint, such as “Root”, “Left foot”, “Left elbow”, found “Ro”",
             ),
             (
                 "",

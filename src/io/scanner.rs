@@ -1,4 +1,6 @@
-use super::{Diagnostic, Position, number};
+//! Words and numbers of text files, each with its line and column.
+
+use super::{Diagnostic, Position};
 use std::path::Path;
 
 /// Walks a text file word by word and line by line, and knows where it is, so that an error
@@ -90,6 +92,16 @@ impl<'a> Scanner<'a> {
         rest.text.strip_prefix('#').map(str::trim)
     }
 
+    /// The part of this line that was read, without a comment.
+    pub fn read_of_line(&self) -> &'a str {
+        &self.text[self.line_start..self.at]
+    }
+
+    /// The file that the text is from.
+    pub fn path(&self) -> &'a Path {
+        self.path
+    }
+
     /// Goes to the start of the next line; false at the end of the file.
     pub fn next_line(&mut self) -> bool {
         let Some(rest) = self.text.as_bytes().get(self.at..) else {
@@ -140,11 +152,11 @@ impl<'a> Scanner<'a> {
     /// The next word as a finite number.
     ///
     /// # Errors
-    /// If it is none or missing; `what` is what the error says was expected.
+    /// If it is none or missing; `what` names the number in the error.
     #[inline]
     pub fn number(&mut self, what: &str) -> Result<f32, Diagnostic> {
         let word = self.word();
-        word.and_then(|word| number::finite(word.text))
+        word.and_then(|word| finite(word.text))
             .ok_or_else(|| self.expected(what, word))
     }
 
@@ -179,23 +191,24 @@ pub(super) fn utf8<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, Diagnost
 
 /// `text` in quotes, shortened and without control characters, fit for a message.
 pub(super) fn quoted(text: &str) -> String {
-    let shown: String = text
-        .chars()
-        .take(SHOWN)
-        .flat_map(|c| {
-            if c.is_control() {
-                c.escape_default().collect()
-            } else {
-                vec![c]
-            }
-        })
-        .collect();
-    let more = if text.chars().nth(SHOWN).is_some() {
-        "…"
-    } else {
-        ""
-    };
-    format!("“{shown}{more}”")
+    format!("“{}”", shown(text))
+}
+
+/// `text` shortened and without control characters.
+pub(super) fn shown(text: &str) -> String {
+    let mut shown = String::new();
+    for (index, c) in text.chars().enumerate() {
+        if index == SHOWN {
+            shown.push('…');
+            break;
+        }
+        if c.is_control() {
+            shown.extend(c.escape_default());
+        } else {
+            shown.push(c);
+        }
+    }
+    shown
 }
 
 fn is_blank(byte: u8) -> bool {
@@ -206,9 +219,51 @@ fn is_end_of_word(byte: u8) -> bool {
     is_blank(byte) || matches!(byte, b'\n' | b'#')
 }
 
+const POWERS_OF_TEN: [f32; 11] = [1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10];
+/// Whole numbers up to here are exact in an `f32`.
+const EXACT: u32 = 1 << 24;
+
+/// The finite number that all of `word` spells; `None` for anything else, "nan" and "inf" and
+/// numbers too large for an `f32` included. Rounded like the standard library's `parse`, which is
+/// slower: a character has a quarter of a million numbers.
+pub(super) fn finite(word: &str) -> Option<f32> {
+    plain_decimal(word.as_bytes())
+        .or_else(|| word.parse().ok())
+        .filter(|number| number.is_finite())
+}
+
+/// Reads `-12.345` when its digits make a whole number that an `f32` holds exactly: one exact
+/// number divided by another is rounded once, and so correctly (Clinger 1990). `None` says
+/// nothing about the word.
+fn plain_decimal(word: &[u8]) -> Option<f32> {
+    let (negative, digits) = match word {
+        [b'-', rest @ ..] => (true, rest),
+        rest => (false, rest),
+    };
+    if digits.is_empty() || digits.len() > POWERS_OF_TEN.len() {
+        return None;
+    }
+    let mut whole = 0_u32;
+    let mut point = None;
+    for (at, &byte) in digits.iter().enumerate() {
+        match byte {
+            b'0'..=b'9' => whole = whole.checked_mul(10)?.checked_add(u32::from(byte - b'0'))?,
+            b'.' if point.is_none() => point = Some(at),
+            _ => return None,
+        }
+    }
+    let decimals = point.map_or(0, |at| digits.len() - at - 1);
+    if whole > EXACT || (point.is_some() && digits.len() == 1) {
+        return None;
+    }
+    let number = whole as f32 / POWERS_OF_TEN[decimals];
+    Some(if negative { -number } else { number })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn columns_count_characters_and_not_bytes() {
@@ -246,5 +301,39 @@ mod tests {
     fn a_long_or_unprintable_word_is_shortened_and_escaped() {
         assert_eq!(quoted("a\0b"), "“a\\u{0}b”");
         assert_eq!(quoted(&"x".repeat(100)).chars().count(), SHOWN + 3);
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_refused() {
+        for word in [
+            "", "-", ".", "-.", "+", "nan", "inf", "-inf", "1e39", "0x10", "1,5", "1.2.3", "--1",
+            "1e", "é",
+        ] {
+            assert_eq!(finite(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn usual_spellings_are_read() {
+        for (word, number) in [
+            ("0", 0.0),
+            ("-1", -1.0),
+            ("+1.5", 1.5),
+            (".5", 0.5),
+            ("5.", 5.0),
+            ("0.0829847", 0.0829847),
+            ("1e-3", 0.001),
+            ("123456789012", 123456789012.0),
+        ] {
+            assert_eq!(finite(word), Some(number), "{word}");
+        }
+        assert!(finite("-0").is_some_and(f32::is_sign_negative));
+    }
+
+    proptest! {
+        #[test]
+        fn every_decimal_agrees_with_the_standard_library(word in "-?[0-9]{0,6}\\.?[0-9]{0,7}") {
+            prop_assert_eq!(finite(&word), word.parse().ok());
+        }
     }
 }

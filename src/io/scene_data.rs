@@ -1,4 +1,4 @@
-//! A scene as its file has it: the schema, version 1. Angles are in degrees.
+//! The schema of scene files, version 1. Angles are in degrees.
 
 use super::{PoseData, json, scanner};
 use crate::math::{Euler, Transform};
@@ -8,28 +8,30 @@ use crate::scene::{
     ViewSettings,
 };
 use glam::Vec3;
+use serde::Deserialize;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
+use serde_spanned::Spanned;
 use std::fmt;
 
 const FORMAT: &str = "editor-scene";
 const VERSION: u32 = 1;
 
 /// The whole file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SceneData {
     pub format: Format,
     pub version: Version,
-    #[serde(default, deserialize_with = "json::object")]
+    #[serde(default)]
     pub view: ViewData,
-    #[serde(default, deserialize_with = "json::objects")]
-    pub shapes: Vec<ShapeData>,
+    /// Each with its bytes in the file, for faults that show only when others are read.
+    #[serde(default)]
+    pub shapes: Vec<Spanned<ShapeData>>,
 }
 
-/// What says that a file is a scene, and of which version: read first, and alone, so that a file
-/// of a later version is told as such and not by its first unknown word.
+/// Format and version, which are read before the rest: a file of a later version is refused for
+/// its version and not for the first key that is new in it.
 #[derive(Deserialize)]
 pub(super) struct Head {
     #[serde(rename = "format")]
@@ -41,12 +43,6 @@ pub(super) struct Head {
 /// The one value of `format`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Format;
-
-impl Serialize for Format {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        FORMAT.serialize(serializer)
-    }
-}
 
 impl<'de> Deserialize<'de> for Format {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
@@ -64,12 +60,6 @@ impl<'de> Deserialize<'de> for Format {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Version;
 
-impl Serialize for Version {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        VERSION.serialize(serializer)
-    }
-}
-
 impl<'de> Deserialize<'de> for Version {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         match u32::deserialize(deserializer)? {
@@ -82,10 +72,9 @@ impl<'de> Deserialize<'de> for Version {
 }
 
 /// How the scene is looked at.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct ViewData {
-    #[serde(deserialize_with = "json::object")]
     pub camera: CameraData,
     pub look: Look,
     pub axis: bool,
@@ -125,37 +114,30 @@ impl ViewData {
 }
 
 /// A camera with its angles in degrees.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "CameraFields", into = "CameraFields")]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(try_from = "CameraFields")]
 pub(super) struct CameraData(pub Camera);
 
-#[derive(Serialize, Deserialize)]
+#[derive(Deserialize)]
 #[serde(default, deny_unknown_fields)]
 struct CameraFields {
-    #[serde(deserialize_with = "json::finite3")]
+    #[serde(deserialize_with = "vector")]
     target: Vec3,
-    #[serde(deserialize_with = "json::finite")]
+    #[serde(deserialize_with = "json::positive")]
     radius: f32,
-    #[serde(deserialize_with = "json::finite")]
     theta: f32,
-    #[serde(deserialize_with = "json::finite")]
     phi: f32,
-    #[serde(deserialize_with = "json::finite")]
+    #[serde(deserialize_with = "fovy")]
     fovy: f32,
-    #[serde(deserialize_with = "json::finite")]
+    #[serde(deserialize_with = "json::positive")]
     near: f32,
-    #[serde(deserialize_with = "json::finite")]
+    #[serde(deserialize_with = "json::positive")]
     far: f32,
 }
 
 impl Default for CameraFields {
     fn default() -> Self {
-        CameraData::default().into()
-    }
-}
-
-impl From<CameraData> for CameraFields {
-    fn from(CameraData(camera): CameraData) -> Self {
+        let camera = Camera::default();
         Self {
             target: camera.target,
             radius: camera.radius,
@@ -172,70 +154,54 @@ impl TryFrom<CameraFields> for CameraData {
     type Error = String;
 
     fn try_from(fields: CameraFields) -> Result<Self, String> {
-        let wrong = if fields.radius <= 0.0 {
-            format!("a radius above 0, found {}", fields.radius)
-        } else if !(1.0..=170.0).contains(&fields.fovy) {
-            format!("a fovy from 1 to 170, found {}", fields.fovy)
-        } else if fields.near <= 0.0 || fields.near >= fields.far {
-            let (near, far) = (fields.near, fields.far);
-            format!("0 < near < far, found {near} and {far}")
-        } else {
-            return Ok(Self(Camera {
-                target: fields.target,
-                radius: fields.radius,
-                theta: fields.theta.to_radians(),
-                phi: fields.phi.to_radians(),
-                fovy: fields.fovy.to_radians(),
-                near: fields.near,
-                far: fields.far,
-            }));
-        };
-        Err(format!("expected {wrong}"))
+        let CameraFields { near, far, .. } = fields;
+        if near >= far {
+            return Err(format!("expected near < far, found {near} and {far}"));
+        }
+        Ok(Self(Camera {
+            target: fields.target,
+            radius: fields.radius,
+            theta: fields.theta.to_radians(),
+            phi: fields.phi.to_radians(),
+            fovy: fields.fovy.to_radians(),
+            near,
+            far,
+        }))
     }
 }
 
+/// A field of view in degrees that a perspective can have.
+fn fovy<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f32, D::Error> {
+    json::checked(deserializer, |degrees| match degrees {
+        1.0..=170.0 => Ok(()),
+        _ => Err(format!("expected a fovy from 1 to 170, found {degrees}")),
+    })
+}
+
 /// One shape: of a kind, or from a file.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ShapeData {
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub kind: Option<KindData>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
-    #[serde(default, deserialize_with = "json::finite3")]
+    #[serde(default, deserialize_with = "vector")]
     pub position: Vec3,
-    #[serde(default, deserialize_with = "json::finite3")]
+    #[serde(default, deserialize_with = "vector")]
     pub rotation: Vec3,
     #[serde(default = "one", deserialize_with = "scale")]
     pub scale: Vec3,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub uniform_scaling: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub color: Option<ColorData>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub visible: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub locked: Option<bool>,
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub pose: Option<PoseReference>,
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "json::optional_object"
-    )]
     pub display: Option<CharacterDisplay>,
-    #[serde(
-        default,
-        skip_serializing_if = "Option::is_none",
-        deserialize_with = "json::optional_object"
-    )]
     pub curves: Option<CurveData>,
 }
 
 /// How curves and surfaces are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub(super) struct CurveData {
     control_points: bool,
@@ -271,12 +237,15 @@ fn one() -> Vec3 {
     Vec3::ONE
 }
 
+fn vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
+    json::vec3(deserializer, |_| Ok(()))
+}
+
 fn scale<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    let scale = json::finite3(deserializer)?;
-    if scale.cmpeq(Vec3::ZERO).any() {
-        return Err(D::Error::custom("expected scales other than 0, found 0"));
-    }
-    Ok(scale)
+    json::vec3(deserializer, |scale| match scale {
+        0.0 => Err("expected a scale other than 0, found 0".to_owned()),
+        _ => Ok(()),
+    })
 }
 
 impl ShapeData {
@@ -297,7 +266,7 @@ impl ShapeData {
 }
 
 /// The shapes that need no file.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum KindData {
     Cube,
@@ -325,15 +294,6 @@ impl KindData {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ColorData(pub ShapeColor);
 
-impl Serialize for ColorData {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0.preset_index() {
-            CUSTOM_PRESET => self.0.rgb().serialize(serializer),
-            preset => COLOR_PRESETS[preset].name.serialize(serializer),
-        }
-    }
-}
-
 impl<'de> Deserialize<'de> for ColorData {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Color;
@@ -356,11 +316,11 @@ impl<'de> Deserialize<'de> for ColorData {
             }
 
             fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<ShapeColor, A::Error> {
-                let rgb = json::finite3(SeqAccessDeserializer::new(numbers))?;
-                if rgb.clamp(Vec3::ZERO, Vec3::ONE) != rgb {
-                    let message = "expected red, green and blue from 0 to 1";
-                    return Err(A::Error::custom(format!("{message}, found {rgb}")));
-                }
+                let numbers = SeqAccessDeserializer::new(numbers);
+                let rgb = json::vec3(numbers, |channel| match channel {
+                    0.0..=1.0 => Ok(()),
+                    _ => Err(format!("expected a number from 0 to 1, found {channel}")),
+                })?;
                 Ok(ShapeColor::Custom(rgb))
             }
         }
@@ -369,8 +329,7 @@ impl<'de> Deserialize<'de> for ColorData {
 }
 
 /// A pose written out, or the file that holds it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum PoseReference {
     File(String),
     Inline(PoseData),

@@ -1,8 +1,10 @@
 use super::file_importer::import_any;
+use super::json::Json;
+use super::pose_file::Misfit;
 use super::scene_data::{Head, PoseReference, SceneData, ShapeData};
-use super::{Diagnostic, Files, Imported, PoseFile, Position, builtin, json, scanner};
+use super::{Diagnostic, Files, Imported, PoseFile, Position, builtin};
 use crate::character::{Pose, SkeletalModel};
-use crate::scene::{NewShape, ShapeKind, ViewSettings};
+use crate::scene::{NewShape, ShapeKind, Source, ViewSettings};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -29,18 +31,24 @@ pub struct SceneFile {
 #[doc(alias = "FileManager")]
 pub fn read_scene(files: &dyn Files, path: &Path) -> Result<Imported<SceneFile>, Diagnostic> {
     let bytes = files.read(path)?;
-    json::read::<Head>(path, &bytes)?;
-    let data: SceneData = json::read(path, &bytes)?;
+    let json = Json::parse(path, &bytes)?;
+    json.read::<Head>()?;
+    let data: SceneData = json.read()?;
     let mut reader = SceneReader {
         files,
         path,
-        text: scanner::utf8(path, &bytes)?,
+        text: json.text(),
         imported: HashMap::new(),
         warnings: Vec::new(),
     };
     let mut shapes = Vec::new();
     for (index, shape) in data.shapes.iter().enumerate() {
-        shapes.extend(reader.shape(index, shape)?);
+        let entry = Entry {
+            number: index + 1,
+            at: shape.span().start,
+            data: shape.get_ref(),
+        };
+        shapes.extend(reader.shape(&entry)?);
     }
     Ok(Imported {
         value: SceneFile {
@@ -60,61 +68,57 @@ struct SceneReader<'a> {
     warnings: Vec<Diagnostic>,
 }
 
+/// A shape of the list.
+struct Entry<'a> {
+    /// Counted from 1, as messages have it.
+    number: usize,
+    /// The byte of the text where it starts.
+    at: usize,
+    data: &'a ShapeData,
+}
+
 impl SceneReader<'_> {
-    fn shape(&mut self, index: usize, data: &ShapeData) -> Result<Vec<NewShape>, Diagnostic> {
-        let new = match (&data.kind, &data.source) {
-            (Some(kind), None) => vec![(kind.kind(), kind.kind().label().to_owned(), None)],
-            (None, Some(source)) if source.is_empty() => {
-                return Err(self.wrong(index, "expected the name of a file, found an empty one"));
-            }
-            (None, Some(source)) => self
-                .import(source)
-                .map_err(|error| self.named_by(index, error))?
-                .into_iter()
-                .map(|new| (new.kind, new.name, new.source))
-                .collect(),
-            (Some(_), Some(_)) => {
-                return Err(self.wrong(index, "expected a kind or a source, found both"));
-            }
-            (None, None) => {
-                return Err(self.wrong(index, "expected a kind or a source, found neither"));
-            }
-        };
-        let skeletons: Vec<&SkeletalModel> = new
-            .iter()
-            .filter_map(|(kind, ..)| match kind {
-                ShapeKind::Character(shape) => Some(shape.character.skeleton()),
-                _ => None,
-            })
-            .collect();
+    fn shape(&mut self, entry: &Entry) -> Result<Vec<NewShape>, Diagnostic> {
+        let data = entry.data;
+        let new = self.new_shapes(entry)?;
+        let skeletons: Vec<&SkeletalModel> = new.iter().filter_map(skeleton).collect();
         let has_character = !skeletons.is_empty();
+        if !has_character && (data.pose.is_some() || data.display.is_some()) {
+            let message = "expected a character, for it has a pose or display, found a shape";
+            return Err(self.wrong(entry, message));
+        }
+        let has_curves = |(kind, ..): &Named| matches!(kind, ShapeKind::Curve(_));
+        if data.curves.is_some() && !new.iter().any(has_curves) {
+            let message = "expected curves, for it says how they are drawn, found a shape";
+            return Err(self.wrong(entry, message));
+        }
         let poses = match &data.pose {
-            Some(pose) if has_character => self.poses(index, pose, &skeletons)?,
-            _ => Vec::new(),
+            Some(pose) => self.poses(entry, pose, &skeletons)?,
+            None => Vec::new(),
         };
         let mut poses = poses.into_iter();
-        let mut shapes = Vec::new();
-        let mut has_curves = false;
-        for (mut kind, name, source) in new {
+        let shapes = new.into_iter().map(|(mut kind, name, source)| {
             let placement = data.placement(&kind);
-            if let ShapeKind::Character(character) = &mut kind {
-                if let Some(display) = data.display {
-                    character.display = display;
-                    // Beyond this no driver draws, and no one wants it.
-                    character.display.point_size = display.point_size.clamp(1.0, 64.0);
-                    character.display.line_width = display.line_width.clamp(1.0, 64.0);
+            match &mut kind {
+                ShapeKind::Character(character) => {
+                    if let Some(display) = data.display {
+                        character.display = display;
+                        // Beyond this no driver draws, and no one wants it.
+                        character.display.point_size = display.point_size.clamp(1.0, 64.0);
+                        character.display.line_width = display.line_width.clamp(1.0, 64.0);
+                    }
+                    if let Some(pose) = poses.next().flatten() {
+                        character.set_pose(pose);
+                    }
                 }
-                if let Some(pose) = poses.next().flatten() {
-                    character.set_pose(pose);
+                ShapeKind::Curve(curve) => {
+                    if let Some(display) = data.curves {
+                        display.apply_to(curve);
+                    }
                 }
+                _ => {}
             }
-            if let ShapeKind::Curve(curve) = &mut kind {
-                has_curves = true;
-                if let Some(display) = data.curves {
-                    display.apply_to(curve);
-                }
-            }
-            shapes.push(NewShape {
+            NewShape {
                 name: data.name.clone().unwrap_or(name),
                 kind,
                 source,
@@ -122,17 +126,31 @@ impl SceneReader<'_> {
                 placement,
                 visible: data.visible.unwrap_or(true),
                 locked: data.locked.unwrap_or(false),
-            });
+            }
+        });
+        Ok(shapes.collect())
+    }
+
+    /// The shapes that an entry stands for, with their names: of its kind, or those of its file.
+    fn new_shapes(&mut self, entry: &Entry) -> Result<Vec<Named>, Diagnostic> {
+        match (&entry.data.kind, &entry.data.source) {
+            (Some(kind), None) => {
+                let kind = kind.kind();
+                let name = kind.label().to_owned();
+                Ok(vec![(kind, name, None)])
+            }
+            (None, Some(source)) if source.is_empty() => {
+                Err(self.wrong(entry, "expected the name of a file, found an empty one"))
+            }
+            (None, Some(source)) => {
+                let imported = self.import(source);
+                let imported = imported.map_err(|error| self.named_by(entry, error))?;
+                let named = |new: NewShape| (new.kind, new.name, new.source);
+                Ok(imported.into_iter().map(named).collect())
+            }
+            (Some(_), Some(_)) => Err(self.wrong(entry, "expected a kind or a source, found both")),
+            (None, None) => Err(self.wrong(entry, "expected a kind or a source, found neither")),
         }
-        if !has_character && (data.pose.is_some() || data.display.is_some()) {
-            let message = "expected a character, for it has a pose or display, found a shape";
-            return Err(self.wrong(index, message));
-        }
-        if !has_curves && data.curves.is_some() {
-            let message = "expected curves, for it says how they are drawn, found a shape";
-            return Err(self.wrong(index, message));
-        }
-        Ok(shapes)
     }
 
     fn import(&mut self, source: &str) -> Result<Vec<NewShape>, Diagnostic> {
@@ -149,18 +167,18 @@ impl SceneReader<'_> {
     /// The pose of each of a shape's characters; `None` for one that has no joint of it.
     fn poses(
         &self,
-        index: usize,
+        entry: &Entry,
         pose: &PoseReference,
         skeletons: &[&SkeletalModel],
     ) -> Result<Vec<Option<Pose>>, Diagnostic> {
         match pose {
             PoseReference::Inline(data) => data
                 .poses_of(skeletons)
-                .map_err(|(_, _, message)| self.wrong(index, &message)),
+                .map_err(|Misfit { at, message }| self.wrong_at(at, entry, &message)),
             PoseReference::File(name) => {
                 let path = builtin::resolve(&self.beside(name));
                 let read = path.and_then(|path| Ok((self.files.read(&path)?, path)));
-                let (bytes, path) = read.map_err(|error| self.named_by(index, error))?;
+                let (bytes, path) = read.map_err(|error| self.named_by(entry, error))?;
                 PoseFile::read(&path, &bytes)?.poses_of(skeletons)
             }
         }
@@ -175,28 +193,57 @@ impl SceneReader<'_> {
         }
     }
 
-    fn wrong(&self, index: usize, message: &str) -> Diagnostic {
+    fn wrong(&self, entry: &Entry, message: &str) -> Diagnostic {
+        self.wrong_at(entry.at, entry, message)
+    }
+
+    fn wrong_at(&self, at: usize, entry: &Entry, message: &str) -> Diagnostic {
         Diagnostic {
-            position: self.place(index),
-            ..Diagnostic::new(self.path, format!("shape {}: {message}", index + 1))
+            position: Some(Position::in_text(self.text, at)),
+            ..Diagnostic::new(self.path, format!("shape {}: {message}", entry.number))
         }
     }
 
-    /// `error` about a file as a whole, with who named that file.
-    fn named_by(&self, index: usize, error: Diagnostic) -> Diagnostic {
+    /// `error` about a file as a whole, with the shape that named the file.
+    fn named_by(&self, entry: &Entry, error: Diagnostic) -> Diagnostic {
         if error.position.is_some() {
             return error;
         }
-        let scene = self.path.display();
-        let place = self.place(index).map_or(String::new(), |place| {
-            format!(":{}:{}", place.line, place.column)
-        });
-        let shape = index + 1;
-        let message = format!("{} (shape {shape} of {scene}{place})", error.message);
+        let Position { line, column } = Position::in_text(self.text, entry.at);
+        let (scene, number) = (self.path.display(), entry.number);
+        let message = format!(
+            "{} (shape {number} of {scene}:{line}:{column})",
+            error.message
+        );
         Diagnostic { message, ..error }
     }
+}
 
-    fn place(&self, index: usize) -> Option<Position> {
-        json::position_of_item(self.text, "shapes", index)
+/// A shape with its name and where it came from.
+type Named = (ShapeKind, String, Option<Source>);
+
+fn skeleton((kind, ..): &Named) -> Option<&SkeletalModel> {
+    match kind {
+        ShapeKind::Character(shape) => Some(shape.character.skeleton()),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::builtin::WithBuiltin;
+
+    #[test]
+    fn points_and_lines_have_sizes_that_can_be_drawn() {
+        let text = r#"{"format": "editor-scene", "version": 1, "shapes": [{"source": "builtin:chain",
+            "display": {"point_size": 1e9, "line_width": -3}}]}"#;
+        let files = HashMap::from([(PathBuf::from("a.scene"), text.as_bytes().to_vec())]);
+        let read = read_scene(&WithBuiltin(files), Path::new("a.scene")).unwrap();
+        let ShapeKind::Character(character) = &read.value.shapes[0].kind else {
+            panic!("{:?}", read.value.shapes);
+        };
+        let display = character.display;
+        assert_eq!((display.point_size, display.line_width), (64.0, 1.0));
     }
 }

@@ -1,4 +1,4 @@
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{Scanner, Word, finite, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
 use glam::Vec3;
@@ -71,7 +71,7 @@ pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, D
 }
 
 fn read_row<'a>(scanner: &mut Scanner<'a>, first: Word<'a>) -> Result<Row<'a>, Diagnostic> {
-    let x = super::number::finite(first.text)
+    let x = finite(first.text)
         .ok_or_else(|| scanner.expected("a number for the joint's x", Some(first)))?;
     let y = scanner.number("a number for the joint's y")?;
     let z = scanner.number("a number for the joint's z")?;
@@ -91,7 +91,7 @@ fn read_row<'a>(scanner: &mut Scanner<'a>, first: Word<'a>) -> Result<Row<'a>, D
     })
 }
 
-/// A course character hangs together: its root's weights are not even in the file.
+/// A character of the course has one root: `.attach` files have no column for its weights.
 fn check_roots(scanner: &Scanner, rows: &[Row]) -> Result<(), Diagnostic> {
     let mut roots = rows.iter().filter(|row| row.parent.is_none());
     match (roots.next(), roots.next()) {

@@ -1,10 +1,13 @@
-use super::scanner::{quoted, utf8};
-use super::warnings::Warnings;
-use super::{Diagnostic, Imported, Position, number};
-use crate::geometry::{Basis, Curve, MAX_CURVE_POINTS, MAX_STEPS};
+//! Curves and surfaces as `.swp` files, read and written.
+
+use super::diagnostic::Warnings;
+use super::scanner::{finite, quoted, utf8};
+use super::{Diagnostic, Imported, Position};
+use crate::geometry::{Basis, Curve, CurveForm, MAX_CURVE_POINTS, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet};
 use glam::Vec3;
 use std::collections::HashSet;
+use std::fmt::{self, Write};
 use std::path::Path;
 
 /// Reads a `.swp` file: curves and surfaces as words between white space, brackets around each
@@ -38,7 +41,7 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
     })
 }
 
-/// What files of the course call curves that no surface needs.
+/// The name of curves that no surface needs, in files of the course.
 const NAMELESS: &str = ".";
 const KEYWORDS: &str = "bez2, bez3, bsp2, bsp3, circ, srev or gcyl";
 
@@ -199,7 +202,7 @@ impl<'a> Reader<'a> {
 
     fn number(&mut self, what: impl Fn() -> String) -> Result<f32, Diagnostic> {
         let word = self.words.next();
-        word.and_then(|word| number::finite(word.text))
+        word.and_then(|word| finite(word.text))
             .ok_or_else(|| self.words.expected(&format!("{}, a number", what()), word))
     }
 
@@ -264,14 +267,99 @@ impl<'a> Words<'a> {
     }
 
     fn error(&self, word: Word, message: String) -> Diagnostic {
-        let before = &self.text[..word.start];
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         Diagnostic {
-            position: Some(Position {
-                line: before.matches('\n').count() + 1,
-                column: before[line_start..].chars().count() + 1,
-            }),
+            position: Some(Position::in_text(self.text, word.start)),
             ..Diagnostic::new(self.path, message)
         }
     }
+}
+
+/// `set` as the text of a `.swp` file. Numbers are written with as many digits as it takes to
+/// read the same ones back.
+///
+/// A surface finds its curves by name, the latest of several. Where a curve is meant that a
+/// later one of the same name hides, it is written under a name of its own.
+pub fn to_swp(set: &CurveSet) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write_items(&mut text, set);
+    text
+}
+
+fn write_items(text: &mut String, set: &CurveSet) -> fmt::Result {
+    let names = names(set);
+    for (item, name) in set.items().iter().zip(&names) {
+        if !text.is_empty() {
+            text.push('\n');
+        }
+        match &item.kind {
+            CurveItemKind::Curve(curve) => write_curve(text, name, curve)?,
+            CurveItemKind::Revolution { steps, profile } => {
+                writeln!(text, "srev {name} {steps} {}", names[*profile])?;
+            }
+            CurveItemKind::Sweep { profile, sweep } => {
+                writeln!(text, "gcyl {name} {} {}", names[*profile], names[*sweep])?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write_curve(text: &mut String, name: &str, curve: &Curve) -> fmt::Result {
+    let steps = curve.steps();
+    match curve.form() {
+        CurveForm::Circle { radius } => writeln!(text, "circ {name} {steps} {radius}"),
+        CurveForm::Spline {
+            basis,
+            flat,
+            control_points,
+        } => {
+            let basis = match basis {
+                Basis::Bezier => "bez",
+                Basis::BSpline => "bsp",
+            };
+            let dimension = if *flat { 2 } else { 3 };
+            let count = control_points.len();
+            writeln!(text, "{basis}{dimension} {name} {steps} {count}")?;
+            for point in control_points {
+                if *flat {
+                    writeln!(text, "[{} {}]", point.x, point.y)?;
+                } else {
+                    writeln!(text, "[{} {} {}]", point.x, point.y, point.z)?;
+                }
+            }
+            Ok(())
+        }
+    }
+}
+
+/// The name under which each item is written.
+fn names(set: &CurveSet) -> Vec<String> {
+    let items = set.items();
+    let mut names: Vec<String> = items.iter().map(|item| item.name.clone()).collect();
+    let mut taken: HashSet<String> = names.iter().cloned().collect();
+    for (index, item) in items.iter().enumerate() {
+        let used = match item.kind {
+            CurveItemKind::Curve(_) => vec![],
+            CurveItemKind::Revolution { profile, .. } => vec![profile],
+            CurveItemKind::Sweep { profile, sweep } => vec![profile, sweep],
+        };
+        for curve in used {
+            let hidden = (curve + 1..index)
+                .any(|later| items[later].curve().is_some() && names[later] == names[curve]);
+            if hidden {
+                names[curve] = free_name(&items[curve].name, &taken);
+                taken.insert(names[curve].clone());
+            }
+        }
+    }
+    names
+}
+
+fn free_name(base: &str, taken: &HashSet<String>) -> String {
+    let base = if base == "." { "curve" } else { base };
+    (1..)
+        .map(|number| format!("{base}{number}"))
+        .find(|name| !taken.contains(name))
+        .unwrap_or_else(|| base.to_owned())
 }

@@ -5,7 +5,7 @@ use super::input_parts::parts;
 use super::program::{Program, Shown};
 use crate::editor::{Session, Severity};
 use crate::gpu::GpuError;
-use crate::render::{Frame, InterfaceError, Marks, view_place};
+use crate::render::{Frame, InterfaceError, Marks, RenderError, view_place};
 use crate::ui::Screenshot;
 use egui::{Context, FullOutput, RawInput};
 use std::path::PathBuf;
@@ -37,10 +37,16 @@ pub enum Pass {
 pub enum ProgramError {
     /// OpenGL failed.
     #[error(transparent)]
-    Gpu(#[from] GpuError),
+    Render(#[from] RenderError),
     /// The panels cannot be painted.
     #[error(transparent)]
     Interface(#[from] InterfaceError),
+}
+
+impl From<GpuError> for ProgramError {
+    fn from(error: GpuError) -> Self {
+        Self::Render(error.into())
+    }
 }
 
 /// What came of running egui once or more.
@@ -139,15 +145,16 @@ impl Program {
         window: Option<(u32, u32)>,
         host: &mut dyn Host,
     ) -> Result<DrawnFrame, ProgramError> {
-        let window = window.map_or(Ok(()), |size| graphics.fit_window(size));
+        let composed = match window.map(|size| graphics.fit_window(size)) {
+            // Without any picture not even the panels could say what is wrong.
+            Some(Err(error)) if graphics.window_picture().is_none() => return Err(error),
+            Some(composed) => composed,
+            None => Ok(()),
+        };
         let fitted = graphics.fit_view(view);
         let drawn = self.draw_scene(graphics);
-        let fitted = match (window, fitted) {
-            (Err(error), _) => Err(error),
-            (Ok(()), fitted) => fitted.map_err(ProgramError::from),
-        };
-        let is_size = |e: &ProgramError| matches!(e, ProgramError::Gpu(GpuError::Size { .. }));
-        let wrong_size = fitted.as_ref().is_err_and(is_size);
+        let fitted = composed.and(fitted.map_err(ProgramError::from));
+        let wrong_size = fitted.as_ref().is_err_and(is_about_size);
         let was_wrong = graphics.replace_wrong_size(wrong_size);
         let mut changed = self.tell_fault(fitted, was_wrong)?;
         changed |= self.tell_fault(drawn.map_err(ProgramError::from), false)?;
@@ -183,7 +190,7 @@ impl Program {
     }
 
     /// Draws the scene with what is marked in it, if it is shown.
-    fn draw_scene(&mut self, graphics: &mut Graphics) -> Result<(), GpuError> {
+    fn draw_scene(&mut self, graphics: &mut Graphics) -> Result<(), RenderError> {
         graphics.set_skinning(self.ui.skinning);
         if self.comparison.is_some() {
             // Its pictures lie over the whole view.
@@ -242,7 +249,7 @@ impl Program {
     ) {
         for (path, shot) in due {
             let picture = if shot.with_panels {
-                graphics.read_window()
+                graphics.read_window().map_err(RenderError::from)
             } else {
                 let frame = frame(&self.session, Marks::default());
                 graphics.picture(&frame, shot.size).map(Some)
@@ -271,10 +278,13 @@ impl Program {
     ) -> Result<bool, ProgramError> {
         let error = match drawn {
             Ok(()) => return Ok(false),
-            Err(ProgramError::Gpu(error)) if !matches!(error, GpuError::Lost { .. }) => error,
-            Err(error) => return Err(error),
+            Err(ProgramError::Render(RenderError::Gpu(error @ GpuError::Lost { .. }))) => {
+                return Err(error.into());
+            }
+            Err(error @ ProgramError::Render(_)) => error,
+            Err(error @ ProgramError::Interface(_)) => return Err(error),
         };
-        let is_same = matches!(error, GpuError::Size { .. }) && again;
+        let is_same = is_about_size(&error) && again;
         let text = format!("The picture is not as it should be: {error}");
         let mut told = self.session.messages.history().iter();
         if is_same || told.any(|message| message.text == text) {
@@ -292,6 +302,14 @@ pub struct DrawnFrame {
     pub changed: bool,
     /// How long nothing needs to be drawn for the comparison's sake.
     pub wait: Duration,
+}
+
+/// Whether a picture could not have the size that it needs.
+fn is_about_size(error: &ProgramError) -> bool {
+    matches!(
+        error,
+        ProgramError::Render(RenderError::Gpu(GpuError::Size { .. }))
+    )
 }
 
 fn frame(session: &Session, marks: Marks) -> Frame<'_> {

@@ -1,7 +1,7 @@
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
-use crate::render::{Frame, InterfacePainter, Marks, Renderer, compose, read_picture};
+use crate::render::{Frame, InterfacePainter, Marks, RenderError, Renderer, compose, read_picture};
 use crate::revision::Revision;
 use crate::scene::{Skinning, ViewSettings};
 use egui::FullOutput;
@@ -149,7 +149,11 @@ impl Graphics {
     ///
     /// # Errors
     /// See [`Renderer::draw`]. What failed is not tried again before something changes.
-    pub(super) fn draw_scene(&mut self, frame: &Frame, document: Revision) -> Result<(), GpuError> {
+    pub(super) fn draw_scene(
+        &mut self,
+        frame: &Frame,
+        document: Revision,
+    ) -> Result<(), RenderError> {
         let Some(target) = &self.scene else {
             return Ok(());
         };
@@ -176,11 +180,11 @@ impl Graphics {
         frame: &Frame,
         size: (u32, u32),
         smooth_edges: bool,
-    ) -> Result<Picture, GpuError> {
+    ) -> Result<Picture, RenderError> {
         let samples = if smooth_edges { self.samples } else { 0 };
         let target = fit(&self.gl, &mut self.compared, size, samples)?;
         self.renderer.draw(frame, target)?;
-        read_picture(target)
+        Ok(read_picture(target)?)
     }
 
     /// Frees the memory of the picture that was compared.
@@ -196,12 +200,12 @@ impl Graphics {
         &mut self,
         frame: &Frame,
         size: Option<(u32, u32)>,
-    ) -> Result<Picture, GpuError> {
+    ) -> Result<Picture, RenderError> {
         let view = self.scene.as_ref().map(|s| (s.width(), s.height()));
         let (width, height) = size.or(view).unwrap_or((800, 600));
         let target = Framebuffer::new(&self.gl, width, height, self.samples)?;
         self.renderer.draw(frame, &target)?;
-        read_picture(&target)
+        Ok(read_picture(&target)?)
     }
 
     /// Puts the scene's picture at `place` of the window's and paints the panels over it.

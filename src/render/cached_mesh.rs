@@ -1,6 +1,8 @@
-use super::palettes::Palettes;
-use super::skin::{Run, Skin};
-use super::texture_cache::TextureCache;
+//! The mesh of one shape in the memory of the graphics card.
+
+use super::mesh_cache::TextureCache;
+use super::skinning_tables::{Palettes, Run, Skin};
+use crate::character::Character;
 use crate::geometry::{Facets, Mesh, Normals, face_normals, smooth_normals};
 use crate::gpu::{
     Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Texture, Usage, VertexArray,
@@ -13,8 +15,9 @@ use bytemuck::Pod;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 use std::rc::Rc;
+use std::sync::Arc;
 
-/// Where the vertex shaders of `surface_vertex.glsl` and its kin find what a vertex carries.
+/// Attribute locations in `surface_vertex.glsl` and the other vertex shaders of meshes.
 const POSITION: u32 = 0;
 const NORMAL: u32 = 1;
 const RUN: u32 = 2;
@@ -28,25 +31,58 @@ const TEXTURE_COORDINATES: u32 = 7;
 const PALETTES: u32 = 1;
 const INFLUENCES: u32 = 2;
 
-/// One shape's mesh, ready to be drawn.
+/// The uploaded mesh of a shape.
 #[derive(Debug)]
 pub(super) struct CachedMesh {
     pub vertex_array: VertexArray,
-    /// The weights, where the vertex shader moves the mesh; it is uploaded in its bind pose then.
+    /// The weights, if the vertex shader skins the mesh; it is then uploaded in its bind pose.
     pub skin: Option<Skin>,
-    /// The picture of each of the mesh's material groups, where it has one.
+    /// The texture of each material group of the mesh, where it has one.
     pub textures: Vec<Option<Rc<Texture>>>,
     /// Around the mesh at rest, in model space.
     pub rest_bounds: Aabb,
-    /// How the mesh was rearranged to be drawn facetted; `None` if it is drawn smooth.
+    /// Rearrangement of the mesh for facetted drawing; `None` if it is drawn smooth.
     facets: Option<Facets>,
-    mesh: Revision,
-    shading: Shading,
-    /// What is written again when the positions change, and which ones it holds.
+    /// The buffers that are written anew when the positions change; `None` for a skinned mesh.
     moving: Option<Moving>,
 }
 
-/// Current positions and normals of a mesh that the processor moves, or that nothing does.
+/// Identity of an uploaded mesh, apart from its pose.
+#[derive(Debug)]
+pub(super) struct MeshKey {
+    mesh: Revision,
+    shading: Shading,
+    /// The character, if the vertex shader skins it.
+    skinned: Option<Arc<Character>>,
+}
+
+impl MeshKey {
+    pub fn new(geometry: &EvaluatedGeometry, shading: Shading, skinning: Skinning) -> Self {
+        let deformation = deformation_to_skin(geometry, shading, skinning);
+        Self {
+            mesh: geometry.mesh.revision(),
+            shading,
+            skinned: deformation.map(|deformation| deformation.character().clone()),
+        }
+    }
+
+    /// Whether the vertex shader skins it.
+    pub fn is_skinned(&self) -> bool {
+        self.skinned.is_some()
+    }
+}
+
+impl PartialEq for MeshKey {
+    fn eq(&self, other: &Self) -> bool {
+        let is_same_skin = match (&self.skinned, &other.skinned) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        is_same_skin && (self.mesh, self.shading) == (other.mesh, other.shading)
+    }
+}
+
+/// Current positions and normals of a mesh that the processor deforms, or nothing does.
 #[derive(Debug)]
 struct Moving {
     revision: Revision,
@@ -54,7 +90,7 @@ struct Moving {
     normals: Buffer<Vec3>,
 }
 
-/// Which vertex shader a mesh is for.
+/// Kinds of vertex shaders that draw meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MeshKind {
     /// Positions and normals as they are.
@@ -98,14 +134,12 @@ impl CachedMesh {
             textures: Vec::new(),
             rest_bounds: mesh.bounds(),
             facets,
-            mesh: mesh.revision(),
-            shading,
             moving,
         })
     }
 
-    /// Uploads the pictures of the materials of `mesh`, which this is. One on a mesh without texture
-    /// coordinates cannot be shown.
+    /// Uploads the pictures of the materials of `mesh`, of which this is the upload. Without texture
+    /// coordinates none can be shown.
     pub fn add_textures(&mut self, gl: &Gl, mesh: &Mesh, textures: &mut TextureCache) {
         if mesh.texture_coordinates.is_empty() {
             return;
@@ -122,7 +156,7 @@ impl CachedMesh {
         self.facets.is_some()
     }
 
-    /// Which vertex shader draws it.
+    /// Kind of vertex shader that draws it.
     pub fn kind(&self) -> MeshKind {
         match (&self.skin, self.is_flat()) {
             (None, _) => MeshKind::Plain,
@@ -131,7 +165,7 @@ impl CachedMesh {
         }
     }
 
-    /// Lets `program`, which is one for its kind of mesh, find its joints, those of shape `id`.
+    /// Sets the tables of `program`, one for its kind of mesh, for skinning it as the shape `id`.
     pub fn bind_skin(&self, program: &Program, id: ShapeId, palettes: &Palettes) {
         if let Some(skin) = &self.skin
             && let Some(first_joint) = palettes.bind(PALETTES, id)
@@ -143,17 +177,8 @@ impl CachedMesh {
         }
     }
 
-    /// Whether it is of this geometry, whatever its pose, and drawn in this way.
-    pub fn fits(&self, geometry: &EvaluatedGeometry, shading: Shading, skinning: Skinning) -> bool {
-        let skin_fits = match (&self.skin, deformation_to_skin(geometry, shading, skinning)) {
-            (Some(skin), Some(deformation)) => skin.is_of(deformation.character()),
-            (skin, deformation) => skin.is_none() && deformation.is_none(),
-        };
-        skin_fits && self.mesh == geometry.mesh.revision() && self.shading == shading
-    }
-
-    /// Uploads new positions, if it holds others and the vertex shader does not make them. Whether
-    /// it did.
+    /// Uploads the positions if they have changed and the vertex shader does not compute them.
+    /// Whether it did.
     pub fn update_positions(&mut self, geometry: &EvaluatedGeometry) -> Result<bool, GpuError> {
         let Some(moving) = &mut self.moving else {
             return Ok(false);
@@ -177,7 +202,7 @@ fn is_flat(mesh: &Mesh, shading: Shading) -> bool {
     }
 }
 
-/// What the vertex shader is to do, if anything.
+/// The deformation that the vertex shader computes, if it does.
 fn deformation_to_skin(
     geometry: &EvaluatedGeometry,
     shading: Shading,
@@ -212,8 +237,12 @@ impl<'a> Layout<'a> {
         self.builder = std::mem::replace(&mut self.builder, empty).attribute(buffer, attribute);
     }
 
-    /// Something that never changes.
-    fn attribute<T: Carried>(&mut self, values: &[T], location: u32) -> Result<(), GpuError> {
+    /// Adds an attribute that never changes.
+    fn attribute<T: FixedAttribute>(
+        &mut self,
+        values: &[T],
+        location: u32,
+    ) -> Result<(), GpuError> {
         let buffer = Buffer::vertices(self.gl, Usage::Static, values)?;
         self.attach(&buffer, T::attribute(location));
         Ok(())
@@ -240,7 +269,8 @@ impl<'a> Layout<'a> {
         Ok(moving)
     }
 
-    /// The mesh at rest with its influences; facetted, every last corner knows the other two.
+    /// Adds the mesh at rest with its influences; facetted, every last corner has those of the other
+    /// two corners of its triangle as well.
     fn bind_pose(
         &mut self,
         mesh: &Mesh,
@@ -270,24 +300,24 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// What vertices carry that never changes.
-trait Carried: Pod {
+/// A type of attributes that never change.
+trait FixedAttribute: Pod {
     fn attribute(location: u32) -> Attribute;
 }
 
-impl Carried for Vec3 {
+impl FixedAttribute for Vec3 {
     fn attribute(location: u32) -> Attribute {
         Attribute::f32(location, 3)
     }
 }
 
-impl Carried for Vec2 {
+impl FixedAttribute for Vec2 {
     fn attribute(location: u32) -> Attribute {
         Attribute::f32(location, 2)
     }
 }
 
-impl Carried for Run {
+impl FixedAttribute for Run {
     fn attribute(location: u32) -> Attribute {
         Attribute::u32(location, 2)
     }

@@ -1,36 +1,30 @@
-use super::curve_lines::{CONTROL, draw_curve, draw_shape};
-use super::frame::{Frame, PassContext};
-use crate::gpu::{DisplayList, DrawState, Gl, GpuError, Immediate, Mode, PointShape};
+//! Lines and points of shapes made of curves.
+
+use super::renderer::{Frame, PassContext};
+use super::upload_cache::UploadCache;
+use crate::geometry::Normals;
+use crate::gpu::{DisplayList, DrawState, Gl, Immediate, Mode, PointShape};
 use crate::revision::Revision;
 use crate::scene::{
-    CurveDisplay, CurveShape, EvaluatedCurves, EvaluatedShape, Shape, ShapeId, ShapeKind,
+    CurveDisplay, CurveShape, CurveVisibility, EvaluatedCurve, EvaluatedCurves, EvaluatedGeometry,
+    EvaluatedShape, Shape, ShapeKind, SurfaceVisibility,
 };
 use glam::Vec3;
-use std::collections::{HashMap, HashSet};
 
 const HOVERED_POINT_SIZE: f32 = 11.0;
 
 /// Draws the lines and points of every shape made of curves: control polygons, curves with their
-/// frames, wireframes with normals. Shaded surfaces are the surface pass's.
+/// frames, wireframes with normals. The surface pass draws shaded surfaces.
 #[derive(Debug, Default)]
 pub(super) struct CurvePass {
-    lines: HashMap<ShapeId, KeptLines>,
-}
-
-/// The lines of one shape in the memory of the graphics card, for as long as they stay the same.
-#[derive(Debug)]
-struct KeptLines {
-    revision: Revision,
-    display: CurveDisplay,
-    /// Or why the driver could not take them; they are not tried again.
-    list: Result<DisplayList, GpuError>,
+    /// By what determines the lines: the revision of the geometry, and how it is displayed.
+    lines: UploadCache<(Revision, CurveDisplay), DisplayList>,
 }
 
 impl CurvePass {
-    /// Brings the lines of all visible shapes up to date and forgets those of shapes that are gone.
+    /// Uploads the lines of all visible shapes that have changed.
     pub fn update(&mut self, gl: &Gl, frame: &Frame, immediate: &mut Immediate) {
-        let there: HashSet<ShapeId> = frame.evaluated.shapes.iter().map(|s| s.id).collect();
-        self.lines.retain(|id, _| there.contains(id));
+        self.lines.forget_deleted(frame.evaluated);
         for Shown {
             shape,
             curve,
@@ -39,29 +33,20 @@ impl CurvePass {
         } in shown(frame)
         {
             let geometry = &evaluated.geometry;
-            let revision = geometry.revision;
-            let is_same =
-                |known: &KeptLines| known.revision == revision && known.display == curve.display;
-            if self.lines.get(&shape.id).is_some_and(is_same) {
-                continue;
-            }
-            // Before there are new ones.
-            self.lines.remove(&shape.id);
-            immediate.line_width(1.0);
-            immediate.begin_list();
-            draw_shape(immediate, curve.display, curves, geometry);
-            let list = immediate.end_list();
-            let list = list.and_then(|list| gl.check("uploading curves").map(|()| list));
-            let lines = KeptLines {
-                revision,
-                display: curve.display,
-                list,
-            };
-            self.lines.insert(shape.id, lines);
+            let key = (geometry.revision, curve.display);
+            let keep = |_: &mut DisplayList| Ok(());
+            self.lines.update(shape.id, key, keep, || {
+                immediate.line_width(1.0);
+                immediate.begin_list();
+                draw_shape(immediate, curve.display, curves, geometry);
+                let list = immediate.end_list()?;
+                gl.check("uploading curves")?;
+                Ok(list)
+            });
         }
     }
 
-    /// Draws what [`CurvePass::update`] brought up to date.
+    /// Draws the lines that [`CurvePass::update`] uploaded.
     pub fn draw(&self, gl: &Gl, context: &PassContext, frame: &Frame, immediate: &mut Immediate) {
         for Shown {
             shape,
@@ -72,7 +57,7 @@ impl CurvePass {
         {
             DrawState::opaque(context.width, context.height).apply(gl);
             immediate.load_matrix(context.clip_from_world * evaluated.world_from_model);
-            if let Some(Ok(list)) = self.lines.get(&shape.id).map(|lines| &lines.list) {
+            if let Some(list) = self.lines.get(shape.id) {
                 immediate.call_list(list);
             }
             let hovered = frame.marks.hovered_control_point;
@@ -84,15 +69,14 @@ impl CurvePass {
 
     /// The visible shapes whose lines the driver could not take, in words for the user.
     pub fn left_out(&self, frame: &Frame) -> Vec<String> {
-        let told = |(shape, _): (&Shape, &EvaluatedShape)| {
-            let why = self.lines.get(&shape.id)?.list.as_ref().err()?;
-            Some(format!("the lines of “{}” ({why})", shape.name))
-        };
-        frame.shapes().filter_map(told).collect()
+        let refused = self.lines.refused(frame);
+        refused
+            .map(|(shape, why)| format!("the lines of “{}” ({why})", shape.name))
+            .collect()
     }
 }
 
-/// A visible shape made of curves, and what follows from it.
+/// A visible shape made of curves, with its evaluation.
 struct Shown<'a> {
     shape: &'a Shape,
     curve: &'a CurveShape,
@@ -132,7 +116,7 @@ fn draw_hovered_point(
     immediate.end();
 }
 
-/// The curves and control polygons of a shape in one color and wider, for the mask of outlines.
+/// Draws the curves of a shape in one color and wider, for the mask of outlines.
 pub(super) fn draw_curve_mask(
     immediate: &mut Immediate,
     context: &PassContext,
@@ -148,4 +132,108 @@ pub(super) fn draw_curve_mask(
         draw_curve(immediate, curve, color);
     }
     immediate.line_width(1.0);
+}
+
+const CURVE: Vec3 = Vec3::ONE;
+/// Color of control points and their polygon.
+const CONTROL: Vec3 = Vec3::new(1.0, 1.0, 0.0);
+const CONTROL_POINT_SIZE: f32 = 5.0;
+/// Length of the axes of a frame, in the curve's space.
+const FRAME_LENGTH: f32 = 0.2;
+const NORMAL: Vec3 = Vec3::X;
+const BINORMAL: Vec3 = Vec3::Y;
+const TANGENT: Vec3 = Vec3::Z;
+const WIREFRAME: Vec3 = Vec3::new(0.27, 0.51, 0.71);
+const SURFACE_NORMAL: Vec3 = Vec3::new(0.0, 0.5, 0.5);
+const SURFACE_NORMAL_LENGTH: f32 = 0.1;
+
+/// Draws the lines and points of a shape made of curves that `display` asks for, in its space.
+fn draw_shape(
+    immediate: &mut Immediate,
+    display: CurveDisplay,
+    curves: &EvaluatedCurves,
+    geometry: &EvaluatedGeometry,
+) {
+    if display.control_points {
+        curves
+            .curves
+            .iter()
+            .for_each(|curve| draw_control_points(immediate, curve));
+    }
+    if display.curve != CurveVisibility::Off {
+        curves
+            .curves
+            .iter()
+            .for_each(|curve| draw_curve(immediate, curve, CURVE));
+    }
+    if display.curve == CurveVisibility::OnWithFrames {
+        curves
+            .curves
+            .iter()
+            .for_each(|curve| draw_frames(immediate, curve));
+    }
+    if display.surface == SurfaceVisibility::WireframeWithNormals {
+        draw_wireframe(immediate, curves, geometry);
+    }
+}
+
+fn draw_control_points(immediate: &mut Immediate, curve: &EvaluatedCurve) {
+    let points = || curve.control_points.iter().copied();
+    immediate.color(CONTROL);
+    draw_group(immediate, Mode::LineStrip, points());
+    immediate.point_size(CONTROL_POINT_SIZE);
+    immediate.point_shape(PointShape::Square);
+    draw_group(immediate, Mode::Points, points());
+}
+
+/// Draws the curve as a line.
+fn draw_curve(immediate: &mut Immediate, curve: &EvaluatedCurve, color: Vec3) {
+    immediate.color(color);
+    draw_group(immediate, Mode::LineStrip, curve.positions());
+}
+
+fn draw_group(immediate: &mut Immediate, mode: Mode, points: impl Iterator<Item = Vec3>) {
+    immediate.begin(mode);
+    points.for_each(|point| immediate.vertex(point));
+    immediate.end();
+}
+
+fn draw_frames(immediate: &mut Immediate, curve: &EvaluatedCurve) {
+    immediate.begin(Mode::Lines);
+    for point in &curve.points {
+        for (color, along) in [
+            (NORMAL, point.frame.normal),
+            (BINORMAL, point.frame.binormal),
+            (TANGENT, point.frame.tangent),
+        ] {
+            immediate.color(color);
+            immediate.vertex(point.position);
+            immediate.vertex(point.position + along * FRAME_LENGTH);
+        }
+    }
+    immediate.end();
+}
+
+fn draw_wireframe(
+    immediate: &mut Immediate,
+    curves: &EvaluatedCurves,
+    geometry: &EvaluatedGeometry,
+) {
+    let positions = geometry.positions();
+    immediate.color(WIREFRAME);
+    immediate.begin(Mode::Lines);
+    for corner in curves.edges.iter().flatten() {
+        immediate.vertex(positions[*corner as usize]);
+    }
+    immediate.end();
+    let Normals::PerVertex(normals) = &geometry.mesh.normals else {
+        return;
+    };
+    immediate.color(SURFACE_NORMAL);
+    immediate.begin(Mode::Lines);
+    for (&position, &normal) in positions.iter().zip(normals) {
+        immediate.vertex(position);
+        immediate.vertex(position + normal * SURFACE_NORMAL_LENGTH);
+    }
+    immediate.end();
 }

@@ -1,16 +1,95 @@
-use super::frame::PassContext;
+//! The Studio look's ground and the shadows on it.
+
+use super::mesh_cache::MeshCache;
+use super::mesh_programs::MeshPrograms;
+use super::renderer::{Frame, PassContext};
+use super::surface_pass::surfaces;
 use crate::gpu::{
-    Attribute, Blend, Buffer, DrawState, Framebuffer, Gl, GpuError, Primitive, Program, Usage,
-    VertexArray,
+    Attribute, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program,
+    Usage, VertexArray,
 };
 use crate::scene::Camera;
-use glam::Vec2;
+use glam::{Mat4, Vec2, Vec3, Vec4};
+
+/// From the ground to the light that throws shadows: the key light as it stands for the first
+/// view. It stays there when the camera turns, for shadows that wander over the ground would look
+/// as if the shapes did.
+const LIGHT: Vec3 = Vec3::new(-0.45, 1.0, 0.55);
+
+/// Draws the shadows on the Studio look's ground: every surface, flattened onto the plane of the
+/// ground along the light, as the camera sees it there. A shadow map would have to be fitted to the
+/// size of the scene, which need not be known here, and edges are as fine as pixels.
+#[derive(Debug)]
+pub(super) struct ShadowPass {
+    programs: MeshPrograms,
+    shadows: Option<Framebuffer>,
+}
+
+impl ShadowPass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let fragment = include_str!("../../shaders/shadow_fragment.glsl");
+        Ok(Self {
+            programs: MeshPrograms::new(gl, "shadow", fragment)?,
+            shadows: None,
+        })
+    }
+
+    /// Compiles the programs for skinned meshes.
+    pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
+        self.programs.add_skinned(gl)
+    }
+
+    /// A picture as large as the one that is drawn, white where the ground is in shadow. Afterwards it
+    /// is bound.
+    pub fn draw(
+        &mut self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        meshes: &MeshCache,
+    ) -> Result<&Framebuffer, GpuError> {
+        let (width, height) = (context.width, context.height);
+        let shadows = Framebuffer::fitting(&mut self.shadows, gl, width, height)?;
+        shadows.clear([0.0; 4]);
+        let state = DrawState {
+            depth_test: DepthTest::Off,
+            depth_write: false,
+            ..DrawState::opaque(width, height)
+        };
+        state.apply(gl);
+        let clip_from_world = context.clip_from_world * ground_from_world(context.ground);
+        for (shape, evaluated) in surfaces(frame) {
+            let Some(cached) = meshes.get(shape.id) else {
+                continue;
+            };
+            let program = self.programs.of(cached);
+            meshes.bind_skin(program, shape.id);
+            program.set_mat4("clip_from_world", clip_from_world);
+            program.set_mat4("world_from_model", evaluated.world_from_model);
+            program.set_f32("ground", context.ground);
+            let indices = 0..cached.vertex_array.index_count();
+            cached
+                .vertex_array
+                .draw_indexed(program, Primitive::Triangles, indices);
+        }
+        Ok(shadows)
+    }
+}
+
+/// Moves every point along the light onto the plane y = `ground`.
+fn ground_from_world(ground: f32) -> Mat4 {
+    let along = LIGHT / LIGHT.y;
+    let mut flattened = Mat4::IDENTITY;
+    flattened.y_axis = Vec4::new(-along.x, 0.0, -along.z, 0.0);
+    flattened.w_axis = (along * ground).extend(1.0);
+    flattened
+}
 
 /// Texture unit of the shadows.
 const SHADOWS: u32 = 0;
-/// How much of what is behind the ground its light covers, in the middle.
+/// Share of what is behind the ground that its light covers, in the middle.
 const LIT: f32 = 0.6;
-/// How far the edge of a shadow fades, in the world.
+/// Width of a shadow's fading edge in the world.
 const SOFTNESS: f32 = 0.07;
 
 /// The Studio look's ground: a grid, one unit wide, every tenth line stronger,
@@ -37,8 +116,8 @@ impl GroundPass {
         Ok(Self { program, square })
     }
 
-    /// Drawn after everything opaque, since it lets through what lies behind it.
-    /// `shadows` is a picture as large as `target`, white where the ground has no light.
+    /// Draws it, after everything opaque, since it is transparent. `shadows` is a picture as large
+    /// as `target`, white where the ground is in shadow.
     pub fn draw(
         &self,
         gl: &Gl,
@@ -57,8 +136,8 @@ impl GroundPass {
             ..DrawState::opaque(context.width, context.height)
         };
         state.apply(gl);
-        // Reaches as far as it can be told from the horizon, and follows the camera. The far plane
-        // may be nearer than the least of it.
+        // As far as it can be distinguished from the horizon, around the camera's target; not
+        // beyond the far plane.
         let reach = (camera.radius * 12.0).max(20.0).min(camera.far);
         self.program
             .set_mat4("clip_from_world", context.clip_from_world);
@@ -75,5 +154,21 @@ impl GroundPass {
         self.program.set_f32("lit", lit);
         self.square
             .draw(&self.program, Primitive::TriangleStrip, 0..4);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_go_along_the_light_to_the_ground_and_those_on_it_stay() {
+        let flattened = ground_from_world(-0.5);
+        let on_ground = Vec3::new(1.0, -0.5, -2.0);
+        let stays = flattened.transform_point3(on_ground);
+        assert!(stays.abs_diff_eq(on_ground, 1e-6), "{stays}");
+        let above = on_ground + LIGHT * 3.0;
+        let found = flattened.transform_point3(above);
+        assert!(found.abs_diff_eq(on_ground, 1e-6), "{found}");
     }
 }

@@ -1,52 +1,44 @@
-use super::cached_mesh::CachedMesh;
-use super::frame::Frame;
-use super::palettes::Palettes;
-use super::texture_cache::TextureCache;
-use crate::gpu::{Gl, GpuError, Program};
-use crate::revision::Revision;
-use crate::scene::{Evaluated, EvaluatedShape, Shading, Shape, ShapeId, Skinning};
-use std::collections::{HashMap, HashSet};
+//! The meshes and textures of a scene in the memory of the graphics card.
 
-/// The meshes of a scene in the memory of the graphics card. Only what has a new revision is
-/// uploaded: a shape that nobody touches costs nothing but its draw.
+use super::cached_mesh::{CachedMesh, MeshKey};
+use super::renderer::Frame;
+use super::skinning_tables::Palettes;
+use super::upload_cache::UploadCache;
+use crate::geometry::Picture;
+use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture, Wrap};
+use crate::scene::{Evaluated, Shading, ShapeId, Skinning};
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// The meshes of a scene. Only those with a new revision are uploaded: a shape that does not change
+/// costs nothing but its draw.
 #[derive(Debug)]
 pub(super) struct MeshCache {
-    meshes: HashMap<ShapeId, CachedMesh>,
-    /// Meshes that the driver could not take.
-    refused: HashMap<ShapeId, Refused>,
+    meshes: UploadCache<MeshKey, CachedMesh>,
     palettes: Palettes,
     textures: TextureCache,
     /// Rows of the largest table for skinning.
     most_rows: u32,
 }
 
-/// A mesh that is left out, and not tried again as long as it is the same.
-#[derive(Debug)]
-struct Refused {
-    mesh: Revision,
-    asked: (Shading, Skinning),
-    why: GpuError,
-}
-
 impl MeshCache {
-    /// An empty one, whose tables have at most `most_rows` rows.
+    /// An empty cache, whose tables have at most `most_rows` rows.
     pub fn new(most_rows: u32) -> Self {
         Self {
-            meshes: HashMap::new(),
-            refused: HashMap::new(),
+            meshes: UploadCache::default(),
             palettes: Palettes::default(),
             textures: TextureCache::default(),
             most_rows,
         }
     }
 
-    /// Brings all shapes up to date and forgets those that are gone. What a shader cannot do for a
-    /// mesh is done on the processor, whatever `skinning` says: smooth normals of a mesh that has
+    /// Uploads all shapes that have changed and drops those that are gone. The processor does what
+    /// a shader cannot do for a mesh, whatever `skinning` says: smooth normals of a mesh that has
     /// none are sums over the moved triangles round each vertex.
     ///
     /// # Errors
-    /// When the driver cannot skin. A mesh that it cannot take otherwise is left out, see
-    /// [`MeshCache::left_out`].
+    /// When the graphics card cannot skin. Other meshes that the driver cannot take are left out,
+    /// see [`MeshCache::left_out`].
     pub fn update(
         &mut self,
         gl: &Gl,
@@ -54,68 +46,48 @@ impl MeshCache {
         shading: Shading,
         skinning: Skinning,
     ) -> Result<(), GpuError> {
-        let there: HashSet<ShapeId> = evaluated.shapes.iter().map(|shape| shape.id).collect();
-        self.meshes.retain(|id, _| there.contains(id));
-        self.refused.retain(|id, _| there.contains(id));
+        self.meshes.forget_deleted(evaluated);
+        let (most_rows, textures) = (self.most_rows, &mut self.textures);
         for shape in &evaluated.shapes {
-            let asked = (shading, skinning);
-            let mesh = shape.geometry.mesh.revision();
-            let is_same = |refused: &Refused| (refused.mesh, refused.asked) == (mesh, asked);
-            if self.refused.get(&shape.id).is_some_and(is_same) {
-                continue;
-            }
-            self.refused.remove(&shape.id);
-            if let Err(why) = self.update_shape(gl, shape, shading, skinning) {
-                self.meshes.remove(&shape.id);
-                if skinning == Skinning::Gpu && shape.geometry.deformation.is_some() {
-                    return Err(why);
+            let geometry = &shape.geometry;
+            let key = MeshKey::new(geometry, shading, skinning);
+            let is_skinned = key.is_skinned();
+            let moved = |cached: &mut CachedMesh| {
+                if cached.update_positions(geometry)? {
+                    gl.check("moving a mesh")?;
                 }
-                self.refused.insert(shape.id, Refused { mesh, asked, why });
+                Ok(())
+            };
+            self.meshes.update(shape.id, key, moved, || {
+                let mut cached = CachedMesh::new(gl, geometry, shading, skinning, most_rows)?;
+                gl.check("uploading a mesh")?;
+                cached.add_textures(gl, &geometry.mesh, textures);
+                Ok(cached)
+            });
+            if is_skinned && let Some(why) = self.meshes.take_refusal(shape.id) {
+                return Err(why);
             }
         }
         self.textures.forget_unused();
         let meshes = &self.meshes;
-        let is_skinned = |id: &ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
-        let skinned = evaluated.shapes.iter().filter(|s| is_skinned(&s.id));
+        let is_skinned = |id: ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
+        let skinned = evaluated.shapes.iter().filter(|s| is_skinned(s.id));
         self.palettes.update(gl, skinned, self.most_rows)
-    }
-
-    fn update_shape(
-        &mut self,
-        gl: &Gl,
-        shape: &EvaluatedShape,
-        shading: Shading,
-        skinning: Skinning,
-    ) -> Result<(), GpuError> {
-        let geometry = &shape.geometry;
-        let known = self.meshes.get_mut(&shape.id);
-        if let Some(cached) = known.filter(|cached| cached.fits(geometry, shading, skinning)) {
-            if cached.update_positions(geometry)? {
-                gl.check("moving a mesh")?;
-            }
-            return Ok(());
-        }
-        let mut cached = CachedMesh::new(gl, geometry, shading, skinning, self.most_rows)?;
-        gl.check("uploading a mesh")?;
-        cached.add_textures(gl, &geometry.mesh, &mut self.textures);
-        self.meshes.insert(shape.id, cached);
-        Ok(())
     }
 
     /// The visible shapes whose meshes the driver could not take, in words for the user.
     pub fn left_out(&self, frame: &Frame) -> Vec<String> {
-        let told = |(shape, _): (&Shape, &EvaluatedShape)| {
-            let refused = self.refused.get(&shape.id)?;
-            Some(format!("“{}” ({})", shape.name, refused.why))
-        };
-        frame.shapes().filter_map(told).collect()
+        let refused = self.meshes.refused(frame);
+        refused
+            .map(|(shape, why)| format!("“{}” ({why})", shape.name))
+            .collect()
     }
 
     pub fn get(&self, id: ShapeId) -> Option<&CachedMesh> {
-        self.meshes.get(&id)
+        self.meshes.get(id)
     }
 
-    /// How high the ground lies: as low as the lowest visible mesh stands, and never above the
+    /// Height of the ground in the world: the lowest point of the visible meshes, but not above the
     /// origin. At rest, so that the ground stays where it is while a character is posed.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
         let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
@@ -127,15 +99,79 @@ impl MeshCache {
         lowest.filter(|y| y.is_finite()).fold(0.0, f32::min)
     }
 
-    /// What could not be shown since the last call, in words for the user.
+    /// Pictures that could not be shown since the last call, in words for the user.
     pub fn take_notices(&mut self) -> Vec<String> {
         self.textures.take_notices()
     }
 
-    /// Lets `program`, which is one for its kind of mesh, find the joints of `id`.
+    /// Sets the tables of `program`, one for the mesh's kind, for skinning the shape `id`.
     pub fn bind_skin(&self, program: &Program, id: ShapeId) {
         if let Some(cached) = self.get(id) {
             cached.bind_skin(program, id, &self.palettes);
         }
     }
+}
+
+/// Textures of materials, each picture once, however many materials and meshes show it.
+///
+/// Texels are the values stored in the file, as all colors here are: the Course look
+/// lights stored values, as its original does, and the Studio look makes them linear itself. So a
+/// picture of one color looks as a material of that color, and mipmaps average what other viewers
+/// average.
+#[derive(Debug, Default)]
+pub(super) struct TextureCache {
+    /// `None` for a picture that the driver refused, which is reported once.
+    held: Vec<(Arc<Picture>, Option<Rc<Texture>>)>,
+    notices: Vec<String>,
+}
+
+impl TextureCache {
+    /// The texture of `picture`; `None` if the driver refuses it.
+    pub fn texture(&mut self, gl: &Gl, picture: &Arc<Picture>) -> Option<Rc<Texture>> {
+        let known = self
+            .held
+            .iter()
+            .find(|(held, _)| Arc::ptr_eq(held, picture));
+        if let Some((_, texture)) = known {
+            return texture.clone();
+        }
+        let texture = match upload(gl, picture) {
+            Ok(texture) => Some(Rc::new(texture)),
+            Err(error) => {
+                let Picture { width, height, .. } = **picture;
+                self.notices.push(format!(
+                    "A picture of {width}x{height} pixels is not shown on its material: {error}"
+                ));
+                None
+            }
+        };
+        self.held.push((picture.clone(), texture.clone()));
+        texture
+    }
+
+    /// Drops the textures that no mesh shows any more.
+    pub fn forget_unused(&mut self) {
+        self.held.retain(|(picture, texture)| match texture {
+            Some(texture) => Rc::strong_count(texture) > 1,
+            None => Arc::strong_count(picture) > 1,
+        });
+    }
+
+    /// Pictures refused since the last call, in words for the user.
+    pub fn take_notices(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notices)
+    }
+}
+
+fn upload(gl: &Gl, picture: &Picture) -> Result<Texture, GpuError> {
+    // Texture coordinates count from the lower left, pictures from the top.
+    let row = (picture.width as usize * 4).max(1);
+    let rows = picture.rgba.chunks(row).rev();
+    let upwards: Vec<u8> = rows.flatten().copied().collect();
+    let sampling = Sampling {
+        filter: Filter::Linear,
+        wrap: Wrap::Repeat,
+        mipmaps: true,
+    };
+    Texture::new(gl, picture.width, picture.height, &upwards, sampling)
 }

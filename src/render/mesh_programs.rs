@@ -1,19 +1,21 @@
+//! Shader programs that draw meshes.
+
 use super::cached_mesh::{CachedMesh, MeshKind};
 use crate::gpu::{Gl, GpuError, Program};
 
-/// One way to draw surfaces, for meshes that come as they are and for those that are skinned on
-/// the way: a fragment shader under each of the vertex shaders.
+/// A fragment shader with each of the vertex shaders for meshes: the plain one, and those that
+/// skin.
 #[derive(Debug)]
 pub(super) struct MeshPrograms {
     label: &'static str,
     fragment: &'static str,
     plain: Program,
-    /// Compiled when they are first needed: on software OpenGL they never are.
+    /// Compiled when first needed, which is never on software OpenGL.
     skinned: Option<[Program; 2]>,
 }
 
 impl MeshPrograms {
-    /// For meshes that come as they are; see [`MeshPrograms::add_skinned`].
+    /// Compiles the program for plain meshes; see [`MeshPrograms::add_skinned`].
     pub fn new(gl: &Gl, label: &'static str, fragment: &'static str) -> Result<Self, GpuError> {
         let vertex = include_str!("../../shaders/surface_vertex.glsl");
         Ok(Self {
@@ -24,7 +26,7 @@ impl MeshPrograms {
         })
     }
 
-    /// For skinned meshes too, from now on.
+    /// Compiles the programs for skinned meshes, unless that is done.
     pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
         if self.skinned.is_none() {
             let program = |kind: &str, vertex: &str| {
@@ -38,12 +40,12 @@ impl MeshPrograms {
         Ok(())
     }
 
-    /// All of them, to be told what they share.
+    /// All programs, for uniforms that they share.
     pub fn all(&self) -> impl Iterator<Item = &Program> {
         std::iter::once(&self.plain).chain(self.skinned.iter().flatten())
     }
 
-    /// The one that draws `mesh`.
+    /// The program that draws `mesh`.
     pub fn of(&self, mesh: &CachedMesh) -> &Program {
         match (mesh.kind(), &self.skinned) {
             (MeshKind::Skinned, Some([smooth, _])) => smooth,

@@ -2,36 +2,24 @@
 //! [`Offscreen`] for both without a window. The window and the command line draw through the same
 //! [`Renderer::draw`].
 
-mod axis_pass;
-mod background_pass;
-mod bone_lines;
+mod backdrop_pass;
 mod cached_mesh;
 mod compose;
-mod curve_lines;
 mod curve_pass;
-mod floor_pass;
-mod frame;
 mod ground_pass;
-mod interface_painter;
-mod lights;
 mod mesh_cache;
 mod mesh_programs;
 mod offscreen;
 mod outline_pass;
-mod palettes;
 mod read_back;
 mod renderer;
-mod shadow_pass;
 mod skeleton_pass;
-mod skin;
-mod skinning_choice;
+mod skinning_tables;
 mod surface_pass;
-mod table;
-mod texture_cache;
+mod upload_cache;
 
+pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use compose::{compose, view_place};
-pub use frame::{Frame, Marks};
-pub use interface_painter::{InterfaceError, InterfacePainter};
 pub use offscreen::{Offscreen, OffscreenError, read_picture};
 pub use read_back::read_back_skinning;
-pub use renderer::Renderer;
+pub use renderer::{Frame, Marks, RenderError, Renderer};

@@ -1,4 +1,6 @@
-use super::{Frame, Renderer};
+//! Pictures without a window.
+
+use super::{Frame, RenderError, Renderer};
 use crate::geometry::Picture;
 use crate::gpu::{Backend, ContextError, Framebuffer, Gl, GpuError, HeadlessContext};
 
@@ -36,7 +38,7 @@ impl Offscreen {
         self.context.gl()
     }
 
-    /// What draws, for what it can be told and what it has to tell.
+    /// The renderer, for its settings and notices.
     pub fn renderer(&mut self) -> &mut Renderer {
         &mut self.renderer
     }
@@ -56,14 +58,14 @@ impl Offscreen {
         frame: &Frame,
         (width, height): (u32, u32),
         samples: u32,
-    ) -> Result<Framebuffer, GpuError> {
+    ) -> Result<Framebuffer, RenderError> {
         let target = Framebuffer::new(self.context.gl(), width, height, samples)?;
         self.renderer.draw(frame, &target)?;
         target.resolve();
         Ok(target)
     }
 
-    /// What [`Offscreen::render`] draws, as a picture in memory.
+    /// As [`Offscreen::render`], read into memory.
     ///
     /// # Errors
     /// As [`Offscreen::render`].
@@ -72,8 +74,8 @@ impl Offscreen {
         frame: &Frame,
         size: (u32, u32),
         samples: u32,
-    ) -> Result<Picture, GpuError> {
-        read_picture(&self.render(frame, size, samples)?)
+    ) -> Result<Picture, RenderError> {
+        Ok(read_picture(&self.render(frame, size, samples)?)?)
     }
 }
 

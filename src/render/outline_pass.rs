@@ -1,8 +1,10 @@
-use super::background_pass::whole_picture;
+//! Outlines of marked shapes.
+
+use super::backdrop_pass::whole_picture;
 use super::curve_pass::draw_curve_mask;
-use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
+use super::renderer::{Frame, PassContext};
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{
     DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive, Program, VertexArray,
@@ -15,8 +17,8 @@ const HOVERED: Vec3 = Vec3::new(0.85, 0.88, 0.92);
 /// Width of the line in pixels of a picture 800 high or less.
 const WIDTH: u32 = 2;
 
-/// Draws a line round the selected shape and the one under the pointer, through whatever stands
-/// before them: their outline is first drawn as a mask, whose edge is then drawn over the picture.
+/// Draws a line round the selected shape and the one under the pointer, also where something hides
+/// them: their pixels are first drawn as a mask, whose edge is then drawn over the picture.
 #[derive(Debug)]
 pub(super) struct OutlinePass {
     masks: MeshPrograms,
@@ -40,7 +42,7 @@ impl OutlinePass {
         })
     }
 
-    /// Gets ready for meshes that the vertex shader moves.
+    /// Compiles the programs for skinned meshes.
     pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
         self.masks.add_skinned(gl)
     }

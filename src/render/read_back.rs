@@ -1,6 +1,8 @@
+//! Skinned vertices read back from the graphics card.
+
 use super::cached_mesh::{CachedMesh, MeshKind};
 use super::mesh_programs;
-use super::palettes::Palettes;
+use super::skinning_tables::Palettes;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program};
 use crate::scene::{EvaluatedShape, Shading, Skinning};
 use glam::{Mat3, Mat4, Vec3};
@@ -13,8 +15,8 @@ const PIXELS_A_ROW: u32 = 1024;
 /// ([`crate::geometry::Facets`]), and zero if it is none's.
 ///
 /// Runs the vertex shader that pictures are drawn with and reads its numbers back bit by bit, as
-/// the colors of pixels, which every driver can: this is how skinning there is held to skinning
-/// here. `None` for what the graphics card does not skin.
+/// the colors of pixels, which every driver can do: tests compare skinning on the graphics card with
+/// skinning on the processor by it. `None` if the graphics card does not skin the shape.
 ///
 /// # Errors
 /// As [`super::Renderer::draw`], and for more vertices than a picture has pixels.

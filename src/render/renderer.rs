@@ -1,34 +1,94 @@
-use super::axis_pass::draw_axis;
-use super::background_pass::BackgroundPass;
-use super::bone_lines::draw_bone_lines;
+//! The renderer: frames in, pictures out.
+
+use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
-use super::floor_pass::FloorPass;
-use super::frame::{Frame, PassContext};
-use super::ground_pass::GroundPass;
+use super::ground_pass::{GroundPass, ShadowPass};
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
-use super::shadow_pass::ShadowPass;
-use super::skeleton_pass::SkeletonPass;
-use super::skinning_choice::SkinningChoice;
+use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
 use super::surface_pass::SurfacePass;
-use crate::gpu::{Framebuffer, Gl, GpuError, Immediate};
-use crate::scene::Look;
+use crate::gpu::{Framebuffer, Gl, GpuError, Immediate, Info};
+use crate::scene::{
+    Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, Skinning, ViewSettings,
+};
+use glam::Mat4;
+
+/// Everything that a picture depends on: the same frame gives the same picture.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame<'a> {
+    /// The shapes.
+    pub scene: &'a Scene,
+    /// The evaluation of `scene`.
+    pub evaluated: &'a Evaluated,
+    /// Camera, look and shading.
+    pub view: &'a ViewSettings,
+    /// Marks of an editor; none in a picture of the scene alone.
+    pub marks: Marks,
+}
+
+impl<'a> Frame<'a> {
+    /// The visible shapes.
+    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
+        let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);
+        shapes.filter(|(_, evaluated)| evaluated.visible)
+    }
+}
+
+/// Marks that an editor draws over the scene for its user.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Marks {
+    /// The selected shape.
+    pub selected: Option<ShapeId>,
+    /// The shape under the pointer.
+    pub hovered: Option<ShapeId>,
+    /// The selected joint of the selected shape.
+    pub selected_joint: Option<usize>,
+    /// The joint of the selected shape that the pointer is over.
+    pub hovered_joint: Option<usize>,
+    /// The control point of the selected shape that the pointer is over: the indices of its curve
+    /// in the [`crate::scene::CurveSet`] and of the point in the curve.
+    pub hovered_control_point: Option<(usize, usize)>,
+}
+
+/// Values that all passes of one picture share.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PassContext {
+    pub width: u32,
+    pub height: u32,
+    pub clip_from_world: Mat4,
+    /// Height of the Studio look's ground in the world.
+    pub ground: f32,
+}
+
+/// Why a picture is not, or not as a whole, as it should be.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum RenderError {
+    /// Parts that could not be drawn, while all the rest was.
+    #[error("not everything is shown: {}", parts.join("; "))]
+    LeftOut {
+        /// One entry a part, with its reason.
+        parts: Vec<String>,
+    },
+    /// A failure of OpenGL.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}
 
 /// Draws frames into pictures, and keeps what it uploaded for the next.
 #[derive(Debug)]
 pub struct Renderer {
-    pub(super) gl: Gl,
-    pub(super) meshes: MeshCache,
-    pub(super) skinning: SkinningChoice,
-    pub(super) notices: Vec<String>,
+    gl: Gl,
+    meshes: MeshCache,
+    skinning: SkinningChoice,
+    notices: Vec<String>,
     background: BackgroundPass,
-    pub(super) surfaces: SurfacePass,
+    surfaces: SurfacePass,
     curves: CurvePass,
     skeletons: SkeletonPass,
-    pub(super) shadows: ShadowPass,
+    shadows: ShadowPass,
     ground: GroundPass,
     floor: FloorPass,
-    pub(super) outline: OutlinePass,
+    outline: OutlinePass,
     immediate: Immediate,
 }
 
@@ -55,27 +115,26 @@ impl Renderer {
         })
     }
 
-    /// Draws the whole of `target` anew. Whatever state the context is in does not matter. What
-    /// fails is left out, and all the rest is drawn.
+    /// Draws the whole of `target` anew, whatever state the context is in. Parts that fail are left
+    /// out, and all the rest is drawn.
     ///
     /// # Errors
-    /// When something does not fit into the driver's memory or limits, or a GL error occurred:
-    /// whatever was first.
-    pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
-        // What others left behind is no fault of a mesh.
+    /// When something does not fit into the driver's memory or limits, or a GL error occurred: the
+    /// first of these.
+    pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        // Faults that came before are not those of a mesh.
         let before = self.gl.check("what came before the scene");
         let updated = self.update_meshes(frame);
         self.curves.update(&self.gl, frame, &mut self.immediate);
         let drawn = self.draw_passes(frame, target);
         let after = self.gl.check("drawing the scene");
+        before.and(updated)?;
         let mut parts = self.meshes.left_out(frame);
         parts.extend(self.curves.left_out(frame));
-        let whole = if parts.is_empty() {
-            Ok(())
-        } else {
-            Err(GpuError::LeftOut { parts })
-        };
-        before.and(updated).and(whole).and(drawn).and(after)
+        if !parts.is_empty() {
+            return Err(RenderError::LeftOut { parts });
+        }
+        Ok(drawn.and(after)?)
     }
 
     fn draw_passes(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
@@ -108,7 +167,7 @@ impl Renderer {
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
         self.curves.draw(gl, &context, frame, immediate);
         if is_mannequin {
-            draw_bone_lines(gl, &context, frame, immediate);
+            draw_mannequin_bones(gl, &context, frame, immediate);
         } else {
             drawn = self.skeletons.draw(gl, &context, frame, immediate);
             self.surfaces.draw_translucent(gl, &context, frame, meshes);
@@ -131,5 +190,238 @@ impl Renderer {
             target,
         );
         drawn.and(outlined)
+    }
+
+    /// Chooses where characters are skinned. `None` leaves it to the driver: on the graphics card if
+    /// there is one, on the processor if that draws as well. Whether this makes a difference.
+    pub fn set_skinning(&mut self, asked: Option<Skinning>) -> bool {
+        if asked == self.skinning.asked {
+            return false;
+        }
+        let before = self.skinning();
+        self.skinning = SkinningChoice::new(asked, self.gl.info());
+        before != self.skinning()
+    }
+
+    /// Where characters are skinned. On the processor, once the graphics card has refused to: see
+    /// [`Renderer::take_notices`].
+    pub fn skinning(&self) -> Skinning {
+        self.skinning.in_use
+    }
+
+    /// Notices for the user about how pictures are drawn, each once.
+    pub fn take_notices(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.notices)
+    }
+
+    /// Uploads the meshes that have changed, skinned by the processor if the graphics card cannot.
+    fn update_meshes(&mut self, frame: &Frame) -> Result<(), GpuError> {
+        if self.skinning() == Skinning::Gpu
+            && let Err(error) = self
+                .prepare_skinning()
+                .and_then(|()| self.update_meshes_by(frame, Skinning::Gpu))
+        {
+            self.notices.push(format!(
+                "The graphics card cannot skin the characters, so the processor does: {error}"
+            ));
+            self.skinning.in_use = Skinning::Cpu;
+        }
+        self.update_meshes_by(frame, self.skinning())?;
+        self.notices.extend(self.meshes.take_notices());
+        Ok(())
+    }
+
+    fn update_meshes_by(&mut self, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
+        let (gl, shading) = (&self.gl, frame.view.shading);
+        self.meshes.update(gl, frame.evaluated, shading, skinning)
+    }
+
+    fn prepare_skinning(&mut self) -> Result<(), GpuError> {
+        let gl: &Gl = &self.gl;
+        let available = gl.info().max_vertex_textures;
+        if available < TEXTURES_NEEDED {
+            return Err(GpuError::Create {
+                what: "vertex shader that skins",
+                why: format!("{TEXTURES_NEEDED} textures are needed in it, {available} possible"),
+            });
+        }
+        self.surfaces.add_skinned(gl)?;
+        self.shadows.add_skinned(gl)?;
+        self.outline.add_skinned(gl)
+    }
+}
+
+/// Textures that a skinning vertex shader reads: palettes and influences.
+const TEXTURES_NEEDED: u32 = 2;
+
+/// Choice of where skinning is done: as asked for, and as in use.
+#[derive(Debug)]
+struct SkinningChoice {
+    asked: Option<Skinning>,
+    in_use: Skinning,
+}
+
+impl SkinningChoice {
+    pub fn automatic(info: &Info) -> Self {
+        Self::new(None, info)
+    }
+
+    fn new(asked: Option<Skinning>, info: &Info) -> Self {
+        // On software OpenGL both are the processor, and the vertex shader is the slower way.
+        let automatic = if info.is_software {
+            Skinning::Cpu
+        } else {
+            Skinning::Gpu
+        };
+        Self {
+            asked,
+            in_use: asked.unwrap_or(automatic),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
+    use crate::geometry::{Basis, Mesh, Picture};
+    use crate::gpu::test_driver::TestDriver;
+    use crate::gpu::{Backend, HeadlessContext};
+    use crate::render::read_picture;
+    use crate::scene::NewShape;
+    use crate::scene::{CharacterShape, CurveSet, CurveShape, Evaluator, ShapeKind};
+    use glam::Vec3;
+    use std::sync::Arc;
+
+    fn moved_triangle() -> Scene {
+        let skeleton = SkeletalModel::new(vec![Joint::default()]).unwrap();
+        let mut attachments = Attachments::new();
+        for _ in 0..3 {
+            attachments.push_vertex([Influence {
+                joint: 0,
+                weight: 1.0,
+            }]);
+        }
+        let mesh = Mesh::new(vec![Vec3::ZERO, Vec3::X, Vec3::Y], vec![[0, 1, 2]]);
+        let character = Character::new(skeleton, attachments, mesh).unwrap();
+        let mut shape = CharacterShape::new(Arc::new(character));
+        let mut pose = Pose::new();
+        pose.set_root_offset(0, -Vec3::X);
+        shape.set_pose(pose);
+        let mut scene = Scene::new();
+        scene.add(NewShape::new("Triangle", ShapeKind::Character(shape)));
+        scene
+    }
+
+    fn picture(renderer: &mut Renderer, gl: &Gl, scene: &Scene) -> Picture {
+        let (result, picture) = drawn(renderer, gl, scene);
+        result.unwrap();
+        picture
+    }
+
+    fn drawn(
+        renderer: &mut Renderer,
+        gl: &Gl,
+        scene: &Scene,
+    ) -> (Result<(), RenderError>, Picture) {
+        let evaluated = Evaluator::new().evaluate(scene, 0.0);
+        let frame = Frame {
+            scene,
+            evaluated: &evaluated,
+            view: &ViewSettings::default(),
+            marks: Marks::default(),
+        };
+        let target = Framebuffer::new(gl, 64, 48, 0).unwrap();
+        let result = renderer.draw(&frame, &target);
+        (result, read_picture(&target).unwrap())
+    }
+
+    #[test]
+    fn what_the_driver_cannot_hold_is_skinned_by_the_processor_and_reported_once() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = context.gl();
+        let scene = moved_triangle();
+        let mut limited = Renderer::new(gl).unwrap();
+        limited.meshes = MeshCache::new(0);
+        assert!(limited.set_skinning(Some(Skinning::Gpu)) || !gl.info().is_software);
+        let fallen_back = picture(&mut limited, gl, &scene);
+        let notices = limited.take_notices();
+        assert_eq!(notices.len(), 1, "{notices:?}");
+        assert!(notices[0].contains("the processor does"), "{notices:?}");
+        assert_eq!(limited.skinning(), Skinning::Cpu);
+        assert_eq!(picture(&mut limited, gl, &scene), fallen_back);
+        assert!(limited.take_notices().is_empty());
+
+        let mut plain = Renderer::new(gl).unwrap();
+        plain.set_skinning(Some(Skinning::Cpu));
+        assert_eq!(picture(&mut plain, gl, &scene), fallen_back);
+    }
+
+    #[test]
+    fn a_mesh_that_the_driver_cannot_take_is_left_out_and_named_and_all_else_is_drawn() {
+        let driver = TestDriver::new();
+        let gl = driver.gl();
+        let mut scene = Scene::new();
+        let cube = scene.add(NewShape::new("Cube", ShapeKind::Cube));
+        scene.shape_mut(cube).unwrap().placement.transform.position = Vec3::X;
+        let alone = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+        scene.add(NewShape::new("Ball", ShapeKind::Sphere));
+        let both = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+
+        let mut renderer = Renderer::new(gl).unwrap();
+        TestDriver::limit_buffers(2000);
+        for _ in 0..2 {
+            let (result, found) = drawn(&mut renderer, gl, &scene);
+            let message = result.unwrap_err().to_string();
+            assert!(
+                message.contains("“Ball”") && !message.contains("Cube"),
+                "{message}"
+            );
+            assert_eq!(found, alone);
+        }
+        // Once there is memory, another way of drawing it is tried, and not before.
+        TestDriver::limit_buffers(usize::MAX);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_err());
+        let ball = scene.shapes()[1].id;
+        scene.delete(ball);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_ok());
+        scene.add(NewShape::new("Ball", ShapeKind::Sphere));
+        assert_eq!(picture(&mut renderer, gl, &scene), both);
+    }
+
+    #[test]
+    fn lines_that_the_driver_cannot_take_are_left_out_and_named_until_they_change() {
+        let driver = TestDriver::new();
+        let gl = driver.gl();
+        let mut scene = Scene::new();
+        let empty = picture(&mut Renderer::new(gl).unwrap(), gl, &scene);
+        let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
+        let id = scene.add(NewShape::new("Wire", ShapeKind::Curve(curve)));
+        let mut renderer = Renderer::new(gl).unwrap();
+        TestDriver::limit_buffers(250);
+        for _ in 0..2 {
+            let (result, found) = drawn(&mut renderer, gl, &scene);
+            let message = result.unwrap_err().to_string();
+            assert!(message.contains("the lines of “Wire”"), "{message}");
+            assert_eq!(found, empty);
+        }
+        TestDriver::limit_buffers(usize::MAX);
+        assert!(drawn(&mut renderer, gl, &scene).0.is_err());
+        scene.curve_mut(id).unwrap().display.control_points = false;
+        assert_ne!(picture(&mut renderer, gl, &scene), empty);
+    }
+
+    #[test]
+    fn software_leaves_skinning_to_the_processor_and_hardware_takes_it() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let mut info = context.gl().info().clone();
+        info.is_software = true;
+        assert_eq!(SkinningChoice::automatic(&info).in_use, Skinning::Cpu);
+        info.is_software = false;
+        assert_eq!(SkinningChoice::automatic(&info).in_use, Skinning::Gpu);
+        assert_eq!(
+            SkinningChoice::new(Some(Skinning::Cpu), &info).in_use,
+            Skinning::Cpu
+        );
     }
 }

@@ -1,13 +1,16 @@
-use super::frame::{Frame, PassContext};
-use super::lights::set_lights;
+//! Skeletons: joints as points or spheres, bones as lines or boxes.
+
+use super::renderer::{Frame, PassContext};
+use super::surface_pass::set_lights;
 use crate::character::StickFigure;
 use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, smooth_normals, sphere};
 use crate::gpu::{
-    Attribute, Blend, Buffer, DrawState, Gl, GpuError, Immediate, IndexBuffer, Mode, PointShape,
-    Primitive, Program, Usage, VertexArray,
+    Attribute, Blend, Buffer, DepthTest, DrawState, Gl, GpuError, Immediate, IndexBuffer, Mode,
+    PointShape, Primitive, Program, Usage, VertexArray,
 };
 use crate::scene::{
     BoneStyle, CharacterDisplay, EvaluatedShape, JointStyle, ModelDisplay, ShapeId, ShapeKind,
+    bones_in_world,
 };
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3};
@@ -80,7 +83,7 @@ impl SkeletonPass {
         })
     }
 
-    /// Every character whose skeleton shows.
+    /// Draws the skeletons that are shown.
     pub fn draw(
         &mut self,
         gl: &Gl,
@@ -125,7 +128,7 @@ impl SkeletonPass {
         Ok(())
     }
 
-    /// The pixels of a skeleton, whatever style it is drawn in, in one color.
+    /// Draws a skeleton in one color, as boxes and spheres whatever its style.
     pub fn draw_mask(
         &mut self,
         context: &PassContext,
@@ -209,7 +212,7 @@ impl Instances {
     }
 }
 
-/// Which joints are marked; a bone takes the color of the joint that turns it.
+/// Marked joints; a bone has the color of the joint that turns it.
 #[derive(Clone, Copy, Debug, Default)]
 struct JointColors {
     selected: Option<usize>,
@@ -291,6 +294,42 @@ fn draw_joint_points(
     for (joint, &at) in figure.joints.iter().enumerate() {
         immediate.color(colors.of(joint));
         immediate.vertex(at);
+    }
+    immediate.end();
+}
+
+const RED_BONE: Vec3 = Vec3::X;
+const CYAN_BONE: Vec3 = Vec3::new(0.0, 1.0, 1.0);
+
+/// Draws the bones of all characters in the Mannequin look: red lines over everything, cyan under
+/// the pointer.
+pub(super) fn draw_mannequin_bones(
+    gl: &Gl,
+    context: &PassContext,
+    frame: &Frame,
+    immediate: &mut Immediate,
+) {
+    let state = DrawState {
+        depth_test: DepthTest::Off,
+        depth_write: false,
+        ..DrawState::opaque(context.width, context.height)
+    };
+    state.apply(gl);
+    immediate.load_matrix(context.clip_from_world);
+    immediate.line_width(1.0);
+    immediate.begin(Mode::Lines);
+    for (_, shape) in frame.shapes() {
+        let is_selected = frame.marks.selected == Some(shape.id);
+        let hovered = frame.marks.hovered_joint.filter(|_| is_selected);
+        for (joint, start, end) in bones_in_world(frame.scene, shape) {
+            immediate.color(if hovered == Some(joint) {
+                CYAN_BONE
+            } else {
+                RED_BONE
+            });
+            immediate.vertex(start);
+            immediate.vertex(end);
+        }
     }
     immediate.end();
 }

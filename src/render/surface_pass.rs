@@ -1,15 +1,18 @@
+//! The surfaces of shapes, and the lights that they are drawn with.
+
 use super::cached_mesh::CachedMesh;
-use super::frame::{Frame, PassContext};
-use super::lights::set_lights;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
+use super::renderer::{Frame, PassContext};
 use crate::geometry::Mesh;
-use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Texture};
-use crate::scene::{EvaluatedShape, Look, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
+use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program, Texture};
+use crate::scene::{
+    Camera, EvaluatedShape, Look, ModelDisplay, Shape, ShapeKind, SurfaceVisibility,
+};
 use glam::{Mat3, Mat4, Vec3};
 use std::ops::Range;
 
-/// How much of a mesh is seen where its skeleton shows through.
+/// Opacity of a mesh through which its skeleton shows.
 const SEEN_THROUGH: f32 = 0.55;
 /// Texture unit of a material's picture.
 const PICTURE: u32 = 0;
@@ -27,12 +30,12 @@ impl SurfacePass {
         Ok(Self { programs })
     }
 
-    /// Gets ready for meshes that the vertex shader moves.
+    /// Compiles the programs for skinned meshes.
     pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
         self.programs.add_skinned(gl)
     }
 
-    /// Everything that hides what lies behind it.
+    /// Draws the meshes that hide what lies behind them.
     pub fn draw_opaque(&self, gl: &Gl, context: &PassContext, frame: &Frame, meshes: &MeshCache) {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
@@ -48,8 +51,8 @@ impl SurfacePass {
         }
     }
 
-    /// The characters shown together with their skeletons, which are there already. Depth comes
-    /// first, so that of every mesh just the nearest surface is blended.
+    /// Draws the meshes of characters shown together with their skeletons, which are drawn already.
+    /// Depth comes first, so that only the nearest surface of each mesh is blended.
     pub fn draw_translucent(
         &self,
         gl: &Gl,
@@ -113,7 +116,7 @@ impl SurfacePass {
     }
 }
 
-/// Takes normals along: the inverse transpose, so that they stay square to a surface that is
+/// Transforms normals: the inverse transpose, so that they stay perpendicular to a surface that is
 /// scaled unevenly.
 pub(super) fn normal_matrix(world_from_model: Mat4) -> Mat3 {
     Mat3::from_mat4(world_from_model).inverse().transpose()
@@ -140,14 +143,14 @@ fn shapes<'a>(
     })
 }
 
-/// A run of triangles that look alike.
+/// Consecutive triangles of one color and texture.
 struct Part<'a> {
     triangles: Range<usize>,
     color: Vec3,
     texture: Option<&'a Texture>,
 }
 
-/// The mesh in runs of one material. Its color, or in place of it its picture, is tinted by the
+/// The mesh in parts of one material each. Its color, or in place of it its picture, is tinted by the
 /// shape's own color, which starts white, so that the panel's color works on every shape.
 fn parts<'a>(mesh: &Mesh, cached: &'a CachedMesh, own: Vec3) -> Vec<Part<'a>> {
     let plain = |triangles| Part {
@@ -174,4 +177,32 @@ fn parts<'a>(mesh: &Mesh, cached: &'a CachedMesh, own: Vec3) -> Vec<Part<'a>> {
         parts.push(plain(done..mesh.triangles.len()));
     }
     parts
+}
+
+/// Position of the Course look's light in the world.
+const COURSE_LIGHT: Vec3 = Vec3::new(10.0, 10.0, 30.0);
+/// Position of the Mannequin look's light in the world.
+pub(super) const MANNEQUIN_LIGHT: Vec3 = Vec3::new(-10.0, 10.0, -10.0);
+
+/// Sets the lights of a program with `surface_fragment.glsl`. The Studio look's lights turn with the
+/// camera's heading, so that a character is lit well from every side.
+pub(super) fn set_lights(program: &Program, look: Look, camera: &Camera) {
+    program.set_i32(
+        "look",
+        match look {
+            Look::Course => 0,
+            Look::Studio => 1,
+            Look::Mannequin => 2,
+        },
+    );
+    program.set_vec3("course_light", COURSE_LIGHT);
+    program.set_vec3("mannequin_light", MANNEQUIN_LIGHT);
+    program.set_vec3("eye", camera.eye());
+    let right = camera.right();
+    let back = right.cross(Vec3::Y);
+    let direction =
+        |x: f32, y: f32, z: f32| (right * x + Vec3::Y * y + back * z).normalize_or(Vec3::Y);
+    program.set_vec3("key_direction", direction(-0.55, 0.8, 0.75));
+    program.set_vec3("fill_direction", direction(0.9, 0.25, 0.6));
+    program.set_vec3("rim_direction", direction(0.35, 0.7, -0.9));
 }

@@ -2,16 +2,16 @@ use super::CompareAction;
 use crate::editor::{Edit, View};
 use crate::scene::ShapeId;
 
-/// What a panel, a menu, a key or a gesture wants done.
+/// A request of a panel, a menu, a key or a gesture.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// Changes the scene.
     Edit(Edit),
-    /// Begins or ends a gesture, whose edits come between.
+    /// Begins or ends a gesture; its edits come in between.
     Gesture(GestureStep),
-    /// Changes how the scene is looked at.
+    /// Changes the camera, the look or the selection.
     View(View),
-    /// Needs a dialog, a file or the program itself.
+    /// Needs a dialog, a file or the program.
     Ask(Ask),
 }
 
@@ -20,51 +20,51 @@ pub enum Action {
 pub enum GestureStep {
     /// The edits that follow belong to it.
     Begin,
-    /// Ends it and keeps what it changed.
+    /// Ends it and keeps its changes.
     Commit,
-    /// Ends it and puts everything back to how it was.
+    /// Ends it and undoes its changes.
     Cancel,
 }
 
-/// Something that only the program around the editor can do.
+/// A request that only the program around the panels can carry out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ask {
-    /// Import ▸ Import Shape: choose a file.
+    /// Choose a shape to import.
     ImportShape,
-    /// Import ▸ Import Character: choose a file.
+    /// Choose a character to import.
     ImportCharacter,
-    /// Import ▸ Import Curve: choose a file.
+    /// Choose a curve to import.
     ImportCurve,
-    /// A built-in character or curve by its name.
+    /// Insert a built-in character or curve by its name.
     InsertBuiltin(&'static str),
-    /// A built-in scene by its name, in the place of the one that is open.
+    /// Replace the scene by a built-in one, by its name.
     OpenBuiltin(&'static str),
-    /// Write the curves of a shape as `.swp`: choose a file.
+    /// Choose a file, and write the curves of a shape to it as `.swp`.
     ExportCurve(ShapeId),
-    /// Write the geometry of the scene as `.obj`: choose a file.
+    /// Choose a file, and write the geometry of the scene to it as `.obj`.
     ExportGeometry,
-    /// Save a picture of the view: choose a file.
+    /// Choose a file, and save a picture of the view to it.
     Screenshot(Screenshot),
-    /// Put the pose of a character on the clipboard.
+    /// Copy the pose of a character to the clipboard.
     CopyPose(ShapeId),
-    /// Give a character the pose on the clipboard.
+    /// Apply the pose on the clipboard to a character.
     PastePose(ShapeId),
-    /// Write the pose of a character, or the kept one with this index, as `POSE.json`: choose a
-    /// file.
+    /// Choose a file, and write the pose of a character to it as `POSE.json`; with an index, that
+    /// pose of its list.
     SavePose(ShapeId, Option<usize>),
-    /// Give a character the pose of a `POSE.json`: choose a file.
+    /// Choose a `POSE.json`, and apply its pose to a character.
     LoadPose(ShapeId),
-    /// Compare the view with a picture.
+    /// Begin, change or end a comparison with a picture.
     Compare(CompareAction),
     /// End the program.
     Quit,
 }
 
-/// What a picture of the view should show.
+/// Contents and size of a picture of the view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Screenshot {
-    /// Whether the panels are in it.
+    /// Whether it shows the panels, too.
     pub with_panels: bool,
-    /// Its size in pixels; the window's own if `None`. Pictures with panels have the window's.
+    /// Width and height in pixels; those of the window if `None`, as for every picture with panels.
     pub size: Option<(u32, u32)>,
 }

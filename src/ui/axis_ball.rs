@@ -7,15 +7,16 @@ use egui::{Align2, Color32, CursorIcon, FontId, Pos2, Rect, Sense, Stroke, Ui, V
 use egui::{WidgetInfo, WidgetType};
 use glam::Vec3;
 
-/// From the ball's middle to the middle of an end, in points.
+/// Distance from the center of the ball to the center of an end, in points.
 const ARM: f32 = 32.0;
+/// Radius of an end, in points.
 const END: f32 = 9.0;
-/// From the view's corner to the ball's middle.
+/// Distance from the view's edges to the center of the ball, in points.
 const INSET: f32 = ARM + END + 8.0;
-/// In views smaller than this the ball would be in the way.
+/// Views narrower or lower than this, in points, have no ball: it would be in the way.
 const ROOM: f32 = 160.0;
 
-/// Where the ball begins, seen from the left; the view's edge, where there is none.
+/// Left edge of the ball, in points; right edge of the view if there is no ball.
 pub(in crate::ui) fn left(view: Rect) -> f32 {
     if has_room(view) {
         view.right() - 2.0 * INSET
@@ -28,8 +29,8 @@ fn has_room(view: Rect) -> bool {
     view.width() >= ROOM && view.height() >= ROOM
 }
 
-/// The ball in the view's corner: shows how the camera is turned, and looks from a side when
-/// the end of that side is clicked, with target and distance kept.
+/// The axis ball in the upper right corner of the view: shows the camera's orientation, and a click
+/// on an end looks from that side, at the same target and distance.
 pub(super) fn show(ui: &mut Ui, view: Rect, camera: &Camera, actions: &mut Vec<Action>) {
     if !has_room(view) {
         return;
@@ -51,7 +52,7 @@ struct End {
     axis: usize,
     positive: bool,
     at: Pos2,
-    /// 1 towards the eye, -1 away from it.
+    /// Cosine of the angle to the direction of the eye: 1 towards it, -1 away from it.
     nearness: f32,
 }
 
@@ -86,8 +87,8 @@ fn axis_of(direction: ViewDirection) -> (usize, bool) {
     }
 }
 
-/// Draws one end; the side to look from if it was clicked. The end that the camera looks from
-/// already leads to the opposite side.
+/// Draws one end; if it was clicked, the side to look from. The end that the camera looks from
+/// already stands for the opposite side.
 fn show_end(ui: &Ui, end: &End, middle: Pos2, camera: &Camera) -> Option<ViewDirection> {
     let rect = Rect::from_center_size(end.at, Vec2::splat(2.0 * END));
     let id = ui.id().with(("axis ball", end.direction.label()));

@@ -1,15 +1,22 @@
+//! Control points of a curve: their rows in the shape panel, and their drags in the view.
+
+use super::Action;
+use super::curve_panel::CurveState;
 use super::number_field::NumberField;
+use super::scene_places::{Place, ScenePlaces};
 use super::theme::Palette;
+use super::view_gestures::{Follow, Grab, PointerUse};
 use super::widgets::named;
-use crate::editor::Edit;
+use crate::editor::{ControlPointDrag, Edit, Session, View, control_point_at};
 use crate::geometry::{Basis, Curve, CurveForm};
 use crate::scene::ShapeId;
-use crate::ui::Action;
-use egui::{Button, Label, Rect, RichText, Ui, vec2};
+use egui::{Button, CursorIcon, Label, Rect, Response, RichText, Ui, vec2};
+use glam::Vec2;
 
-/// Of curves with more control points than this only the rows in sight are shown to egui: the
-/// panel must stay quick whatever a file holds.
+/// Number of control points above which only the rows in view are shown to egui: the panel must stay
+/// fast for any file.
 const MANY: usize = 256;
+/// Width of a button, in points.
 const BUTTON: f32 = 18.0;
 
 /// The curve whose control points are listed.
@@ -19,16 +26,16 @@ pub(super) struct Listed<'a> {
     /// Index in the [`crate::scene::CurveSet`].
     pub index: usize,
     pub curve: &'a Curve,
-    /// What the list calls it.
+    /// Its title in the list.
     pub title: &'a str,
     /// Whether its points cannot leave z = 0.
     pub flat: bool,
-    /// The point under the pointer, in the view or here.
+    /// The point under the pointer, in the view or in the list.
     pub hovered: Option<usize>,
 }
 
-/// One row a control point: its coordinates, and buttons that add one behind it or take it away.
-/// Returns the point whose row the pointer is over.
+/// One row for each control point: its coordinates, and buttons that add one after it or remove it.
+/// Returns the point whose row is under the pointer.
 pub(super) fn show(ui: &mut Ui, listed: &Listed, actions: &mut Vec<Action>) -> Option<usize> {
     let points = listed.curve.control_points();
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
@@ -74,17 +81,17 @@ fn row(ui: &mut Ui, listed: &Listed, point: usize, width: f32, actions: &mut Vec
         actions,
     );
 
-    let name = |what: &str| format!("{what} {} point {}", listed.title, point + 1);
+    let name = |does: &str| format!("{does} {} point {}", listed.title, point + 1);
     let (shape, curve) = (listed.shape, listed.index);
-    let (adds, takes) = match listed.curve.form() {
+    let (adds, removes) = match listed.curve.form() {
         CurveForm::Spline {
             basis: Basis::Bezier,
             ..
         } => (
             "Add a piece here: three points",
-            "Take this point away, with the handles beside it",
+            "Remove this point, and the handles beside it",
         ),
-        _ => ("Add a point behind this one", "Take this point away"),
+        _ => ("Add a point after this one", "Remove this point"),
     };
     let square = vec2(BUTTON, height);
     let add = ui.add_sized(square, Button::new("+"));
@@ -104,7 +111,7 @@ fn row(ui: &mut Ui, listed: &Listed, point: usize, width: f32, actions: &mut Vec
         .add_enabled_ui(can, |ui| ui.add_sized(square, Button::new("−")))
         .inner;
     let remove = named(remove, &name("Remove"))
-        .on_hover_text(takes)
+        .on_hover_text(removes)
         .on_disabled_hover_text(why_it_stays(listed.curve, point));
     if remove.clicked() {
         actions.push(Action::Edit(Edit::RemoveControlPoint {
@@ -144,6 +151,7 @@ fn coordinates(
     }
 }
 
+/// Why a control point cannot be removed.
 fn why_it_stays(curve: &Curve, point: usize) -> &'static str {
     match curve.form() {
         CurveForm::Spline {
@@ -152,4 +160,65 @@ fn why_it_stays(curve: &Curve, point: usize) -> &'static str {
         } if !point.is_multiple_of(3) => "A handle goes with the point on the curve beside it",
         _ => "This is the last piece",
     }
+}
+
+impl Follow for ControlPointDrag {
+    fn shape(&self) -> ShapeId {
+        self.shape()
+    }
+
+    fn follow(
+        &mut self,
+        session: &Session,
+        place: Place,
+        pixel: Vec2,
+        _snap: bool,
+    ) -> Option<Edit> {
+        self.moved_to(session, pixel, place.size())
+    }
+}
+
+/// Drags control points of the selected curves in the view, and marks the one under the pointer.
+pub(super) fn pointer(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut CurveState,
+    actions: &mut Vec<Action>,
+) -> PointerUse {
+    if state.gesture.is_none() {
+        state.gesture = Grab::begin(view, places, actions, |place, pixel, _| {
+            ControlPointDrag::begin(session, pixel, place.size())
+        });
+    }
+    if let Some(gesture) = &mut state.gesture {
+        let goes_on = gesture.follow(view, places, session, actions);
+        let point = gesture.active().map(ControlPointDrag::control_point);
+        if !goes_on {
+            state.gesture = None;
+        }
+        view.ctx.set_cursor_icon(CursorIcon::Grabbing);
+        mark(session, point, actions);
+        return PointerUse::Holding;
+    }
+    let in_view = hovered(view, places, session);
+    mark(session, in_view.or(state.hovered), actions);
+    if in_view.is_none() {
+        return PointerUse::Free;
+    }
+    view.ctx.set_cursor_icon(CursorIcon::Grab);
+    PointerUse::Over
+}
+
+/// Marks a control point as hovered, or none.
+fn mark(session: &Session, point: Option<(usize, usize)>, actions: &mut Vec<Action>) {
+    if point != session.hovered_control_point() {
+        actions.push(Action::View(View::HoverControlPoint(point)));
+    }
+}
+
+fn hovered(view: &Response, places: &ScenePlaces, session: &Session) -> Option<(usize, usize)> {
+    let position = view.hover_pos().filter(|_| !view.dragged())?;
+    let place = places.at(position)?;
+    control_point_at(session, place.pixel(position), place.size())
 }

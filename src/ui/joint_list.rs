@@ -1,20 +1,38 @@
-use super::joint_columns::{Columns, MANY};
-use super::joint_row::{self, RowEvent};
-use super::joint_tree::{self, Row};
-use super::root_row;
-use super::state::JointListState;
+//! The joint list of a character: folding, search, selection; its rows are in `joint_rows`.
+
+use super::joint_rows::{Columns, Look, MANY, RowEvent};
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
+use super::{Action, joint_rows};
 use crate::character::{Pose, SkeletalModel};
 use crate::editor::{Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
-use crate::ui::Action;
 use egui::{Align, Button, Key, Label, Layout, Rect, Response, RichText, TextEdit, Ui, vec2};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
-/// The angles of all joints, and below each root how far it has moved, as a tree that folds and can
-/// be searched.
+/// State of the joint list.
+#[derive(Clone, Debug, Default)]
+pub(super) struct JointListState {
+    /// Whether the search field is shown.
+    pub searching: bool,
+    /// Whether the search field was just opened, and is to get the keyboard focus.
+    pub search_opened: bool,
+    /// Text in the search field.
+    pub search: String,
+    /// Folded joints of each character.
+    pub folded: HashMap<ShapeId, BTreeSet<usize>>,
+    /// The joint under the pointer in the list. One that is hovered in the view is not the list's
+    /// to clear.
+    pub hovered: Option<usize>,
+    /// The joint whose row is to get the keyboard focus once it has been scrolled into view.
+    pub focus: Option<usize>,
+    /// The joint that was selected in the last frame, to notice one selected in the view.
+    pub selected: Option<(ShapeId, usize)>,
+}
+
+/// The joint list: angles of all joints, and below each root its offset, as a tree that can be
+/// folded and searched.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
@@ -34,25 +52,25 @@ pub(super) fn show(
     let selected = session.selected_joint().map(|joint| (id, joint));
     let newly_selected = selected != state.selected;
     if newly_selected && let Some((_, joint)) = selected {
-        joint_tree::reveal(skeleton, state.folded.entry(id).or_default(), joint);
+        reveal(skeleton, state.folded.entry(id).or_default(), joint);
     }
     state.selected = selected;
 
     let folded = state.folded.entry(id).or_default();
     let searched = if state.searching { &state.search } else { "" };
-    let mut rows = joint_tree::rows(skeleton, folded, searched);
+    let mut rows = rows_of(skeleton, folded, searched);
     let listed = |joint| rows.iter().any(|row| row.joint == joint);
     if newly_selected && selected.is_some_and(|(_, joint)| !listed(joint)) {
-        // Selected in the view, and not what was searched for.
+        // Selected in the view, and hidden by the search.
         state.searching = false;
         state.search.clear();
-        rows = joint_tree::rows(skeleton, folded, "");
+        rows = rows_of(skeleton, folded, "");
     }
     if rows.is_empty() {
         ui.label(RichText::new("No joint has this in its name.").weak());
     }
     let columns = Columns::new(ui, skeleton, &rows);
-    joint_row::header(ui, &columns);
+    joint_rows::show_header(ui, &columns);
 
     let shown = show_rows(ui, session, character, &rows, &columns, newly_selected);
     if let Some(name) = state.focus.and_then(|joint| shown.names.get(&joint)) {
@@ -95,14 +113,14 @@ pub(super) fn show(
     }
 }
 
-/// What came of showing all rows.
+/// Rows as they were shown, with what was done in them.
 #[derive(Default)]
 struct Rows {
     hovered: Option<usize>,
     events: Vec<(Row, RowEvent)>,
-    /// Where each row is, as many as there are rows.
+    /// Rectangle of each row, as many as there are rows.
     places: Vec<Rect>,
-    /// The names shown to egui, by joint: only those may be given the keyboard.
+    /// Widgets of the names that were shown, by joint: only these may get the keyboard focus.
     names: HashMap<usize, Response>,
 }
 
@@ -129,18 +147,20 @@ fn show_rows(
         if rows.len() > MANY && !ui.is_rect_visible(both) {
             continue;
         }
-        let look = joint_row::Look {
+        let look = Look {
             selected,
             hovered: session.hovered_joint() == Some(row.joint),
         };
-        let shown = joint_row::show(ui, skeleton, character.pose(), row, place, look, columns);
+        let shown =
+            joint_rows::show_joint(ui, skeleton, character.pose(), row, place, look, columns);
         if shown.hovered {
             all.hovered = Some(row.joint);
         }
         all.names.insert(row.joint, shown.name);
         all.events.extend(shown.event.map(|event| (*row, event)));
         if let Some(below) = below {
-            let shown = root_row::show(ui, skeleton, character.pose(), row, below, columns);
+            let shown =
+                joint_rows::show_offset(ui, skeleton, character.pose(), row, below, columns);
             if shown.hovered {
                 all.hovered = Some(row.joint);
             }
@@ -151,8 +171,8 @@ fn show_rows(
     all
 }
 
-/// Scrolls to a row so that it is clear of where the panel fades out; what is clicked in the list
-/// itself stays under the pointer.
+/// Scrolls a row into view, clear of the edge where the panel fades out. A row that is clicked in
+/// the list stays under the pointer.
 fn scroll_to(ui: &Ui, row: Rect) {
     let fade = if ui.rect_contains_pointer(row) {
         0.0
@@ -173,8 +193,8 @@ fn toggle(state: &mut JointListState, id: ShapeId, joint: usize) {
     }
 }
 
-/// The row that a key leads to from `at`. As in other trees, ← folds or goes to the parent and
-/// → unfolds or goes to the first child.
+/// Index of the row that a key leads to from `at`. As in other trees, ← folds or goes to the parent
+/// and → unfolds or goes to the first child.
 fn goal(
     skeleton: &SkeletalModel,
     rows: &[Row],
@@ -195,7 +215,7 @@ fn goal(
     }
 }
 
-/// The list's title with the buttons that search it and reset it.
+/// Title of the list, with buttons to search it and to reset it.
 fn title(
     ui: &mut Ui,
     id: ShapeId,
@@ -244,5 +264,116 @@ fn search(ui: &mut Ui, state: &mut JointListState) {
     if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape)) {
         state.searching = false;
         state.search.clear();
+    }
+}
+
+/// One row of the joint list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Row {
+    /// Index of the joint.
+    pub joint: usize,
+    /// Number of ancestors shown above it.
+    pub depth: usize,
+    /// Whether it is folded; `None` if it has no children to fold.
+    pub folded: Option<bool>,
+}
+
+/// Rows in tree order, without the descendants of folded joints; while `search` is not empty, all
+/// joints whose name contains it, in file order.
+fn rows_of(skeleton: &SkeletalModel, folded: &BTreeSet<usize>, search: &str) -> Vec<Row> {
+    let search = search.trim().to_lowercase();
+    if !search.is_empty() {
+        return found(skeleton, &search);
+    }
+    let mut rows = Vec::with_capacity(skeleton.joints().len());
+    let start = skeleton.roots().iter().rev();
+    let mut open: Vec<(usize, usize)> = start.map(|&root| (root, 0)).collect();
+    while let Some((joint, depth)) = open.pop() {
+        let children = skeleton.children(joint);
+        let is_folded = folded.contains(&joint);
+        rows.push(Row {
+            joint,
+            depth,
+            folded: (!children.is_empty()).then_some(is_folded),
+        });
+        if !is_folded {
+            open.extend(children.iter().rev().map(|&child| (child, depth + 1)));
+        }
+    }
+    rows
+}
+
+fn found(skeleton: &SkeletalModel, search: &str) -> Vec<Row> {
+    let matches = |name: &str| name.to_lowercase().contains(search);
+    skeleton
+        .joints()
+        .iter()
+        .enumerate()
+        .filter(|(_, joint)| matches(&joint.name))
+        .map(|(joint, _)| Row {
+            joint,
+            depth: 0,
+            folded: None,
+        })
+        .collect()
+}
+
+/// Unfolds all ancestors of `joint`, so that its row is shown.
+fn reveal(skeleton: &SkeletalModel, folded: &mut BTreeSet<usize>, joint: usize) {
+    let joints = skeleton.joints();
+    let parent_of = |joint: usize| joints.get(joint).and_then(|joint| joint.parent);
+    let mut above = parent_of(joint);
+    while let Some(joint) = above {
+        folded.remove(&joint);
+        above = parent_of(joint);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::Joint;
+    use glam::Vec3;
+
+    /// 0 → {1 → 3, 2}, and a second root 4.
+    fn skeleton() -> SkeletalModel {
+        let parents = [None, Some(0), Some(0), Some(1), None];
+        let names = ["Root", "Left hip", "Right hip", "Left knee", "Prop"];
+        let joints = parents.iter().zip(names).map(|(&parent, name)| Joint {
+            name: name.to_owned(),
+            parent,
+            offset: Vec3::Y,
+            ..Joint::default()
+        });
+        SkeletalModel::new(joints.collect()).expect("a tree")
+    }
+
+    fn joints(rows: &[Row]) -> Vec<usize> {
+        rows.iter().map(|row| row.joint).collect()
+    }
+
+    #[test]
+    fn children_stand_below_their_parent_one_step_further_in() {
+        let rows = rows_of(&skeleton(), &BTreeSet::new(), "");
+        assert_eq!(joints(&rows), [0, 1, 3, 2, 4]);
+        let depths: Vec<usize> = rows.iter().map(|row| row.depth).collect();
+        assert_eq!(depths, [0, 1, 2, 1, 0]);
+        assert_eq!(rows[1].folded, Some(false));
+        assert_eq!(rows[2].folded, None);
+    }
+
+    #[test]
+    fn a_folded_joint_hides_what_is_below_it_until_that_is_revealed() {
+        let mut folded = BTreeSet::from([0, 1]);
+        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 4]);
+        reveal(&skeleton(), &mut folded, 3);
+        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 1, 3, 2, 4]);
+    }
+
+    #[test]
+    fn a_search_finds_folded_joints_too_whatever_the_case() {
+        let folded = BTreeSet::from([0]);
+        assert_eq!(joints(&rows_of(&skeleton(), &folded, " LEFT ")), [1, 3]);
+        assert!(rows_of(&skeleton(), &folded, "tail").is_empty());
     }
 }

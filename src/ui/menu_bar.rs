@@ -1,23 +1,21 @@
-use super::ViewInput;
-use super::keys::{self, Command, Entry, Menu};
-use super::run_command::{is_on, run, why_disabled};
+use super::commands::{Command, Entry, Menu, is_on, run, why_disabled};
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
+use super::{Action, Ask, ViewInput, commands};
 use crate::editor::Session;
 use crate::scene::name_of_import;
-use crate::ui::{Action, Ask};
 use egui::containers::menu::{MenuBar, MenuConfig};
 use egui::{
     Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, ScrollArea, Ui,
 };
 
-/// What the bar and a menu's own margins take of the window's height.
+/// Height of the bar and of a menu's margins, in points.
 const BAR_AND_MARGINS: f32 = 48.0;
-/// No menu is higher than this.
+/// Height of the tallest menu, in points.
 const HIGHEST: f32 = 480.0;
 
-/// What every item of every menu needs.
+/// Everything that the items of the menus need.
 struct Items<'a> {
     session: &'a Session,
     state: &'a mut UiState,
@@ -26,7 +24,7 @@ struct Items<'a> {
     actions: &'a mut Vec<Action>,
 }
 
-/// The menus, and at the right the window's title where there is room for it.
+/// The menu bar, with the window's title at the right if there is room for it.
 pub(super) fn show(
     root: &mut Ui,
     session: &Session,
@@ -82,7 +80,7 @@ impl Items<'_> {
         submenu(ui, "Import", |ui| self.all(ui, Menu::Import));
     }
 
-    /// A menu of files inside the program, where there are any.
+    /// A submenu of built-in files, if there are any.
     fn builtins(&mut self, ui: &mut Ui, label: &str, names: &[&'static str]) {
         if names.is_empty() {
             return;
@@ -119,9 +117,9 @@ impl Items<'_> {
         self.all(ui, Menu::Pose);
     }
 
-    /// The table's commands of one menu.
+    /// All commands of one menu, from the table.
     fn all(&mut self, ui: &mut Ui, menu: Menu) {
-        for entry in keys::entries(menu) {
+        for entry in commands::entries(menu) {
             self.item(ui, entry);
         }
     }
@@ -157,7 +155,7 @@ impl Items<'_> {
     }
 }
 
-/// The items of a menu, which scroll where the window is lower than they are.
+/// The items of a menu, which scroll if the window is too low for them.
 fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
     let room = ui.ctx().content_rect().height() - BAR_AND_MARGINS;
     if room > HIGHEST {
@@ -167,7 +165,7 @@ fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
     }
 }
 
-/// A menu in a menu, whose name for assistive technology is without the arrow.
+/// A submenu, whose name for assistive technology is without the arrow.
 fn submenu(ui: &mut Ui, label: &str, contents: impl FnOnce(&mut Ui)) {
     let button = ui.menu_button(label, contents).response;
     named(button, label);

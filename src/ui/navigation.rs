@@ -1,16 +1,16 @@
-use super::keys::{Gesture, gesture};
+use super::commands::{Gesture, gesture};
 use crate::scene::Camera;
 use egui::{Context, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
-/// What a hand brings along from another program: how mouse and keys move the camera.
+/// How mouse and keys move the camera, each as in a program that users may know.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Navigation {
     /// As in the course's editor: left moves the scene, right turns the camera.
     #[default]
     Course,
-    /// As three.js's OrbitControls have it: left turns the scene, right or middle moves it.
+    /// As three.js's OrbitControls: left turns the scene, right or middle moves it.
     Orbit,
     /// As in the Virtual Mannequin: left turns, right zooms, keys walk, digits open its scenes.
     Mannequin,
@@ -18,7 +18,7 @@ pub enum Navigation {
     Blender,
 }
 
-/// What a drag does to the camera.
+/// Movement of the camera by a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Motion {
     /// [`Camera::pan`], the course's.
@@ -27,18 +27,18 @@ enum Motion {
     Turn,
     /// [`Camera::pan_with_pointer`].
     Follow,
-    /// [`Camera::orbit`] by half a turn for every picture's height.
+    /// [`Camera::orbit`] by a whole turn for the height of the picture.
     Orbit,
     /// [`Camera::dolly`], down = away.
     Dolly,
 }
 
-/// A button held with modifiers, what its drags do, and how the window about the keys puts it.
+/// Button and modifiers of a drag, its movement, and its row in Help ▸ Keys and Mouse.
 struct Drag {
     button: PointerButton,
     modifiers: Modifiers,
     motion: Motion,
-    told: Gesture,
+    row: Gesture,
 }
 
 const fn drag(
@@ -52,7 +52,7 @@ const fn drag(
         button,
         modifiers,
         motion,
-        told: gesture(hand, does),
+        row: gesture(hand, does),
     }
 }
 
@@ -61,7 +61,7 @@ const LEFT: PointerButton = PointerButton::Primary;
 const RIGHT: PointerButton = PointerButton::Secondary;
 const MIDDLE: PointerButton = PointerButton::Middle;
 
-/// The first row whose button and modifiers are held counts; rows without modifiers allow any.
+/// The first row whose button and modifiers are held is used; rows without modifiers allow any.
 #[rustfmt::skip]
 const COURSE: &[Drag] = &[
     drag(LEFT, NONE, Motion::Pan, "Left drag in the view", "Move the scene with the pointer"),
@@ -88,8 +88,8 @@ const BLENDER: &[Drag] = &[
     drag(LEFT, Modifiers::ALT, Motion::Orbit, "Alt and left drag", "Turn the scene, without a middle button"),
 ];
 
-/// A key that moves the eye while it is held: along the picture's right, the world's up, and the
-/// direction of view; or turns about the target.
+/// A key that moves the eye while it is held, along the picture's right, the world's up and the
+/// direction of view (x, y and z of `along`); or that turns it about the target.
 struct Step {
     key: Key,
     along: Vec3,
@@ -132,12 +132,13 @@ const STEP_GESTURES: &[Gesture] = &[
     ),
 ];
 
-/// A tap moves by this much, in the world's units or radians.
+/// Step of one press of a key, in units of the world or in radians.
 const STEP: f32 = 0.1;
-/// Taps in a second while a key is held: what the repetition of keys usually makes of it.
+/// Steps per second while a key is held, as keys usually repeat.
 const STEPS_PER_SECOND: f32 = 30.0;
-/// The longest frame that a held key walks on in, in seconds, so that a halt is no leap.
+/// Longest frame that counts while a key is held, in seconds, so that a stall is no leap.
 const LONGEST_FRAME: f32 = 0.1;
+/// [`Camera::dolly`] per notch of the wheel, and per pixel of a drag.
 const DOLLY_PER_NOTCH: f32 = 0.1;
 const DOLLY_PER_PIXEL: f32 = 0.005;
 
@@ -154,16 +155,16 @@ impl Navigation {
         }
     }
 
-    /// What moves the camera, for the window about the keys.
+    /// Gestures that move the camera, for Help ▸ Keys and Mouse.
     pub(super) fn gestures(self) -> impl Iterator<Item = &'static Gesture> {
         let steps = match self {
             Self::Mannequin => STEP_GESTURES,
             _ => &[],
         };
-        self.drags().iter().map(|drag| &drag.told).chain(steps)
+        self.drags().iter().map(|drag| &drag.row).chain(steps)
     }
 
-    /// The same in a few words.
+    /// The same as one line, for the status line.
     pub(super) fn summary(self) -> &'static str {
         match self {
             Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
@@ -173,7 +174,8 @@ impl Navigation {
         }
     }
 
-    /// What a click does on a shape that is not selected, and which button still turns.
+    /// Text of the status line over a shape that is not selected: a click selects it, and a drag still
+    /// turns the camera.
     pub(super) fn over_a_shape(self) -> &'static str {
         match self {
             Self::Course => "Click to select it · right drag turns the camera",
@@ -182,8 +184,8 @@ impl Navigation {
         }
     }
 
-    /// `camera` after this frame's drag over `view`, by `delta` pixels of a picture that is
-    /// `height` pixels high, and after `notches` of the wheel.
+    /// `camera` after a drag over `view` by `delta` pixels, in a picture `height` pixels high, and
+    /// after `notches` of the wheel.
     pub(super) fn moved(
         self,
         mut camera: Camera,

@@ -1,17 +1,22 @@
-use egui::{Pos2, Rect};
+//! The pictures of the scene in the view: one, or two side by side in a comparison.
+
+use crate::editor::{Screen, Session};
+use crate::revision::Revision;
+use crate::scene::{Camera, ShapeId, pick_shape};
+use egui::{Pos2, Rect, pos2};
 use glam::Vec2;
 
-/// Where pictures of the scene are shown, so that what the pointer does finds its way into them.
+/// Rectangles of the view that show the scene, so that gestures can be mapped into it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScenePlaces {
-    /// In points. All show the scene in the same size, and do not overlap.
+    /// In points. All have the same size, and do not overlap.
     pub rects: Vec<Rect>,
-    /// Length of a pixel of the picture, in points, as far as gestures are concerned.
+    /// Size of a pixel of the picture, in points, for drags that move the camera.
     pub points_per_pixel: f32,
 }
 
 impl ScenePlaces {
-    /// The scene fills `rect`, and a point of the screen counts as a pixel.
+    /// The scene fills `rect`, and a point counts as a pixel.
     pub fn whole(rect: Rect) -> Self {
         Self {
             rects: vec![rect],
@@ -19,19 +24,129 @@ impl ScenePlaces {
         }
     }
 
-    /// Which of the pictures is under a point of the screen.
+    /// Index of the picture under a point of the window.
     pub fn index_at(&self, position: Pos2) -> Option<usize> {
         self.rects.iter().position(|rect| rect.contains(position))
     }
 
-    /// Where a point of the screen lies in the picture with this index (from its upper left
-    /// corner; it may lie outside of it), and the picture's size; both in points.
-    pub fn pixel(&self, index: usize, position: Pos2) -> Option<(Vec2, Vec2)> {
-        let rect = self.rects.get(index)?;
-        let from_corner = position - rect.min;
-        Some((
-            Vec2::new(from_corner.x, from_corner.y),
-            Vec2::new(rect.width(), rect.height()),
-        ))
+    /// The picture under a point of the window.
+    pub(super) fn at(&self, position: Pos2) -> Option<Place> {
+        self.get(self.index_at(position)?)
+    }
+
+    /// The picture with this index.
+    pub(super) fn get(&self, index: usize) -> Option<Place> {
+        self.iter().nth(index)
+    }
+
+    /// All pictures.
+    pub(super) fn iter(&self) -> impl Iterator<Item = Place> {
+        self.rects.iter().map(|&rect| Place { rect })
+    }
+}
+
+/// One picture of the scene. Its pixels are points of the window, from its upper left corner.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// In points of the window.
+    pub rect: Rect,
+}
+
+impl Place {
+    /// A point of the window as a pixel, which may lie outside the picture.
+    pub(super) fn pixel(self, position: Pos2) -> Vec2 {
+        let from_corner = position - self.rect.min;
+        Vec2::new(from_corner.x, from_corner.y)
+    }
+
+    /// A pixel as a point of the window.
+    pub(super) fn position(self, pixel: Vec2) -> Pos2 {
+        pos2(self.rect.min.x + pixel.x, self.rect.min.y + pixel.y)
+    }
+
+    /// Width and height, at least 1.
+    pub(super) fn size(self) -> Vec2 {
+        Vec2::new(self.rect.width().max(1.0), self.rect.height().max(1.0))
+    }
+
+    /// The picture as the session's camera sees it.
+    pub(super) fn screen(self, session: &Session) -> Screen {
+        Screen {
+            camera: session.view().camera,
+            size: self.size(),
+        }
+    }
+}
+
+/// Cache of the shape under the pointer: picked anew only when the pointer, the camera or the
+/// document has changed.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Picked {
+    last: Option<(PickedFor, Option<ShapeId>)>,
+}
+
+/// Everything that the shape under a pixel depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PickedFor {
+    document: Revision,
+    camera: Camera,
+    pixel: Vec2,
+    size: Vec2,
+}
+
+impl Picked {
+    /// The shape under `pixel` in a picture of `size`.
+    pub(super) fn shape_at(
+        &mut self,
+        session: &Session,
+        pixel: Vec2,
+        size: Vec2,
+    ) -> Option<ShapeId> {
+        let wanted = PickedFor {
+            document: session.document(),
+            camera: session.view().camera,
+            pixel,
+            size,
+        };
+        if let Some((found_for, shape)) = self.last
+            && found_for == wanted
+        {
+            return shape;
+        }
+        let ray = wanted.camera.ray(pixel, size);
+        let shape = pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape);
+        self.last = Some((wanted, shape));
+        shape
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::{Edit, View};
+    use crate::scene::{NewShape, ShapeKind};
+
+    #[test]
+    fn a_shape_is_picked_again_once_pointer_camera_or_scene_moved_and_not_before() {
+        let mut session = Session::new();
+        let insert = Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]);
+        session.edit(insert).unwrap();
+        let cube = session.selected();
+        let (size, middle) = (Vec2::new(800.0, 600.0), Vec2::new(400.0, 300.0));
+        let mut picked = Picked::default();
+        assert_eq!(picked.shape_at(&session, middle, size), cube);
+        // The cached answer is given again, whatever it is.
+        picked.last = picked.last.map(|(found_for, _)| (found_for, None));
+        assert_eq!(picked.shape_at(&session, middle, size), None);
+        assert_eq!(picked.shape_at(&session, middle + Vec2::X, size), cube);
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
+        let mut camera = session.view().camera;
+        camera.pan_with_pointer(Vec2::ONE - middle, size.y);
+        session.look(View::SetCamera(camera));
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), cube);
+        if let Some(id) = cube {
+            session.edit(Edit::Delete(id)).unwrap();
+        }
+        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
     }
 }

@@ -1,17 +1,21 @@
-use super::shape_signs;
+use super::commands::Command;
 use super::theme::Palette;
-use super::widgets::{list_move, moved, section};
-use crate::editor::{Session, View};
+use super::widgets::{list_move, moved, named, section};
+use super::{Action, commands};
+use crate::editor::{Edit, Session, View};
 use crate::scene::{Shape, ShapeId};
-use crate::ui::Action;
-use egui::{Align, Button, Layout, Response, RichText, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{
+    Align, Button, Color32, Layout, Painter, Pos2, Rect, Response, RichText, ScrollArea, Sense,
+    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, WidgetType, pos2, vec2,
+};
+use std::f32::consts::PI;
 
-/// The list never takes more than this of the panel, in points; longer ones scroll.
+/// Greatest height of the list, in points; longer lists scroll.
 const TALLEST: f32 = 150.0;
 
-/// The shapes, `[i] Name (ID: n)`: click or ↑ and ↓ select one. Signs at the end of its row hide
-/// it and lock it.
-/// One that was just `newly_selected`, here or elsewhere, is scrolled into sight.
+/// The shapes, as `[i] Name (ID: n)`: a click or ↑ and ↓ select one. Icons at the end of its row
+/// hide it and lock it. If the selected shape was just selected, here or elsewhere
+/// (`newly_selected`), it is scrolled into view.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
@@ -68,7 +72,7 @@ fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<
     }
 }
 
-/// One row; what is clicked to select the shape.
+/// One row; the widget that selects the shape.
 fn row(
     ui: &mut Ui,
     index: usize,
@@ -82,7 +86,7 @@ fn row(
     if selected {
         ui.painter().rect_filled(whole, 3.0, palette.selection);
     }
-    let (name, signs) = whole.split_left_right_at_x(whole.right() - shape_signs::WIDTH);
+    let (name, icons) = whole.split_left_right_at_x(whole.right() - ICONS);
     let label = format!("[{}] {} (ID: {})", index + 1, shape.name, shape.id);
     let color = match (selected, shape.visible) {
         (true, _) => palette.on_selection,
@@ -91,7 +95,7 @@ fn row(
     };
     let fill = Layout::top_down_justified(Align::LEFT);
     let place = UiBuilder::new().max_rect(name).layout(fill);
-    // Its frame would not go round the signs.
+    // Its frame would leave out the icons.
     let button = Button::selectable(selected, RichText::new(&label).color(color))
         .frame_when_inactive(false)
         .truncate();
@@ -99,6 +103,138 @@ fn row(
         .scope_builder(place, |ui| ui.add(button))
         .inner
         .on_hover_text(&label);
-    shape_signs::show(ui, signs, shape, selected, actions);
+    eye_and_lock(ui, icons, shape, selected, actions);
     row
+}
+
+/// Width of an icon in a row, in points.
+const ICON: f32 = 20.0;
+/// Width of both icons, in points.
+const ICONS: f32 = 2.0 * ICON;
+/// Width of their lines, in points.
+const LINE: f32 = 1.3;
+
+/// The eye that hides the shape and the lock that locks it, in `rect`. They are drawn rather than
+/// written: no font of egui has a closed eye.
+fn eye_and_lock(ui: &Ui, rect: Rect, shape: &Shape, selected: bool, actions: &mut Vec<Action>) {
+    let (left, right) = rect.split_left_right_at_fraction(0.5);
+    let name = &shape.name;
+
+    let does = if shape.visible { "Hide" } else { "Show" };
+    let hint = if shape.visible {
+        format!("Hide {name} in the view, not in exports")
+    } else {
+        format!("Show {name} in the view again")
+    };
+    let eye = icon(ui, left, &format!("{does} {name}"), "eye");
+    let color = icon_color(ui, &eye, selected, !shape.visible);
+    paint_eye(ui.painter(), left.center(), shape.visible, color);
+    if with_hint(eye, Command::ToggleVisible, &hint, selected).clicked() {
+        let edit = Edit::SetVisible(shape.id, !shape.visible);
+        actions.push(Action::Edit(edit));
+    }
+
+    let does = if shape.locked { "Unlock" } else { "Lock" };
+    let hint = if shape.locked {
+        format!("Let {name} be clicked and moved in the view again")
+    } else {
+        format!("Keep {name} from being clicked, posed and moved in the view")
+    };
+    let lock = icon(ui, right, &format!("{does} {name}"), "lock");
+    let color = icon_color(ui, &lock, selected, shape.locked);
+    paint_lock(ui.painter(), right.center(), shape.locked, color);
+    if with_hint(lock, Command::ToggleLocked, &hint, selected).clicked() {
+        let edit = Edit::SetLocked(shape.id, !shape.locked);
+        actions.push(Action::Edit(edit));
+    }
+}
+
+fn icon(ui: &Ui, rect: Rect, label: &str, id: &str) -> Response {
+    let button = ui.interact(rect, ui.id().with(id), Sense::click());
+    let painter = ui.painter();
+    let visuals = ui.style().interact(&button);
+    if button.hovered() {
+        painter.rect_filled(
+            rect.shrink(1.0),
+            visuals.corner_radius,
+            visuals.weak_bg_fill,
+        );
+    }
+    if button.has_focus() {
+        let stroke = Stroke::new(1.0, Palette::of(ui.visuals()).accent);
+        painter.rect_stroke(rect.shrink(1.0), 2.0, stroke, StrokeKind::Inside);
+    }
+    button.widget_info(|| WidgetInfo::labeled(WidgetType::Button, ui.is_enabled(), label));
+    named(button, label)
+}
+
+/// Adds a tooltip, with the shortcut if the shape is selected: shortcuts act on that shape only.
+fn with_hint(button: Response, command: Command, hint: &str, selected: bool) -> Response {
+    if selected {
+        let hint = commands::with_key(&button.ctx, command, hint);
+        button.on_hover_text(hint)
+    } else {
+        button.on_hover_text(hint)
+    }
+}
+
+/// Color of an icon: weak in the usual state, visible and unlocked.
+fn icon_color(ui: &Ui, button: &Response, selected: bool, unusual: bool) -> Color32 {
+    let palette = Palette::of(ui.visuals());
+    if button.hovered() {
+        palette.strong
+    } else if selected {
+        palette.on_selection
+    } else if unusual {
+        palette.strong
+    } else {
+        palette.weak
+    }
+}
+
+/// An open eye, or one that is crossed out.
+fn paint_eye(painter: &Painter, center: Pos2, open: bool, color: Color32) {
+    const WIDE: f32 = 6.5;
+    const HIGH: f32 = 4.2;
+    let stroke = Stroke::new(LINE, color);
+    let lid = |side: f32| {
+        let points = (0..=12).map(|i| {
+            let across = i as f32 / 6.0 - 1.0;
+            center + vec2(across * WIDE, side * HIGH * (1.0 - across * across))
+        });
+        points.collect::<Vec<_>>()
+    };
+    painter.line(lid(-1.0), stroke);
+    painter.line(lid(1.0), stroke);
+    if open {
+        painter.circle_filled(center, 2.0, color);
+    } else {
+        let along = vec2(5.5, -5.5);
+        painter.line_segment([center - along, center + along], stroke);
+    }
+}
+
+/// A closed lock, filled, or an open one, hollow.
+fn paint_lock(painter: &Painter, center: Pos2, closed: bool, color: Color32) {
+    const RADIUS: f32 = 2.8;
+    let stroke = Stroke::new(LINE, color);
+    let body = Rect::from_center_size(center + vec2(0.0, 2.6), vec2(9.0, 6.4));
+    if closed {
+        painter.rect_filled(body, 1.5, color);
+    } else {
+        painter.rect_stroke(body, 1.5, stroke, StrokeKind::Inside);
+    }
+    // The open one has swung to the side.
+    let (middle, right_leg) = if closed {
+        (body.center_top() - vec2(0.0, 1.8), body.top())
+    } else {
+        (body.right_top() - vec2(1.6, 1.8), body.top() - 1.2)
+    };
+    let mut shackle = vec![pos2(middle.x - RADIUS, body.top())];
+    shackle.extend((0..=8).map(|i| {
+        let angle = PI * (1.0 + i as f32 / 8.0);
+        middle + RADIUS * vec2(angle.cos(), angle.sin())
+    }));
+    shackle.push(pos2(middle.x + RADIUS, right_leg));
+    painter.line(shackle, stroke);
 }

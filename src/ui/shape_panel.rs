@@ -1,16 +1,24 @@
+use super::commands::Command;
+use super::number_field::NumberField;
 use super::state::UiState;
-use super::{curve_display, curve_list, display, joint_list, pose_list, properties, shape_list};
-use crate::editor::{Session, View};
-use crate::scene::ShapeKind;
-use crate::ui::Action;
-use egui::{Frame, Margin, Panel, RichText, ScrollArea, Ui};
+use super::theme::Palette;
+use super::widgets::{labelled, named};
+use super::{Action, character_panel, commands, curve_panel, joint_list, shape_list};
+use crate::editor::{Edit, Session, View};
+use crate::math::Transform;
+use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
+use egui::{
+    Align, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Panel, Rect,
+    RichText, ScrollArea, StrokeKind, Ui, Vec2, vec2,
+};
+use glam::Vec3;
 
-/// The course's width, margins included.
+/// Width in points, margins included, as in the course's editor.
 const WIDTH: f32 = 280.0;
 const NARROWEST: f32 = 248.0;
 const WIDEST: f32 = 560.0;
 
-/// The panel at the right: the list of shapes and everything about the selected one.
+/// The shape panel at the right: the list of shapes, and all properties of the selected one.
 pub(super) fn show(
     root: &mut Ui,
     session: &Session,
@@ -25,7 +33,7 @@ pub(super) fn show(
         .size_range(NARROWEST..=widest)
         .show(root, |ui| {
             let title = RichText::new("Shape Selector and Properties").heading();
-            ui.add(egui::Label::new(title).truncate());
+            ui.add(Label::new(title).truncate());
             ui.separator();
             let newly_selected = session.selected() != state.selected;
             state.selected = session.selected();
@@ -38,6 +46,7 @@ pub(super) fn show(
         });
 }
 
+/// Everything about the selected shape.
 fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Vec<Action>) {
     state.curves.hovered = None;
     let shape = session.selected().and_then(|id| session.scene().shape(id));
@@ -49,18 +58,12 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         return;
     };
     ui.push_id(shape.id, |ui| {
-        properties::show(ui, shape, actions);
+        properties(ui, shape, actions);
         if let ShapeKind::Character(character) = &shape.kind {
             ui.separator();
-            display::show(ui, shape.id, character.display, actions);
+            character_panel::display(ui, shape.id, character.display, actions);
             ui.separator();
-            pose_list::show(
-                ui,
-                shape.id,
-                character,
-                &mut state.joints.pose_name,
-                actions,
-            );
+            character_panel::poses(ui, shape.id, character, &mut state.pose_name, actions);
             ui.separator();
             joint_list::show(ui, session, shape.id, &mut state.joints, actions);
         } else {
@@ -68,16 +71,221 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         }
         if let ShapeKind::Curve(curve) = &shape.kind {
             ui.separator();
-            curve_display::show(ui, shape.id, curve, actions);
+            curve_panel::display(ui, shape.id, curve, actions);
             ui.separator();
-            curve_list::show(ui, session, shape.id, &mut state.curves, actions);
+            curve_panel::list(ui, session, shape.id, &mut state.curves, actions);
         }
     });
 }
 
-/// Where no joints are listed, none is under the pointer.
+/// Ends hovering over a joint of the list, where no list is shown.
 fn leave_joints(state: &mut UiState, actions: &mut Vec<Action>) {
     if state.joints.hovered.take().is_some() {
         actions.push(Action::View(View::HoverJoint(None)));
     }
+}
+
+/// Scale factors that can be set.
+const SCALES: std::ops::RangeInclusive<f64> = 0.1..=10.0;
+
+/// Position, scale, rotation and color of a shape, with Delete and Reset.
+fn properties(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
+    title(ui, shape, actions);
+    let placement = &shape.placement;
+    let (now, start) = (placement.transform, shape.start.transform);
+    let mut edited = None;
+
+    let position = row_of_three(ui, "Position", "Position", |axis, name| {
+        NumberField::new(name, now.position[axis], 0.1)
+            .rest(start.position[axis])
+            .decimals(2..=3)
+    });
+    if let Some((axis, value)) = position {
+        edited = Some(with(now, |to| to.position[axis] = value));
+    }
+
+    uniform_scaling(ui, shape, actions);
+    if placement.uniform_scaling {
+        let scale = labelled(ui, "Uniform Scale", |ui, size| {
+            NumberField::new("Uniform Scale", now.scale.x, 0.1)
+                .rest(start.scale.x)
+                .range(SCALES)
+                .decimals(2..=3)
+                .show(ui, size)
+        });
+        if let Some(scale) = scale {
+            edited = Some(with(now, |to| to.scale = Vec3::splat(scale)));
+        }
+    } else {
+        let scale = row_of_three(ui, "Scale (X, Y, Z)", "Scale", |axis, name| {
+            NumberField::new(name, now.scale[axis], 0.1)
+                .rest(start.scale[axis])
+                .range(SCALES)
+                .decimals(2..=3)
+        });
+        if let Some((axis, value)) = scale {
+            edited = Some(with(now, |to| to.scale[axis] = value));
+        }
+    }
+
+    let rotation = row_of_three(ui, "Rotation", "Rotation", |axis, name| {
+        NumberField::degrees(name, now.rotation.degrees()[axis])
+            .rest(start.rotation.degrees()[axis])
+    });
+    if let Some((axis, value)) = rotation {
+        let radians = value.to_radians();
+        edited = Some(with(now, |to| to.rotation.radians[axis] = radians));
+    }
+
+    if let Some(transform) = edited {
+        actions.push(Action::Edit(Edit::SetTransform(shape.id, transform)));
+    }
+    let color = labelled(ui, "Color", |ui, size| {
+        color_field(ui, placement.color, size.x)
+    });
+    if let Some(color) = color {
+        actions.push(Action::Edit(Edit::SetColor(shape.id, color)));
+    }
+}
+
+fn uniform_scaling(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
+    labelled(ui, "", |ui, _| {
+        let mut uniform = shape.placement.uniform_scaling;
+        let hint = "Scale X, Y and Z together. Turning it on takes the scale of X for all.";
+        if ui
+            .checkbox(&mut uniform, "Uniform Scaling")
+            .on_hover_text(hint)
+            .changed()
+        {
+            let edit = Edit::SetUniformScaling(shape.id, uniform);
+            actions.push(Action::Edit(edit));
+        }
+    });
+}
+
+fn with(transform: Transform, change: impl FnOnce(&mut Transform)) -> Transform {
+    let mut changed = transform;
+    change(&mut changed);
+    changed
+}
+
+/// The shape's ID, with Delete and Reset.
+fn title(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        for (command, label, edit) in [
+            (Command::Delete, "Delete", Edit::Delete(shape.id)),
+            (Command::Reset, "Reset", Edit::Reset(shape.id)),
+        ] {
+            let button = ui.add(Button::new(label));
+            if button
+                .on_hover_text(commands::tooltip(ui.ctx(), command))
+                .clicked()
+            {
+                actions.push(Action::Edit(edit));
+            }
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let text = format!("Selected Shape ID: {}", shape.id);
+            let color = Palette::of(ui.visuals()).strong;
+            ui.add(Label::new(RichText::new(text).color(color)).truncate())
+                .on_hover_text(&shape.name);
+        });
+    });
+    ui.add_space(2.0);
+}
+
+/// A label and three fields named `NAME X`, `NAME Y` and `NAME Z`; axis and value of the one that
+/// was changed.
+fn row_of_three<'n>(
+    ui: &mut Ui,
+    label: &str,
+    name: &str,
+    field: impl for<'f> Fn(usize, &'f str) -> NumberField<'f>,
+) -> Option<(usize, f32)> {
+    labelled(ui, label, |ui, size| {
+        let gap = ui.spacing().item_spacing.x;
+        let each = vec2(((size.x - 2.0 * gap) / 3.0).floor(), size.y);
+        let mut changed = None;
+        for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
+            let name = format!("{name} {letter}");
+            let given = field(axis, &name).axis(axis).show(ui, each);
+            changed = given.map(|value| (axis, value)).or(changed);
+        }
+        changed
+    })
+}
+
+/// Size of the sample of a color, in points.
+const SWATCH: Vec2 = vec2(24.0, 14.0);
+
+/// A color picker, and the list of presets with their swatches; a picked color is Custom. Returns
+/// the color if it was changed.
+fn color_field(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeColor> {
+    let mut chosen = None;
+    // Eight bits per channel, as on screen: colors of the scene are not linear.
+    let [r, g, b, _] = to_color32(color.rgb()).to_array();
+    let mut bytes = [r, g, b];
+    let picker = ui.color_edit_button_srgb(&mut bytes);
+    if picker.changed() {
+        let rgb = bytes.map(|channel| f32::from(channel) / 255.0);
+        chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
+    }
+    named(picker, "Custom color").on_hover_text("Pick a color");
+    let used = ui.spacing().interact_size.x + ui.spacing().item_spacing.x;
+    let combo = ComboBox::from_id_salt("color")
+        .width(width - used)
+        .selected_text(COLOR_PRESETS[color.preset_index()].name)
+        .show_ui(ui, |ui| {
+            for index in 0..COLOR_PRESETS.len() {
+                if preset(ui, index, color) {
+                    chosen = Some(if index == CUSTOM_PRESET {
+                        ShapeColor::Custom(color.rgb())
+                    } else {
+                        ShapeColor::Preset(index)
+                    });
+                }
+            }
+        });
+    named(combo.response, "Color");
+    chosen.filter(|&chosen| chosen != color)
+}
+
+/// One row of the list of presets; whether it was chosen.
+fn preset(ui: &mut Ui, index: usize, color: ShapeColor) -> bool {
+    let preset = &COLOR_PRESETS[index];
+    let selected = color.preset_index() == index;
+    let swatch = Id::new("swatch");
+    let line = Button::selectable(selected, (Atom::custom(swatch, SWATCH), preset.name))
+        .min_size(vec2(ui.available_width(), 0.0))
+        .atom_ui(ui);
+    if let Some(rect) = line.rect(swatch) {
+        let shown = if index == CUSTOM_PRESET {
+            color.rgb()
+        } else {
+            preset.color
+        };
+        paint_swatch(ui, rect, shown);
+    }
+    if selected && line.response.gained_focus() {
+        line.response.scroll_to_me(None);
+    }
+    line.response.clicked()
+}
+
+fn paint_swatch(ui: &Ui, rect: Rect, rgb: Vec3) {
+    ui.painter().rect(
+        rect,
+        2.0,
+        to_color32(rgb),
+        ui.visuals().widgets.noninteractive.bg_stroke,
+        StrokeKind::Inside,
+    );
+}
+
+fn to_color32(rgb: Vec3) -> Color32 {
+    let [r, g, b] = rgb
+        .to_array()
+        .map(|channel| (channel.clamp(0.0, 1.0) * 255.0).round() as u8);
+    Color32::from_rgb(r, g, b)
 }

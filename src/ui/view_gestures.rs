@@ -1,24 +1,24 @@
-use super::curve_gestures;
-use super::pointer_use::PointerUse;
-use super::posing::{self, Picked};
-use super::{ScenePlaces, UiState};
-use crate::editor::{Session, Tool, View};
+//! Gestures in the view: camera, selection, and the protocol of everything that is dragged.
+
+use super::scene_places::{Picked, Place, ScenePlaces};
+use super::{Action, GestureStep, UiState, control_points, posing};
+use crate::editor::{Edit, Session, Tool, View};
 use crate::scene::ShapeId;
-use crate::ui::Action;
-use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
+use egui::{
+    Event, InputState, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Response,
+};
 use glam::Vec2;
 
-/// Points of a touchpad's scrolling that count as one notch of a wheel.
+/// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
 const POINTS_PER_NOTCH: f32 = 50.0;
 
-/// What the pointer does to the scene: drags and the wheel move the camera as the chosen
-/// [`super::Navigation`] has it, a click selects the shape under the pointer. Control points of
-/// the selected curves come first, then gizmos and bones, and with the Move tool shapes: a left
-/// drag takes what is under the pointer.
+/// Handles the pointer over the scene: drags and the wheel move the camera according to the
+/// [`super::Navigation`], and a click selects the shape under the pointer. Control points of the
+/// selected curves take precedence, then gizmos and bones, and with the Move tool shapes: a left drag
+/// takes what is under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
-/// to themselves. `places` are where the scene is shown in it. Returns the shape that the pointer
-/// is over.
+/// to themselves. `places` are the pictures of the scene in it. Returns the shape under the pointer.
 pub fn view_gestures(
     view: &Response,
     places: &ScenePlaces,
@@ -28,7 +28,7 @@ pub fn view_gestures(
 ) -> Option<ShapeId> {
     let mut pointer = PointerUse::Free;
     if state.pose.gesture.is_none() {
-        pointer = curve_gestures::control_points(view, places, session, &mut state.curves, actions);
+        pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
     }
     if pointer == PointerUse::Free {
         let list = state.joints.hovered;
@@ -69,7 +69,7 @@ pub fn view_gestures(
     shape_at(&mut state.pose.picked, session, places, position)
 }
 
-/// Notes where the camera was before a drag, and puts it back there on Esc, by which egui ends it.
+/// Remembers the camera before a drag, and restores it on Esc, which ends the drag in egui.
 fn put_back_on_esc(
     view: &Response,
     session: &Session,
@@ -96,12 +96,12 @@ fn shape_at(
     places: &ScenePlaces,
     position: Pos2,
 ) -> Option<ShapeId> {
-    let (pixel, size) = places.pixel(places.index_at(position)?, position)?;
-    picked.shape_at(session, pixel, size)
+    let place = places.at(position)?;
+    picked.shape_at(session, place.pixel(position), place.size())
 }
 
-/// How far the wheel went since the last frame. egui's own smoothing would spread a notch over
-/// frames, and the course's step is a whole one.
+/// Notches of the wheel since the last frame. egui's smoothing would spread a notch over several
+/// frames, but the course's editor zooms by whole notches.
 fn notches(context: &egui::Context) -> f32 {
     context.input(|input| {
         let wheel = input.events.iter().map(|event| match event {
@@ -114,5 +114,154 @@ fn notches(context: &egui::Context) -> f32 {
             _ => 0.0,
         });
         wheel.sum()
+    })
+}
+
+/// How a kind of thing in the view uses the pointer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PointerUse {
+    /// Not at all.
+    Free,
+    /// One is under it, and takes its clicks and left drags.
+    Over,
+    /// One is being dragged; nothing else uses the pointer.
+    Holding,
+}
+
+/// Something that follows the pointer while it is dragged.
+pub(super) trait Follow {
+    /// The shape that it changes.
+    fn shape(&self) -> ShapeId;
+
+    /// Edit that brings it to the pointer at `pixel` of a picture, if that changes anything; in
+    /// steps if `snap`.
+    fn follow(&mut self, session: &Session, place: Place, pixel: Vec2, snap: bool) -> Option<Edit>;
+}
+
+/// A drag of something in the view, from the press of the left button to its release.
+#[derive(Clone, Debug)]
+pub(super) struct Grab<H> {
+    held: H,
+    /// Index of the picture of the scene in which it was grabbed.
+    index: usize,
+    /// A drag that ended early waits for the buttons to be released, so that the rest of it does
+    /// not become another gesture.
+    ended: bool,
+}
+
+impl<H> Grab<H> {
+    /// Begins a gesture if a left drag began in this frame on something that `take` takes, given
+    /// the picture and the pixel in it where the button went down: egui recognizes a drag only
+    /// once the pointer has moved. What `take` asks for comes before the gesture.
+    pub(super) fn begin(
+        view: &Response,
+        places: &ScenePlaces,
+        actions: &mut Vec<Action>,
+        take: impl FnOnce(Place, Vec2, &mut Vec<Action>) -> Option<H>,
+    ) -> Option<Self> {
+        if !view.drag_started_by(PointerButton::Primary) {
+            return None;
+        }
+        let pressed = view.ctx.input(|input| input.pointer.press_origin())?;
+        let index = places.index_at(pressed)?;
+        let place = places.get(index)?;
+        let held = take(place, place.pixel(pressed), actions)?;
+        actions.push(Action::Gesture(GestureStep::Begin));
+        Some(Self {
+            held,
+            index,
+            ended: false,
+        })
+    }
+
+    /// What was grabbed.
+    pub(super) fn held(&self) -> &H {
+        &self.held
+    }
+
+    /// What was grabbed, unless the drag ended early.
+    pub(super) fn active(&self) -> Option<&H> {
+        Some(&self.held).filter(|_| !self.ended)
+    }
+}
+
+impl<H: Follow> Grab<H> {
+    /// Follows the pointer, and commits or cancels the gesture; whether to go on in the next frame.
+    pub(super) fn follow(
+        &mut self,
+        view: &Response,
+        places: &ScenePlaces,
+        session: &Session,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let hand = Hand::read(view);
+        if self.ended {
+            return hand.any_down;
+        }
+        let early = if !is_pickable(session, self.held.shape()) {
+            Some(GestureStep::Commit)
+        } else {
+            hand.cancel.then_some(GestureStep::Cancel)
+        };
+        if let Some(step) = early {
+            actions.push(Action::Gesture(step));
+            self.ended = true;
+            return hand.any_down;
+        }
+        if let Some((place, position)) = places.get(self.index).zip(hand.position) {
+            let pixel = place.pixel(position);
+            let edit = self.held.follow(session, place, pixel, hand.snap);
+            actions.extend(edit.map(Action::Edit));
+        }
+        if !hand.left_down {
+            actions.push(Action::Gesture(GestureStep::Commit));
+        }
+        hand.left_down
+    }
+}
+
+/// Whether gestures in the view may change a shape: it is neither hidden nor locked.
+pub(super) fn is_pickable(session: &Session, shape: ShapeId) -> bool {
+    let evaluated = session.evaluated().shape(shape);
+    evaluated.is_some_and(|shape| shape.pickable)
+}
+
+/// Input to a drag in one frame.
+struct Hand {
+    position: Option<Pos2>,
+    cancel: bool,
+    left_down: bool,
+    any_down: bool,
+    snap: bool,
+}
+
+impl Hand {
+    fn read(view: &Response) -> Self {
+        let position = view.interact_pointer_pos();
+        view.ctx.input_mut(|input| {
+            // Consumed, so that Esc does nothing else in this frame.
+            let escape = input.consume_key(Modifiers::NONE, Key::Escape);
+            let pointer = &input.pointer;
+            Self {
+                position: released_at(input).or(position),
+                cancel: escape || pointer.button_pressed(PointerButton::Secondary),
+                left_down: pointer.primary_down(),
+                any_down: pointer.any_down(),
+                snap: input.modifiers.command,
+            }
+        })
+    }
+}
+
+/// Where the left button was released in this frame: the pointer may have moved since.
+fn released_at(input: &InputState) -> Option<Pos2> {
+    input.events.iter().find_map(|event| match event {
+        Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed: false,
+            ..
+        } => Some(*pos),
+        _ => None,
     })
 }

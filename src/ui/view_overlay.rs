@@ -1,16 +1,26 @@
-use super::state::UiState;
-use super::{ScenePlaces, ViewInput, axis_ball, compare, first_help, notices, posing};
-use crate::editor::Session;
-use crate::ui::{Action, CompareSettings};
-use egui::{Rect, Response, Sense, Ui, WidgetInfo, WidgetType};
+//! What lies over the view, and the status line below it.
 
-/// What the view leaves to the handle at the panel's edge, in points.
+use super::posing::BAR_HEIGHT;
+use super::state::UiState;
+use super::theme::Palette;
+use super::widgets::named;
+use super::{
+    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
+};
+use crate::editor::Session;
+use egui::{
+    Align, Button, Frame, Grid, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
+    UiBuilder, Vec2, WidgetInfo, WidgetType, pos2, vec2,
+};
+
+/// Width at the right edge left to the handle of the shape panel, in points.
 const PANEL_EDGE: f32 = 4.0;
 
-/// Takes what the panels left free as the view, and shows what lies over it. `settings` are those
-/// of a comparison, if one is under way, as its panel left them.
+/// Makes the view of what the panels leave free, and shows what lies over it. Returns the view's
+/// rectangle in points, its widget, and the pictures of the scene in it. `settings` are those of the
+/// comparison under way, as its panel left them.
 ///
-/// The view is a widget below all others here: egui says which of them the pointer is for.
+/// The view is a widget below all others here: egui decides which of them the pointer is for.
 pub(super) fn show(
     root: &mut Ui,
     session: &Session,
@@ -25,11 +35,7 @@ pub(super) fn show(
     free.max.x = (free.max.x - PANEL_EDGE).max(free.min.x);
     let response = root.interact(free, id, Sense::click_and_drag() | Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "View of the scene"));
-    let mut over = root.new_child(
-        egui::UiBuilder::new()
-            .id_salt("over the view")
-            .max_rect(rect),
-    );
+    let mut over = root.new_child(UiBuilder::new().id_salt("over the view").max_rect(rect));
     over.set_clip_rect(rect.intersect(root.clip_rect()));
 
     let places = match (input.compare, settings) {
@@ -38,14 +44,129 @@ pub(super) fn show(
         }
         _ => ScenePlaces::whole(rect),
     };
-    posing::show(&mut over, &places, &response, session, state);
+    posing::show(&mut over, &places, &response, session, &mut state.pose);
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
-    notices::show(&mut over, rect, session, &mut state.notices, actions);
-    // Nothing hides what went wrong.
+    messages::notices(&mut over, rect, session, &mut state.notices, actions);
+    // It must not hide messages.
     if state.first_help && session.messages.fresh().is_empty() {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
-        let closed = first_help::show(&mut over, rect, state.navigation.summary());
+        let closed = first_help(&mut over, rect, state.navigation.summary());
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
+}
+
+/// First steps besides moving the camera.
+const LINES: [(&str, &str); 2] = [
+    (
+        "Pose",
+        "press B and drag a bone, or drag a number at the right",
+    ),
+    ("More", "Insert adds shapes · ? shows every key"),
+];
+/// Size of the first help, in points.
+const SIZE: Vec2 = vec2(380.0, 88.0);
+
+/// First help: three lines for newcomers in the lower left corner of the view; whether their × was
+/// clicked.
+fn first_help(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
+    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 3.0 * BAR_HEIGHT {
+        return false;
+    }
+    let corner = pos2(view.left() + 12.0, view.bottom() - SIZE.y - 12.0);
+    let builder = UiBuilder::new()
+        .id_salt("first help")
+        .max_rect(Rect::from_min_size(corner, SIZE));
+    let mut inner = ui.new_child(builder);
+    let mut closed = false;
+    Frame::popup(ui.style())
+        .inner_margin(Margin::symmetric(12, 8))
+        .show(&mut inner, |ui| {
+            ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
+                Grid::new("first help").num_columns(2).show(ui, |ui| {
+                    for (what, how) in [("Look around", look_around)].into_iter().chain(LINES) {
+                        let strong = Palette::of(ui.visuals()).strong;
+                        ui.label(RichText::new(what).color(strong));
+                        ui.label(RichText::new(how).small());
+                        ui.end_row();
+                    }
+                });
+                let close = ui.add(Button::new("×").frame_when_inactive(false));
+                closed = named(close, "Close help")
+                    .on_hover_text("Hide these lines")
+                    .clicked();
+            });
+        });
+    closed
+}
+
+/// The status line below the view: what is under the pointer and what gestures do there; at the
+/// right, pictures per second and the graphics driver.
+pub(super) fn status_line(root: &mut Ui, session: &Session, state: &UiState, input: &ViewInput) {
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
+    Panel::bottom("status line").frame(frame).show(root, |ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let weak = Palette::of(ui.visuals()).weak;
+            let machine = machine(input);
+            if !machine.is_empty() && ui.available_width() > 480.0 {
+                ui.label(RichText::new(machine).small().color(weak));
+            }
+            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                let (over, next) = status(session, state, input);
+                if let Some(over) = over {
+                    let color = Palette::of(ui.visuals()).strong;
+                    ui.add(Label::new(RichText::new(over).small().color(color)).truncate());
+                }
+                ui.add(Label::new(RichText::new(next).small().color(weak)).truncate());
+            });
+        });
+    });
+}
+
+/// Pictures per second while pictures are drawn, and what draws them.
+fn machine(input: &ViewInput) -> String {
+    match input.frames_per_second {
+        Some(rate) => format!("{rate:.0} fps · {}", input.backend),
+        None => input.backend.to_owned(),
+    }
+}
+
+/// Name of what is under the pointer, if anything, and what gestures do there.
+fn status(session: &Session, state: &UiState, input: &ViewInput) -> (Option<String>, &'static str) {
+    let navigation = state.navigation;
+    if let Some(point) = hovered_control_point(session) {
+        let next = "Drag to move it · Esc or right click cancels";
+        return (Some(point), next);
+    }
+    if let Some((over, next)) = posing::status(session, &state.pose) {
+        return (over, next);
+    }
+    if let Some(joint) = hovered_joint(session) {
+        let next = "Click to select the joint · drag its numbers to turn it";
+        return (Some(joint), next);
+    }
+    let over = input
+        .hovered_shape
+        .and_then(|id| session.scene().shape(id))
+        .map(|shape| (shape.id, format!("{} (ID: {})", shape.name, shape.id)));
+    match over {
+        Some((id, name)) if session.selected() != Some(id) => {
+            (Some(name), navigation.over_a_shape())
+        }
+        over => (over.map(|(_, name)| name), navigation.summary()),
+    }
+}
+
+fn hovered_joint(session: &Session) -> Option<String> {
+    let joint = session.hovered_joint()?;
+    let character = session.scene().character(session.selected()?)?;
+    let joints = character.character.skeleton().joints();
+    joints.get(joint).map(|joint| joint.name.clone())
+}
+
+fn hovered_control_point(session: &Session) -> Option<String> {
+    let (curve, point) = session.hovered_control_point()?;
+    let shape = session.scene().curve(session.selected()?)?;
+    let item = shape.curves().items().get(curve)?;
+    Some(format!("{}, control point {}", item.name, point + 1))
 }

@@ -1,16 +1,18 @@
-//! Small things that several panels share.
+//! Widgets and helpers shared by several panels.
 
 use super::theme::Palette;
-use egui::{EventFilter, Key, Modifiers, Response, RichText, Ui};
+use egui::{
+    Align, Button, EventFilter, Key, Label, Layout, Modifiers, Response, RichText, Ui, Vec2, vec2,
+};
 
-/// Gives a widget the name that screen readers say and tests find.
+/// Sets the name of a widget for assistive technology and tests.
 pub(super) fn named(response: Response, name: &str) -> Response {
     let ctx = response.ctx.clone();
     ctx.accesskit_node_builder(response.id, |node| node.set_label(name));
     response
 }
 
-/// Gives a sign the word that screen readers say for it.
+/// Sets the value of an icon for assistive technology.
 pub(super) fn spoken(sign: Response, word: &str) -> Response {
     let ctx = sign.ctx.clone();
     ctx.accesskit_node_builder(sign.id, |node| node.set_value(word));
@@ -21,8 +23,62 @@ pub(super) fn spoken(sign: Response, word: &str) -> Response {
 pub(super) fn section(ui: &mut Ui, title: &str) {
     ui.add_space(4.0);
     let color = Palette::of(ui.visuals()).strong;
-    let label = egui::Label::new(RichText::new(title).color(color)).truncate();
+    let label = Label::new(RichText::new(title).color(color)).truncate();
     ui.add(label);
+}
+
+/// Width of the column of labels, in points.
+const LABELS: f32 = 88.0;
+
+/// A label in the left column. The rest of the row is what `add` adds, given its size in points.
+pub(super) fn labelled<R>(ui: &mut Ui, label: &str, add: impl FnOnce(&mut Ui, Vec2) -> R) -> R {
+    ui.horizontal(|ui| {
+        let height = ui.spacing().interact_size.y;
+        let layout = Layout::left_to_right(Align::Center);
+        ui.allocate_ui_with_layout(vec2(LABELS, height), layout, |ui| {
+            ui.set_min_width(LABELS);
+            ui.add(Label::new(label).truncate());
+        });
+        let size = vec2(ui.available_width(), height);
+        add(ui, size)
+    })
+    .inner
+}
+
+/// Buttons side by side, of which one is on. `options` are values with their labels and tooltips.
+pub(super) fn choice<T: Copy + PartialEq>(ui: &mut Ui, value: &mut T, options: &[(T, &str, &str)]) {
+    ui.horizontal(|ui| buttons(ui, value, options, str::to_owned));
+}
+
+/// A title, and below it buttons as in [`choice`], in as many rows as they need. Their names for
+/// assistive technology start with the title, because several titles have an “Off”.
+pub(super) fn titled_choice<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    title: &str,
+    value: &mut T,
+    options: &[(T, &str, &str)],
+) {
+    section(ui, title);
+    ui.horizontal_wrapped(|ui| buttons(ui, value, options, |label| format!("{title}: {label}")));
+}
+
+fn buttons<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    value: &mut T,
+    options: &[(T, &str, &str)],
+    name: impl Fn(&str) -> String,
+) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    ui.spacing_mut().button_padding.x = 6.0;
+    for &(option, label, hint) in options {
+        let button = Button::selectable(*value == option, label)
+            .frame_when_inactive(true)
+            .wrap_mode(egui::TextWrapMode::Extend);
+        let button = named(ui.add(button), &name(label));
+        if button.on_hover_text(hint).clicked() {
+            *value = option;
+        }
+    }
 }
 
 /// A move through a list by keyboard.
@@ -36,8 +92,8 @@ pub(super) enum ListMove {
     Right,
 }
 
-/// The key of a list that was pressed while its row `row` has the keyboard. Arrow keys then
-/// stay with the list rather than moving the keyboard to whatever widget lies in that direction.
+/// The move whose key was pressed while `row` of a list has the keyboard focus. Arrow keys then act
+/// on the list instead of moving the focus to the next widget in that direction.
 pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
     if !row.has_focus() {
         return None;
@@ -63,7 +119,7 @@ pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
     })
 }
 
-/// Which of `count` rows a move from row `at` leads to.
+/// Index of the row that a move leads to from row `at` of `count`; `None` for moves to the side.
 pub(super) fn moved(movement: ListMove, at: usize, count: usize) -> Option<usize> {
     let last = count.checked_sub(1)?;
     match movement {

@@ -1,10 +1,56 @@
-use super::state::{Dialog, UiState};
-use super::{ViewInput, about, help, messages, screenshot};
-use crate::editor::Session;
-use crate::ui::Action;
-use egui::{Ui, Window, vec2};
+//! Windows over the view: Keys and Mouse, Messages, About, Screenshot.
 
-/// The windows that are open over the view.
+use super::commands::{GESTURES, Menu, entries};
+use super::number_field::NumberField;
+use super::state::UiState;
+use super::theme::Palette;
+use super::widgets::labelled;
+use super::{Action, Ask, Navigation, Screenshot, ViewInput, messages};
+use crate::editor::Session;
+use egui::{
+    Align, Button, Frame, Grid, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui,
+    Window, vec2,
+};
+
+/// A window over the view.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Dialog {
+    Keys,
+    Messages,
+    About,
+    Screenshot,
+}
+
+/// Open windows, and what the screenshot dialog was last set to.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Windows {
+    /// In the order in which they were opened: Esc closes the last one first.
+    open: Vec<Dialog>,
+    screenshot: ScreenshotForm,
+}
+
+impl Windows {
+    /// Opens a window; for Esc it then is the last one, even if it was open already.
+    pub(super) fn open(&mut self, dialog: Dialog) {
+        self.close(dialog);
+        self.open.push(dialog);
+    }
+
+    fn close(&mut self, dialog: Dialog) {
+        self.open.retain(|&open| open != dialog);
+    }
+
+    /// Closes the window opened last; whether there was one.
+    pub(super) fn close_last(&mut self) -> bool {
+        self.open.pop().is_some()
+    }
+
+    pub(super) fn is_open(&self, dialog: Dialog) -> bool {
+        self.open.contains(&dialog)
+    }
+}
+
+/// Shows the open windows.
 pub(super) fn show(
     root: &Ui,
     session: &Session,
@@ -13,42 +59,43 @@ pub(super) fn show(
     actions: &mut Vec<Action>,
 ) {
     let navigation = state.navigation;
-    window(root, state, Dialog::Keys, "Keys and Mouse", |ui| {
-        help::show(ui, navigation);
+    let windows = &mut state.windows;
+    window(root, windows, Dialog::Keys, "Keys and Mouse", |ui| {
+        keys_and_mouse(ui, navigation);
     });
-    window(root, state, Dialog::Messages, "Messages", |ui| {
-        messages::show(ui, &session.messages);
+    window(root, windows, Dialog::Messages, "Messages", |ui| {
+        messages::history(ui, &session.messages);
     });
-    window(root, state, Dialog::About, "About", |ui| {
-        about::show(ui, input.backend);
+    window(root, windows, Dialog::About, "About", |ui| {
+        about(ui, input.backend);
     });
-    if state.is_open(Dialog::Screenshot) && screenshot::show(root, &mut state.screenshot, actions) {
-        state.close(Dialog::Screenshot);
+    if windows.is_open(Dialog::Screenshot) && screenshot(root, &mut windows.screenshot, actions) {
+        windows.close(Dialog::Screenshot);
     }
 }
 
-/// One window with a title and a ×, never larger than the program's.
+/// Shows one window, with a title and a ×, if it is open; never larger than the program's window.
 fn window(
     root: &Ui,
-    state: &mut UiState,
+    windows: &mut Windows,
     dialog: Dialog,
     title: &str,
     contents: impl FnOnce(&mut Ui),
 ) {
-    if !state.is_open(dialog) {
+    if !windows.is_open(dialog) {
         return;
     }
     let screen = root.ctx().content_rect();
     let size = match dialog {
         Dialog::About => vec2(360.0, 140.0),
-        // Long: as high as the window lets it be.
+        // As high as the program's window allows.
         Dialog::Keys => vec2(480.0, 720.0),
         _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
     let mut open = true;
     Window::new(title)
-        .id(egui::Id::new(title))
+        .id(Id::new(title))
         .open(&mut open)
         .collapsible(false)
         .resizable(dialog != Dialog::About)
@@ -56,6 +103,203 @@ fn window(
         .default_pos(screen.center() - size / 2.0)
         .show(root.ctx(), contents);
     if !open {
-        state.close(dialog);
+        windows.close(dialog);
     }
+}
+
+/// Help ▸ Keys and Mouse, made from the table of commands.
+fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
+    let context = ui.ctx().clone();
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        heading(ui, "Mouse");
+        table("gestures").show(ui, |ui| {
+            for gesture in navigation.gestures().chain(GESTURES) {
+                ui.label(key(ui, gesture.gesture));
+                ui.label(gesture.does);
+                ui.end_row();
+            }
+        });
+        for &menu in Menu::ALL {
+            let mut entries = entries(menu)
+                .map(|entry| (entry.keys(&context, navigation), entry))
+                .filter(|(keys, _)| !keys.is_empty())
+                .peekable();
+            if entries.peek().is_none() {
+                continue;
+            }
+            heading(ui, title(menu));
+            table(title(menu)).show(ui, |ui| {
+                for (keys, entry) in entries {
+                    ui.label(key(ui, &keys));
+                    ui.label(entry.label).on_hover_text(entry.tooltip);
+                    ui.end_row();
+                }
+            });
+        }
+    });
+}
+
+fn table(id: &str) -> Grid {
+    Grid::new(id)
+        .num_columns(2)
+        .min_col_width(176.0)
+        .spacing([8.0, 4.0])
+}
+
+fn title(menu: Menu) -> &'static str {
+    match menu {
+        Menu::File => "File",
+        Menu::Scenes => "File ⏵ Built-in Scene",
+        Menu::Insert => "Insert",
+        Menu::Curves => "Insert, curves",
+        Menu::Import => "Insert ⏵ Import",
+        Menu::Shape => "Selected shape",
+        Menu::View => "View",
+        Menu::Look => "View ⏵ Look",
+        Menu::Shading => "View ⏵ Shading",
+        Menu::Ground => "View ⏵ Ground",
+        Menu::Compare => "View ⏵ Compare",
+        Menu::Navigation => "View ⏵ Navigation",
+        Menu::Theme => "View ⏵ Theme",
+        Menu::Skinning => "View ⏵ Skinning",
+        Menu::Tools => "Pose",
+        Menu::Pose => "Pose, selected character",
+        Menu::Help => "Help",
+    }
+}
+
+fn heading(ui: &mut Ui, text: &str) {
+    ui.add_space(8.0);
+    let color = Palette::of(ui.visuals()).strong;
+    ui.label(RichText::new(text).color(color));
+}
+
+fn key(ui: &Ui, text: &str) -> RichText {
+    RichText::new(text).color(Palette::of(ui.visuals()).accent)
+}
+
+/// Help ▸ About.
+fn about(ui: &mut Ui, backend: &str) {
+    ui.label(RichText::new(concat!("Editor ", env!("CARGO_PKG_VERSION"))).heading());
+    ui.label(env!("CARGO_PKG_DESCRIPTION"));
+    ui.add_space(8.0);
+    ui.label(concat!("License: ", env!("CARGO_PKG_LICENSE")));
+    if !backend.is_empty() {
+        ui.label(format!("Draws with {backend}"));
+    }
+}
+
+/// Allowed width and height of a picture, in pixels.
+const SIDES: std::ops::RangeInclusive<f64> = 16.0..=8192.0;
+
+/// Settings of File ▸ Screenshot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct ScreenshotForm {
+    with_panels: bool,
+    own_size: bool,
+    width: u32,
+    height: u32,
+}
+
+impl Default for ScreenshotForm {
+    fn default() -> Self {
+        Self {
+            with_panels: false,
+            own_size: false,
+            width: 1920,
+            height: 1080,
+        }
+    }
+}
+
+impl ScreenshotForm {
+    fn asked(&self) -> Screenshot {
+        let own_size = self.own_size && !self.with_panels;
+        Screenshot {
+            with_panels: self.with_panels,
+            size: own_size.then_some((self.width, self.height)),
+        }
+    }
+}
+
+/// File ▸ Screenshot; whether to close it.
+fn screenshot(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>) -> bool {
+    let frame = Frame::popup(ui.style()).inner_margin(16);
+    let modal = Modal::new(Id::new("screenshot")).frame(frame);
+    let modal = modal.show(ui.ctx(), |ui| {
+        ui.set_width(344.0);
+        ui.heading("Screenshot");
+        ui.label(RichText::new("Saves a picture as PNG, JPEG or GIF.").weak());
+        ui.add_space(8.0);
+        // Asked before a field gives up the keyboard because of the same Enter.
+        let typing = ui.ctx().text_edit_focused();
+        contents(ui, form);
+        ui.add_space(12.0);
+        buttons(ui, form, !typing, actions)
+    });
+    modal.inner || modal.should_close()
+}
+
+fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
+    labelled(ui, "Show", |ui, _| {
+        ui.spacing_mut().item_spacing.x = 16.0;
+        ui.radio_value(&mut form.with_panels, false, "The view alone");
+        ui.radio_value(&mut form.with_panels, true, "With panels");
+    });
+    ui.add_enabled_ui(!form.with_panels, |ui| {
+        const WHY: &str = "Panels are drawn for the window, so the picture has its size";
+        labelled(ui, "Size", |ui, _| {
+            ui.spacing_mut().item_spacing.x = 16.0;
+            ui.radio_value(&mut form.own_size, false, "As in the window")
+                .on_disabled_hover_text(WHY);
+            ui.radio_value(&mut form.own_size, true, "Custom")
+                .on_disabled_hover_text(WHY);
+        });
+        ui.add_enabled_ui(form.own_size, |ui| {
+            labelled(ui, "", |ui, size| {
+                let each = vec2((size.x - 20.0) / 2.0, size.y);
+                side(ui, "Picture width", &mut form.width, 1920.0, each);
+                ui.label("×");
+                side(ui, "Picture height", &mut form.height, 1080.0, each);
+            });
+        });
+    });
+}
+
+fn side(ui: &mut Ui, name: &str, value: &mut u32, rest: f32, size: egui::Vec2) {
+    let field = NumberField::new(name, *value as f32, 1.0)
+        .rest(rest)
+        .range(SIDES)
+        .decimals(0..=0)
+        .unit(" px");
+    if let Some(given) = field.show(ui, size) {
+        *value = given.round() as u32;
+    }
+}
+
+/// Save and Cancel; whether one of them was used.
+fn buttons(
+    ui: &mut Ui,
+    form: &ScreenshotForm,
+    enter_saves: bool,
+    actions: &mut Vec<Action>,
+) -> bool {
+    let elsewhere = ui.memory(|memory| memory.focused().is_some());
+    let enter_saves = enter_saves && !elsewhere;
+    let enter = enter_saves && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
+    // At the right, as in the file dialog that follows.
+    let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let layout = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(line, layout, |ui| {
+        let save = ui
+            .add(Button::new("Save…"))
+            .on_hover_text("Choose where to save (Enter)");
+        let cancel = ui.add(Button::new("Cancel")).on_hover_text("Close (Esc)");
+        if save.clicked() || enter {
+            actions.push(Action::Ask(Ask::Screenshot(form.asked())));
+            return true;
+        }
+        cancel.clicked()
+    })
+    .inner
 }

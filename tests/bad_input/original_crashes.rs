@@ -181,13 +181,13 @@ fn a_scene_file_is_held_to_its_schema() {
             "\"cube\"",
             "\"cub\"",
             "\"cub\"",
-            "expected one of `cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`, found `cub`",
+            "expected one of `cube`, `sphere`, `pyramid`, `teapot`, `icosahedron`, `custom`, found “cub”",
         ),
         (
             "\"radius\"",
             "\"distance\"",
             "\"distance",
-            "expected one of `target`, `radius`, `theta`, `phi`, `fovy`, `near`, `far`, found `distance`",
+            "expected one of `target`, `radius`, `theta`, `phi`, `fovy`, `near`, `far`, found “distance”",
         ),
         (
             "\"Gray\"",
@@ -198,32 +198,32 @@ fn a_scene_file_is_held_to_its_schema() {
         (
             "[0.2, 0.4, 0.6]",
             "[2, 0.4, 0.6]",
-            "], \"pose\"",
-            "expected red, green and blue from 0 to 1, found [2, 0.4, 0.6]",
+            "2, 0.4, 0.6]",
+            "expected a number from 0 to 1, found 2",
         ),
         (
             "[4, 0.1, 4]",
             "[4, 0, 4]",
-            "],\n\"color",
-            "expected scales other than 0, found 0",
+            "0, 4],\n\"color",
+            "expected a scale other than 0, found 0",
         ),
         (
             "\"radius\": 4",
             "\"radius\": -4",
-            "},",
-            "expected a radius above 0, found -4",
+            "-4",
+            "expected a number above 0, found -4",
         ),
         (
             "\"shapes\": [{",
             "\"shapes\": [[], {",
-            "], {",
+            "[], {",
             "expected an object, found a list",
         ),
         (
             "\"phi\": 30",
             "\"theta\": 30",
             "\"theta\": 30",
-            "expected each name once, found `theta` again",
+            "expected each name once, found “theta” again",
         ),
         (
             "\"name\": \"é\"",
@@ -235,7 +235,37 @@ fn a_scene_file_is_held_to_its_schema() {
             "\"mode\": \"both\"",
             "\"mode\": 7",
             "7",
-            "expected value, found “7”",
+            "expected one of `skeleton`, `mesh`, `both`, found 7",
+        ),
+        (
+            "\"radius\": 4",
+            "\"near\": 5, \"far\": 5",
+            "{\"target\"",
+            "expected near < far, found 5 and 5",
+        ),
+        (
+            "\"theta\": 45",
+            "\"fovy\": 171",
+            "171",
+            "expected a fovy from 1 to 170, found 171",
+        ),
+        (
+            "\"locked\": true",
+            "\"locked\": 1",
+            "1}]",
+            "expected true or false, found 1",
+        ),
+        (
+            "[0, 1, 0]",
+            "[0, 1, 1e39]",
+            "1e39",
+            "expected a number below 3.4e38, found a larger one",
+        ),
+        (
+            "\"version\": 1",
+            "\"version\": 1.0",
+            "1.0",
+            "expected a whole number from 0, found 1.0",
         ),
     ] {
         let text = SCENE.replacen(good, bad, 1);
@@ -271,7 +301,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
         (
             "\"Tip\"",
             "\"Top\"",
-            "3:19: shape 2: expected the name or index of a joint, such as “Tip”, “Root”, “Joint 2”, found “Top”",
+            "3:87: shape 2: expected the name or index of a joint, such as “Tip”, “Root”, “Joint 2”, found “Top”",
         ),
     ] {
         let text = SCENE.replacen(good, bad, 1);

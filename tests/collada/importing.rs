@@ -145,6 +145,6 @@ fn a_pose_in_a_scene_goes_to_those_characters_of_its_file_that_have_the_joints()
     let none = posed_pair(r#"{"joints": {"Name d": [0, 0, 50]}}"#).unwrap_err();
     assert_eq!(
         none,
-        "a.scene:1:53: shape 1: expected the name or index of a joint, such as “Name a”, “Name b”, “Name c”, found “Name d”"
+        "a.scene:1:96: shape 1: expected the name or index of a joint, such as “Name a”, “Name b”, “Name c”, found “Name d”"
     );
 }

@@ -67,6 +67,18 @@ fn distances_agree_with_a_small_case_by_hand() {
 }
 
 #[test]
+fn the_ten_vertices_farthest_apart_are_listed() {
+    let a = reference();
+    let mut b = a.clone();
+    for (index, position) in b.positions.iter_mut().enumerate().take(30) {
+        position.y += 1.0 + (index * 7 % 30) as f32;
+    }
+    let worst: Vec<u64> = compare(&a, &b).worst.iter().map(|w| w.index).collect();
+    // Index i is moved by 1 + 7 i modulo 30: by 30 for 17, by 29 for 4, and so on.
+    assert_eq!(worst, [17, 4, 21, 8, 25, 12, 29, 16, 3, 20]);
+}
+
+#[test]
 fn tolerance_and_allowance_decide() {
     let a = reference();
     let mut b = a.clone();
@@ -414,6 +426,13 @@ fn other_triangles_are_counted_and_another_order_passes() {
             only_b: 0
         }]
     );
+    let more = with([&a.triangles[..], &[[0, 1, 200]]].concat());
+    let only_b = MeshFinding::Triangles {
+        only_a: 0,
+        only_b: 1,
+    };
+    assert!(!more.passed && !more.same_triangles);
+    assert_eq!(more.findings, [only_b]);
     let other_order = with(a.triangles.iter().rev().copied().collect());
     assert!(other_order.passed);
     assert_eq!(other_order.findings, [MeshFinding::TriangleOrder]);

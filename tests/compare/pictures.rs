@@ -521,6 +521,28 @@ fn a_highlight_off_the_brightest_place_is_told_by_its_white_light_if_the_thing_h
 }
 
 #[test]
+fn light_of_a_color_is_no_highlight() {
+    let scene = Scene {
+        specular: 0.0,
+        ..SCENE
+    };
+    let white = spotted(&scene, |amount, channel| {
+        channel.saturating_add((80.0 * amount) as u8)
+    });
+    let (mut yellow, plain) = (white.clone(), scene.paint());
+    for (lit, unlit) in yellow.rgba.chunks_mut(4).zip(plain.rgba.chunks(4)) {
+        lit[2] = unlit[2];
+    }
+    let found = findings(&white, &plain);
+    assert!(
+        matches!(found[..], [Finding::Highlight { .. }]),
+        "{found:?}"
+    );
+    let found = findings(&yellow, &plain);
+    assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+}
+
+#[test]
 fn a_shadow_is_not_a_missing_highlight() {
     let shade = |amount: f32, channel: u8| (f32::from(channel) * (1.0 - 0.4 * amount)) as u8;
     for color in [SCENE.color, Vec3::splat(0.7)] {
@@ -931,4 +953,124 @@ fn as_many_pixels_may_differ_as_are_allowed() {
     let percent = 100.0 * 360.0 / drawn;
     assert!(passes(&format!("{}%", percent + 0.01), 0));
     assert!(!passes(&format!("{}%", percent - 0.01), 0));
+}
+
+/// Noise that goes on in all directions, seen from another place.
+fn noise_from(dx: i32, dy: i32) -> Picture {
+    let gray = |x: i32, y: i32| {
+        let mixed = (x.wrapping_mul(7_919) ^ y.wrapping_mul(104_729)).wrapping_mul(1_103_515_245);
+        (mixed >> 16) as u8
+    };
+    let places = (0..HEIGHT as i32).flat_map(|y| (0..WIDTH as i32).map(move |x| (x, y)));
+    Picture {
+        width: WIDTH,
+        height: HEIGHT,
+        rgba: places
+            .flat_map(|(x, y)| [gray(x - dx, y - dy); 3].into_iter().chain([255]))
+            .collect(),
+    }
+}
+
+#[test]
+fn without_a_background_movements_of_up_to_8_pixels_are_found() {
+    for (dx, dy) in [(8, 0), (-8, 8), (0, -8), (3, -8)] {
+        let found = findings(&noise_from(0, 0), &noise_from(dx, dy));
+        assert_eq!(found, [Finding::Shifted { dx, dy }]);
+    }
+    assert_eq!(findings(&noise_from(0, 0), &noise_from(9, 0)), []);
+}
+
+#[test]
+fn of_movements_that_explain_as_much_the_nearest_is_named() {
+    // Every sixth column is the same.
+    let repeated = |dx: u32| rearranged(&noise_from(0, 0), |x, y| ((x + 600 - dx) % 6, y));
+    let found = |dx| findings(&repeated(0), &repeated(dx));
+    assert_eq!(found(2), [Finding::Shifted { dx: 2, dy: 0 }]);
+    assert_eq!(found(5), [Finding::Shifted { dx: -1, dy: 0 }]);
+}
+
+/// A gray square of 64×64 pixels in a dark picture, from which pixels differ.
+fn square(change: impl Fn(u32, u32) -> i32) -> Picture {
+    let places = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y)));
+    Picture {
+        width: WIDTH,
+        height: HEIGHT,
+        rgba: places
+            .flat_map(|(x, y)| match (x, y) {
+                (32..96, 32..96) => [(120 + change(x, y)) as u8; 3].into_iter().chain([255]),
+                _ => [26; 3].into_iter().chain([255]),
+            })
+            .collect(),
+    }
+}
+
+#[test]
+fn a_dark_line_on_a_light_thing_is_no_difference_along_edges() {
+    let line = square(|x, _| if x == 50 { -80 } else { 0 });
+    let found = findings(&square(|_, _| 0), &line);
+    assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+    let found = findings(&line, &square(|_, _| 0));
+    assert!(matches!(found[..], [Finding::Shading { .. }]), "{found:?}");
+}
+
+#[test]
+fn fine_detail_evens_out_within_blocks_of_16_pixels_and_not_of_more() {
+    let stripes = |height: u32| {
+        move |_, y: u32| {
+            if (y / height).is_multiple_of(2) {
+                12
+            } else {
+                -12
+            }
+        }
+    };
+    let found = |change: &dyn Fn(u32, u32) -> i32| findings(&square(|_, _| 0), &square(change));
+    assert!(matches!(
+        found(&stripes(1))[..],
+        [Finding::Detail { max: 12, .. }]
+    ));
+    let coarse = found(&stripes(16));
+    assert!(
+        matches!(coarse[..], [Finding::Shading { .. }]),
+        "{coarse:?}"
+    );
+}
+
+#[test]
+fn one_pixel_in_200_of_the_drawn_may_differ_by_more_than_rounding() {
+    // 4096 pixels are drawn: 20 are no more than one in 200.
+    let spots = |most: u32| move |x: u32, y: u32| if y == 40 && x < 32 + most { 5 } else { 0 };
+    let found = |most| findings(&square(|_, _| 0), &square(spots(most)));
+    assert!(matches!(
+        found(20)[..],
+        [Finding::NearlySame {
+            others: 20,
+            other_color: 0,
+            rounding: 0,
+            ..
+        }]
+    ));
+    assert_eq!(found(21), []);
+}
+
+#[test]
+fn shares_of_what_is_drawn_leave_out_the_masks() {
+    let (a, b) = (square(|_, _| 0), {
+        let block = |x: u32, y: u32| (64..96).contains(&x) && (32..64).contains(&y);
+        square(move |x, y| match block(x, y) {
+            true if (x + y) % 2 == 0 => 40,
+            true => -60,
+            false => 0,
+        })
+    });
+    let share = |masks: &[&str]| {
+        let masks: Vec<_> = masks.iter().map(|mask| mask.parse().unwrap()).collect();
+        match Pair::new(&a, &b, &masks).unwrap().findings()[..] {
+            [Finding::Shading { share, .. }] => share,
+            ref other => panic!("{other:?}"),
+        }
+    };
+    assert_eq!(share(&[]), 0.25);
+    assert_eq!(share(&["32,32,32,64"]), 0.5);
+    assert_eq!(share(&["64,32,32,16"]), 512.0 / 3584.0);
 }

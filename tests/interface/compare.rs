@@ -9,40 +9,42 @@ use editor_core::ui::{
     Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
     course_panels,
 };
-use egui::{Key, TextureId, vec2};
+use egui::{Key, Rect, TextureId, pos2, vec2};
 
-/// A comparison with a gray picture of the course's size.
+/// Textures of the reference, of the live view and of their differences.
+const TEXTURES: [TextureId; 3] = [TextureId::User(1), TextureId::User(2), TextureId::User(3)];
+
+/// A comparison of a brown live view with a gray picture of the course's size.
 pub struct Comparing {
     settings: CompareSettings,
-    picture: Picture,
+    reference: Picture,
+    live: Picture,
     report: CompareReport,
 }
 
 impl Comparing {
     fn new() -> Self {
-        let (width, height) = (800, 600);
+        let filled = |color: [u8; 4]| Picture {
+            width: 800,
+            height: 600,
+            rgba: color.repeat(800 * 600),
+        };
         Self {
             settings: CompareSettings::default(),
-            picture: Picture {
-                width,
-                height,
-                rgba: vec![26; 4 * (width * height) as usize],
-            },
+            reference: filled([26, 26, 26, 255]),
+            live: filled([90, 80, 70, 128]),
             report: CompareReport::default(),
         }
     }
 
     pub fn view(&self) -> CompareView<'_> {
-        let shown = ShownPicture {
-            picture: &self.picture,
-            texture: TextureId::default(),
-        };
+        let shown = |picture, texture| ShownPicture { picture, texture };
         CompareView {
             name: "sample.png",
             settings: &self.settings,
-            reference: shown,
-            live: Some(shown),
-            difference: None,
+            reference: shown(&self.reference, TEXTURES[0]),
+            live: Some(shown(&self.live, TEXTURES[1])),
+            difference: Some(TEXTURES[2]),
             report: &self.report,
         }
     }
@@ -89,6 +91,240 @@ fn counts(differing: u64, max: u8) -> Differences {
         psnr: 31.5,
         differing_area: None,
     }
+}
+
+/// Chooses a mode without a click, so that the pointer stays away from the pictures.
+fn with_mode(mode: CompareMode) -> Editor {
+    let mut editor = comparing();
+    let comparing = &mut editor.harness.state_mut().comparing;
+    comparing.as_mut().expect("a comparison").settings.mode = mode;
+    editor.settle();
+    editor
+}
+
+/// Pictures on the screen, from the bottom up: texture, place, and opacity of 255.
+fn shown(editor: &Editor) -> Vec<(TextureId, Rect, u8)> {
+    let shapes = editor.harness.output().shapes.iter();
+    let pictures = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Rect(rect) => Some((rect.fill_texture_id(), rect.rect, rect.fill.a())),
+        egui::Shape::Mesh(mesh) => {
+            let opacity = mesh.vertices.first().map_or(0, |vertex| vertex.color.a());
+            Some((mesh.texture_id, mesh.calc_bounds(), opacity))
+        }
+        _ => None,
+    });
+    pictures
+        .filter(|(texture, ..)| TEXTURES.contains(texture))
+        .collect()
+}
+
+#[test]
+fn each_mode_shows_the_pictures_that_its_captions_name() {
+    let [reference, live, differences] = TEXTURES;
+    let editor = with_mode(CompareMode::SideBySide);
+    let [(first, left, 255), (second, right, 255)] = shown(&editor)[..] else {
+        panic!("{:?}", shown(&editor));
+    };
+    assert_eq!((first, second), (reference, live));
+    assert!(left.right() < right.left() && left.top() == right.top());
+    let captions = editor.painted();
+    let x = |text: &str| {
+        let found = captions.iter().find(|(painted, _)| painted == text);
+        found.expect("a caption").1.left()
+    };
+    assert!(x("A: reference") < left.right() && x("B: live view") >= right.left() - 1.0);
+
+    let mut editor = with_mode(CompareMode::Swipe);
+    let whole = editor.harness.state().view;
+    let comparing = &mut editor.harness.state_mut().comparing;
+    comparing.as_mut().expect("a comparison").settings.swipe = 0.25;
+    editor.settle();
+    let [(first, left, 255), (second, right, 255)] = shown(&editor)[..] else {
+        panic!("{:?}", shown(&editor));
+    };
+    assert_eq!((first, second), (reference, live));
+    assert_eq!((left.left(), right.right()), (whole.left(), whole.right()));
+    assert!((left.width() / whole.width() - 0.25).abs() < 0.01 && left.right() == right.left());
+
+    let mut editor = with_mode(CompareMode::OnionSkin);
+    let comparing = &mut editor.harness.state_mut().comparing;
+    comparing.as_mut().expect("a comparison").settings.onion = 0.2;
+    editor.settle();
+    let [(first, below, 255), (second, above, opacity)] = shown(&editor)[..] else {
+        panic!("{:?}", shown(&editor));
+    };
+    assert_eq!((first, second, below), (reference, live, above));
+    assert_eq!(opacity, 51, "a fifth of 255");
+
+    let only = |editor: &Editor| match shown(editor)[..] {
+        [(texture, _, 255)] => texture,
+        ref other => panic!("{other:?}"),
+    };
+    assert_eq!(only(&with_mode(CompareMode::Difference)), differences);
+}
+
+#[test]
+fn the_reference_is_the_first_of_two_pictures_that_blink() {
+    let mut editor = with_mode(CompareMode::Blink);
+    for (time, texture, caption) in [
+        (12.1, TEXTURES[0], "A: reference"),
+        (12.5, TEXTURES[0], "A: reference"),
+        (12.7, TEXTURES[1], "B: live view"),
+        (13.3, TEXTURES[0], "A: reference"),
+    ] {
+        editor.harness.input_mut().time = Some(time);
+        editor.harness.step();
+        let pictures: Vec<_> = shown(&editor).iter().map(|(id, ..)| *id).collect();
+        assert_eq!(pictures, [texture], "after {time} seconds");
+        let captions = editor.painted();
+        assert!(captions.iter().any(|(text, _)| text == caption), "{time}");
+    }
+}
+
+#[test]
+fn the_pixel_under_the_pointer_is_told_with_its_color_in_both_pictures() {
+    let hovered = |mode| {
+        let mut editor = with_mode(mode);
+        let picture = editor.harness.state().view;
+        let pixel = picture.width() / 800.0;
+        let at = picture.min + vec2(699.5, 123.5) * pixel;
+        editor.harness.hover_at(at);
+        editor.settle();
+        let texts = editor.painted().into_iter().map(|(text, _)| text);
+        texts
+            .filter(|text| text.contains("· pixel"))
+            .collect::<Vec<_>>()
+    };
+    let (a, b) = ("26 26 26", "90 80 70, opacity 128");
+    let mut beside = hovered(CompareMode::SideBySide);
+    beside.sort();
+    assert_eq!(
+        beside,
+        [
+            format!("A: reference · pixel 699, 123: {a}"),
+            format!("B: live view · pixel 699, 123: {b}")
+        ]
+    );
+    assert_eq!(
+        hovered(CompareMode::Difference),
+        [format!(
+            "Differences, lighter where larger · pixel 699, 123: A {a}, B {b}"
+        )]
+    );
+}
+
+#[test]
+fn sliders_move_the_line_and_the_opacity() {
+    let mut editor = with_mode(CompareMode::Swipe);
+    editor.drag("Swipe position", 30.0);
+    assert!(settings(&editor).swipe > 0.6 && settings(&editor).onion == 0.5);
+    let mut editor = with_mode(CompareMode::OnionSkin);
+    editor.drag("Live view's opacity", -30.0);
+    assert!(settings(&editor).onion < 0.4 && settings(&editor).swipe == 0.5);
+}
+
+#[test]
+fn the_edges_of_a_mask_are_dragged_one_by_one() {
+    let before = Area {
+        x: 200,
+        y: 150,
+        width: 400,
+        height: 300,
+    };
+    let dragged = |from: (f32, f32), by: (f32, f32)| {
+        let mut editor = with_mode(CompareMode::Difference);
+        editor.click("Add mask");
+        assert_eq!(settings(&editor).masks, [before]);
+        let picture = editor.harness.state().view;
+        let pixel = picture.width() / 800.0;
+        let at = |(x, y): (f32, f32)| pos2(picture.left() + x * pixel, picture.top() + y * pixel);
+        editor.press(at(from));
+        editor.release(at((from.0 + by.0, from.1 + by.1)));
+        settings(&editor).masks[0]
+    };
+    let (x, width) = (230, 370);
+    assert_eq!(
+        dragged((200.0, 300.0), (30.0, 9.0)),
+        Area { x, width, ..before }
+    );
+    let width = 350;
+    assert_eq!(
+        dragged((600.0, 300.0), (-50.0, 9.0)),
+        Area { width, ..before }
+    );
+    let (y, height) = (130, 320);
+    assert_eq!(
+        dragged((400.0, 150.0), (9.0, -20.0)),
+        Area {
+            y,
+            height,
+            ..before
+        }
+    );
+    let height = 340;
+    assert_eq!(
+        dragged((400.0, 450.0), (9.0, 40.0)),
+        Area { height, ..before }
+    );
+}
+
+const OTHER_LOOK: &str =
+    "B has the Studio look. Course look draws it as the course's program does.";
+const SMOOTH: &str = "B has smooth edges; the course's program has none.";
+const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
+
+#[test]
+fn hints_name_what_a_user_can_do_about_the_differences() {
+    let hints = |editor: &Editor| [OTHER_LOOK, SMOOTH, COVERED].map(|hint| editor.has(hint));
+    let with_background = CompareReport {
+        differences: Some(counts(240, 200)),
+        ..CompareReport::default()
+    };
+    let mut editor = comparing();
+    editor.view(View::SetLook(Look::Course));
+    report(&mut editor, with_background.clone());
+    assert_eq!(hints(&editor), [false, false, false]);
+    editor.click("Smooth edges");
+    assert_eq!(hints(&editor), [false, true, false]);
+    editor.view(View::SetLook(Look::Studio));
+    assert_eq!(hints(&editor), [true, false, false]);
+    editor.click("Course look");
+    let without_background = CompareReport {
+        differences: Some(Differences {
+            drawn_pixels: 480_000,
+            ..counts(240, 200)
+        }),
+        ..CompareReport::default()
+    };
+    report(&mut editor, without_background);
+    assert_eq!(hints(&editor), [false, false, true]);
+    editor.click("Mask its panels");
+    assert_eq!(hints(&editor), [false, false, false]);
+}
+
+#[test]
+fn differences_below_the_threshold_are_not_called_equal() {
+    let mut editor = comparing();
+    let below = CompareReport {
+        differences: Some(counts(0, 5)),
+        ..CompareReport::default()
+    };
+    report(&mut editor, below);
+    assert!(editor.has("No pixel differs by more than the threshold."));
+    assert!(!editor.has("A and B are equal, pixel by pixel."));
+    assert!(editor.has("Looking for the cause…"));
+    let judged = CompareReport {
+        differences: Some(counts(3, 5)),
+        judgment: Some(Judgment {
+            ssim: None,
+            flip: 0.125,
+            findings: Vec::new(),
+        }),
+        ..CompareReport::default()
+    };
+    report(&mut editor, judged);
+    assert!(editor.has("No single cause explains the differences."));
+    assert!(editor.has("none below 11×11 pixels, 0.12500"));
 }
 
 #[test]

@@ -59,10 +59,9 @@ fn capabilities(gl: &Gl) -> Vec<u32> {
 
 /// The driver's own account of its state, one line a value.
 fn state(gl: &Gl) -> Vec<String> {
-    let glow = gl.glow_context();
     let mut lines = Vec::new();
-    // SAFETY: the context is current, since it was just used; no value has more than four numbers.
-    unsafe {
+    // SAFETY: the context is current in here; no value has more than four numbers.
+    let asked = gl.with_glow(|glow| unsafe {
         for capability in capabilities(gl) {
             lines.push(format!(
                 "0x{capability:04x}: {}",
@@ -84,15 +83,15 @@ fn state(gl: &Gl) -> Vec<String> {
             glow.get_parameter_f32_slice(fraction, &mut values);
             lines.push(format!("0x{fraction:04x}: {values:?}"));
         }
-    }
+    });
+    asked.expect("a context");
     lines
 }
 
 /// Changes everything.
 fn mess(gl: &Gl) {
-    let glow = gl.glow_context();
-    // SAFETY: the context is current, since it was just used.
-    unsafe {
+    // SAFETY: the context is current in here.
+    let messed = gl.with_glow(|glow| unsafe {
         for capability in capabilities(gl) {
             if glow.is_enabled(capability) {
                 glow.disable(capability);
@@ -116,7 +115,8 @@ fn mess(gl: &Gl) {
         if !gl.info().is_gles {
             glow.polygon_mode(glow::FRONT_AND_BACK, glow::LINE);
         }
-    }
+    });
+    messed.expect("a context");
 }
 
 const EVERYTHING_SET: DrawState = DrawState {

@@ -1,8 +1,8 @@
-//! The `gpu` layer: contexts, framebuffers, programs, buffers, vertex arrays and the draw state.
+//! The `gpu` layer: framebuffers, programs, buffers, vertex arrays and the draw state.
 
 use editor_core::gpu::{
-    Attribute, Backend, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError,
-    HeadlessContext, IndexBuffer, Primitive, Program, Rect, Usage, VertexArray,
+    Attribute, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, IndexBuffer,
+    Primitive, Program, Rect, Usage, VertexArray,
 };
 use glam::{Vec3, Vec4};
 use glow::HasContext as _;
@@ -12,7 +12,7 @@ use crate::offscreen::support::{
 };
 
 /// The lower left half of the picture, at depth `z` in -1..1.
-fn lower_left_half(gl: &Gl, z: f32) -> VertexArray {
+pub fn lower_left_half(gl: &Gl, z: f32) -> VertexArray {
     let corners = [
         Vec3::new(-1.0, -1.0, z),
         Vec3::new(1.0, -1.0, z),
@@ -23,12 +23,12 @@ fn lower_left_half(gl: &Gl, z: f32) -> VertexArray {
     builder.build().expect("a vertex array")
 }
 
-fn fill(program: &Program, shape: &VertexArray, color: Vec4) {
+pub fn fill(program: &Program, shape: &VertexArray, color: Vec4) {
     set_color(program, color);
     shape.draw(program, Primitive::Triangles, 0..3);
 }
 
-const OPAQUE_RED: Vec4 = Vec4::new(1.0, 0.0, 0.0, 1.0);
+pub const OPAQUE_RED: Vec4 = Vec4::new(1.0, 0.0, 0.0, 1.0);
 const OPAQUE_GREEN: Vec4 = Vec4::new(0.0, 1.0, 0.0, 1.0);
 
 #[test]
@@ -171,6 +171,35 @@ fn a_picture_is_copied_into_a_part_of_another() {
 }
 
 #[test]
+fn a_copy_of_another_size_mixes_neighbors() {
+    on_each_backend(|gl| {
+        let source = black(gl, 2, 1, 0);
+        DrawState {
+            viewport: [1, 0, 1, 1],
+            ..DrawState::opaque(2, 1)
+        }
+        .apply(gl);
+        let whole = [(-1.0, -1.0), (3.0, -1.0), (-1.0, 3.0)].map(|(x, y)| Vec3::new(x, y, 0.0));
+        let corners = Buffer::vertices(gl, Usage::Static, &whole).expect("a buffer");
+        let builder = VertexArray::builder(gl).attribute(&corners, Attribute::f32(0, 3));
+        let array = builder.build().expect("a vertex array");
+        fill(&flat_program(gl), &array, Vec4::ONE);
+        let target = black(gl, 8, 1, 0);
+        let rect = |width| Rect {
+            x: 0,
+            y: 0,
+            width,
+            height: 1,
+        };
+        source.blit_into(&target, rect(2), rect(8)).expect("a copy");
+        let picture = Picture::of(&target);
+        let row: Vec<u8> = (0..8).map(|x| picture.at(x, 0)[0]).collect();
+        assert_eq!((row[0], row[7]), (0, 255));
+        assert!(row.is_sorted() && (40..120).contains(&row[3]), "{row:?}");
+    });
+}
+
+#[test]
 fn a_scissor_left_behind_cuts_neither_clearing_nor_copying_nor_reading() {
     on_each_backend(|gl| {
         for samples in [0, 4] {
@@ -182,12 +211,12 @@ fn a_scissor_left_behind_cuts_neither_clearing_nor_copying_nor_reading() {
                     ..DrawState::opaque(6, 6)
                 }
                 .apply(gl);
-                let glow = gl.glow_context();
-                // SAFETY: the context is current, since it was just used.
-                unsafe {
+                // SAFETY: the context is current in here.
+                gl.with_glow(|glow| unsafe {
                     glow.enable(glow::SCISSOR_TEST);
                     glow.scissor(1, 1, 2, 2);
-                }
+                })
+                .expect("a context");
             };
             let whole = Rect {
                 x: 0,
@@ -348,45 +377,4 @@ fn a_buffer_takes_more_and_fewer_elements_than_before() {
             assert_eq!(white, count as usize);
         }
     });
-}
-
-#[test]
-fn contexts_live_side_by_side_and_objects_find_their_own() {
-    let contexts = [Backend::Egl, Backend::Osmesa, Backend::Egl, Backend::Osmesa]
-        .map(|backend| HeadlessContext::new(backend).expect("a context"));
-    let mut shapes: Vec<_> = contexts
-        .iter()
-        .map(|context| {
-            let gl = context.gl();
-            (
-                black(gl, 8, 8, 0),
-                flat_program(gl),
-                lower_left_half(gl, 0.0),
-            )
-        })
-        .collect();
-    // Objects keep their contexts alive.
-    drop(contexts);
-    // EGL must not believe that its only context is still current after OSMesa's.
-    shapes.remove(2);
-    for (framebuffer, program, shape) in shapes.iter().chain(&shapes) {
-        framebuffer.bind();
-        fill(program, shape, OPAQUE_RED);
-        assert_eq!(Picture::of(framebuffer).at(1, 6), RED);
-    }
-}
-
-#[test]
-fn a_hundred_contexts_one_after_the_other_are_no_problem() {
-    for index in 0..100 {
-        let backend = if index % 2 == 0 {
-            Backend::Egl
-        } else {
-            Backend::Osmesa
-        };
-        let context = HeadlessContext::new(backend).expect("a context");
-        assert_eq!(context.backend(), backend);
-        black(context.gl(), 8, 8, 0);
-        context.gl().check("a small picture").expect("no fault");
-    }
 }

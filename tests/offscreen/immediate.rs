@@ -335,3 +335,27 @@ fn a_lit_vertex_is_as_bright_as_its_normal_faces_the_light() {
         }
     });
 }
+
+#[test]
+fn the_edge_of_a_smooth_point_fades_equally_on_all_sides() {
+    on_each_backend(|gl| {
+        let mut immediate = Immediate::new(gl).expect("the compatibility layer");
+        let framebuffer = black(gl, 9, 9, 0);
+        DrawState {
+            blend: Blend::Alpha,
+            ..DrawState::opaque(9, 9)
+        }
+        .apply(gl);
+        immediate.point_size(4.0);
+        immediate.point_shape(PointShape::SmoothDisc);
+        immediate.begin(Mode::Points);
+        immediate.vertex(Vec3::ZERO);
+        immediate.end();
+        let picture = Picture::of(&framebuffer);
+        // Two pixels from the middle the edge of the disc goes through the pixel's center.
+        for (x, y) in [(2, 4), (6, 4), (4, 2), (4, 6)] {
+            let [covered, ..] = picture.at(x, y);
+            assert!((120..=136).contains(&covered), "{covered} at {x}, {y}");
+        }
+    });
+}

@@ -51,6 +51,10 @@ fn a_texture_shows_its_pixels_and_repeats_if_asked() {
             texture.bind(2);
             let picture = four_pixels(gl, "texture(image, vec2(uv.x * 2.0, 0.5))");
             assert_eq!(row(&picture)[..3], [RED, GREEN, beyond], "{wrap:?}");
+            let upright = Texture::new(gl, 1, 2, &pixels, sampling).expect("a texture");
+            upright.bind(2);
+            let picture = four_pixels(gl, "texture(image, vec2(0.5, uv.x * 2.0))");
+            assert_eq!(row(&picture)[..3], [RED, GREEN, beyond], "{wrap:?} upwards");
         }
     });
 }

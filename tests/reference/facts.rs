@@ -66,14 +66,18 @@ fn vertices_keep_the_order_of_their_lines() {
 
 #[test]
 fn the_teapot_and_the_torus_have_normals_and_texture_coordinates() {
-    for (name, triangles) in [("obj/teapot.obj", 6_320), ("obj/torus.obj", 1_600)] {
+    for (name, positions, triangles) in [
+        ("obj/teapot.obj", 3_241, 6_320),
+        ("obj/torus.obj", 800, 1_600),
+    ] {
         let Some(mesh) = shape(name) else { return };
+        assert_eq!(mesh.positions.len(), positions, "{name}");
         assert_eq!(mesh.triangles.len(), triangles, "{name}");
-        assert_eq!(mesh.texture_coordinates.len(), mesh.positions.len());
+        assert_eq!(mesh.texture_coordinates.len(), mesh.vertex_count());
         let Normals::PerVertex(normals) = &mesh.normals else {
             panic!("{name} has flat normals");
         };
-        assert_eq!(normals.len(), mesh.positions.len());
+        assert_eq!(normals.len(), mesh.vertex_count());
         assert!(
             normals.iter().all(|normal| normal.is_normalized()),
             "{name}"

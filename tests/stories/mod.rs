@@ -22,15 +22,21 @@ use std::time::Duration;
 /// Width and height of the window, in pixels and points.
 const SIZE: (u32, u32) = (1000, 640);
 
-/// A character of two joints, the upper one of which bends a strip.
+/// A strip that an elbow bends in its middle. Joint 2 is the elbow.
 const STRIP: [(&str, &str); 3] = [
     (
         "models/strip.obj",
         "v -0.2 0 0\nv 0.2 0 0\nv 0.2 1 0\nv -0.2 1 0\nv 0.2 2 0\nv -0.2 2 0\n\
          f 1 2 3\nf 1 3 4\nf 4 3 5\nf 4 5 6\n",
     ),
-    ("models/strip.skel", "0 0 0 -1 # Root\n0 1 0 0 # Elbow\n"),
-    ("models/strip.attach", "0\n0\n0.5\n0.5\n1\n1\n"),
+    (
+        "models/strip.skel",
+        "0 0 0 -1 # Root\n0 0 0 0 # Hip\n0 1 0 1 # Elbow\n",
+    ),
+    (
+        "models/strip.attach",
+        "1 0\n1 0\n0.5 0.5\n0.5 0.5\n0 1\n0 1\n",
+    ),
 ];
 
 /// One running program with its user.
@@ -40,7 +46,6 @@ pub struct Story {
     pub host: MemoryHost,
     pub context: egui::Context,
     pointer: Pos2,
-    modifiers: Modifiers,
     /// Widgets of the last frame, as assistive technologies see them.
     widgets: Option<TreeUpdate>,
     _headless: HeadlessContext,
@@ -79,7 +84,6 @@ impl Story {
             host,
             context,
             pointer: pos2(-10.0, -10.0),
-            modifiers: Modifiers::NONE,
             widgets: None,
             _headless: headless,
         };
@@ -95,7 +99,6 @@ impl Story {
             screen_rect: Some(screen),
             max_texture_side: Some(4096),
             time: Some(self.host.time.as_secs_f64()),
-            modifiers: self.modifiers,
             events,
             ..RawInput::default()
         };
@@ -213,7 +216,7 @@ impl Story {
             pos: self.pointer,
             button: PointerButton::Primary,
             pressed,
-            modifiers: self.modifiers,
+            modifiers: Modifiers::NONE,
         }]);
     }
 
@@ -246,7 +249,7 @@ impl Story {
     }
 
     fn key_with(&mut self, modifiers: Modifiers, key: Key) {
-        self.modifiers = modifiers;
+        self.frame(vec![Event::ModifiersChanged(modifiers)]);
         for pressed in [true, false] {
             self.frame(vec![Event::Key {
                 key,
@@ -256,7 +259,7 @@ impl Story {
                 modifiers,
             }]);
         }
-        self.modifiers = Modifiers::NONE;
+        self.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
         self.settle();
     }
 

@@ -16,7 +16,7 @@ fn preferences(story: &Story) -> serde_json::Value {
 fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() {
     let first = Story::start_at(MemoryHost::default(), &[]);
     assert_eq!(first.host.title, "Editor — Your Name");
-    assert_eq!(first.names(), ["Floor", "Ann", "Robot", "Dog"]);
+    assert_eq!(first.names(), ["Robot", "Dog", "Plant", "Adult"]);
     assert_eq!(first.session().view().look, Look::Studio);
     assert_eq!(preferences(&first)["started_before"], true);
 
@@ -75,10 +75,11 @@ fn skinning_asked_for_at_the_start_is_for_that_time_only() {
 fn views_and_fit_move_the_camera_and_leave_the_document_alone() {
     let mut story = Story::start(&["models/strip.obj"]);
     let document = story.session().document();
-    story.key_with(Modifiers::SHIFT, Key::X);
+    story.key_with(Modifiers::COMMAND, Key::Num3);
     let camera = story.session().view().camera;
-    let preset = editor_core::scene::Camera::preset(ViewDirection::PlusX);
+    let preset = editor_core::scene::Camera::preset(ViewDirection::MinusX);
     assert_eq!(camera, preset);
+    assert!(camera.eye().x < -4.0, "seen from -X: {}", camera.eye());
     story.key(Key::F);
     let fitted = story.session().view().camera;
     // The strip stands on the origin and is 2 high.

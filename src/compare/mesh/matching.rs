@@ -288,6 +288,16 @@ mod tests {
     }
 
     #[test]
+    fn a_search_is_given_up_after_256_neighbors_a_point() {
+        let crowd = vec![DVec3::ZERO; 300];
+        let mut grid = Grid::new(&crowd, 1.0);
+        // Each search looks at all 300.
+        let found = (0..1_000).filter(|_| grid.nearest(DVec3::ZERO).is_some());
+        assert_eq!(found.count(), 255);
+        assert!(grid.is_spent());
+    }
+
+    #[test]
     fn points_that_are_no_numbers_have_no_place() {
         let nan = [DVec3::NAN, DVec3::X];
         assert_eq!(Matching::find(&nan, &nan, 1e-6), Matching::InOrder);

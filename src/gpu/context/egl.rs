@@ -1,6 +1,6 @@
 //! A context without a window through EGL: every device in turn, then Mesa without a device.
 //!
-//! Spoken to directly rather than through `glutin`, which knows no surfaceless platform: one path
+//! EGL is called directly rather than through `glutin`, which has no surfaceless platform: one path
 //! serves both. A display is shared by everybody who asks for the same device and is therefore
 //! never terminated.
 
@@ -10,8 +10,7 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::super::current::NativeContext;
-use super::{Api, ContextError};
+use super::{Api, ContextError, NativeContext};
 use crate::gpu::Gl;
 
 const LIBRARIES: [&str; 2] = ["libEGL.so.1", "libEGL.so"];
@@ -115,7 +114,8 @@ impl Functions {
             Api::Gles => &[MAJOR_VERSION, 3, MINOR_VERSION, 0, NONE],
         };
         // SAFETY: lists end with NONE, outputs have room for one value, and handles are those that
-        // EGL just gave; each step is taken only after the one before it succeeded.
+        // EGL just returned; each step is taken only after the one before it succeeded. The entry
+        // points that `eglGetProcAddress` returns stay valid, since the library is never unloaded.
         unsafe {
             let display = (self.get_platform_display)(platform, device, ptr::null());
             self.expect(!display.is_null(), "no display")?;
@@ -123,7 +123,7 @@ impl Functions {
             self.expect(done != 0, "the display does not start")?;
             self.expect(
                 (self.bind_api)(api_name) != 0,
-                "this dialect of OpenGL is missing",
+                "this kind of OpenGL is missing",
             )?;
             let (mut config, mut count) = (ptr::null_mut(), 0);
             let attributes = config_attributes.as_ptr();
@@ -149,27 +149,26 @@ impl Functions {
         if succeeded {
             return Ok(());
         }
-        // SAFETY: no precondition.
+        // SAFETY: the function has no preconditions.
         let code = unsafe { (self.get_error)() };
         Err(format!("{what}, EGL error 0x{code:04x}"))
     }
 }
 
 impl NativeContext for EglContext {
-    fn make_current(&self) -> Result<(), ContextError> {
-        // SAFETY: the context is alive; drawing goes to framebuffers, so no surface is needed.
+    fn make_current(&self) -> Result<(), String> {
+        // SAFETY: display and context are alive until `self` is dropped; drawing goes to
+        // framebuffers, so no surface is needed.
         let done = unsafe {
             (self.functions.make_current)(self.display, ptr::null_mut(), ptr::null_mut(), self.raw)
         };
-        self.functions
-            .expect(done != 0, "eglMakeCurrent failed")
-            .map_err(ContextError::Native)
+        self.functions.expect(done != 0, "eglMakeCurrent failed")
     }
 
     fn release(&self) {
         let none = ptr::null_mut();
-        // SAFETY: no context and no surfaces; the answers tell nothing that could be acted on.
-        // EGL releases the context of the dialect that is bound.
+        // SAFETY: no context and no surfaces are passed. EGL releases the context of the API that
+        // is bound. The results are of no use: the next context to be made current reports.
         unsafe {
             (self.functions.bind_api)(self.api);
             (self.functions.make_current)(self.display, none, none, none);
@@ -179,7 +178,8 @@ impl NativeContext for EglContext {
 
 impl Drop for EglContext {
     fn drop(&mut self) {
-        // SAFETY: created on this display, destroyed once.
+        // SAFETY: created on this display, destroyed once, and no longer current: `OwnedNative`
+        // releases it first.
         unsafe { (self.functions.destroy_context)(self.display, self.raw) };
     }
 }

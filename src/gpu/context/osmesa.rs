@@ -1,4 +1,4 @@
-//! Mesa on the processor through `libOSMesa`, loaded when asked for: newer Mesa has it no more.
+//! Mesa on the processor through `libOSMesa`, loaded when asked for: newer versions of Mesa have none.
 
 use std::cell::RefCell;
 use std::ffi::{CStr, c_char, c_int, c_void};
@@ -7,8 +7,7 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::super::current::NativeContext;
-use super::{Api, ContextError};
+use super::{Api, ContextError, NativeContext};
 use crate::gpu::Gl;
 
 const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];
@@ -79,27 +78,30 @@ pub(super) fn create(api: Api) -> Result<Gl, ContextError> {
         raw,
         pixels,
     });
-    // SAFETY: names end with zero; an unknown name gives null.
-    Gl::new(context, |name: &CStr| unsafe {
-        (functions.get_proc_address)(name.as_ptr())
-    })
+    // SAFETY: names end with zero; an unknown name gives null. The entry points stay valid, since
+    // the library is never unloaded.
+    unsafe {
+        Gl::new(context, |name: &CStr| {
+            (functions.get_proc_address)(name.as_ptr())
+        })
+    }
 }
 
 impl NativeContext for OsmesaContext {
-    fn make_current(&self) -> Result<(), ContextError> {
+    fn make_current(&self) -> Result<(), String> {
         let pixels = self.pixels.borrow_mut().as_mut_ptr().cast();
-        // SAFETY: the context is alive, and so are its SIDE x SIDE pixels of four bytes, which
-        // nobody else uses, for as long as it is current.
+        // SAFETY: the context is alive until `self` is dropped, and so are its SIDE x SIDE pixels of
+        // four bytes, which nothing else reads or writes.
         let done =
             unsafe { (self.functions.make_current)(self.raw, pixels, UNSIGNED_BYTE, SIDE, SIDE) };
         if done == 0 {
-            return Err(ContextError::Native("OSMesaMakeCurrent failed".to_owned()));
+            return Err("OSMesaMakeCurrent failed".to_owned());
         }
         Ok(())
     }
 
     fn release(&self) {
-        // SAFETY: a null context asks for none; the answer tells nothing that could be acted on.
+        // SAFETY: a null context means none. The result is of no use: the next context reports.
         unsafe {
             (self.functions.make_current)(ptr::null_mut(), ptr::null_mut(), UNSIGNED_BYTE, 0, 0)
         };
@@ -108,7 +110,8 @@ impl NativeContext for OsmesaContext {
 
 impl Drop for OsmesaContext {
     fn drop(&mut self) {
-        // SAFETY: created by this library, destroyed once.
+        // SAFETY: created by this library, destroyed once, and no longer current: `OwnedNative`
+        // releases it first.
         unsafe { (self.functions.destroy_context)(self.raw) }
     }
 }

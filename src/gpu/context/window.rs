@@ -13,18 +13,19 @@ use glutin::display::{Display, DisplayApiPreference, GetGlDisplay as _};
 use glutin::prelude::*;
 use glutin::surface::{Surface, SurfaceAttributesBuilder, SwapInterval, WindowSurface};
 use raw_window_handle::{HasDisplayHandle as _, HasWindowHandle as _, RawWindowHandle};
-use winit::event_loop::ActiveEventLoop;
+use winit::event_loop::{ActiveEventLoop, OwnedDisplayHandle};
 use winit::window::{Window, WindowAttributes};
 
-use super::super::current::NativeContext;
-use super::ContextError;
-use crate::gpu::Gl;
+use super::NativeContext;
+use crate::gpu::{ContextError, Gl};
 
-/// Fields are dropped from top to bottom: the window goes last, or Wayland crashes at exit.
+/// Fields are dropped from top to bottom, each before what it was made from.
 struct WindowNative {
     surface: Surface<WindowSurface>,
     context: PossiblyCurrentContext,
     window: Window,
+    /// Keeps the connection to the display open, even beyond the event loop.
+    _display: OwnedDisplayHandle,
 }
 
 /// A window and its OpenGL context.
@@ -65,7 +66,8 @@ impl WindowContext {
             at_least_one(size.height),
         );
         let display = config.display();
-        // SAFETY: the handle is that of `window`, which outlives the surface.
+        // SAFETY: the handle is that of `window`, which is dropped after the surface: it is declared
+        // before it here, and after it in `WindowNative`.
         let surface = unsafe { display.create_window_surface(&config, &surface) }
             .map_err(|error| ContextError::window("surface", &error))?;
         let context = context.treat_as_possibly_current();
@@ -73,11 +75,12 @@ impl WindowContext {
             surface,
             context,
             window,
+            _display: event_loop.owned_display_handle(),
         });
-        let gl = Gl::new(
-            Rc::clone(&native) as Rc<dyn NativeContext>,
-            |name: &CStr| display.get_proc_address(name),
-        )?;
+        let shared = Rc::clone(&native) as Rc<dyn NativeContext>;
+        // SAFETY: the entry points are those of the display that the context was made on, whose
+        // library `glutin` never unloads.
+        let gl = unsafe { Gl::new(shared, |name: &CStr| display.get_proc_address(name)) }?;
         // A wish: without it pictures may tear, which is no reason not to start.
         let every_frame = SwapInterval::Wait(NonZeroU32::MIN);
         let _ = native
@@ -100,7 +103,7 @@ impl WindowContext {
 
     /// Fits the surface to a new size of the window in physical pixels.
     pub fn resize(&self, width: u32, height: u32) {
-        // Where this fails, so will the next `swap_buffers`, which tells.
+        // Where this fails, so will the next `swap_buffers`, which reports it.
         if self.gl.make_current().is_ok() {
             let size = (at_least_one(width), at_least_one(height));
             self.native
@@ -122,13 +125,13 @@ impl WindowContext {
 }
 
 impl NativeContext for WindowNative {
-    fn make_current(&self) -> Result<(), ContextError> {
+    fn make_current(&self) -> Result<(), String> {
         let made = self.context.make_current(&self.surface);
-        made.map_err(|error| ContextError::Native(error.to_string()))
+        made.map_err(|error| error.to_string())
     }
 
     fn release(&self) {
-        // There is nothing to be done where this fails; the next context will tell.
+        // There is nothing to be done where this fails; the next context reports.
         let _ = self.context.make_not_current_in_place();
     }
 }
@@ -166,7 +169,8 @@ fn choose_config(
     let handle = event_loop
         .display_handle()
         .map_err(|cause| ContextError::no_display(&cause))?;
-    // SAFETY: the handle is the event loop's, which outlives everything made from it.
+    // SAFETY: the handle is the event loop's, which is borrowed here; afterwards `WindowNative`
+    // keeps the connection behind it open for as long as anything is left of the display.
     let display = unsafe { Display::new(handle.as_raw(), preference(window)) }
         .map_err(|error| ContextError::window("display", &error))?;
     let mut template = ConfigTemplateBuilder::new()
@@ -200,7 +204,7 @@ fn preference(_window: Option<RawWindowHandle>) -> DisplayApiPreference {
     DisplayApiPreference::Cgl
 }
 
-/// OpenGL 3.3 core, else OpenGL ES 3.0. The first failure is the one told.
+/// OpenGL 3.3 core, else OpenGL ES 3.0. The first failure is the one returned.
 fn create_context(
     config: &Config,
     window: RawWindowHandle,
@@ -213,7 +217,7 @@ fn create_context(
         .with_context_api(ContextApi::Gles(Some(Version::new(3, 0))))
         .build(Some(window));
     let display = config.display();
-    // SAFETY: the window is alive.
+    // SAFETY: the window is alive, as the caller holds it.
     unsafe {
         display
             .create_context(config, &core)

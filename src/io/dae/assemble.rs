@@ -1,17 +1,16 @@
-//! From instances to meshes and characters.
+//! Puts the instances of a scene together: meshes, weights, and the report about them.
 
-use super::document::Dae;
-use super::guard::{FARTHEST, MOST_ELEMENTS};
+use super::document::{Dae, FARTHEST, MOST_ELEMENTS};
 use super::instances::{Binding, Instance};
-use super::material::Materials;
-use super::primitives::{Attribute, Primitive};
-use super::report::DaeReport;
+use super::materials::{BoundMaterial, Materials};
+use super::meshes::{Attribute, Primitive};
+use super::visual_scene::{FileSpace, SceneNode};
 use crate::character::{Attachments, Influence};
 use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
 use crate::io::Diagnostic;
 use crate::math::cofactors;
 use glam::{DMat3, DMat4, Mat3, Vec2, Vec3};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A mesh under construction, with the weights of its positions so far.
 #[derive(Default)]
@@ -84,11 +83,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         Ok(())
     }
 
-    fn unbound(
-        &mut self,
-        instance: &Instance<'a>,
-        symbol: &str,
-    ) -> Option<super::material::BoundMaterial> {
+    fn unbound(&mut self, instance: &Instance<'a>, symbol: &str) -> Option<BoundMaterial> {
         let found = self.materials.called(self.dae, symbol);
         if found.is_none() {
             let symbol = super::quoted(symbol);
@@ -177,7 +172,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         }
     }
 
-    /// Hangs all positions of `instance` on one joint.
+    /// Binds all positions of `instance` to one joint.
     pub fn add_rigid(&mut self, part: &mut Part, instance: &Instance<'a>, joint: u32) {
         for _ in &instance.geometry.positions {
             let influence = Influence { joint, weight: 1.0 };
@@ -186,7 +181,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
     }
 }
 
-/// What a transform does to normals and to the side that triangles show.
+/// Effect of a transform on normals and on the winding of triangles.
 struct Turn {
     normals: Mat3,
     mirrors: bool,
@@ -241,4 +236,86 @@ fn texture_of_set(texture: &[(usize, Attribute)], set: Option<usize>) -> Option<
     let asked = texture.iter().find(|(of_set, _)| Some(*of_set) == set);
     let lowest = || texture.iter().min_by_key(|(of_set, _)| *of_set);
     asked.or_else(lowest).map(|(_, attribute)| attribute)
+}
+
+/// Facts about a Collada file besides its characters and meshes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DaeReport {
+    /// Its axes and unit.
+    pub space: FileSpace,
+    /// Skinned meshes.
+    pub skins: usize,
+    /// Smallest and largest sum of a position's weights before they were divided by it; `None`
+    /// without weights.
+    pub weight_sums: Option<(f32, f32)>,
+    /// Positions of skins that no joint moves.
+    pub unweighted: usize,
+    /// The joint whose inverse bind matrix agrees worst with the scene's rest pose; `None`
+    /// without any.
+    pub worst_inverse_bind: Option<InverseBind>,
+    /// Content that this program does not use, by kind, with the number of each.
+    pub ignored: BTreeMap<String, usize>,
+}
+
+/// How an inverse bind matrix agrees with the scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InverseBind {
+    /// The joint's name.
+    pub joint: String,
+    /// The largest number by which the product of its matrix in the scene and its inverse bind
+    /// matrix differs from the identity; lengths in the file's unit.
+    pub difference: f64,
+}
+
+/// Above this a difference of bind matrices is worth a warning: files written with seven digits
+/// stay well below.
+const NOTEWORTHY: f64 = 1e-3;
+
+impl DaeReport {
+    pub(super) fn new(space: FileSpace) -> Self {
+        Self {
+            space,
+            skins: 0,
+            weight_sums: None,
+            unweighted: 0,
+            worst_inverse_bind: None,
+            ignored: BTreeMap::new(),
+        }
+    }
+
+    pub(super) fn add_weight_sum(&mut self, sum: f32) {
+        let (least, most) = self.weight_sums.unwrap_or((sum, sum));
+        self.weight_sums = Some((least.min(sum), most.max(sum)));
+    }
+
+    /// Compares a skin's inverse bind matrices with the scene; returns a warning if they differ.
+    pub(super) fn add_inverse_binds(
+        &mut self,
+        binding: &Binding,
+        nodes: &[SceneNode],
+    ) -> Option<String> {
+        let pairs = binding.joints.iter().zip(&binding.skin.inverse_binds);
+        let worst = pairs
+            .filter_map(|(&node, inverse_bind)| {
+                let node = &nodes[node?];
+                let product = node.world * *inverse_bind - DMat4::IDENTITY;
+                let numbers = product.to_cols_array();
+                let difference = numbers.iter().fold(0.0, |most: f64, n| most.max(n.abs()));
+                let joint = node.name().to_owned();
+                Some(InverseBind { joint, difference })
+            })
+            .max_by(|a, b| a.difference.total_cmp(&b.difference))?;
+        let warning = (worst.difference > NOTEWORTHY).then(|| {
+            format!(
+                "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {}: the scene's is used",
+                worst.difference,
+                super::quoted(&worst.joint)
+            )
+        });
+        let known = self.worst_inverse_bind.as_ref();
+        if known.is_none_or(|known| known.difference < worst.difference) {
+            self.worst_inverse_bind = Some(worst);
+        }
+        warning
+    }
 }

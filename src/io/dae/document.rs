@@ -1,6 +1,9 @@
-use super::guard::{self, MOST_XML_NODES};
+//! The XML of a Collada file, with places and warnings, and the limits that keep memory and time
+//! in proportion to its size.
+
+use super::quoted;
 use crate::geometry::Triangulator;
-use crate::io::warnings::Warnings;
+use crate::io::diagnostic::Warnings;
 use crate::io::{Diagnostic, Position};
 use roxmltree::{Document, ParsingOptions};
 use std::cell::RefCell;
@@ -9,8 +12,7 @@ use std::path::Path;
 
 pub(super) type Node<'a> = roxmltree::Node<'a, 'a>;
 
-/// A Collada document with what is needed all over: elements by id, places, and the warnings
-/// gathered on the way.
+/// A Collada document with its elements by id, places in its text, and the warnings so far.
 pub(super) struct Dae<'a> {
     pub path: &'a Path,
     text: &'a str,
@@ -33,9 +35,9 @@ struct Notes {
 ///
 /// # Errors
 /// If it is not well-formed, has a document type (entities could make it grow without end), or
-/// exceeds the limits of [`guard`].
+/// exceeds the limits below.
 pub(super) fn parse_xml<'a>(path: &Path, text: &'a str) -> Result<Document<'a>, Diagnostic> {
-    guard::check(path, text)?;
+    check_limits(path, text)?;
     let options = ParsingOptions {
         allow_dtd: false,
         nodes_limit: MOST_XML_NODES,
@@ -119,7 +121,7 @@ impl<'a> Dae<'a> {
         url.strip_prefix('#')
             .and_then(|id| self.by_id(id))
             .ok_or_else(|| {
-                let found = super::quoted(url);
+                let found = quoted(url);
                 self.error(
                     node,
                     format!("expected the id of an element, found {found}"),
@@ -212,14 +214,14 @@ impl<'a> Dae<'a> {
             .or_default() += 1;
     }
 
-    /// All that was noticed: warnings, and what was ignored how often.
+    /// The warnings, and the number of each kind of content that was ignored.
     pub fn into_notes(self) -> (Vec<Diagnostic>, BTreeMap<String, usize>) {
         let Notes { warnings, ignored } = self.notes.into_inner();
         (warnings.into_vec(self.path), ignored)
     }
 }
 
-/// The first child of `node` called `tag`, whatever its name space.
+/// The first child of `node` called `tag`, in any name space.
 pub(super) fn child<'a>(node: Node<'a>, tag: &str) -> Option<Node<'a>> {
     children(node, tag).next()
 }
@@ -237,7 +239,109 @@ pub(super) fn children<'a, 't>(
 pub(super) fn label(node: Node) -> String {
     let tag = node.tag_name().name();
     match node.attribute("id").or_else(|| node.attribute("name")) {
-        Some(id) => format!("<{tag}> {}", super::quoted(id)),
+        Some(id) => format!("<{tag}> {}", quoted(id)),
         None => format!("<{tag}>"),
+    }
+}
+
+/// Positions and triangles of one file, counted as often as they are instanced.
+pub(super) const MOST_ELEMENTS: usize = 8_000_000;
+/// Nodes of the scene, counted as often as they are instanced.
+pub(super) const MOST_NODES: usize = 100_000;
+/// Meshes in nodes of the scene, counted alike.
+pub(super) const MOST_INSTANCES: usize = 100_000;
+/// Elements and texts in nodes of the scene, counted alike: as many as a whole file may have.
+pub(super) const MOST_CHILDREN: usize = MOST_XML_NODES as usize;
+/// Joints and weights of skins, and elements that bind materials, counted alike.
+pub(super) const MOST_BOUND: usize = 32_000_000;
+/// Elements and texts of a file: enough for two million triangles written as `<polygons>`; memory
+/// for others.
+pub(super) const MOST_XML_NODES: u32 = 4_000_000;
+/// Nodes inside one another.
+pub(super) const MOST_DEPTH: usize = 1_000;
+/// A coordinate beyond this is a fault: its square must stay finite.
+pub(super) const FARTHEST: f64 = 1e15;
+
+/// The XML reader compares each attribute of an element with all others.
+const MOST_ATTRIBUTES: usize = 256;
+/// It copies the name spaces in force to every element that declares one.
+const MOST_NAME_SPACES: usize = 2_000;
+
+/// Refuses text on which the XML reader's time or memory would grow with the square of its
+/// length.
+fn check_limits(path: &Path, text: &str) -> Result<(), Diagnostic> {
+    if text.matches("xmlns").nth(MOST_NAME_SPACES).is_some() {
+        let message = format!("expected at most {MOST_NAME_SPACES} name spaces, found more");
+        return Err(Diagnostic::new(path, message));
+    }
+    let mut rest = text;
+    while let Some(start) = rest.find('<') {
+        rest = &rest[start..];
+        let after = match markup_without_attributes(rest) {
+            Some(end) => rest.find(end).map(|at| at + end.len()),
+            None => {
+                let (attributes, length) = count_attributes(rest);
+                if attributes > MOST_ATTRIBUTES {
+                    let before = &text[..text.len() - rest.len()];
+                    let line = before.matches('\n').count() + 1;
+                    let message = format!(
+                        "expected at most {MOST_ATTRIBUTES} attributes in an element, found more"
+                    );
+                    return Err(Diagnostic::at(path, line, 1, message));
+                }
+                Some(length)
+            }
+        };
+        // What has no end is told by the XML reader.
+        let Some(after) = after else { break };
+        rest = &rest[after..];
+    }
+    Ok(())
+}
+
+/// The end mark of the comment, CDATA section or instruction at the start of `rest`; `None` for a
+/// tag. A document type is none of these: the reader refuses it.
+fn markup_without_attributes(rest: &str) -> Option<&'static str> {
+    let kinds = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
+    let found = kinds.iter().find(|(start, _)| rest.starts_with(start));
+    found.map(|(_, end)| *end)
+}
+
+/// The attributes of the tag at the start of `rest`, and its length in bytes. What stands in
+/// quotes is a value, `>` included.
+fn count_attributes(rest: &str) -> (usize, usize) {
+    let mut attributes = 0;
+    let mut quote = None;
+    for (at, &byte) in rest.as_bytes().iter().enumerate() {
+        match (quote, byte) {
+            (Some(open), _) if open == byte => quote = None,
+            (Some(_), _) => {}
+            (None, b'"' | b'\'') => quote = Some(byte),
+            (None, b'=') => attributes += 1,
+            (None, b'>') => return (attributes, at + 1),
+            (None, _) => {}
+        }
+    }
+    (attributes, rest.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_count_lines_and_characters_from_1() {
+        let text = "<COLLADA><a/>\n<b>é</b> <c/></COLLADA>";
+        let path = Path::new("a.dae");
+        let xml = parse_xml(path, text).unwrap();
+        let dae = Dae::new(path, text, &xml).unwrap();
+        for (tag, told) in [
+            ("a", "a.dae:1:10: x"),
+            ("b", "a.dae:2:1: x"),
+            ("c", "a.dae:2:10: x"),
+        ] {
+            let node = child(dae.root, tag).unwrap();
+            assert_eq!(dae.error(node, "x").to_string(), told);
+        }
     }
 }

@@ -1,12 +1,11 @@
-//! What the nodes of the scene show: meshes, and skins with the joints that their names mean.
+//! Instances of meshes and skins in the scene, and the joints that skins name.
 
-use super::document::{Dae, Node, children};
-use super::geometry::Geometry;
-use super::guard::{MOST_BOUND, MOST_INSTANCES};
-use super::nodes::{SceneNode, subtree};
-use super::numbers::text;
+use super::document::{Dae, MOST_BOUND, MOST_INSTANCES, Node, children};
+use super::meshes::Geometry;
 use super::quoted;
 use super::skin::{self, Controller, Geometries, Skin};
+use super::sources::text;
+use super::visual_scene::{SceneNode, subtree};
 use crate::io::Diagnostic;
 use roxmltree::NodeId;
 use std::collections::HashMap;
@@ -31,7 +30,7 @@ impl Instance<'_> {
     }
 }
 
-/// How a skin hangs on the scene.
+/// Binding of a skin to nodes of the scene.
 pub(super) struct Binding<'a> {
     pub skin: Rc<Skin<'a>>,
     /// The nodes that `<skeleton>` names.
@@ -136,7 +135,7 @@ impl<'a> Reader<'_, 'a> {
     }
 }
 
-/// Finds nodes of the scene by what the file calls them.
+/// Finds nodes of the scene by element and by sid.
 struct Lookup<'a> {
     by_element: HashMap<NodeId, usize>,
     by_sid: HashMap<&'a str, Vec<usize>>,

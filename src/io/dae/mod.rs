@@ -1,44 +1,37 @@
 //! Collada (`.dae`): rigged characters and static meshes.
 //!
-//! The reader forgives what can be forgiven: a part that is broken is left out with a warning,
-//! and only a file with nothing left is an error. Everything ends up in one space, +Y up and in
+//! The reader is forgiving: a broken part is left out with a warning, and only a file with nothing
+//! left is an error. Everything ends up in one space, +Y up and in
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
 //! file's rest orientation is not kept but in the direction of its bone.
 //!
-//! Memory and time stay in proportion to the file (see `guard`), whatever it says.
+//! Memory and time stay in proportion to the size of the file (limits in `document`).
 
 mod assemble;
 mod document;
-mod geometry;
-mod guard;
 mod instances;
-mod material;
-mod nodes;
-mod numbers;
-mod primitives;
-mod report;
+mod materials;
+mod meshes;
 mod rigs;
 mod skin;
-mod source;
-mod space;
-mod texture;
-mod tips;
+mod sources;
+mod visual_scene;
 
 use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
 use assemble::{Assembler, Part};
-use document::{Dae, label, parse_xml};
+pub use assemble::{DaeReport, InverseBind};
+use document::{Dae, FARTHEST, label, parse_xml};
 use instances::{Instance, collect};
-use material::Materials;
-use nodes::SceneNode;
-pub use report::{DaeReport, InverseBind};
+use materials::Materials;
 use rigs::{Rig, Rigs};
-pub use space::{FileSpace, UpAxis};
 use std::path::Path;
+use visual_scene::SceneNode;
+pub use visual_scene::{FileSpace, UpAxis};
 
-/// What a Collada file shows.
+/// Content of a Collada file.
 #[derive(Clone, Debug)]
 pub struct DaeScene {
     /// Skeletons with the meshes bound to them, in the order of their first skin. The skins of
@@ -48,11 +41,11 @@ pub struct DaeScene {
     pub characters: Vec<DaeCharacter>,
     /// Meshes that no skeleton moves, in the order of the scene.
     pub meshes: Vec<DaeMesh>,
-    /// What else was found.
+    /// Facts about the file.
     pub report: DaeReport,
 }
 
-/// A character and what the file calls it.
+/// A character and its name in the file.
 #[derive(Clone, Debug)]
 pub struct DaeCharacter {
     /// The name of the node that holds its roots.
@@ -61,7 +54,7 @@ pub struct DaeCharacter {
     pub character: Character,
 }
 
-/// A static mesh and what the file calls it.
+/// A static mesh and its name in the file.
 #[derive(Clone, Debug)]
 pub struct DaeMesh {
     /// The name of its node.
@@ -107,7 +100,7 @@ fn document_text(bytes: &[u8]) -> String {
 fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagnostic> {
     let space = FileSpace::read(dae);
     let ours_from_file = space.ours_from_file();
-    let mut nodes = nodes::flatten(dae)?;
+    let mut nodes = visual_scene::flatten(dae)?;
     let instances = collect(dae, &mut nodes)?;
     ignore_libraries(dae);
     let rigs = Rigs::new(&nodes, &instances);
@@ -217,11 +210,11 @@ fn character(
 
 fn is_far(joint: &Joint) -> bool {
     // Not a number compares as false.
-    let near = f64::from(joint.offset.abs().max_element()) < guard::FARTHEST;
+    let near = f64::from(joint.offset.abs().max_element()) < FARTHEST;
     !near || joint.offset.is_nan()
 }
 
-/// Counts the libraries that hold what is not shown.
+/// Counts the libraries whose content is not used.
 fn ignore_libraries(dae: &Dae) {
     for library in dae.root.children().filter(roxmltree::Node::is_element) {
         let tag = library.tag_name().name();

@@ -1,10 +1,11 @@
-//! Which joints make one skeleton, and the skeletons.
+//! Skeletons: which joints of the scene make one, and where their bones end.
 
+use super::document::{child, children};
 use super::instances::{Binding, Instance};
-use super::nodes::{SceneNode, ancestors};
-use super::tips;
+use super::sources::text;
+use super::visual_scene::{SceneNode, ancestors};
 use crate::character::Joint;
-use glam::DMat4;
+use glam::{DMat4, DVec3};
 use std::collections::HashMap;
 
 /// A forest of joints that are posed together.
@@ -15,7 +16,7 @@ pub(super) struct Rig {
     pub joint_of_node: HashMap<usize, u32>,
 }
 
-/// The rigs of a scene and who belongs to which.
+/// The rigs of a scene, and the rig of each node.
 pub(super) struct Rigs {
     pub rigs: Vec<Rig>,
     rig_of_tree: HashMap<usize, usize>,
@@ -53,7 +54,7 @@ impl Rigs {
         rigs
     }
 
-    /// The rig that `binding` hangs on, if any.
+    /// The rig that `binding` binds to, if any.
     pub fn of_binding(&self, binding: &Binding) -> Option<usize> {
         let tree = self.trees(binding).next()?;
         self.rig_of_tree.get(&tree).copied()
@@ -165,7 +166,7 @@ impl Rigs {
             })
             .collect();
         let place = |joint: usize| ours_from_joint[joint].w_axis.truncate();
-        let tips = tips::of_joints(rig, nodes, &ours_from_joint, &parents);
+        let tips = tips_of_joints(rig, nodes, &ours_from_joint, &parents);
         rig.nodes
             .iter()
             .enumerate()
@@ -181,7 +182,7 @@ impl Rigs {
             .collect()
     }
 
-    /// What to call `rig`: the node that holds its roots, else its first root.
+    /// Name of `rig`: that of the node that holds its roots, else of its first root.
     pub fn name<'a>(rig: &Rig, nodes: &[SceneNode<'a>]) -> &'a str {
         let root = rig.nodes.first().copied();
         ancestors(nodes, root)
@@ -203,4 +204,59 @@ fn find(above: &mut [usize], mut at: usize) -> usize {
 fn join(above: &mut [usize], a: usize, b: usize) {
     let (a, b) = (find(above, a), find(above, b));
     above[a.max(b)] = a.min(b);
+}
+
+/// A bone without any word of its length gets this share of its parent's.
+const SHARE_OF_PARENT: f64 = 0.4;
+
+/// The end of each joint's bone at rest, relative to the joint, in our axes; `None` where nothing
+/// in the file says.
+fn tips_of_joints(
+    rig: &Rig,
+    nodes: &[SceneNode],
+    ours_from_joint: &[DMat4],
+    parents: &[Option<usize>],
+) -> Vec<Option<DVec3>> {
+    let mut first_child = vec![None; parents.len()];
+    for (joint, parent) in parents.iter().enumerate() {
+        if let Some(parent) = *parent {
+            first_child[parent].get_or_insert(joint);
+        }
+    }
+    let mut tips: Vec<Option<DVec3>> = Vec::with_capacity(parents.len());
+    for (joint, matrix) in ours_from_joint.iter().enumerate() {
+        let along = matrix.y_axis.truncate();
+        let to_child = first_child[joint].and_then(|child: usize| {
+            let height = height_above(matrix, ours_from_joint[child].w_axis.truncate());
+            height.map(|height| along * height)
+        });
+        let written = || {
+            let length = blender_tip(&nodes[rig.nodes[joint]])?.length();
+            (length > 0.0).then(|| along * length)
+        };
+        let share = || {
+            let parent: DVec3 = tips[parents[joint]?]?;
+            Some(along.try_normalize()? * parent.length() * SHARE_OF_PARENT)
+        };
+        let tip = to_child.or_else(written).or_else(share);
+        tips.push(tip.filter(|tip| tip.is_finite() && *tip != DVec3::ZERO));
+    }
+    tips
+}
+
+/// How far along a joint's +Y `point` lies, in the joint's own units; `None` if it does not.
+fn height_above(ours_from_joint: &DMat4, point: DVec3) -> Option<f64> {
+    let determinant = ours_from_joint.determinant();
+    let height = ours_from_joint.inverse().transform_point3(point).y;
+    (determinant != 0.0 && height.is_finite() && height > 1e-6).then_some(height)
+}
+
+/// The vector from head to tip that Blender writes for a bone without children.
+fn blender_tip(node: &SceneNode) -> Option<DVec3> {
+    let technique = children(node.xml, "extra")
+        .flat_map(|extra| children(extra, "technique"))
+        .find(|technique| technique.attribute("profile") == Some("blender"))?;
+    let number = |tag| text(child(technique, tag)?).parse::<f64>().ok();
+    let tip = DVec3::new(number("tip_x")?, number("tip_y")?, number("tip_z")?);
+    tip.is_finite().then_some(tip)
 }

@@ -1,10 +1,9 @@
 //! `<controller>`: which joints move which positions.
 
 use super::document::{Dae, Node, child};
-use super::geometry::{self, Geometry};
-use super::numbers::{integers, matrix};
+use super::meshes::{self, Geometry};
 use super::quoted;
-use super::source::{Input, Sources, inputs, names};
+use super::sources::{Input, Sources, inputs, integers, matrix, names};
 use crate::io::Diagnostic;
 use glam::DMat4;
 use std::collections::HashMap;
@@ -14,7 +13,7 @@ use std::rc::Rc;
 pub(super) struct Skin<'a> {
     pub geometry: Rc<Geometry>,
     pub bind_shape: DMat4,
-    /// What each joint of the list is called.
+    /// Sid or id of each joint of the list.
     pub joints: Vec<&'a str>,
     /// Whether `joints` are ids of nodes; otherwise sids.
     pub joints_are_ids: bool,
@@ -48,8 +47,8 @@ impl Rows {
     }
 }
 
-/// Geometries, each read once however often it is instanced. `None` for those that failed, which
-/// has been told.
+/// Geometries, each read once however often it is instanced. `None` for those that failed, of
+/// which a warning was kept.
 #[derive(Default)]
 pub(super) struct Geometries {
     pub sources: Sources,
@@ -63,14 +62,14 @@ impl Geometries {
             return known.clone();
         }
         let geometry = dae
-            .or_warn(geometry::read(dae, &mut self.sources, node))
+            .or_warn(meshes::read_geometry(dae, &mut self.sources, node))
             .map(Rc::new);
         self.read.insert(node.id(), geometry.clone());
         geometry
     }
 }
 
-/// What a `<controller>` does to its mesh.
+/// Kinds of `<controller>`.
 #[derive(Clone)]
 pub(super) enum Controller<'a> {
     /// Joints move it.
@@ -79,7 +78,7 @@ pub(super) enum Controller<'a> {
     Morph(Rc<Geometry>),
 }
 
-/// Reads a `<controller>`; `None` if its geometry cannot be read, which has been told.
+/// Reads a `<controller>`; `None`, with a warning, if its geometry cannot be read.
 ///
 /// # Errors
 /// If it is neither a skin nor a morph of a mesh of this file.
@@ -123,7 +122,7 @@ pub(super) fn read<'a>(
     Ok(Some(Controller::Skin(Rc::new(read))))
 }
 
-/// The geometry that `deformer` deforms, through another one if need be.
+/// The geometry that `deformer` deforms, directly or through a morph.
 fn base_geometry<'a>(dae: &Dae<'a>, deformer: Node<'a>) -> Result<Node<'a>, Diagnostic> {
     let target = dae.target(deformer, "source")?;
     if target.tag_name().name() == "controller"

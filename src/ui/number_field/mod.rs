@@ -1,35 +1,39 @@
+//! Number fields: dragged, typed as arithmetic, stepped, reset.
+
+mod decimals;
 mod typing;
 
-use super::expression::evaluate;
-use super::number_text::{fitted, precise};
-use super::theme::{Palette, number_font};
-use super::widgets::named;
+pub use typing::evaluate;
+
 use crate::geometry::MAX_COORDINATE;
 use crate::ui::GestureStep;
+use crate::ui::theme::{Palette, number_font};
+use crate::ui::widgets::named;
+use decimals::{fitted, precise};
 use egui::{
     Align2, Context, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense,
     StrokeKind, Ui, Vec2, WidgetInfo, accesskit, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
-/// How much slower a drag with Shift, and faster with Ctrl.
+/// Factors on the speed of a drag, with Shift and with Ctrl.
 const FINER: f64 = 0.1;
 const COARSER: f64 = 10.0;
-/// Where egui keeps the beginnings and ends of drags within a frame.
+/// Key of egui's memory for the beginnings and ends of drags in a frame.
 const GESTURES: &str = "gestures of number fields";
-/// No number is larger: what is worked out from it must stay finite.
+/// Largest absolute value: everything computed from it must stay finite.
 const FARTHEST: f64 = MAX_COORDINATE as f64;
-/// Fields narrower than this show their axis as a line below rather than as a letter.
+/// Width in points below which a field shows its axis as a line instead of a letter.
 const ROOM_FOR_LETTER: f32 = 44.0;
-/// The same for angles: in a narrower field `359.9°` has no room beside a letter.
+/// The same for angles: `359.9°` and a letter need more room.
 pub(super) const ROOM_FOR_LETTER_AND_ANGLE: f32 = 51.0;
-/// What numbers keep clear of the field's edges.
+/// Margin between a number and the edges of its field, in points.
 const EDGE: f32 = 2.0;
-/// What an axis' letter takes from the field.
+/// Width of an axis' letter, in points.
 const LETTER: f32 = 10.25;
 
-/// A number that can be dragged, typed as arithmetic, stepped with ↑ and ↓, and put back to
-/// where it started by a right click.
+/// A field for a number that can be dragged, typed as arithmetic, changed in steps by ↑ and ↓, and
+/// reset by a right click.
 #[derive(Clone, Debug)]
 pub(super) struct NumberField<'a> {
     name: &'a str,
@@ -43,20 +47,20 @@ pub(super) struct NumberField<'a> {
     wrap: Option<f64>,
 }
 
-/// A number in the hand.
+/// A number that is being dragged.
 #[derive(Clone, Copy, Debug, Default)]
 struct Dragged {
-    /// What it was when it was taken.
+    /// Value when the drag began.
     start: f64,
-    /// What it would be, were it not rounded to steps.
+    /// Value before it is rounded to steps.
     exact: f64,
-    /// Whether it was put back; then the rest of the drag does nothing.
+    /// Whether the drag was cancelled; the rest of it does nothing.
     cancelled: bool,
 }
 
 impl<'a> NumberField<'a> {
-    /// A field for `value`, called `name` for screen readers and tests, that changes by `step` a
-    /// pixel.
+    /// A field for `value` that changes by `step` per pixel of a drag; `name` is for assistive
+    /// technology and tests.
     pub(super) fn new(name: &'a str, value: f32, step: f64) -> Self {
         Self {
             name,
@@ -71,8 +75,8 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// An angle in degrees, shown between 0 and 360 with a decimal at most: nobody sees less. The
-    /// value itself keeps its turns: an angle of -30, shown as 330, becomes -29 by a step.
+    /// A field for an angle in degrees, shown from 0 to 360 with at most one decimal. The value
+    /// itself keeps its turns: -30 is shown as 330, and a step makes it -29.
     pub(super) fn degrees(name: &'a str, value: f32) -> Self {
         Self {
             unit: "°",
@@ -82,28 +86,28 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// What a right click brings back.
+    /// Sets the value that a right click resets to; 0 unless set.
     pub(super) fn rest(self, rest: f32) -> Self {
         let rest = f64::from(rest);
         Self { rest, ..self }
     }
 
-    /// The values allowed.
+    /// Sets the allowed values.
     pub(super) fn range(self, range: RangeInclusive<f64>) -> Self {
         Self { range, ..self }
     }
 
-    /// Written behind the number.
+    /// Sets the unit that is written after the number.
     pub(super) fn unit(self, unit: &'static str) -> Self {
         Self { unit, ..self }
     }
 
-    /// How many decimals are shown at least and, where there is room, at most.
+    /// Sets the least number of decimals, and the greatest, shown if there is room.
     pub(super) fn decimals(self, decimals: RangeInclusive<usize>) -> Self {
         Self { decimals, ..self }
     }
 
-    /// Marks the field as belonging to axis 0, 1 or 2.
+    /// Marks the field as that of axis 0, 1 or 2.
     pub(super) fn axis(self, axis: usize) -> Self {
         Self {
             axis: Some(axis),
@@ -111,13 +115,13 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// Shows the field and returns the value that the user gave it, if any.
+    /// Shows the field; returns the new value if the user changed it.
     pub(super) fn show(self, ui: &mut Ui, size: Vec2) -> Option<f32> {
         let (id, rect) = ui.allocate_space(size);
         self.show_at(ui, id, rect)
     }
 
-    /// Shows the field in a place that is allocated already.
+    /// Shows the field in a rectangle that is already allocated; returns as [`Self::show`].
     pub(super) fn show_at(self, ui: &mut Ui, id: Id, rect: Rect) -> Option<f32> {
         let typing = ui.is_enabled()
             && ui.memory_mut(|memory| {
@@ -141,7 +145,7 @@ impl<'a> NumberField<'a> {
         value.clamp(*self.range.start(), *self.range.end())
     }
 
-    /// The value as it is read: an angle without whole turns, and 0 where it would round to one.
+    /// The value as shown: an angle without whole turns, and 0 if it would round to a whole turn.
     fn shown(&self) -> f64 {
         match self.wrap {
             Some(turn) => {
@@ -169,10 +173,10 @@ impl<'a> NumberField<'a> {
 
     fn dragged_to(&self, ui: &Ui, response: &Response) -> Option<f64> {
         let id = response.id.with("dragged");
-        let in_hand: Option<Dragged> = ui.data_mut(|data| data.remove_temp(id));
+        let before: Option<Dragged> = ui.data_mut(|data| data.remove_temp(id));
         if !response.dragged_by(PointerButton::Primary) {
-            // egui ends a drag by Esc. Taken, so that it does nothing else in this frame.
-            let put_back = in_hand.filter(|dragged| !dragged.cancelled)?;
+            // egui ends a drag by Esc. Consumed, so that it does nothing else in this frame.
+            let dragged = before.filter(|dragged| !dragged.cancelled)?;
             let escape = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
             let end = if escape {
                 GestureStep::Cancel
@@ -180,12 +184,12 @@ impl<'a> NumberField<'a> {
                 GestureStep::Commit
             };
             note_gesture(ui, end);
-            return escape.then_some(put_back.start);
+            return escape.then_some(dragged.start);
         }
-        if in_hand.is_none() {
+        if before.is_none() {
             note_gesture(ui, GestureStep::Begin);
         }
-        let mut dragged = in_hand.unwrap_or(Dragged {
+        let mut dragged = before.unwrap_or(Dragged {
             start: self.value,
             exact: self.value,
             cancelled: false,
@@ -199,7 +203,7 @@ impl<'a> NumberField<'a> {
             ui.data_mut(|data| data.insert_temp(id, dragged));
             return cancel.then_some(dragged.start);
         }
-        // What the pointer moved before egui decided that this is a drag counts too.
+        // The movement before egui decided that this is a drag counts, too.
         let delta = if response.drag_started() {
             response.total_drag_delta().unwrap_or_default().x
         } else {
@@ -288,7 +292,7 @@ impl<'a> NumberField<'a> {
         })
     }
 
-    /// Name, value and bounds for assistive technology; what the mouse does, for the tooltip.
+    /// Name, value and bounds for assistive technology; effects of the mouse for the tooltip.
     fn describe(&self, ui: &Ui, response: &Response, typing: bool) {
         response.widget_info(|| WidgetInfo::drag_value(ui.is_enabled(), self.shown()));
         let response = named(response.clone(), self.name);
@@ -317,7 +321,7 @@ impl<'a> NumberField<'a> {
     }
 }
 
-/// Notes that a drag of a field begins or ends, for [`take_gestures`].
+/// Records the beginning or end of a drag of a field, for [`take_gestures`].
 fn note_gesture(ui: &Ui, step: GestureStep) {
     ui.data_mut(|data| {
         let noted: &mut Vec<GestureStep> = data.get_temp_mut_or_default(Id::new(GESTURES));
@@ -325,12 +329,12 @@ fn note_gesture(ui: &Ui, step: GestureStep) {
     });
 }
 
-/// The beginnings and ends of drags of fields since this was called last, in order.
+/// Beginnings and ends of drags of fields since the last call, in order.
 pub(super) fn take_gestures(ctx: &Context) -> Vec<GestureStep> {
     ctx.data_mut(|data| data.remove_temp(Id::new(GESTURES)).unwrap_or_default())
 }
 
-/// Takes away what adding tenths in binary leaves behind.
+/// Rounds off the errors of adding tenths in binary.
 fn clean(value: f64) -> f64 {
     (value * 1e6).round() / 1e6
 }

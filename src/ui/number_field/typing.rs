@@ -1,24 +1,23 @@
-//! Typing into a number's field.
+//! Typing into a number field, and the arithmetic that it accepts.
 
+use super::decimals::precise;
 use super::{NumberField, clean};
-use crate::ui::expression::evaluate;
-use crate::ui::number_text::precise;
 use crate::ui::theme::{Palette, number_font};
 use egui::text::{CCursor, CCursorRange};
 use egui::{Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
 
-/// Fields narrower than this grow while they are typed into.
+/// Least width of a field while a number is typed into it, in points.
 const ROOM_TO_TYPE: f32 = 76.0;
 
-/// What is being typed into a field, kept by egui while the field has the keyboard.
+/// Text being typed into a field, kept by egui while the field has the keyboard focus.
 #[derive(Clone, Default)]
 struct Typed {
     text: String,
-    /// The text that typing began with: leaving it as it is changes nothing, though it may be
-    /// shorter than the value.
+    /// Text when typing began. If it is left as it is, the value does not change, though the value may
+    /// have more decimals.
     began_with: String,
-    /// egui's count of passes when the field was shown last. What was typed into a field that
-    /// then was not shown for a while is forgotten.
+    /// egui's pass number when the field was last shown. Text is dropped if the field was not shown
+    /// in between.
     pass: u64,
 }
 
@@ -36,14 +35,14 @@ impl Typed {
     }
 }
 
-/// Room to type a sum in: a narrow field grows over what is at its left.
+/// A rectangle wide enough for a sum: a narrow field grows to the left.
 fn roomy(rect: Rect) -> Rect {
     let left = rect.left().min(rect.right() - ROOM_TO_TYPE);
     Rect::from_min_max(pos2(left, rect.top()), rect.max)
 }
 
 impl NumberField<'_> {
-    /// The value typed, when the keyboard has just gone elsewhere other than by Esc.
+    /// The value typed, if the field has just lost the keyboard focus, other than by Esc.
     pub(super) fn left(&self, ui: &Ui, id: Id) -> Option<f64> {
         let typed: Typed = ui.data_mut(|data| data.remove_temp(id))?;
         let just_now = typed.pass + 1 == ui.ctx().cumulative_pass_nr();
@@ -55,6 +54,7 @@ impl NumberField<'_> {
         }
     }
 
+    /// Shows the field while it is typed into; returns its widget and the new value, if any.
     pub(super) fn type_into(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
         let kept: Option<Typed> = ui.data_mut(|data| data.remove_temp(id));
         let begins = kept.is_none();
@@ -88,7 +88,7 @@ impl NumberField<'_> {
         (response, stepped)
     }
 
-    /// ↑ and ↓ while typing: the value and the text, changed by one step.
+    /// ↑ and ↓ while typing: changes the text by steps, and returns the new value.
     fn stepped(&self, ui: &Ui, typed: &mut Typed) -> Option<f64> {
         let steps = ui.input_mut(|input| {
             input.count_and_consume_key(Modifiers::NONE, Key::ArrowUp) as f64
@@ -111,4 +111,147 @@ fn select_all(ui: &Ui, id: Id, text: &str) {
         .cursor
         .set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
     state.store(ui.ctx(), id);
+}
+
+/// Deepest nesting of parentheses and signs, so that no text can exhaust the stack.
+const DEEPEST: usize = 32;
+
+/// Value of an arithmetic expression typed into a number field: `45/2`, `-(3 + 4) * 1.5`, `90°`.
+///
+/// Accepts + − * /, parentheses and signs, the typographic × · ÷ −, a trailing degree sign, and a comma
+/// as a decimal point. `None` for anything else, and for values that are not finite.
+pub fn evaluate(text: &str) -> Option<f64> {
+    let plain: Vec<char> = text
+        .trim()
+        .trim_end_matches('°')
+        .chars()
+        .filter(|c| !c.is_whitespace())
+        .map(|c| match c {
+            '×' | '·' => '*',
+            '÷' => '/',
+            '−' => '-',
+            ',' => '.',
+            other => other,
+        })
+        .collect();
+    let mut reader = Reader {
+        rest: &plain,
+        depth: 0,
+    };
+    let value = reader.sum()?;
+    (reader.rest.is_empty() && value.is_finite()).then_some(value)
+}
+
+struct Reader<'a> {
+    rest: &'a [char],
+    depth: usize,
+}
+
+impl Reader<'_> {
+    fn take(&mut self, wanted: char) -> bool {
+        match self.rest.split_first() {
+            Some((&first, rest)) if first == wanted => {
+                self.rest = rest;
+                true
+            }
+            _ => false,
+        }
+    }
+
+    fn sum(&mut self) -> Option<f64> {
+        let mut value = self.product()?;
+        loop {
+            if self.take('+') {
+                value += self.product()?;
+            } else if self.take('-') {
+                value -= self.product()?;
+            } else {
+                return Some(value);
+            }
+        }
+    }
+
+    fn product(&mut self) -> Option<f64> {
+        let mut value = self.factor()?;
+        loop {
+            if self.take('*') {
+                value *= self.factor()?;
+            } else if self.take('/') {
+                value /= self.factor()?;
+            } else {
+                return Some(value);
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Option<f64> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return None;
+        }
+        let value = if self.take('-') {
+            -self.factor()?
+        } else if self.take('+') {
+            self.factor()?
+        } else if self.take('(') {
+            let inner = self.sum()?;
+            if !self.take(')') {
+                return None;
+            }
+            inner
+        } else {
+            self.number()?
+        };
+        self.depth -= 1;
+        Some(value)
+    }
+
+    fn number(&mut self) -> Option<f64> {
+        let length = self
+            .rest
+            .iter()
+            .take_while(|c| c.is_ascii_digit() || **c == '.')
+            .count();
+        let (digits, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        digits.iter().collect::<String>().parse().ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arithmetic_follows_the_usual_order() {
+        for (text, value) in [
+            ("7", 7.0),
+            ("45/2", 22.5),
+            ("1 + 2 * 3", 7.0),
+            ("-(1+2)*3", -9.0),
+            ("2--1", 3.0),
+            ("8/2/2", 2.0),
+            (".5", 0.5),
+            ("1,5", 1.5),
+            ("−30°", -30.0),
+            ("3×4÷6", 2.0),
+        ] {
+            assert_eq!(evaluate(text), Some(value), "{text}");
+        }
+    }
+
+    #[test]
+    fn anything_else_is_no_number() {
+        for text in [
+            "", "-", "1+", "(1", "1)", "1..2", "a", "1 a", "1/0", "inf", "()", "1e5",
+        ] {
+            assert_eq!(evaluate(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn endless_parentheses_are_refused_rather_than_followed() {
+        assert_eq!(evaluate(&"(".repeat(100_000)), None);
+        assert_eq!(evaluate(&"-".repeat(100_000)), None);
+    }
 }

@@ -1,25 +1,27 @@
-use super::Place;
-use super::gesture::{Held, PoseGesture};
+//! The IK tool: its settings, pins, and the chain that follows a grip.
+
+use super::held::{Drag, PoseGesture};
 use crate::editor::{IkDrag, IkGrip, IkSettings, Screen, Session};
 use crate::math::Ray;
 use crate::scene::{BoneHit, ShapeId};
-use crate::ui::state::UiState;
+use crate::ui::scene_places::Place;
 use egui::Pos2;
 use glam::Vec3;
 use std::collections::{BTreeSet, HashMap};
 
-/// What the IK tool remembers.
+/// State of the IK tool.
 #[derive(Clone, Debug, Default)]
 pub(in crate::ui) struct IkState {
-    /// Chosen in the bar of tools; its pins are those of no character.
+    /// Settings chosen in the tool bar, without pins.
     pub chosen: IkSettings,
-    /// What is under the pointer in the view, while nothing is held.
+    /// The character and its grip under the pointer in the view, while nothing is dragged.
     pub hovered: Option<(ShapeId, IkGrip)>,
+    /// Pinned joints of each character that has any.
     pins: HashMap<ShapeId, BTreeSet<usize>>,
 }
 
 impl IkState {
-    /// With the pins of one character.
+    /// Settings with the pins of one character.
     pub fn settings(&self, shape: ShapeId) -> IkSettings {
         IkSettings {
             pins: self.pins(shape).cloned().unwrap_or_default(),
@@ -41,7 +43,7 @@ impl IkState {
         self.pins(shape).is_some_and(|pins| pins.contains(&joint))
     }
 
-    /// Pins a joint, or lets go of it.
+    /// Pins a joint, or unpins it.
     pub fn toggle_pin(&mut self, shape: ShapeId, joint: usize) {
         let pins = self.pins.entry(shape).or_default();
         if !pins.remove(&joint) {
@@ -52,7 +54,7 @@ impl IkState {
         }
     }
 
-    /// What is chosen, without what concerns a character.
+    /// The settings alone, without pins.
     pub fn without_pins(&self) -> Self {
         Self {
             chosen: self.chosen.clone(),
@@ -68,54 +70,57 @@ impl IkState {
         !self.pins.is_empty()
     }
 
-    /// Takes what the IK tool would bring somewhere, with the cursor on `ray`.
+    /// Begins a drag of the grip on a bone with the pointer on `ray`.
     pub(super) fn take(
         &self,
         session: &Session,
         hit: &BoneHit,
         screen: &Screen,
         ray: &Ray,
-    ) -> Option<Held> {
+    ) -> Option<Drag> {
         let grip = IkGrip::of(session, hit, screen)?;
         let settings = self.settings(hit.shape);
         let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray);
-        let stuck = Held::Stuck(hit.shape, grip.joint());
-        Some(drag.map_or(stuck, Held::Ik))
+        let stuck = Drag::Stuck(hit.shape, grip.joint());
+        Some(drag.map_or(stuck, Drag::Ik))
     }
 }
 
-/// The joint that a pin is set to or taken from: that under the pointer, or else the selected one.
+/// The joint that is pinned or unpinned: the hovered one, or else the selected one.
 pub(in crate::ui) fn joint_to_pin(session: &Session) -> Option<(ShapeId, usize)> {
     let selected = session.selected().zip(session.selected_joint());
     session.hovered_bone().or(selected)
 }
 
-/// Forgets pins of characters that are gone.
-pub(super) fn forget_gone(session: &Session, state: &mut UiState) {
+/// Drops pins of characters that were deleted.
+pub(super) fn forget_gone(session: &Session, state: &mut IkState) {
     let exists = |shape: &ShapeId| session.scene().character(*shape).is_some();
-    state.pose.ik.pins.retain(|shape, _| exists(shape));
+    state.pins.retain(|shape, _| exists(shape));
 }
 
-/// What is held or under the pointer, and the joints of the chain that follows, root first; all
-/// in one picture of the window.
+/// The grip that is dragged or hovered, and the joints of the chain that follows it, root first; in
+/// points of the window.
 pub(super) struct Followed {
     pub chain: Vec<Pos2>,
     pub grip: Pos2,
-    /// Where the grip is wanted, if it is held and does not get there.
+    /// Target of the grip, if it is dragged and does not reach it.
     pub missed: Option<Pos2>,
 }
 
-/// A grip that is farther from its target than this, in points, is seen to miss it.
+/// Distance in points from which on a grip is shown to miss its target.
 const MISSED: f32 = 2.0;
 
-/// Pins that are out of reach while something is dragged: where they got to, and where they
-/// should be.
+fn dragged(gesture: &PoseGesture) -> Option<&IkDrag> {
+    gesture.active()?.ik()
+}
+
+/// Pins that cannot be reached during a drag: where they are, and where they should be.
 pub(super) fn lost_pins(
     session: &Session,
     gesture: Option<&PoseGesture>,
     place: Place,
 ) -> Vec<(Pos2, Pos2)> {
-    let Some(drag) = gesture.and_then(PoseGesture::ik) else {
+    let Some(drag) = gesture.and_then(dragged) else {
         return Vec::new();
     };
     let Some(shape) = session.evaluated().shape(drag.shape()) else {
@@ -131,8 +136,7 @@ pub(super) fn lost_pins(
     drag.lost_pins().iter().filter_map(ends).collect()
 }
 
-/// What the view marks: see [`Followed`]. `None` where there is neither a grip in the hand nor one
-/// under the pointer.
+/// The grip and the chain to mark in the view; `None` if no grip is dragged or hovered.
 pub(super) fn followed(
     session: &Session,
     state: &IkState,
@@ -141,7 +145,7 @@ pub(super) fn followed(
 ) -> Option<Followed> {
     let screen = place.screen(session);
     let position = |world| Some(place.position(screen.pixel(world)?));
-    let (shape, grip, held) = match gesture.map(PoseGesture::ik) {
+    let (shape, grip, held) = match gesture.map(dragged) {
         Some(drag) => {
             let drag = drag?;
             (drag.shape(), drag.grip(), Some(drag))

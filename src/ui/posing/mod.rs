@@ -1,55 +1,47 @@
-//! Bones, gizmos and shapes under the hand: the tools Pose, Move and IK.
+//! The tools Pose, Move and IK: gestures with bones, gizmos and shapes in the view.
 
-mod bone_paint;
-mod gesture;
-mod gizmo_paint;
-mod gizmos;
+mod held;
 mod ik;
-mod ik_bar;
-mod ik_paint;
+mod paint;
 mod pointer;
-mod roll;
-mod sentence;
 mod tool_bar;
 
-pub(super) use gesture::PoseGesture;
-pub(super) use ik::{IkState, joint_to_pin};
-pub(super) use pointer::{Picked, pointer};
-pub(super) use roll::roll_by_keys;
-pub(super) use sentence::sentence;
+pub(super) use ik::joint_to_pin;
+pub(super) use pointer::{pointer, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
 
-use super::ScenePlaces;
-use super::state::UiState;
-use crate::editor::{GizmoAxes, Screen, Session, Tool, View};
+use super::scene_places::{Picked, Place, ScenePlaces};
+use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
-use egui::{Painter, Pos2, Rect, Response, Ui, pos2};
-use glam::Vec2;
+use egui::{Painter, Response, Ui};
+use held::{Held, PoseGesture};
+use ik::IkState;
 
-/// What the tools remember.
+/// State of the tools.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PoseState {
     pub tool: Tool,
+    /// Axes of gizmos.
     pub axes: GizmoAxes,
     pub ik: IkState,
-    /// What is in the user's hand.
+    /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
     pub hovered: Option<BoneHit>,
-    /// The shape that was found under the pointer last.
+    /// Cache of the shape under the pointer.
     pub picked: Picked,
     /// Whether the view itself was under the pointer in the last frame.
     pub over_view: bool,
-    /// The bone that was taken last: the one of its joint that keys roll.
+    /// The bone that was dragged or clicked last: of its joint's bones, keys roll this one.
     pub taken: Option<BoneHit>,
-    /// A joint that was selected by turning its bone: its gizmo would be in the way of the next
-    /// turn until it is asked for by a click.
+    /// A joint that was selected by turning its bone. Its gizmo is hidden until the joint is
+    /// clicked: it would be in the way of the next turn.
     pub without_gizmo: Option<(ShapeId, usize)>,
 }
 
 impl PoseState {
-    /// Keeps what is chosen, and nothing of any shape.
+    /// Keeps the settings, and drops everything about shapes.
     pub(super) fn forget_shapes(&mut self) {
         *self = Self {
             tool: self.tool,
@@ -59,38 +51,43 @@ impl PoseState {
         };
     }
 
-    /// Whether a chain is marked in the view, and not the bone under the pointer.
+    /// Whether the view marks a chain instead of the hovered bone.
     fn shows_chain(&self) -> bool {
         self.tool == Tool::Ik && (self.gesture.is_some() || self.ik.hovered.is_some())
     }
+
+    /// The handle of a gizmo that is being dragged.
+    fn held_handle(&self) -> Option<Handle> {
+        self.gesture.as_ref()?.active().and_then(Held::handle)
+    }
 }
 
-/// Shows bones and gizmos over the pictures of the scene in the view, and the bar of tools.
+/// Shows bones and gizmos over the pictures of the scene in the view, and the tool bar.
 pub(super) fn show(
     ui: &mut Ui,
     places: &ScenePlaces,
     view: &Response,
     session: &Session,
-    state: &mut UiState,
+    state: &mut PoseState,
 ) {
     let whole = ui.max_rect();
-    for &rect in &places.rects {
-        let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-        let place = Place { rect };
-        bone_paint::show(&painter, place, session, state.pose.tool);
-        if !state.pose.shows_chain() {
-            bone_paint::hovered(&painter, place, session);
+    let gesture = state.gesture.as_ref();
+    for place in places.iter() {
+        let clip = place.rect.intersect(ui.clip_rect());
+        let painter = ui.painter().with_clip_rect(clip);
+        paint::selected_bones(&painter, place, session, state.tool);
+        if !state.shows_chain() {
+            paint::hovered_bones(&painter, place, session);
         }
-        show_gizmo(&painter, place, view, session, &state.pose);
-        if state.pose.tool == Tool::Ik {
-            let gesture = state.pose.gesture.as_ref();
-            ik_paint::show(&painter, place, session, &state.pose.ik, gesture);
+        show_gizmo(&painter, place, view, session, state);
+        if state.tool == Tool::Ik {
+            paint::ik(&painter, place, session, &state.ik, gesture);
         }
     }
-    if let Some(gesture) = &state.pose.gesture {
-        gizmo_paint::readout(ui, whole, session, gesture);
+    if let Some(gesture) = gesture {
+        paint::readout(ui, whole, session, gesture);
     }
-    ik::forget_gone(session, state);
+    ik::forget_gone(session, &mut state.ik);
     tool_bar::show(ui, whole, session, state);
 }
 
@@ -101,24 +98,18 @@ fn show_gizmo(
     session: &Session,
     state: &PoseState,
 ) {
-    let Some(gizmo) = gizmos::shown(session, state, place) else {
+    let Some(gizmo) = held::shown_gizmo(session, state, place) else {
         return;
     };
-    let held = state.gesture.as_ref().and_then(PoseGesture::handle);
+    let held = state.held_handle();
     let under = view
         .hover_pos()
         .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
-    gizmo_paint::show(painter, place, &gizmo, hot, held.is_some());
+    paint::gizmo(painter, place, &gizmo, hot, held.is_some());
 }
 
-/// Whether hands and keys in the view may change a shape: it is neither hidden nor locked.
-fn is_pickable(session: &Session, shape: ShapeId) -> bool {
-    let evaluated = session.evaluated().shape(shape);
-    evaluated.is_some_and(|shape| shape.pickable)
-}
-
-/// A joint that is selected by a click, here or in the list, shows its gizmo.
+/// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
 pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
     let selects = |action: &Action| matches!(action, Action::View(View::SelectJoint(Some(_))));
     if actions.iter().any(selects) {
@@ -126,45 +117,69 @@ pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
     }
 }
 
-/// Where the scene is shown, in points of the window.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    rect: Rect,
+/// Text of the status line about what is dragged or the bone under the pointer: its name, and what
+/// gestures do with it.
+pub(super) fn status(
+    session: &Session,
+    state: &PoseState,
+) -> Option<(Option<String>, &'static str)> {
+    if let Some(gesture) = &state.gesture {
+        let held = gesture.held();
+        let over = joint_name(session, held.shape(), held.named());
+        let next = if held.snaps() {
+            "Ctrl snaps · Esc or right click cancels"
+        } else {
+            "Esc or right click cancels"
+        };
+        return Some((over, next));
+    }
+    let hit = state.hovered?;
+    if let Some((shape, grip)) = state.ik.hovered {
+        let over = joint_name(session, shape, Some(grip.joint()));
+        return Some((over, ik_status(session, state, shape, grip)));
+    }
+    let (joint, next) = match state.tool {
+        Tool::Select => (
+            Some(hit.joint),
+            "Click to select the joint · B turns bones by hand",
+        ),
+        Tool::Pose => (
+            Some(hit.joint),
+            "Drag to turn it · Left, Right roll · Ctrl snaps · click for rings",
+        ),
+        Tool::Move => (
+            root_of(session, hit.shape, hit.joint),
+            "Drag to move it and what hangs on it · Shift: all roots · Ctrl snaps",
+        ),
+        Tool::Ik => (Some(hit.joint), "Drag to bring it somewhere"),
+    };
+    Some((joint_name(session, hit.shape, joint), next))
 }
 
-impl Place {
-    /// The picture under a point of the window.
-    pub fn at(places: &ScenePlaces, position: Pos2) -> Option<Self> {
-        Self::of(places, places.index_at(position)?)
+/// What a drag with the IK tool would do with a grip.
+fn ik_status(session: &Session, state: &PoseState, shape: ShapeId, grip: IkGrip) -> &'static str {
+    let settings = state.ik.settings(shape);
+    let is_root = root_of(session, shape, grip.joint()) == Some(grip.joint());
+    let is_held = grip.chain(session, shape, &settings).is_none();
+    let moves_root = is_root && matches!(grip, IkGrip::Joint(_));
+    if settings.pins.contains(&grip.joint()) {
+        "Pinned: stays while others are dragged · P unpins"
+    } else if moves_root {
+        "Drag to move it all; pins stay · P pins"
+    } else if is_held {
+        "A pin above holds it"
+    } else {
+        "Drag to bring it somewhere, the chain follows · P pins"
     }
+}
 
-    /// The picture with this index.
-    pub fn of(places: &ScenePlaces, index: usize) -> Option<Self> {
-        Some(Self {
-            rect: *places.rects.get(index)?,
-        })
-    }
-
-    /// A point of the window as one of the picture.
-    pub fn pixel(self, position: Pos2) -> Vec2 {
-        let from_corner = position - self.rect.min;
-        Vec2::new(from_corner.x, from_corner.y)
-    }
-
-    /// A point of the picture as one of the window.
-    pub fn position(self, pixel: Vec2) -> Pos2 {
-        pos2(self.rect.min.x + pixel.x, self.rect.min.y + pixel.y)
-    }
-
-    pub fn size(self) -> Vec2 {
-        Vec2::new(self.rect.width().max(1.0), self.rect.height().max(1.0))
-    }
-
-    /// The picture under the session's camera.
-    pub fn screen(self, session: &Session) -> Screen {
-        Screen {
-            camera: session.view().camera,
-            size: self.size(),
-        }
-    }
+/// Name of a joint, or else of its shape.
+fn joint_name(session: &Session, shape: ShapeId, joint: Option<usize>) -> Option<String> {
+    let joint = joint.and_then(|joint| {
+        let character = session.scene().character(shape)?;
+        Some(&character.character.skeleton().joints().get(joint)?.name)
+    });
+    joint
+        .or_else(|| Some(&session.scene().shape(shape)?.name))
+        .cloned()
 }

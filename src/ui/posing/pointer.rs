@@ -1,19 +1,22 @@
-use super::gesture::{Held, PoseGesture};
-use super::{Place, PoseState, gizmos};
+//! What the pointer and the arrow keys do to bones, gizmos and shapes with the chosen tool.
+
+use super::PoseState;
+use super::held::{Drag, Held, shown_gizmo};
 use crate::editor::{
-    BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, Session, Tool, View, root_of,
+    BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
+    root_of,
 };
 use crate::math::Ray;
-use crate::revision::Revision;
-use crate::scene::{BoneHit, Camera, ModelDisplay, ShapeId, pick_bone, pick_shape};
-use crate::ui::pointer_use::PointerUse;
-use crate::ui::{Action, GestureStep, ScenePlaces};
-use egui::{CursorIcon, PointerButton, Pos2, Response};
+use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
+use crate::ui::scene_places::{Place, ScenePlaces};
+use crate::ui::view_gestures::{Grab, PointerUse, is_pickable};
+use crate::ui::{Action, Navigation, UiState};
+use egui::{Context, CursorIcon, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
 
-/// What the pointer does to gizmos, bones and, with the Move tool, shapes, in this order: marks
-/// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
-/// selected character whose row the pointer is over.
+/// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks what
+/// is under it, selects by click, and turns or moves by drag. `list` is the joint of the selected
+/// character whose row in the list is under the pointer.
 pub(in crate::ui) fn pointer(
     view: &Response,
     places: &ScenePlaces,
@@ -23,15 +26,16 @@ pub(in crate::ui) fn pointer(
     actions: &mut Vec<Action>,
 ) -> PointerUse {
     state.over_view = view.hovered();
-    if view.drag_started_by(PointerButton::Primary) && state.gesture.is_none() {
-        state.gesture = begin(view, places, session, state, actions);
-        if state.gesture.is_some() {
-            actions.push(Action::Gesture(GestureStep::Begin));
-        }
+    if state.gesture.is_none() {
+        let all = view.ctx.input(|input| input.modifiers.shift);
+        state.gesture = Grab::begin(view, places, actions, |place, pixel, actions| {
+            take(session, state, place, pixel, all, actions)
+        });
     }
     if let Some(gesture) = &mut state.gesture {
-        let held = gesture.joint().map(|joint| (gesture.shape(), joint));
-        if !gesture.go_on(view, places, session, actions) {
+        let held = gesture.held();
+        let held = held.joint().map(|joint| (held.shape(), joint));
+        if !gesture.follow(view, places, session, actions) {
             state.gesture = None;
         }
         view.ctx.set_cursor_icon(CursorIcon::Grabbing);
@@ -80,59 +84,22 @@ pub(in crate::ui) fn pointer(
     PointerUse::Over
 }
 
-/// The shape that was found under the pointer last. It is looked for once, however often it is
-/// asked for, until the pointer, the camera or the document changes.
-#[derive(Clone, Debug, Default)]
-pub(in crate::ui) struct Picked {
-    last: Option<(PickedFor, Option<ShapeId>)>,
-}
-
-/// What the shape under a pixel follows from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct PickedFor {
-    document: Revision,
-    camera: Camera,
-    pixel: Vec2,
-    size: Vec2,
-}
-
-impl Picked {
-    /// The shape under `pixel`, from the top left of a picture of `size`.
-    pub fn shape_at(&mut self, session: &Session, pixel: Vec2, size: Vec2) -> Option<ShapeId> {
-        let wanted = PickedFor {
-            document: session.document(),
-            camera: session.view().camera,
-            pixel,
-            size,
-        };
-        if let Some((found_for, shape)) = self.last
-            && found_for == wanted
-        {
-            return shape;
-        }
-        let ray = wanted.camera.ray(pixel, size);
-        let shape = pick_shape(session.evaluated(), &ray).map(|(shape, _)| shape);
-        self.last = Some((wanted, shape));
-        shape
-    }
-}
-
-/// What a gesture would take.
+/// What is under the pointer, for the chosen tool.
 enum Under {
     Nothing,
     Handle,
-    /// In this picture of the scene.
+    /// A bone, in this picture of the scene.
     Bone(BoneHit, Place),
     /// With the Move tool alone.
     Shape,
 }
 
 fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos2) -> Under {
-    let Some(place) = Place::at(places, at) else {
+    let Some(place) = places.at(at) else {
         return Under::Nothing;
     };
     let pixel = place.pixel(at);
-    let gizmo = gizmos::shown(session, state, place);
+    let gizmo = shown_gizmo(session, state, place);
     if gizmo.and_then(|gizmo| gizmo.hit(pixel)).is_some() {
         return Under::Handle;
     }
@@ -151,7 +118,7 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
     Under::Nothing
 }
 
-/// The bone under the pointer. Without a tool for them only those that show can be clicked.
+/// The bone under the pointer. With the Select tool, only where bones are displayed.
 fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<BoneHit> {
     let camera = &session.view().camera;
     let hit = pick_bone(
@@ -165,7 +132,7 @@ fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<B
     (tool != Tool::Select || display.mode != ModelDisplay::Mesh).then_some(hit)
 }
 
-/// The joint that a tool means by a bone.
+/// The joint that a tool acts on when it takes a bone.
 fn target_joint(session: &Session, tool: Tool, hit: &BoneHit, place: Place) -> usize {
     let meant = match tool {
         Tool::Select | Tool::Pose => None,
@@ -175,33 +142,28 @@ fn target_joint(session: &Session, tool: Tool, hit: &BoneHit, place: Place) -> u
     meant.unwrap_or(hit.joint)
 }
 
-/// egui only takes a press for a drag once the pointer has moved; what was grabbed lies where the
-/// button went down.
-fn begin(
-    view: &Response,
-    places: &ScenePlaces,
+/// Begins a drag of what is at `pixel`: a gizmo's handle, a bone or a shape. With `all`, roots move
+/// together.
+fn take(
     session: &Session,
     state: &mut PoseState,
+    place: Place,
+    pixel: Vec2,
+    all: bool,
     actions: &mut Vec<Action>,
-) -> Option<PoseGesture> {
+) -> Option<Held> {
     if state.tool == Tool::Select {
         return None;
     }
-    let (pressed, all) = view
-        .ctx
-        .input(|input| (input.pointer.press_origin(), input.modifiers.shift));
-    let index = places.index_at(pressed?)?;
-    let place = Place::of(places, index)?;
-    let pixel = place.pixel(pressed?);
     let screen = place.screen(session);
     let ray = screen.ray(pixel);
-    if let Some(gizmo) = gizmos::shown(session, state, place)
+    if let Some(gizmo) = shown_gizmo(session, state, place)
         && let Some(hit) = gizmo.hit(pixel)
     {
-        return gizmo.take(session, hit, &ray, all, index);
+        return gizmo.take(session, hit, &ray, all);
     }
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
-        let held = match state.tool {
+        let drag = match state.tool {
             Tool::Pose => turn_bone(session, state, hit)?,
             Tool::Ik => state.ik.take(session, &hit, &screen, &ray)?,
             _ => move_root(session, hit, &ray, all)?,
@@ -209,43 +171,41 @@ fn begin(
         state.taken = Some(hit);
         let joint = target_joint(session, state.tool, &hit, place);
         select(session, hit.shape, Some(joint), actions);
-        return Some(PoseGesture::new(held, None, index));
+        return Some(drag.into());
     }
     if state.tool != Tool::Move {
         return None;
     }
     let shape = state.picked.shape_at(session, pixel, place.size())?;
-    let drag = MoveDrag::begin(
-        session,
-        MoveTarget::Shape(shape),
-        across_view(session),
-        &ray,
-    )?;
+    let target = MoveTarget::Shape(shape);
+    let drag = MoveDrag::begin(session, target, across_view(session), &ray)?;
     select(session, shape, None, actions);
-    Some(PoseGesture::new(Held::Moved(drag), None, index))
+    Some(Drag::Move(drag).into())
 }
 
-fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Held> {
+fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Drag> {
     let eye = session.view().camera.eye();
     let drag = BoneDrag::begin(session, hit.shape, hit.joint, eye, hit.point)?;
     state.without_gizmo = Some((hit.shape, hit.joint));
-    Some(Held::Bone(drag))
+    Some(Drag::Bone(drag))
 }
 
-fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Held> {
+fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Drag> {
     let root = MoveTarget::Root {
         shape: hit.shape,
         joint: root_of(session, hit.shape, hit.joint)?,
     };
     let target = if all { root.all_roots() } else { root };
     let drag = MoveDrag::begin(session, target, across_view(session), ray)?;
-    Some(Held::Moved(drag))
+    Some(Drag::Move(drag))
 }
 
+/// Movement in the plane parallel to the picture.
 fn across_view(session: &Session) -> MoveAlong {
     MoveAlong::Plane(session.view().camera.forward())
 }
 
+/// Selects a shape and a joint of it, or none, unless they are selected already.
 fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut Vec<Action>) {
     if session.selected() != Some(shape) {
         actions.push(Action::View(View::Select(Some(shape))));
@@ -255,41 +215,58 @@ fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut
     }
 }
 
-/// Tells the session which bone is under the pointer, if that has changed.
+/// Marks a bone as hovered, or none.
 fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Action>) {
     if bone != session.hovered_bone() {
         actions.push(Action::View(View::HoverBone(bone)));
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::editor::Edit;
-    use crate::scene::NewShape;
-    use crate::scene::ShapeKind;
-
-    #[test]
-    fn a_shape_is_looked_for_again_once_pointer_camera_or_scene_moved_and_not_before() {
-        let mut session = Session::new();
-        let insert = Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]);
-        session.edit(insert).unwrap();
-        let cube = session.selected();
-        let (size, middle) = (Vec2::new(800.0, 600.0), Vec2::new(400.0, 300.0));
-        let mut picked = Picked::default();
-        assert_eq!(picked.shape_at(&session, middle, size), cube);
-        // What was found is told again, whatever it was.
-        picked.last = picked.last.map(|(found_for, _)| (found_for, None));
-        assert_eq!(picked.shape_at(&session, middle, size), None);
-        assert_eq!(picked.shape_at(&session, middle + Vec2::X, size), cube);
-        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
-        let mut camera = session.view().camera;
-        camera.pan_with_pointer(Vec2::ONE - middle, size.y);
-        session.look(View::SetCamera(camera));
-        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), cube);
-        if let Some(id) = cube {
-            session.edit(Edit::Delete(id)).unwrap();
-        }
-        assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
+/// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while Left
+/// or Right is pressed over the view. If the navigation turns the camera by these keys, only the bone
+/// under the pointer. To be called before the panels, which use these keys, too.
+pub(in crate::ui) fn roll_by_keys(
+    ctx: &Context,
+    session: &Session,
+    state: &UiState,
+    actions: &mut Vec<Action>,
+) {
+    let pose = &state.pose;
+    if pose.tool != Tool::Pose || !pose.over_view {
+        return;
     }
+    let under_pointer = pose.hovered.map(|hit| (hit.shape, hit.bone));
+    let selected = || match state.navigation {
+        Navigation::Mannequin => None,
+        _ => bone_of_selected_joint(session, pose),
+    };
+    let Some((shape, bone)) = under_pointer.or_else(selected) else {
+        return;
+    };
+    let steps = ctx.input_mut(|input| {
+        // While they are held, they must not turn the camera as well.
+        input.keys_down.remove(&Key::ArrowLeft);
+        input.keys_down.remove(&Key::ArrowRight);
+        let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
+        right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
+    });
+    if steps != 0.0 {
+        let edit = roll(session, shape, bone, steps * ROLL_STEP);
+        actions.extend(edit.map(Action::Edit));
+    }
+}
+
+/// Character and index of a bone of the selected joint: the one taken last, or else the first.
+fn bone_of_selected_joint(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
+    let shape = session.selected().filter(|&id| is_pickable(session, id))?;
+    let joint = session.selected_joint()?;
+    let taken = state
+        .taken
+        .filter(|hit| (hit.shape, hit.joint) == (shape, joint));
+    if let Some(hit) = taken {
+        return Some((shape, hit.bone));
+    }
+    let bones = session.scene().character(shape)?.character.bones();
+    let first = bones.iter().position(|bone| bone.joint == joint)?;
+    Some((shape, first))
 }

@@ -1,0 +1,268 @@
+//! The content of pose files: joints by name or index with their angles, read and written.
+
+use super::json;
+use crate::character::{Pose, SkeletalModel};
+use crate::math::Euler;
+use glam::Vec3;
+use serde::Deserialize;
+use serde::de::{Deserializer, MapAccess, Visitor};
+use serde_spanned::Spanned;
+use std::collections::HashMap;
+use std::fmt::{self, Write};
+
+/// A pose as files have it: joints by name or index, angles in degrees.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct PoseData {
+    /// Name or index of a joint, and its angles about X, Y and Z in degrees.
+    pub joints: Entries,
+    /// Name or index of a root, and how far it has moved, in the character's model space.
+    pub roots: Entries,
+}
+
+/// Joints with three numbers each, in the order of the file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Entries(pub Vec<(Key, Vec3)>);
+
+/// The name or the index of a joint, as a file has it.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(transparent)]
+pub struct Key(Spanned<String>);
+
+impl Key {
+    /// The name, or the index in decimal.
+    pub fn as_str(&self) -> &str {
+        self.0.get_ref()
+    }
+
+    /// The byte of the file's text where it starts.
+    pub(super) fn at(&self) -> usize {
+        self.0.span().start
+    }
+}
+
+impl Entries {
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(super) fn keys(&self) -> impl Iterator<Item = &Key> {
+        self.0.iter().map(|(key, _)| key)
+    }
+
+    /// The first two keys that mean one joint of `skeleton`, by its name, sid or index.
+    pub(super) fn same_joint(&self, skeleton: &SkeletalModel) -> Option<(&Key, &Key)> {
+        let mut seen: HashMap<usize, &Key> = HashMap::new();
+        self.keys().find_map(|key| {
+            let joint = Pose::find_joint(skeleton, key.as_str()).ok()?;
+            Some((seen.insert(joint, key)?, key))
+        })
+    }
+}
+
+impl<'de> Deserialize<'de> for Entries {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers(Vec3);
+        impl<'de> Deserialize<'de> for Numbers {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                json::vec3(deserializer, |_| Ok(())).map(Self)
+            }
+        }
+        struct Pairs;
+        impl<'de> Visitor<'de> for Pairs {
+            type Value = Entries;
+
+            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
+                f.write_str("joints with three numbers each")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
+                let mut entries = Vec::new();
+                while let Some((key, Numbers(value))) = map.next_entry()? {
+                    entries.push((key, value));
+                }
+                Ok(Entries(entries))
+            }
+        }
+        deserializer.deserialize_map(Pairs)
+    }
+}
+
+impl PoseData {
+    /// The joints and roots of `pose` that differ from rest: by name, or by index where the name
+    /// is another joint's too. Angles are those of the pose, however many turns they make.
+    pub fn new(skeleton: &SkeletalModel, pose: &Pose) -> Self {
+        let joints = 0..skeleton.joints().len();
+        let turned = joints.filter_map(|joint| {
+            let rotation = pose.rotation(joint);
+            (rotation != Euler::ZERO).then(|| (key(skeleton, joint), degrees(rotation)))
+        });
+        let roots = skeleton.roots().iter().filter_map(|&root| {
+            let offset = pose.root_offset(root);
+            (offset != Vec3::ZERO).then(|| (key(skeleton, root), offset))
+        });
+        Self {
+            joints: Entries(turned.collect()),
+            roots: Entries(roots.collect()),
+        }
+    }
+
+    /// The text of a `POSE.json`, a joint a line. Numbers have as many digits as it takes to read
+    /// the same ones back.
+    pub fn to_json(&self) -> String {
+        let sections = [("joints", &self.joints), ("roots", &self.roots)];
+        let sections = sections
+            .iter()
+            .filter(|(name, entries)| *name == "joints" || !entries.is_empty());
+        let text: Vec<String> = sections
+            .map(|(name, entries)| format!("  \"{name}\": {}", object(entries)))
+            .collect();
+        format!("{{\n{}\n}}\n", text.join(",\n"))
+    }
+}
+
+fn object(entries: &Entries) -> String {
+    if entries.is_empty() {
+        return "{}".to_owned();
+    }
+    let mut text = "{".to_owned();
+    for (index, (key, value)) in entries.0.iter().enumerate() {
+        let comma = if index == 0 { "" } else { "," };
+        // A key can only fail to be written where memory ends; writing to a string cannot fail.
+        let key = serde_json::to_string(key.as_str()).unwrap_or_default();
+        // Adding 0 takes the sign from -0.
+        let [x, y, z] = (*value + Vec3::ZERO).to_array();
+        let _ = write!(text, "{comma}\n    {key}: [{x}, {y}, {z}]");
+    }
+    text + "\n  }"
+}
+
+/// The key under which a pose file finds `joint` again: its name, its sid or its index.
+fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
+    let described = &skeleton.joints()[joint];
+    let names = [Some(&described.name), described.sid.as_ref()];
+    let found = names.into_iter().flatten().find(|name| {
+        let is_it = Pose::find_joint(skeleton, name) == Ok(joint);
+        is_it && !name.is_empty()
+    });
+    let name = found.cloned().unwrap_or_else(|| joint.to_string());
+    Key(Spanned::new(0..0, name))
+}
+
+/// For each angle the number of degrees with the fewest digits that is read as the same angle;
+/// the nearest one where rounding lets no number of degrees be read as it.
+fn degrees(rotation: Euler) -> Vec3 {
+    let exact = rotation.radians.to_array();
+    Vec3::from(exact.map(|radians| {
+        let degrees = f64::from(radians).to_degrees();
+        let read = |degrees: f32| Euler::from_degrees(Vec3::splat(degrees)).radians.x;
+        (0..MOST_DECIMALS)
+            .filter_map(|decimals| format!("{degrees:.decimals$}").parse().ok())
+            .find(|&short| read(short) == radians)
+            .unwrap_or(degrees as f32)
+    }))
+}
+
+/// Decimals beyond these make no other `f32`, unless the number is all but 0.
+const MOST_DECIMALS: usize = 12;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::Joint;
+    use crate::io::PoseFile;
+    use crate::math::Euler;
+    use std::path::Path;
+
+    fn skeleton(names: &[&str]) -> SkeletalModel {
+        let joints = names.iter().enumerate().map(|(index, name)| Joint {
+            name: (*name).to_owned(),
+            parent: index.checked_sub(1),
+            offset: Vec3::Y,
+            ..Joint::default()
+        });
+        SkeletalModel::new(joints.collect()).unwrap()
+    }
+
+    #[test]
+    fn a_pose_that_was_written_is_read_back() {
+        let skeleton = skeleton(&["Root", "El\"bow", "Same", "Same"]);
+        let mut pose = Pose::new();
+        pose.set_root_offset(0, Vec3::new(0.1, 0.2, -1.0e-7));
+        for joint in 1..4 {
+            let degrees = Vec3::new(12.34, -0.1, 100.0 / 3.0) * joint as f32;
+            pose.set_joint_transform(joint, Euler::from_degrees(degrees));
+        }
+        let text = PoseData::new(&skeleton, &pose).to_json();
+        let read = PoseFile::read(Path::new("p.json"), text.as_bytes()).unwrap();
+        let back = read.pose_of(&skeleton).unwrap();
+        for joint in 0..4 {
+            let (found, expected) = (back.rotation(joint).radians, pose.rotation(joint).radians);
+            assert!(
+                found.abs_diff_eq(expected, 1e-6),
+                "{joint}: {found} {expected}\n{text}"
+            );
+            assert_eq!(back.root_offset(joint), pose.root_offset(joint));
+        }
+        assert!(
+            text.contains("\"3\": ["),
+            "the second of one name goes by its index\n{text}"
+        );
+    }
+
+    #[test]
+    fn the_rest_pose_is_a_file_without_joints() {
+        let text = PoseData::new(&skeleton(&["Root"]), &Pose::new()).to_json();
+        assert_eq!(text, "{\n  \"joints\": {}\n}\n");
+        assert!(PoseFile::read(Path::new("p.json"), text.as_bytes()).is_ok());
+    }
+
+    #[test]
+    fn angles_are_written_as_they_are_in_the_pose() {
+        let skeleton = skeleton(&["Root", "Arm"]);
+        let written = |degrees: Vec3| {
+            let mut pose = Pose::new();
+            pose.set_joint_transform(1, Euler::from_degrees(degrees));
+            PoseData::new(&skeleton, &pose).to_json()
+        };
+        for (degrees, text) in [
+            ([-6.0, 0.0, 90.0], "[-6, 0, 90]"),
+            ([354.0, -720.0, 1080.5], "[354, -720, 1080.5]"),
+            ([0.1, -12.34, 179.99], "[0.1, -12.34, 179.99]"),
+            ([33.333332, 1e-7, -359.9], "[33.333332, 0.0000001, -359.9]"),
+        ] {
+            let found = written(Vec3::from(degrees));
+            assert!(found.contains(&format!("\"Arm\": {text}")), "{found}");
+        }
+        for tenths in -7200..=7200_i16 {
+            let found = written(Vec3::X * (f32::from(tenths) / 10.0));
+            let (sign, size) = (if tenths < 0 { "-" } else { "" }, tenths.unsigned_abs());
+            let text = match size % 10 {
+                0 => format!("{sign}{}", size / 10),
+                tenth => format!("{sign}{}.{tenth}", size / 10),
+            };
+            let whole = tenths == 0 || found.contains(&format!("[{text}, 0, 0]"));
+            assert!(whole, "{text} {found}");
+        }
+    }
+
+    #[test]
+    fn an_angle_that_was_written_is_read_as_the_nearest_there_is() {
+        let skeleton = skeleton(&["Root", "Arm"]);
+        let mut same = 0;
+        let angles = (1..2000_u16).map(|i| f32::from(i) * -0.006_931);
+        for radians in angles.clone() {
+            let mut pose = Pose::new();
+            pose.set_joint_transform(1, Euler::from_radians(Vec3::X * radians));
+            let text = PoseData::new(&skeleton, &pose).to_json();
+            let read = PoseFile::read(Path::new("p.json"), text.as_bytes()).unwrap();
+            let back = read.pose_of(&skeleton).unwrap().rotation(1).radians.x;
+            same += u32::from(back == radians);
+            // One step of an `f32` at most: not every angle is a number of degrees.
+            let step = (back.to_bits().abs_diff(radians.to_bits())) <= 1;
+            assert!(step, "{radians} {back} {text}");
+        }
+        assert!(same > 1500, "{same}");
+    }
+}

@@ -1,0 +1,140 @@
+//! The passes before the shapes: the background, the Mannequin look's floor, and the axes.
+
+use super::renderer::PassContext;
+use super::surface_pass::MANNEQUIN_LIGHT;
+use crate::gpu::{
+    Attribute, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Mode, Primitive,
+    Program, Usage, VertexArray,
+};
+use crate::scene::{Camera, Look};
+use glam::{Vec2, Vec3};
+
+/// Gray of the course's background: 0.1, which is 26 of 255.
+const COURSE: f32 = 0.1;
+const STUDIO_TOP: Vec3 = Vec3::new(0.30, 0.33, 0.37);
+const STUDIO_BOTTOM: Vec3 = Vec3::new(0.12, 0.13, 0.15);
+
+/// The Mannequin look's background.
+const TEAL: [f32; 4] = [0.0, 0.3725, 0.3725, 1.0];
+
+/// Clears the picture: one color in the Course and Mannequin looks, a vertical gradient in the
+/// Studio look.
+#[derive(Debug)]
+pub(super) struct BackgroundPass {
+    program: Program,
+    triangle: VertexArray,
+}
+
+impl BackgroundPass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let program = Program::new(
+            gl,
+            "background",
+            include_str!("../../shaders/whole_picture_vertex.glsl"),
+            include_str!("../../shaders/background_fragment.glsl"),
+        )?;
+        Ok(Self {
+            program,
+            triangle: whole_picture(gl)?,
+        })
+    }
+
+    pub fn draw(&self, gl: &Gl, context: &PassContext, look: Look, target: &Framebuffer) {
+        match look {
+            Look::Mannequin => target.clear(TEAL),
+            Look::Course | Look::Studio => target.clear([COURSE, COURSE, COURSE, 1.0]),
+        }
+        if look != Look::Studio {
+            return;
+        }
+        let state = DrawState {
+            depth_test: DepthTest::Off,
+            depth_write: false,
+            ..DrawState::opaque(context.width, context.height)
+        };
+        state.apply(gl);
+        self.program.set_vec3("top", STUDIO_TOP);
+        self.program.set_vec3("bottom", STUDIO_BOTTOM);
+        self.triangle
+            .draw(&self.program, Primitive::Triangles, 0..3);
+    }
+}
+
+/// Height of the floor in the world.
+const FLOOR_HEIGHT: f32 = -2.0;
+/// Side of a tile in the world.
+const TILE: f32 = 5.0;
+
+/// The Mannequin look's floor: black and white tiles to the horizon.
+#[derive(Debug)]
+pub(super) struct FloorPass {
+    program: Program,
+    whole_picture: VertexArray,
+}
+
+impl FloorPass {
+    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        Ok(Self {
+            program: Program::new(
+                gl,
+                "floor",
+                include_str!("../../shaders/floor_vertex.glsl"),
+                include_str!("../../shaders/floor_fragment.glsl"),
+            )?,
+            whole_picture: whole_picture(gl)?,
+        })
+    }
+
+    /// Draws it, before everything else: it covers what is below it, and what stands on it covers it.
+    pub fn draw(&self, gl: &Gl, context: &PassContext, camera: &Camera) {
+        let state = DrawState {
+            depth_test: DepthTest::Always,
+            ..DrawState::opaque(context.width, context.height)
+        };
+        state.apply(gl);
+        let half_height = (camera.fovy * 0.5).tan();
+        let half_width = half_height * context.width as f32 / context.height as f32;
+        let program = &self.program;
+        let ahead = camera.up().cross(camera.right());
+        program.set_vec3("ahead", ahead);
+        program.set_vec3("across", camera.right() * half_width);
+        program.set_vec3("upwards", camera.up() * half_height);
+        program.set_vec3("eye", camera.eye());
+        program.set_vec3("light", MANNEQUIN_LIGHT);
+        program.set_f32("height", FLOOR_HEIGHT);
+        program.set_f32("tile", TILE);
+        program.set_f32("near", camera.near);
+        program.set_f32("far", camera.far);
+        self.whole_picture.draw(program, Primitive::Triangles, 0..3);
+    }
+}
+
+/// Length of each half of an axis in the world.
+const AXIS_REACH: f32 = 50.0;
+
+/// Draws the world's axes through the compatibility layer: X red, Y green, Z blue.
+pub(super) fn draw_axis(gl: &Gl, immediate: &mut Immediate, context: &PassContext) {
+    DrawState::opaque(context.width, context.height).apply(gl);
+    immediate.load_matrix(context.clip_from_world);
+    immediate.line_width(1.0);
+    immediate.begin(Mode::Lines);
+    for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+        immediate.color(axis);
+        immediate.vertex(axis * -AXIS_REACH);
+        immediate.vertex(axis * AXIS_REACH);
+    }
+    immediate.end();
+}
+
+/// One triangle that covers the whole picture, in clip space.
+pub(super) fn whole_picture(gl: &Gl) -> Result<VertexArray, GpuError> {
+    let corners = [
+        Vec2::new(-1.0, -1.0),
+        Vec2::new(3.0, -1.0),
+        Vec2::new(-1.0, 3.0),
+    ];
+    let buffer = Buffer::vertices(gl, Usage::Static, &corners)?;
+    VertexArray::builder(gl)
+        .attribute(&buffer, Attribute::f32(0, 2))
+        .build()
+}

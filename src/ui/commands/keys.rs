@@ -1,0 +1,254 @@
+//! Keyboard shortcuts of the commands, and the list of mouse gestures.
+
+use super::table::{CTRL, entry_of};
+use super::{COMMANDS, Command, Entry};
+use crate::ui::Navigation;
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
+
+/// A mouse gesture, as Help ▸ Keys and Mouse lists it.
+#[derive(Clone, Copy, Debug)]
+pub struct Gesture {
+    /// Buttons and movement, such as "Drag a ring".
+    pub gesture: &'static str,
+    /// Effect.
+    pub does: &'static str,
+}
+
+/// A row of that list.
+pub(in crate::ui) const fn gesture(gesture: &'static str, does: &'static str) -> Gesture {
+    Gesture { gesture, does }
+}
+
+/// Gestures in the view, without those that move the camera (see [`Navigation`]), then in the
+/// panels.
+pub const GESTURES: &[Gesture] = &[
+    gesture("Click in the view", "Select the shape under the pointer"),
+    gesture(
+        "Drag a control point",
+        "Move it; Esc or right click cancels",
+    ),
+    gesture("Wheel in the view", "Move the camera closer or away"),
+    gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),
+    gesture("Pose: Left, Right", "Roll the bone under the pointer"),
+    gesture("Pose: click a bone", "Show rings that turn it"),
+    gesture("Move: drag a bone", "Move its root, with Shift every root"),
+    gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
+    gesture("Drag a ring", "Turn the joint about it, with Ctrl by 15°"),
+    gesture(
+        "Drag an arrow or a square",
+        "Move along it, with Ctrl by 0.1",
+    ),
+    gesture(
+        "IK: drag a bone",
+        "Bring its end somewhere; a chain follows",
+    ),
+    gesture("IK: drag the root", "Move it all; pinned joints stay"),
+    gesture("IK: click a bone", "Select the joint at its nearer end"),
+    gesture("Esc, right click in a drag", "Put everything back"),
+    gesture("Click the axis ball", "Look from the side that was clicked"),
+    gesture(
+        "Drag a number",
+        "Change it; Shift is finer, Ctrl is coarser",
+    ),
+    gesture("Click a number", "Type a value or a sum such as 45/2"),
+    gesture("Right click a number", "Put it back to where it started"),
+    gesture("Up, Down in a list", "Choose the row above or below"),
+    gesture("Left, Right in the joint list", "Fold or unfold a joint"),
+    gesture("Ctrl and +, −, 0", "Larger, smaller, normal text"),
+];
+
+impl Entry {
+    /// Shortcuts in a navigation, whose own take precedence over the general ones.
+    fn shortcuts_in(
+        &self,
+        navigation: Navigation,
+    ) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
+            Some(only) => only != navigation,
+            None => COMMANDS.iter().any(|other| {
+                other.only_in == Some(navigation) && other.shortcuts.contains(shortcut)
+            }),
+        };
+        self.shortcuts
+            .iter()
+            .filter(move |shortcut| !is_overridden(shortcut))
+    }
+
+    /// All its shortcuts as text, such as `?, F1`; empty if it has none.
+    pub(in crate::ui) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
+        let keys: Vec<String> = self
+            .shortcuts_in(navigation)
+            .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
+            .collect();
+        keys.join(", ")
+    }
+
+    /// The first shortcut as text, for a menu; empty if it has none.
+    pub(in crate::ui) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
+        self.shortcuts_in(navigation)
+            .next()
+            .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
+            .unwrap_or_default()
+    }
+
+    fn with_key(&self, ctx: &Context, words: &str) -> String {
+        match self.first_key(ctx, Navigation::default()) {
+            key if key.is_empty() => words.to_owned(),
+            key => format!("{words} ({key})"),
+        }
+    }
+}
+
+/// Key names as keyboards have them: `Esc`, `?`.
+fn short(shortcut: &str) -> String {
+    shortcut
+        .replace("Escape", "Esc")
+        .replace("Questionmark", "?")
+}
+
+/// Tooltip of `command`, with its shortcut in the default navigation.
+pub(in crate::ui) fn tooltip(ctx: &Context, command: Command) -> String {
+    let entry = entry_of(command);
+    entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))
+}
+
+/// `words`, followed by the shortcut of `command` as in [`tooltip`].
+pub(in crate::ui) fn with_key(ctx: &Context, command: Command, words: &str) -> String {
+    let entry = entry_of(command);
+    entry.map_or(String::new(), |entry| entry.with_key(ctx, words))
+}
+
+/// Commands whose shortcuts were pressed in this frame; their events are consumed.
+pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
+    ctx.input_mut(|input| {
+        let mut commands = Vec::new();
+        let held = input.pointer.any_down();
+        input.events.retain(|event| {
+            let (modifiers, key) = match event {
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } => (*modifiers, *key),
+                // egui reports these two shortcuts as what they mean.
+                Event::Copy => (CTRL, Key::C),
+                Event::Paste(_) => (CTRL, Key::V),
+                _ => return true,
+            };
+            let hit = command_of(modifiers, key, navigation)
+                // Esc while a button is down cancels that drag, and ends nothing else.
+                .filter(|&command| !(held && command == Command::Quit));
+            commands.extend(hit);
+            hit.is_none()
+        });
+        commands
+    })
+}
+
+fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<Command> {
+    // Keyboards differ in the key of the question mark and in its modifiers.
+    let modifiers = if key == Key::Questionmark {
+        Modifiers::NONE
+    } else {
+        modifiers
+    };
+    let has_key = |entry: &&Entry| {
+        entry.shortcuts_in(navigation).any(|shortcut| {
+            shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
+        })
+    };
+    let entry = COMMANDS.iter().find(has_key);
+    entry.map(|entry| entry.command)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::commands::table::{NONE, SHIFT};
+    use crate::ui::commands::{Menu, Primitive};
+
+    #[test]
+    fn no_two_commands_share_a_key_or_a_label() {
+        for (i, one) in COMMANDS.iter().enumerate() {
+            for other in &COMMANDS[i + 1..] {
+                assert_ne!(one.label, other.label);
+                if one.only_in != other.only_in {
+                    continue;
+                }
+                for shortcut in one.shortcuts {
+                    assert!(
+                        !other.shortcuts.contains(shortcut),
+                        "{} and {}",
+                        one.label,
+                        other.label
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_key_is_overridden_command_with_shift() {
+        assert_eq!(
+            command_of(NONE, Key::T, Navigation::Course),
+            Some(Command::ToggleAxis)
+        );
+        assert_eq!(
+            command_of(SHIFT, Key::T, Navigation::Blender),
+            Some(Command::Insert(Primitive::Teapot))
+        );
+        assert_eq!(
+            command_of(Modifiers::CTRL, Key::T, Navigation::Course),
+            None
+        );
+    }
+
+    #[test]
+    fn the_question_mark_counts_wherever_a_keyboard_has_it() {
+        assert_eq!(
+            command_of(SHIFT, Key::Questionmark, Navigation::Orbit),
+            Some(Command::Keys)
+        );
+        assert_eq!(
+            command_of(NONE, Key::Questionmark, Navigation::Orbit),
+            Some(Command::Keys)
+        );
+    }
+
+    #[test]
+    fn every_command_is_in_a_menu_and_explained() {
+        for entry in COMMANDS {
+            assert!(Menu::ALL.contains(&entry.menu), "{}", entry.label);
+            assert!(!entry.tooltip.is_empty(), "{}", entry.label);
+        }
+    }
+
+    #[test]
+    fn the_fonts_have_every_sign_that_the_panels_show() {
+        let ctx = Context::default();
+        let output = ctx.run_ui(egui::RawInput::default(), |ui| {
+            let mut shown = "⊗⚠ℹ×🔍↺⏵⏷✔·°…⏵".to_owned();
+            for gesture in GESTURES {
+                shown += gesture.gesture;
+                shown += gesture.does;
+            }
+            for entry in COMMANDS {
+                shown += entry.label;
+                shown += entry.tooltip;
+                shown += &entry.keys(ui.ctx(), Navigation::Course);
+            }
+            let drawn = |sign: char| {
+                let font = egui::FontId::proportional(14.0);
+                let painter = ui.painter();
+                let galley = painter.layout_no_wrap(sign.into(), font, egui::Color32::WHITE);
+                galley.rows[0].glyphs[0].uv_rect
+            };
+            let unknown = drawn('\u{10fffe}');
+            for sign in shown.chars().filter(|sign| !sign.is_whitespace()) {
+                assert_ne!(drawn(sign), unknown, "no glyph for {sign}");
+            }
+        });
+        output.drop_without_applying_deltas();
+    }
+}

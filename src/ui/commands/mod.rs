@@ -1,0 +1,151 @@
+//! Commands: everything that a menu item or a key can start.
+
+mod keys;
+mod run;
+mod table;
+
+pub use keys::{GESTURES, Gesture};
+pub use table::{COMMANDS, Entry, Menu};
+
+pub(super) use keys::{gesture, pressed, tooltip, with_key};
+pub(super) use run::{REVOLUTION_STEPS, curves, is_on, run, why_disabled};
+pub(super) use table::{entries, label};
+
+use crate::editor::Tool;
+use crate::geometry::Basis;
+use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, Skinning, ViewDirection};
+use crate::ui::Navigation;
+use egui::ThemePreference;
+
+/// Everything that a menu item or a key can start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Command {
+    /// Opens the screenshot dialog.
+    Screenshot,
+    /// Exports the curves of the selected shape.
+    ExportCurve,
+    /// Exports the geometry of the scene.
+    ExportGeometry,
+    /// Closes the last dialog that was opened, else ends the program.
+    Quit,
+    /// Inserts a shape.
+    Insert(Primitive),
+    /// Imports a shape.
+    ImportShape,
+    /// Imports curves.
+    ImportCurve,
+    /// Imports a character.
+    ImportCharacter,
+    /// Makes a surface of revolution from a curve of the selected shape, about +Y.
+    MakeSurfaceOfRevolution,
+    /// Makes a surface by sweeping one curve of the selected shape along another.
+    MakeSweep,
+    /// Deletes the selected shape.
+    Delete,
+    /// Resets the selected shape to how it was inserted.
+    Reset,
+    /// Hides the selected shape in the view, or shows it.
+    ToggleVisible,
+    /// Locks the selected shape in the view, or unlocks it.
+    ToggleLocked,
+    /// One of the six views.
+    ViewFrom(ViewDirection),
+    /// Resets the camera to where it started.
+    ResetCamera,
+    /// Fits the selected shape, or everything, to the view.
+    Fit,
+    /// Shows or hides the axes.
+    ToggleAxis,
+    /// Shows or hides the grid on the ground.
+    ToggleGrid,
+    /// Chooses the look: light and background.
+    SetLook(Look),
+    /// Chooses the normals that surfaces are lit with.
+    SetShading(Shading),
+    /// Chooses the colors of the panels.
+    SetTheme(ThemePreference),
+    /// Chooses how mouse and keys move the camera.
+    SetNavigation(Navigation),
+    /// Opens a built-in scene by its name.
+    OpenScene(&'static str),
+    /// Resets the camera and all poses.
+    ResetViewAndPose,
+    /// Chooses a picture to compare the view with.
+    Compare,
+    /// Chooses what deforms characters; automatic if `None`.
+    SetSkinning(Option<Skinning>),
+    /// Chooses a tool.
+    SetTool(Tool),
+    /// Switches gizmos between local and world axes.
+    ToggleLocalAxes,
+    /// Resets the selected joint.
+    ResetJoint,
+    /// Resets every joint of the selected character.
+    ResetPose,
+    /// Exchanges left and right in the pose of the selected character.
+    MirrorPose,
+    /// Copies the pose of the selected character to the clipboard.
+    CopyPose,
+    /// Applies the pose on the clipboard to the selected character.
+    PastePose,
+    /// Adds the pose to the list of the selected character.
+    KeepPose,
+    /// Saves the pose of the selected character.
+    SavePose,
+    /// Loads a pose for the selected character.
+    LoadPose,
+    /// Pins a joint for the IK tool, or unpins it.
+    PinJoint,
+    /// Unpins all joints.
+    UnpinAll,
+    /// Opens Help ▸ Keys and Mouse.
+    Keys,
+    /// Opens Help ▸ Messages.
+    Messages,
+    /// Opens Help ▸ About.
+    About,
+}
+
+/// The shapes and curves of the Insert menu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Primitive {
+    /// See [`ShapeKind::Cube`].
+    Cube,
+    /// See [`ShapeKind::Sphere`].
+    Sphere,
+    /// See [`ShapeKind::Pyramid`].
+    Pyramid,
+    /// See [`ShapeKind::Teapot`].
+    Teapot,
+    /// See [`ShapeKind::Icosahedron`].
+    Icosahedron,
+    /// See [`ShapeKind::Custom`].
+    Custom,
+    /// See [`CurveSet::start_spline`].
+    BezierCurve,
+    /// See [`CurveSet::start_spline`].
+    BSplineCurve,
+    /// See [`CurveSet::start_circle`].
+    Circle,
+}
+
+impl Primitive {
+    /// A new shape of this kind.
+    pub fn kind(self) -> ShapeKind {
+        match self {
+            Self::Cube => ShapeKind::Cube,
+            Self::Sphere => ShapeKind::Sphere,
+            Self::Pyramid => ShapeKind::Pyramid,
+            Self::Teapot => ShapeKind::Teapot,
+            Self::Icosahedron => ShapeKind::Icosahedron,
+            Self::Custom => ShapeKind::Custom,
+            Self::BezierCurve => curve(CurveSet::start_spline(Basis::Bezier)),
+            Self::BSplineCurve => curve(CurveSet::start_spline(Basis::BSpline)),
+            Self::Circle => curve(CurveSet::start_circle()),
+        }
+    }
+}
+
+fn curve(set: CurveSet) -> ShapeKind {
+    ShapeKind::Curve(CurveShape::new(set))
+}

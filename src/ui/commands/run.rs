@@ -1,0 +1,266 @@
+//! What commands do, and when they are disabled.
+
+use super::table::{is_in, label};
+use super::{Command, Menu, Primitive};
+use crate::character::{Mirror, Pose};
+use crate::editor::{Edit, GizmoAxes, Session, Tool, View};
+use crate::geometry::{Curve, CurveForm};
+use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
+use crate::ui::state::UiState;
+use crate::ui::windows::Dialog;
+use crate::ui::{Action, Ask, CompareAction, posing};
+
+/// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
+/// the width of the view over its height.
+pub(in crate::ui) fn run(
+    command: Command,
+    session: &Session,
+    state: &mut UiState,
+    aspect: f32,
+) -> Vec<Action> {
+    let action = action(command, session, state, aspect);
+    if command == Command::ResetViewAndPose {
+        let shapes = session.scene().shapes().iter();
+        let characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
+        let to_rest = characters.map(|shape| Edit::SetPose(shape.id, Pose::default()));
+        let all = Action::Edit(Edit::Together(to_rest.collect()));
+        return std::iter::once(all).chain(action).collect();
+    }
+    action.into_iter().collect()
+}
+
+fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
+    if why_disabled(command, session, state).is_some() {
+        return None;
+    }
+    let view = session.view();
+    match command {
+        Command::Screenshot => state.windows.open(Dialog::Screenshot),
+        Command::Keys => state.windows.open(Dialog::Keys),
+        Command::Messages => state.windows.open(Dialog::Messages),
+        Command::About => state.windows.open(Dialog::About),
+        Command::SetTheme(theme) => state.theme = theme,
+        Command::SetNavigation(navigation) => state.set_navigation(navigation),
+        Command::OpenScene(name) => return Some(Action::Ask(Ask::OpenBuiltin(name))),
+        Command::ResetViewAndPose => {
+            return Some(Action::View(View::SetCamera(*session.start_camera())));
+        }
+        Command::SetSkinning(skinning) => state.skinning = skinning,
+        Command::SetTool(tool) => state.pose.tool = tool,
+        Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
+        Command::ResetJoint
+        | Command::ResetPose
+        | Command::MirrorPose
+        | Command::CopyPose
+        | Command::PastePose
+        | Command::KeepPose
+        | Command::SavePose
+        | Command::LoadPose => return pose_action(command, session),
+        Command::PinJoint => {
+            state.pose.tool = Tool::Ik;
+            if let Some((shape, joint)) = posing::joint_to_pin(session) {
+                state.pose.ik.toggle_pin(shape, joint);
+            }
+        }
+        Command::UnpinAll => state.pose.ik.unpin_all(),
+        Command::Quit => return Some(Action::Ask(Ask::Quit)),
+        Command::Insert(primitive) => return Some(insert(command, primitive)),
+        Command::MakeSurfaceOfRevolution => return revolution(session),
+        Command::MakeSweep => return sweep(session),
+        Command::ExportCurve => return export_curves(session),
+        Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
+        Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
+        Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
+        Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
+        Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
+        Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
+        Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
+        Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
+        Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
+        Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
+        Command::Fit => return Some(Action::View(View::Fit { aspect })),
+        Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
+        Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
+        Command::SetLook(look) => return Some(Action::View(View::SetLook(look))),
+        Command::SetShading(shading) => return Some(Action::View(View::SetShading(shading))),
+    }
+    None
+}
+
+/// Inserts a new shape, with the name that the menu has for it.
+fn insert(command: Command, primitive: Primitive) -> Action {
+    Action::Edit(Edit::Insert(vec![NewShape::new(
+        label(command),
+        primitive.kind(),
+    )]))
+}
+
+/// Hides, shows, locks or unlocks the selected shape.
+fn toggle(command: Command, session: &Session) -> Option<Action> {
+    let shape = session.scene().shape(session.selected()?)?;
+    Some(Action::Edit(match command {
+        Command::ToggleVisible => Edit::SetVisible(shape.id, !shape.visible),
+        _ => Edit::SetLocked(shape.id, !shape.locked),
+    }))
+}
+
+/// State of a command that switches something on or off; `None` for all others.
+pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState) -> Option<bool> {
+    let view = session.view();
+    match command {
+        Command::ToggleAxis => Some(view.axis),
+        Command::ToggleGrid => Some(view.grid && view.look != Look::Course),
+        Command::SetLook(look) => Some(view.look == look),
+        Command::SetShading(shading) => Some(view.shading == shading),
+        Command::SetTheme(theme) => Some(state.theme == theme),
+        Command::SetNavigation(navigation) => Some(state.navigation == navigation),
+        Command::SetSkinning(skinning) => Some(state.skinning == skinning),
+        Command::SetTool(tool) => Some(state.pose.tool == tool),
+        Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),
+        _ => None,
+    }
+}
+
+/// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
+pub(in crate::ui) fn why_disabled(
+    command: Command,
+    session: &Session,
+    state: &UiState,
+) -> Option<&'static str> {
+    match command {
+        Command::UnpinAll if !state.pose.ik.has_pins() => Some("Nothing is pinned"),
+        Command::ToggleGrid if session.view().look == Look::Course => {
+            Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
+        }
+        Command::PinJoint if posing::joint_to_pin(session).is_none() => {
+            Some("No joint is selected or under the pointer")
+        }
+        Command::Delete | Command::Reset | Command::ToggleVisible | Command::ToggleLocked
+            if session.selected().is_none() =>
+        {
+            Some("No shape is selected")
+        }
+        Command::ExportGeometry if session.scene().shapes().is_empty() => {
+            Some("There is nothing to export")
+        }
+        Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
+            why_no_curves(command, session)
+        }
+        _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
+        Command::Fit if !session.scene().shapes().iter().any(|shape| shape.visible) => {
+            Some("There is nothing to fit")
+        }
+        _ => None,
+    }
+}
+
+/// Steps of a new surface of revolution, per turn.
+pub(in crate::ui) const REVOLUTION_STEPS: u32 = 48;
+
+/// A surface of revolution of the last flat spline, or of the last circle if there is no spline.
+fn revolution(session: &Session) -> Option<Action> {
+    let (shape, set) = selected_curves(session)?;
+    let spline = |curve: &Curve| matches!(curve.form(), CurveForm::Spline { .. });
+    let flat = || curves(set).filter(|(_, curve)| curve.is_flat());
+    let (profile, _) = flat().filter(|(_, c)| spline(c)).last().or(flat().last())?;
+    Some(Action::Edit(Edit::MakeSurfaceOfRevolution {
+        shape,
+        profile,
+        steps: REVOLUTION_STEPS,
+    }))
+}
+
+/// A sweep of the first flat curve along the first curve in space, or along the last curve if all
+/// are flat; a tube along the only curve.
+fn sweep(session: &Session) -> Option<Action> {
+    let (shape, set) = selected_curves(session)?;
+    let in_space = curves(set).find(|(_, curve)| !curve.is_flat());
+    let (sweep, _) = in_space.or(curves(set).last())?;
+    let profile = curves(set)
+        .find(|&(index, curve)| index != sweep && curve.is_flat())
+        .map(|(index, _)| index);
+    Some(Action::Edit(Edit::MakeSweep {
+        shape,
+        profile,
+        sweep,
+    }))
+}
+
+/// Exports the curves of the selected shape.
+fn export_curves(session: &Session) -> Option<Action> {
+    let (shape, _) = selected_curves(session)?;
+    Some(Action::Ask(Ask::ExportCurve(shape)))
+}
+
+/// Why a command about curves is disabled.
+fn why_no_curves(command: Command, session: &Session) -> Option<&'static str> {
+    let Some((_, set)) = selected_curves(session) else {
+        return Some("No curve is selected");
+    };
+    if command == Command::ExportCurve {
+        return None;
+    }
+    if curves(set).next().is_none() {
+        return Some("The selected shape has no curve");
+    }
+    let flat = curves(set).any(|(_, curve)| curve.is_flat());
+    (command == Command::MakeSurfaceOfRevolution && !flat)
+        .then_some("No curve of the selected shape lies in the plane z = 0")
+}
+
+fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)> {
+    let id = session.selected()?;
+    Some((id, session.scene().curve(id)?.curves()))
+}
+
+/// Curves of `set` with their indices among its items.
+pub(in crate::ui) fn curves(set: &CurveSet) -> impl Iterator<Item = (usize, &Curve)> {
+    let items = set.items().iter().enumerate();
+    items.filter_map(|(index, item)| Some((index, item.curve()?)))
+}
+
+/// Action of a command about the pose of the selected character.
+fn pose_action(command: Command, session: &Session) -> Option<Action> {
+    let (shape, character) = selected_character(session)?;
+    let edit = match command {
+        Command::ResetJoint => Edit::ResetJoint(shape, session.selected_joint()?),
+        Command::ResetPose => Edit::SetPose(shape, Pose::new()),
+        Command::MirrorPose => {
+            let mirror = Mirror::new(character.character.skeleton());
+            Edit::SetPose(shape, mirror.pose(character.pose()))
+        }
+        Command::KeepPose => Edit::KeepPose {
+            shape,
+            name: character.free_pose_name(),
+        },
+        Command::CopyPose => return Some(Action::Ask(Ask::CopyPose(shape))),
+        Command::PastePose => return Some(Action::Ask(Ask::PastePose(shape))),
+        Command::SavePose => return Some(Action::Ask(Ask::SavePose(shape, None))),
+        Command::LoadPose => return Some(Action::Ask(Ask::LoadPose(shape))),
+        _ => return None,
+    };
+    Some(Action::Edit(edit))
+}
+
+/// Why a command about poses is disabled.
+fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
+    let Some((_, character)) = selected_character(session) else {
+        return Some("No character is selected");
+    };
+    let pose = character.pose();
+    match (command, session.selected_joint()) {
+        (Command::ResetJoint, None) => Some("No joint is selected"),
+        (Command::ResetJoint, Some(joint)) if !pose.is_changed(joint) => {
+            Some("The joint is at rest")
+        }
+        (Command::ResetPose | Command::MirrorPose, _) if pose.is_bind() => {
+            Some("Every joint is at rest")
+        }
+        _ => None,
+    }
+}
+
+fn selected_character(session: &Session) -> Option<(ShapeId, &CharacterShape)> {
+    let id = session.selected()?;
+    Some((id, session.scene().character(id)?))
+}

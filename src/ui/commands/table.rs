@@ -1,0 +1,228 @@
+//! The table of commands: labels, tooltips, menus and keyboard shortcuts.
+
+use super::{Command, Primitive};
+use crate::editor::Tool;
+use crate::scene::{Look, Shading, Skinning, ViewDirection};
+use crate::ui::Navigation;
+use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
+
+/// Menu of a command, or the part of a menu between two separators.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Menu {
+    /// File.
+    File,
+    /// File ▸ Built-in Scene.
+    Scenes,
+    /// Insert, first part.
+    Insert,
+    /// Insert, the part with curves.
+    Curves,
+    /// Insert ▸ Import.
+    Import,
+    /// View, first part.
+    View,
+    /// View ▸ Look.
+    Look,
+    /// View ▸ Shading.
+    Shading,
+    /// View, last part.
+    Ground,
+    /// View, the part about comparing.
+    Compare,
+    /// View ▸ Navigation.
+    Navigation,
+    /// View ▸ Theme.
+    Theme,
+    /// View ▸ Skinning.
+    Skinning,
+    /// Pose, the tools.
+    Tools,
+    /// Pose, what acts on the whole pose.
+    Pose,
+    /// Help.
+    Help,
+    /// Buttons of the shape panel, and the icons in its list.
+    Shape,
+}
+
+impl Menu {
+    /// All menus, in the order of Help ▸ Keys and Mouse.
+    pub const ALL: &[Self] = &[
+        Self::File,
+        Self::Scenes,
+        Self::Insert,
+        Self::Curves,
+        Self::Import,
+        Self::Shape,
+        Self::View,
+        Self::Look,
+        Self::Shading,
+        Self::Ground,
+        Self::Compare,
+        Self::Navigation,
+        Self::Theme,
+        Self::Skinning,
+        Self::Tools,
+        Self::Pose,
+        Self::Help,
+    ];
+}
+
+/// One row of the table of commands.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Command that it starts.
+    pub command: Command,
+    /// Menu that lists it.
+    pub menu: Menu,
+    /// Label in the menu.
+    pub label: &'static str,
+    /// Text of the tooltip.
+    pub tooltip: &'static str,
+    /// Keyboard shortcuts; menus show the first.
+    pub shortcuts: &'static [KeyboardShortcut],
+    /// The only navigation in which its shortcuts work; there they take precedence over others.
+    pub only_in: Option<Navigation>,
+}
+
+const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(modifiers, key)
+}
+
+pub(super) const NONE: Modifiers = Modifiers::NONE;
+pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
+pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
+
+const fn entry(
+    command: Command,
+    menu: Menu,
+    label: &'static str,
+    tooltip: &'static str,
+    shortcuts: &'static [KeyboardShortcut],
+) -> Entry {
+    Entry {
+        command,
+        menu,
+        label,
+        tooltip,
+        shortcuts,
+        only_in: None,
+    }
+}
+
+/// A command whose shortcuts work in one navigation only.
+const fn only_in(navigation: Navigation, entry: Entry) -> Entry {
+    Entry {
+        only_in: Some(navigation),
+        ..entry
+    }
+}
+
+/// All commands: the one table behind key handling, menus, tooltips and Help ▸ Keys and Mouse.
+#[rustfmt::skip]
+pub const COMMANDS: &[Entry] = &[
+    entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
+    entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]),
+    entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
+    entry(Command::OpenScene("showcase"), Menu::Scenes, "Showcase", "A man, a robot and a dog", &[]),
+    entry(Command::OpenScene("turned"), Menu::Scenes, "Turned", "A vase, a goblet, a pawn and a knot, swept from curves", &[]),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-1"), Menu::Scenes, "Column", "Two bones in a column of cubes", &[key(NONE, Key::Num1)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-2"), Menu::Scenes, "Chain", "Boxes in a row, joined by springs", &[key(NONE, Key::Num2)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-3"), Menu::Scenes, "Tentacle", "Bends softly: five and more joints move each point", &[key(NONE, Key::Num3)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-4"), Menu::Scenes, "Crate and Lizard", "A chest with a picture on it, and a lizard that Blender wrote", &[key(NONE, Key::Num4)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-5"), Menu::Scenes, "Humanoid", "A man with all his fingers", &[key(NONE, Key::Num5)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
+    only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else let go of the selected joint, else end the program", &[key(NONE, Key::Escape)]),
+
+    entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
+    entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),
+    entry(Command::Insert(Primitive::Pyramid), Menu::Insert, "Pyramid", "Add a pyramid at the origin", &[key(SHIFT, Key::P)]),
+    entry(Command::Insert(Primitive::Teapot), Menu::Insert, "Teapot", "Add the Utah teapot at the origin", &[key(SHIFT, Key::T)]),
+    entry(Command::Insert(Primitive::Icosahedron), Menu::Insert, "Icosahedron", "Add an icosahedron at the origin", &[key(SHIFT, Key::I)]),
+    entry(Command::Insert(Primitive::Custom), Menu::Insert, "Custom Shape", "Add the shape that custom.rs makes", &[key(SHIFT, Key::U)]),
+    entry(Command::Insert(Primitive::BezierCurve), Menu::Curves, "Bézier Curve", "Add a Bézier curve of four control points to drag into shape", &[key(SHIFT, Key::B)]),
+    entry(Command::Insert(Primitive::BSplineCurve), Menu::Curves, "B-Spline Curve", "Add a B-spline of four control points to drag into shape", &[key(SHIFT, Key::N)]),
+    entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]),
+    entry(Command::MakeSurfaceOfRevolution, Menu::Curves, "Surface of Revolution from Curve", "Turn the last flat curve of the selected shape about the Y axis", &[key(SHIFT, Key::V)]),
+    entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry the first flat curve of the selected shape along another; a tube where there is only one", &[key(SHIFT, Key::W)]),
+    entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
+    entry(Command::ImportCurve, Menu::Import, "Import Curve", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]),
+    entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
+
+    entry(Command::Delete, Menu::Shape, "Delete", "Take the selected shape away", &[key(NONE, Key::Delete)]),
+    entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
+    entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]),
+    entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or let it be", &[key(SHIFT, Key::L)]),
+
+    entry(Command::ViewFrom(ViewDirection::PlusX), Menu::View, "View from +X", "Look at the origin from +X", &[key(NONE, Key::Num3)]),
+    entry(Command::ViewFrom(ViewDirection::MinusX), Menu::View, "View from -X", "Look at the origin from -X", &[key(CTRL, Key::Num3)]),
+    entry(Command::ViewFrom(ViewDirection::PlusY), Menu::View, "View from +Y", "Look at the origin from above", &[key(NONE, Key::Num7)]),
+    entry(Command::ViewFrom(ViewDirection::MinusY), Menu::View, "View from -Y", "Look at the origin from below", &[key(CTRL, Key::Num7)]),
+    entry(Command::ViewFrom(ViewDirection::PlusZ), Menu::View, "View from +Z", "Look at the origin from +Z", &[key(NONE, Key::Num1)]),
+    entry(Command::ViewFrom(ViewDirection::MinusZ), Menu::View, "View from -Z", "Look at the origin from -Z", &[key(CTRL, Key::Num1)]),
+    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]),
+    only_in(Navigation::Mannequin, entry(Command::ResetViewAndPose, Menu::View, "Reset View and Pose", "Put the camera back to where it started, and every character to rest", &[key(NONE, Key::R)])),
+    entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
+    entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
+    entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences; the key pressed again ends that", &[key(NONE, Key::F8)]),
+    entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
+    entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
+    entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
+    entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh comes with; faceted where it has none", &[key(NONE, Key::F5)]),
+    entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
+    entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
+    entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
+    entry(Command::SetNavigation(Navigation::Course), Menu::Navigation, "As the course's editor", "Left drag moves the scene, right drag turns it", &[]),
+    entry(Command::SetNavigation(Navigation::Orbit), Menu::Navigation, "Orbit", "As in three.js: left drag turns the scene, right or middle drag moves it", &[]),
+    entry(Command::SetNavigation(Navigation::Mannequin), Menu::Navigation, "Mannequin", "As in the Virtual Mannequin: left drag turns, right drag zooms, W S A D and arrows walk, 1 to 7 open its scenes", &[]),
+    entry(Command::SetNavigation(Navigation::Blender), Menu::Navigation, "Blender", "Middle drag turns the scene, with Shift it moves it, with Ctrl it zooms", &[]),
+    entry(Command::SetTheme(ThemePreference::System), Menu::Theme, "System", "Dark or light, as the desktop is set", &[]),
+    entry(Command::SetTheme(ThemePreference::Dark), Menu::Theme, "Dark", "Light text on dark panels", &[]),
+    entry(Command::SetTheme(ThemePreference::Light), Menu::Theme, "Light", "Dark text on light panels", &[]),
+    entry(Command::SetSkinning(None), Menu::Skinning, "Automatic", "The graphics card deforms characters where there is one", &[]),
+    entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and uploads their vertices", &[]),
+    entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
+
+    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
+    entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
+    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
+    entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag brings the end of the bone under the pointer somewhere: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
+    entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
+    entry(Command::PinJoint, Menu::Tools, "Pin joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]),
+    entry(Command::UnpinAll, Menu::Tools, "Unpin all joints", "Let go of every pinned joint", &[key(ALT, Key::P)]),
+
+    entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]),
+    entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),
+    entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]),
+    entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL, Key::C)]),
+    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL, Key::V)]),
+    entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]),
+    entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]),
+    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),
+
+    entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
+    entry(Command::Messages, Menu::Help, "Messages", "Every message since the program started", &[key(NONE, Key::F9)]),
+    entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),
+];
+
+/// Rows of the table for one menu, in order.
+pub(in crate::ui) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry> {
+    COMMANDS.iter().filter(move |entry| entry.menu == menu)
+}
+
+/// Row of `command` in the table.
+pub(super) fn entry_of(command: Command) -> Option<&'static Entry> {
+    COMMANDS.iter().find(|entry| entry.command == command)
+}
+
+/// Whether `command` is listed in `menu`.
+pub(in crate::ui) fn is_in(menu: Menu, command: Command) -> bool {
+    entry_of(command).is_some_and(|entry| entry.menu == menu)
+}
+
+/// Label of `command` in menus.
+pub(in crate::ui) fn label(command: Command) -> &'static str {
+    entry_of(command).map_or("", |entry| entry.label)
+}

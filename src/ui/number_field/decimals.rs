@@ -1,0 +1,102 @@
+//! Numbers as text, with as many decimals as there is room for.
+
+use std::ops::RangeInclusive;
+
+/// `value` with up to 4 decimals, without trailing zeros.
+pub(super) fn precise(value: f64) -> String {
+    rounded(value, 0, 4)
+}
+
+/// `value` with as many of `decimals` as fit, and with `unit` if it fits without dropping a decimal;
+/// if nothing fits, without decimals. A value that would round up to a whole `turn` is written as 0,
+/// and angles have their unit only if every angle has room for it, so that rows look alike.
+pub(super) fn fitted(
+    value: f64,
+    unit: &str,
+    decimals: RangeInclusive<usize>,
+    turn: Option<f64>,
+    fits: impl Fn(&str) -> bool,
+) -> String {
+    let (least, most) = (*decimals.start(), *decimals.end());
+    let widest = turn.map(|turn| rounded(turn - 0.1_f64.powi(most as i32), most, most));
+    let unit = match widest {
+        Some(widest) if !fits(&format!("{widest}{unit}")) => "",
+        _ => unit,
+    };
+    let mut number = String::new();
+    for places in (0..=most).rev() {
+        let half = 0.5 / 10_f64.powi(places as i32);
+        let value = match turn {
+            Some(turn) if value + half >= turn => 0.0,
+            _ => value,
+        };
+        number = rounded(value, least.min(places), places);
+        let with_unit = format!("{number}{unit}");
+        if fits(&with_unit) {
+            return with_unit;
+        }
+        if fits(&number) {
+            return number;
+        }
+    }
+    number
+}
+
+/// `value` rounded to `most` decimals, of which at least `least` are written.
+fn rounded(value: f64, least: usize, most: usize) -> String {
+    let mut text = format!("{value:.most$}");
+    if let Some(point) = text.find('.') {
+        let zeros = text.len() - text.trim_end_matches('0').len();
+        let spare = (text.len() - point - 1).saturating_sub(least);
+        text.truncate(text.len() - zeros.min(spare));
+        if text.ends_with('.') {
+            text.pop();
+        }
+    }
+    if text.starts_with('-') && text.chars().all(|c| matches!(c, '-' | '0' | '.')) {
+        text.remove(0);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn trailing_zeros_and_a_minus_before_zero_are_not_written() {
+        assert_eq!(precise(45.0), "45");
+        assert_eq!(precise(-0.000_01), "0");
+        assert_eq!(precise(-2.25), "-2.25");
+        assert_eq!(precise(29.999_999), "30");
+    }
+
+    #[test]
+    fn decimals_give_way_where_room_is_short_and_stay_where_they_are_wanted() {
+        let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(8)), "329.567°");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(7)), "329.567");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(5)), "329.6");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(4)), "330°");
+        assert_eq!(fitted(329.567, "°", 0..=3, None, up_to(1)), "330");
+        assert_eq!(fitted(1.0, "", 2..=3, None, up_to(8)), "1.00");
+        assert_eq!(fitted(1.0, "", 2..=3, None, up_to(3)), "1.0");
+    }
+
+    #[test]
+    fn an_angle_that_rounds_up_to_360_is_shown_as_0() {
+        let short = |text: &str| text.chars().count() <= 4;
+        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), short), "0");
+        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), |_| true), "359.97°");
+    }
+
+    #[test]
+    fn an_angle_has_its_unit_where_every_angle_has_room_for_it() {
+        let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
+        for (angle, shown) in [(7.0, "7"), (354.744, "354.7"), (350.66, "350.7")] {
+            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(5)), shown);
+            let with_unit = format!("{shown}°");
+            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(6)), with_unit);
+        }
+    }
+}
