@@ -1,38 +1,38 @@
-/// One joint's share in a vertex.
+/// Influence of one joint on a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Influence {
     /// Index of the joint.
     pub joint: u32,
-    /// Its weight: as an `.attach` file has it; of a Collada file, divided by the vertex' sum.
+    /// Weight: as in an `.attach` file; of a Collada file, divided by the vertex' sum.
     pub weight: f32,
 }
 
-/// Which joints move which vertices: every non-zero weight of the file, none dropped, stored as
-/// runs one after the other. They need not add up to 1.
+/// Influences of the joints on all vertices: every non-zero weight of the file, none dropped,
+/// stored as one run per vertex. The weights of a vertex need not add up to 1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attachments {
     influences: Vec<Influence>,
-    /// Start of each vertex' run, and the end of the last: one more than there are vertices.
+    /// Start of each vertex' run, and the end of the last: one entry more than there are vertices.
     starts: Vec<u32>,
 }
 
-/// Why weights do not fit a skeleton.
+/// Reason why weights do not fit a skeleton.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AttachmentsError {
-    /// A weight names a joint past the end.
+    /// A weight names a joint that does not exist.
     #[error("vertex {vertex}: expected a joint below {joints}, found {joint}")]
     NoSuchJoint {
         /// Index of the vertex.
         vertex: usize,
-        /// The joint named.
+        /// Index of the joint that is named.
         joint: u32,
-        /// How many joints there are.
+        /// Number of joints.
         joints: usize,
     },
 }
 
 impl Attachments {
-    /// No vertices yet; [`Attachments::push_vertex`] adds them in order.
+    /// No vertices; [`Attachments::push_vertex`] adds them in order.
     pub fn new() -> Self {
         Self {
             influences: Vec::new(),
@@ -40,7 +40,7 @@ impl Attachments {
         }
     }
 
-    /// Adds the next vertex with its influences; zero weights are left out, for they move nothing.
+    /// Appends a vertex with its influences; zero weights are left out, for they move nothing.
     pub fn push_vertex(&mut self, influences: impl IntoIterator<Item = Influence>) {
         self.influences
             .extend(influences.into_iter().filter(|i| i.weight != 0.0));
@@ -50,30 +50,30 @@ impl Attachments {
         self.starts.push(self.influences.len() as u32);
     }
 
-    /// How many vertices there are.
+    /// Number of vertices.
     pub fn vertex_count(&self) -> usize {
         self.starts.len().saturating_sub(1)
     }
 
-    /// The joints that move `vertex`, which must be below [`Attachments::vertex_count`].
+    /// Influences of `vertex`, which must be below [`Attachments::vertex_count`].
     pub fn of_vertex(&self, vertex: usize) -> &[Influence] {
         &self.influences[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
-    /// The influences of all vertices, in order.
+    /// Influences of all vertices, in order.
     pub fn vertices(&self) -> impl Iterator<Item = &[Influence]> {
         self.starts
             .windows(2)
             .map(|run| &self.influences[run[0] as usize..run[1] as usize])
     }
 
-    /// The largest number of joints that move one vertex.
+    /// Largest number of influences of a vertex.
     pub fn most_influences(&self) -> usize {
         self.vertices().map(<[Influence]>::len).max().unwrap_or(0)
     }
 
-    /// At most `most` influences a vertex: the largest, of equals the one that comes first, divided
-    /// by their sum. What programs with a fixed number of influences show, for comparison.
+    /// The same with at most `most` influences per vertex: the largest, of equals the first ones,
+    /// divided by their sum, as in programs with a fixed number of influences.
     pub fn limited(&self, most: usize) -> Self {
         let mut limited = Self::new();
         let mut kept = Vec::new();
@@ -93,10 +93,10 @@ impl Attachments {
         limited
     }
 
-    /// Checks that every joint named is below `joints`.
+    /// Checks that every joint that is named is below `joints`.
     ///
     /// # Errors
-    /// Names the first vertex whose joint is not.
+    /// The first vertex whose joint is not.
     pub fn check(&self, joints: usize) -> Result<(), AttachmentsError> {
         for (vertex, influences) in self.vertices().enumerate() {
             if let Some(bad) = influences.iter().find(|i| i.joint as usize >= joints) {
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn the_largest_are_kept_of_equals_the_first_and_divided_by_their_sum() {
+    fn the_largest_weights_are_kept_of_equals_the_first_and_divided_by_their_sum() {
         let mut all = Attachments::new();
         all.push_vertex(weights(&[
             (7, 0.1),

@@ -2,10 +2,10 @@ use super::mirror::{Side, sided};
 use super::{Mirror, SkeletalModel};
 use glam::Vec3;
 
-/// Of skeletons with more joints than this only names are asked: to compare all places takes long.
+/// Number of joints above which only names are used: comparing all positions would take too long.
 const MANY: usize = 256;
 
-/// Which way a character looks at rest, along one of the axes of its model space. It stands
+/// Direction in which a character faces at rest: one of the axes of its model space. It stands
 /// along +Y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Facing {
@@ -13,15 +13,15 @@ pub struct Facing {
 }
 
 impl Default for Facing {
-    /// Along +Z, as the course's characters look.
+    /// +Z, as the course's characters face.
     fn default() -> Self {
         Self { front: Vec3::Z }
     }
 }
 
 impl Facing {
-    /// Tells it by which joints are called left and which right, or else by the axis across which
-    /// most of them have a partner; +Z or +X then, for nothing says which.
+    /// Finds it by the joints whose names say left or right, or else by the axis across which most
+    /// joints have a partner; then it is +Z or +X, for nothing tells front from back.
     pub fn of(skeleton: &SkeletalModel) -> Self {
         let Some(left) = called_left(skeleton) else {
             return Self::by_place(skeleton);
@@ -44,19 +44,19 @@ impl Facing {
         }
     }
 
-    /// Where it looks, of unit length.
+    /// Unit vector to the front.
     pub fn front(self) -> Vec3 {
         self.front
     }
 
-    /// Where its left is, of unit length.
+    /// Unit vector to the character's left.
     pub fn left(self) -> Vec3 {
         Vec3::Y.cross(self.front) + Vec3::ZERO
     }
 }
 
-/// From the joints that are called right to those called left, if there are any and they stand
-/// beside each other.
+/// Horizontal vector from the mean position of the joints whose names say right to that of those
+/// whose names say left; `None` if there are none, or they coincide.
 fn called_left(skeleton: &SkeletalModel) -> Option<Vec3> {
     let places = skeleton.bind_positions();
     let (mut sums, mut counts) = ([Vec3::ZERO; 2], [0.0_f32; 2]);

@@ -1,10 +1,11 @@
-use super::reach::Reach;
-use super::{Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, bone, skinning};
+use super::bones::bones;
+use super::skinning::{self, ConservativeBounds};
+use super::{Attachments, AttachmentsError, JointBone, Pose, SkeletalModel};
 use crate::geometry::{Mesh, Normals, SharedMesh};
 use crate::math::Aabb;
 use glam::{Mat4, Vec3};
 
-/// A skeleton with the mesh bound to it: what Import Character brings in.
+/// Character: a skeleton with a mesh bound to it.
 #[derive(Clone, Debug)]
 #[doc(alias = "ImportCharacter")]
 pub struct Character {
@@ -12,28 +13,28 @@ pub struct Character {
     attachments: Attachments,
     bind_mesh: SharedMesh,
     bones: Vec<JointBone>,
-    reach: Reach,
+    bounds: ConservativeBounds,
 }
 
-/// Why mesh, weights and skeleton do not make a character.
+/// Reason why mesh, weights and skeleton do not make a character.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CharacterError {
-    /// Not as many rows of weights as vertices.
+    /// The number of rows of weights differs from the number of vertices.
     #[error("expected weights for {vertices} vertices, found {rows}")]
     RowCount {
-        /// Vertices of the mesh.
+        /// Number of vertices of the mesh.
         vertices: usize,
-        /// Rows of weights.
+        /// Number of rows of weights.
         rows: usize,
     },
-    /// Weights that name no joint.
+    /// A weight names a joint that does not exist.
     #[error(transparent)]
     Attachments(#[from] AttachmentsError),
 }
 
 impl Character {
-    /// Binds `bind_mesh` (positions in model space, in the order of the rows of `attachments`)
-    /// to `skeleton`.
+    /// Binds `bind_mesh` (positions in model space, in the order of the rows of `attachments`) to
+    /// `skeleton`.
     ///
     /// # Errors
     /// If the counts differ or a weight names a joint that does not exist.
@@ -48,39 +49,39 @@ impl Character {
         }
         attachments.check(skeleton.joints().len())?;
         let joints = skeleton.joints().len();
-        let reach = Reach::new(&attachments, &bind_mesh.positions, joints);
-        let bones = bone::bones(&skeleton, &attachments, &bind_mesh.positions);
+        let bounds = ConservativeBounds::new(&attachments, &bind_mesh.positions, joints);
+        let bones = bones(&skeleton, &attachments, &bind_mesh.positions);
         Ok(Self {
             skeleton,
             attachments,
             bind_mesh: SharedMesh::new(bind_mesh),
             bones,
-            reach,
+            bounds,
         })
     }
 
-    /// The skeleton.
+    /// Skeleton, at rest.
     pub fn skeleton(&self) -> &SkeletalModel {
         &self.skeleton
     }
 
-    /// The weights, one run a vertex of the mesh.
+    /// Weights, one run per vertex of the mesh.
     pub fn attachments(&self) -> &Attachments {
         &self.attachments
     }
 
-    /// The mesh in the bind pose.
+    /// Mesh in the bind pose, in model space.
     pub fn bind_mesh(&self) -> &SharedMesh {
         &self.bind_mesh
     }
 
-    /// The bones that a hand can take, ordered by joint.
+    /// Bones that can be grabbed, ordered by joint.
     pub fn bones(&self) -> &[JointBone] {
         &self.bones
     }
 
-    /// The mesh's vertices, in the order of the file, where the joints stand at
-    /// `model_from_joint`.
+    /// Skinned vertices of the mesh, in model space and in the order of the file, with the joints'
+    /// frames at `model_from_joint`.
     pub fn skin(&self, model_from_joint: &[Mat4]) -> Vec<Vec3> {
         let palette = self.skeleton.palette(model_from_joint);
         let bind = &self.bind_mesh.positions;
@@ -89,15 +90,14 @@ impl Character {
         skinned
     }
 
-    /// A box that the mesh does not leave where the joints stand at `model_from_joint`: larger than
-    /// the tightest one, but found without moving a vertex.
-    pub fn reach(&self, model_from_joint: &[Mat4]) -> Aabb {
-        self.reach.around(&self.skeleton.palette(model_from_joint))
+    /// Conservative bounds of the mesh, in model space, with the joints' frames at
+    /// `model_from_joint`: larger than the tightest box, but found without skinning a vertex.
+    pub fn conservative_bounds(&self, model_from_joint: &[Mat4]) -> Aabb {
+        self.bounds.under(&self.skeleton.palette(model_from_joint))
     }
 
-    /// The mesh's normals, one a vertex of the mesh, where the joints stand at
-    /// `model_from_joint`; `None` for a mesh whose triangles are flat, whose normals follow from
-    /// their corners.
+    /// Skinned normals, one per vertex of the mesh, with the joints' frames at `model_from_joint`;
+    /// `None` for a mesh with flat triangles, whose normals follow from their corners.
     pub fn skin_normals(&self, model_from_joint: &[Mat4]) -> Option<Vec<Vec3>> {
         let Normals::PerVertex(bind) = &self.bind_mesh.normals else {
             return None;
@@ -111,18 +111,18 @@ impl Character {
         ))
     }
 
-    /// The same character with at most `most` influences a vertex, see [`Attachments::limited`].
+    /// The same character with at most `most` influences per vertex, see [`Attachments::limited`].
     pub fn limited(&self, most: usize) -> Self {
         let attachments = self.attachments.limited(most);
         let joints = self.skeleton.joints().len();
         Self {
-            reach: Reach::new(&attachments, &self.bind_mesh.positions, joints),
+            bounds: ConservativeBounds::new(&attachments, &self.bind_mesh.positions, joints),
             attachments,
             ..self.clone()
         }
     }
 
-    /// The mesh's vertices under `pose`, in the order of the file.
+    /// Skinned vertices under `pose`, in model space and in the order of the file.
     pub fn skin_pose(&self, pose: &Pose) -> Vec<Vec3> {
         self.skin(&self.skeleton.update_current_joint_to_world_transforms(pose))
     }

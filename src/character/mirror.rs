@@ -3,36 +3,36 @@ use crate::math::Euler;
 use glam::Vec3;
 use std::collections::HashMap;
 
-/// Joints whose places at rest are this near to each other's reflection, in sizes of the
-/// skeleton, are a pair.
+/// Distance between a joint and its partner's reflection at rest, relative to the size of the
+/// skeleton, up to which they are a pair.
 const NEAR: f32 = 0.02;
 
-/// Which joints of a skeleton are left and right of each other, and across which axis.
+/// Left–right symmetry of a skeleton: pairs of joints, and the axis across which they are mirrored.
 ///
-/// A pose is reflected joint by joint: where joints stand at rest along the character's axes,
-/// `S · R · S` for the reflection `S` is again a rotation of the partner, and all that hangs on it
-/// is reflected too.
+/// A pose is reflected joint by joint: as joints are parallel to the character's axes at rest, `S ·
+/// R · S` with the reflection `S` is again a rotation, of the partner, and everything below it is
+/// reflected too.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mirror {
-    /// 0 for x, 1 for y, 2 for z.
+    /// Index of the axis: 0 for x, 1 for y, 2 for z.
     axis: usize,
     partner: Vec<usize>,
 }
 
 impl Mirror {
-    /// Finds the pairs by names (`Left elbow`, `upper_arm.L`, `RightHand`) or, where no two are
-    /// named so, by their places at rest.
+    /// Finds the pairs by names (`Left elbow`, `upper_arm.L`, `RightHand`) or, if no names say left
+    /// or right, by the positions at rest.
     pub fn new(skeleton: &SkeletalModel) -> Self {
         let places = skeleton.bind_positions();
         by_name(skeleton, &places).unwrap_or_else(|| by_place(skeleton, &places))
     }
 
-    /// The joint on the other side; `joint` itself in the middle.
+    /// Index of the joint on the other side; `joint` itself in the middle.
     pub fn partner(&self, joint: usize) -> usize {
         self.partner.get(joint).copied().unwrap_or(joint)
     }
 
-    /// Across which axis it reflects: 0 for x, 1 for y, 2 for z.
+    /// Index of the axis across which it mirrors: 0 for x, 1 for y, 2 for z.
     pub fn axis(&self) -> usize {
         self.axis
     }
@@ -60,7 +60,7 @@ impl Mirror {
     }
 }
 
-/// `None` if no two joints have names of either side.
+/// Pairs by name; `None` if no two joints have names of either side.
 fn by_name(skeleton: &SkeletalModel, places: &[Vec3]) -> Option<Mirror> {
     let joints = skeleton.joints();
     let tree = trees(skeleton);
@@ -102,7 +102,7 @@ fn by_name(skeleton: &SkeletalModel, places: &[Vec3]) -> Option<Mirror> {
     any.then_some(Mirror { axis, partner })
 }
 
-/// The root above each joint.
+/// Index of the root above each joint.
 fn trees(skeleton: &SkeletalModel) -> Vec<usize> {
     let mut tree = vec![0; skeleton.joints().len()];
     for &root in skeleton.roots() {
@@ -115,7 +115,7 @@ fn trees(skeleton: &SkeletalModel) -> Vec<usize> {
     tree
 }
 
-/// Across x or z, whichever gives more pairs: characters stand upright.
+/// Pairs by position, across x or z, whichever gives more pairs: characters stand upright.
 fn by_place(skeleton: &SkeletalModel, places: &[Vec3]) -> Mirror {
     let across = |axis: usize| Mirror {
         axis,
@@ -158,14 +158,15 @@ fn pairs_across(skeleton: &SkeletalModel, places: &[Vec3], axis: usize) -> Vec<u
     partner
 }
 
-/// A side of a figure, as names of joints have it.
+/// Side of a character in the name of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     Left,
     Right,
 }
 
-/// The side of a joint and the name of that on the other side; `None` for a name without a side.
+/// Side that the name of a joint says, and the name of its partner; `None` for a name without a
+/// side.
 pub(super) fn sided(name: &str) -> Option<(Side, String)> {
     let words = [
         (Side::Left, "left", "right"),
@@ -199,7 +200,7 @@ pub(super) fn sided(name: &str) -> Option<(Side, String)> {
     None
 }
 
-/// Where `word` stands in `name` as a word of its own, in upper or lower case: `LeftArm`,
+/// Position of `word` in `name` as a word of its own, in upper or lower case: `LeftArm`,
 /// `left_arm`, `leftarm`, `armLeft`, but not `Bright`.
 fn find_word(name: &str, word: &str) -> Option<usize> {
     let lower = name.to_ascii_lowercase();
@@ -216,7 +217,7 @@ fn find_word(name: &str, word: &str) -> Option<usize> {
     })
 }
 
-/// `word` in the case of `pattern`.
+/// `word` in upper or lower case like `pattern`.
 fn like(pattern: &str, word: &str) -> String {
     let mut letters = pattern.chars();
     let upper = |letter: Option<char>| letter.is_some_and(char::is_uppercase);

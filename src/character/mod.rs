@@ -4,24 +4,21 @@
 //! the world. Joint indices are the order of the file.
 
 mod attachments;
-mod bone;
+mod bones;
 mod facing;
 pub mod ik;
 mod import_character;
 mod joint;
 mod mirror;
 mod pose;
-mod reach;
 mod skeletal_model;
 pub mod skinning;
-mod stick_figure;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
-pub use bone::JointBone;
+pub use bones::{Bone, JointBone, StickFigure};
 pub use facing::Facing;
 pub use import_character::{Character, CharacterError};
 pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use mirror::Mirror;
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
-pub use stick_figure::{Bone, StickFigure};

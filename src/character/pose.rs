@@ -3,7 +3,7 @@ use crate::math::Euler;
 use glam::Vec3;
 use std::collections::BTreeMap;
 
-/// The angles of a character's joints, by joint index, and how far its roots have moved.
+/// Pose of a character: rotations of its joints and translations of its roots, by joint index.
 ///
 /// Setting a joint replaces what it had; nothing accumulates.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -12,13 +12,13 @@ pub struct Pose {
     root_offsets: BTreeMap<usize, Vec3>,
 }
 
-/// Why a pose does not fit a skeleton.
+/// Reason why a pose does not fit a skeleton.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PoseError {
     /// No joint has this name or index.
     #[error("expected the name or index of a joint, found “{0}”")]
     NoSuchJoint(String),
-    /// Only roots can be moved.
+    /// The joint is not a root, and only roots can be moved.
     #[error("expected a root joint, found “{0}”, which has a parent")]
     NotARoot(String),
 }
@@ -29,7 +29,8 @@ impl Pose {
         Self::default()
     }
 
-    /// Turns `joint` to `Rx · Ry · Rz` of its parent's frame (assignment, "Sliders").
+    /// Sets the rotation of `joint` to `Rx · Ry · Rz` in its parent's frame (assignment,
+    /// "Sliders").
     #[doc(alias = "setJointTransform")]
     pub fn set_joint_transform(&mut self, joint: usize, rotation: Euler) {
         if rotation == Euler::ZERO {
@@ -39,12 +40,12 @@ impl Pose {
         }
     }
 
-    /// The rotation of `joint`; none if it was never set.
+    /// Rotation of `joint`; zero if it was never set.
     pub fn rotation(&self, joint: usize) -> Euler {
         self.rotations.get(&joint).copied().unwrap_or(Euler::ZERO)
     }
 
-    /// Moves a root by `offset` from its place at rest, in model space.
+    /// Sets the translation of a root from its position at rest, in model space.
     pub fn set_root_offset(&mut self, root: usize, offset: Vec3) {
         if offset == Vec3::ZERO {
             self.root_offsets.remove(&root);
@@ -53,7 +54,7 @@ impl Pose {
         }
     }
 
-    /// How far a root has moved from its place at rest, in model space.
+    /// Translation of a root from its position at rest, in model space.
     pub fn root_offset(&self, joint: usize) -> Vec3 {
         self.root_offsets.get(&joint).copied().unwrap_or(Vec3::ZERO)
     }
@@ -68,13 +69,14 @@ impl Pose {
         self.rotations.is_empty() && self.root_offsets.is_empty()
     }
 
-    /// Puts `joint` back to its rest.
+    /// Resets `joint` to rest.
     pub fn reset_joint(&mut self, joint: usize) {
         self.rotations.remove(&joint);
         self.root_offsets.remove(&joint);
     }
 
-    /// The joint that a pose file calls `name_or_index`: a name first, then a sid, then an index.
+    /// Index of the joint that a pose file calls `name_or_index`: a name first, then a sid, then an
+    /// index.
     ///
     /// # Errors
     /// If the skeleton has no such joint.

@@ -2,10 +2,10 @@ use super::{Facing, Joint, Pose};
 use crate::math::MatrixStack;
 use glam::{Mat4, Vec3};
 
-/// A forest of joints with the transforms of its rest pose, the bind pose.
+/// Skeleton: a forest of joints with the transforms of its rest pose, the bind pose.
 ///
-/// Once made it does not change: poses lie beside it, and the current transforms are computed
-/// from both, so there is no order of calls to remember.
+/// It never changes: poses are kept separately, and the current transforms are computed from both,
+/// so there is no order of calls to remember.
 #[derive(Clone, Debug)]
 pub struct SkeletalModel {
     joints: Vec<Joint>,
@@ -15,32 +15,32 @@ pub struct SkeletalModel {
     facing: Facing,
 }
 
-/// Why a list of joints is no skeleton. Joint numbers are indices into the list.
+/// Reason why a list of joints is not a skeleton. Joint numbers are indices into the list.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SkeletonError {
-    /// There is nothing to make a skeleton of.
+    /// There are no joints.
     #[error("expected at least one joint, found none")]
     Empty,
-    /// A parent's index is past the end.
+    /// A parent does not exist.
     #[error("joint {joint}: expected a parent below {count}, found {parent}")]
     BadParent {
-        /// The joint that names it.
+        /// Index of the joint that names it.
         joint: usize,
-        /// The index it names.
+        /// Index that it names.
         parent: usize,
-        /// How many joints there are.
+        /// Number of joints.
         count: usize,
     },
     /// A joint is its own ancestor.
     #[error("joint {joint}: expected a tree, found a joint that is its own ancestor")]
     Cycle {
-        /// The first joint on the cycle.
+        /// Index of the first joint on the cycle.
         joint: usize,
     },
 }
 
 impl SkeletonError {
-    /// The joint at fault, where there is one.
+    /// Index of the joint at fault, if there is one.
     pub fn joint(&self) -> Option<usize> {
         match *self {
             Self::Empty => None,
@@ -89,22 +89,22 @@ impl SkeletalModel {
         Ok(model)
     }
 
-    /// The joints, in the order of the file.
+    /// Joints, in the order of the file.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
     }
 
-    /// The joints without a parent, in the order of the file.
+    /// Indices of the joints without a parent, in the order of the file.
     pub fn roots(&self) -> &[usize] {
         &self.roots
     }
 
-    /// The children of `joint`, in the order of the file.
+    /// Indices of the children of `joint`, in the order of the file.
     pub fn children(&self, joint: usize) -> &[usize] {
         &self.children[joint]
     }
 
-    /// Which way the character looks at rest.
+    /// Direction in which the character faces at rest.
     pub fn facing(&self) -> Facing {
         self.facing
     }
@@ -116,7 +116,7 @@ impl SkeletalModel {
     }
 
     /// T of every joint under `pose`: from the joint's frame to model space (assignment,
-    /// `currentJointToWorldTransform`). Rotations that the pose lacks count as none.
+    /// `currentJointToWorldTransform`). Joints that the pose does not mention are at rest.
     #[doc(alias = "updateCurrentJointToWorldTransforms")]
     pub fn update_current_joint_to_world_transforms(&self, pose: &Pose) -> Vec<Mat4> {
         self.by_recursion(|joint| {
@@ -125,8 +125,8 @@ impl SkeletalModel {
         })
     }
 
-    /// `T · B⁻¹` of every joint: where the joint has taken what it held in the bind pose, in
-    /// model space. The identity for an untouched skeleton.
+    /// `T · B⁻¹` of every joint: from the bind pose to the current pose, both in model space. The
+    /// identity in the bind pose.
     pub fn palette(&self, current_model_from_joint: &[Mat4]) -> Vec<Mat4> {
         current_model_from_joint
             .iter()
@@ -152,10 +152,10 @@ impl SkeletalModel {
             .collect();
     }
 
-    /// `model_from_joint` of every joint, by walking the forest over a matrix stack.
+    /// `model_from_joint` of every joint, by traversing the forest with a matrix stack.
     ///
-    /// The walk keeps its own list of what to visit: a chain of joints as long as a file cares
-    /// to make it must not overflow the thread's stack.
+    /// The traversal keeps its own list of joints to visit: a chain of any length in a file must
+    /// not overflow the thread's stack.
     fn by_recursion(&self, parent_from_joint: impl Fn(usize) -> Mat4) -> Vec<Mat4> {
         enum Step {
             Enter(usize),

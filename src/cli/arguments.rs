@@ -1,11 +1,182 @@
-//! Values of options, as people type them.
+//! Arguments that commands share: files to load, options that change what is in them, and values of
+//! options.
 
-use super::load::ids;
+use super::CliError;
+use super::output::eprint_line;
+use crate::disk::files;
 use crate::editor::{Edit, Session};
-use crate::scene::{Camera, Skinning, ViewDirection};
+use crate::io::{Files, Loaded, PoseFile, builtin};
+use crate::scene::{
+    BoneStyle, Camera, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
+    ShapeId, ShapeKind, Skinning, SurfaceVisibility, ViewDirection,
+};
 use glam::Vec3;
+use std::path::{Path, PathBuf};
 
-/// Which weights of a character count.
+/// Loads the scenes and shapes of `paths` into one session, with the view of the last scene file,
+/// and poses its characters by the file `pose` if there is one. Prints warnings on standard error.
+///
+/// # Errors
+/// At the first file that cannot be loaded.
+pub fn load(paths: &[PathBuf], pose: Option<&Path>) -> Result<Session, CliError> {
+    let files = files();
+    let mut loaded = Loaded::default();
+    for path in paths {
+        loaded.add(&files, path)?;
+    }
+    for warning in &loaded.warnings {
+        eprint_line(format_args!("warning: {warning}"));
+    }
+    let mut session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+    if let Some(path) = pose {
+        let path = builtin::resolve(path)?;
+        let pose = PoseFile::read(&path, &files.read(&path)?)?;
+        let poses = pose.poses_for(session.scene())?.into_iter();
+        let edits = poses.map(|(id, pose)| Edit::SetPose(id, pose)).collect();
+        edit(&mut session, edits)?;
+    }
+    Ok(session)
+}
+
+/// Carries out the edits of a command's options.
+///
+/// # Errors
+/// If one of them is refused; then nothing has changed.
+pub fn edit(session: &mut Session, edits: Vec<Edit>) -> Result<(), CliError> {
+    let edited = session.edit(Edit::Together(edits));
+    edited.map_err(|refused| CliError::Other(refused.to_string()))?;
+    Ok(())
+}
+
+/// Identifiers of all shapes.
+fn ids(session: &Session) -> impl Iterator<Item = ShapeId> {
+    session.scene().shapes().iter().map(|shape| shape.id)
+}
+
+/// Display options of characters and curves; what is not given stays as in the scene.
+#[derive(Clone, Debug, clap::Args)]
+pub(super) struct DisplayOptions {
+    /// What is drawn of characters [default: mesh, or as the scene has it].
+    #[arg(long)]
+    display: Option<Display>,
+    /// How joints are drawn [default: spheres, or as the scene has it].
+    #[arg(long)]
+    joints: Option<Joints>,
+    /// How bones are drawn [default: boxes, or as the scene has it].
+    #[arg(long)]
+    bones: Option<Bones>,
+    /// How curves are drawn [default: on, or as the scene has it].
+    #[arg(long)]
+    curve: Option<CurveName>,
+    /// How surfaces of curves are drawn [default: shaded, or as the scene has it].
+    #[arg(long)]
+    surface: Option<SurfaceName>,
+    /// Whether control points are drawn [default: on, or as the scene has it].
+    #[arg(long, value_name = "on|off", value_parser = switch)]
+    control_points: Option<bool>,
+    #[command(flatten)]
+    curves: CurveOptions,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Display {
+    Mesh,
+    Skeleton,
+    Both,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Joints {
+    Points,
+    Spheres,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Bones {
+    Lines,
+    Boxes,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum CurveName {
+    Off,
+    On,
+    /// With normals, tangents and binormals.
+    Frames,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum SurfaceName {
+    Off,
+    /// All edges, with normals.
+    Wireframe,
+    Shaded,
+}
+
+impl DisplayOptions {
+    /// Edits that set the display options of all shapes of `session`.
+    pub fn edits(&self, session: &Session) -> Vec<Edit> {
+        let shapes = session.scene().shapes().iter();
+        let displays = shapes.filter_map(|shape| match &shape.kind {
+            ShapeKind::Character(character) => {
+                let mut display = character.display;
+                set_character_display(self, &mut display);
+                Some(Edit::SetDisplay(shape.id, display))
+            }
+            ShapeKind::Curve(curve) => {
+                let mut display = curve.display;
+                set_curve_display(self, &mut display);
+                Some(Edit::SetCurveDisplay(shape.id, display))
+            }
+            _ => None,
+        });
+        displays.chain(self.curves.edits(session)).collect()
+    }
+}
+
+fn set_character_display(options: &DisplayOptions, display: &mut CharacterDisplay) {
+    if let Some(mode) = options.display {
+        display.mode = match mode {
+            Display::Mesh => ModelDisplay::Mesh,
+            Display::Skeleton => ModelDisplay::Skeleton,
+            Display::Both => ModelDisplay::Both,
+        };
+    }
+    if let Some(joints) = options.joints {
+        display.joints = match joints {
+            Joints::Points => JointStyle::Points,
+            Joints::Spheres => JointStyle::Spheres,
+        };
+    }
+    if let Some(bones) = options.bones {
+        display.bones = match bones {
+            Bones::Lines => BoneStyle::Lines,
+            Bones::Boxes => BoneStyle::Boxes,
+        };
+    }
+}
+
+fn set_curve_display(options: &DisplayOptions, display: &mut CurveDisplay) {
+    if let Some(curve) = options.curve {
+        display.curve = match curve {
+            CurveName::Off => CurveVisibility::Off,
+            CurveName::On => CurveVisibility::On,
+            CurveName::Frames => CurveVisibility::OnWithFrames,
+        };
+    }
+    if let Some(surface) = options.surface {
+        display.surface = match surface {
+            SurfaceName::Off => SurfaceVisibility::Off,
+            SurfaceName::Wireframe => SurfaceVisibility::WireframeWithNormals,
+            SurfaceName::Shaded => SurfaceVisibility::Shaded,
+        };
+    }
+    if let Some(control_points) = options.control_points {
+        display.control_points = control_points;
+    }
+}
+
+/// Number of influences per vertex that are used.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub(super) enum Influences {
     /// Every one of the file.
@@ -16,7 +187,7 @@ pub(super) enum Influences {
 }
 
 impl Influences {
-    /// The edits that cut the characters of `session` down.
+    /// Edits that limit the influences of the characters of `session`.
     pub fn edits(self, session: &Session) -> Vec<Edit> {
         match self {
             Self::All => Vec::new(),
@@ -27,7 +198,7 @@ impl Influences {
     }
 }
 
-/// What is made of curves.
+/// Options of surfaces made from curves.
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub(super) struct CurveOptions {
     /// Leave the step of a closed sweep whose frames do not meet
@@ -36,7 +207,7 @@ pub(super) struct CurveOptions {
 }
 
 impl CurveOptions {
-    /// The edits that make every curve of `session` so.
+    /// Edits that apply them to all curves of `session`.
     pub fn edits(self, session: &Session) -> Vec<Edit> {
         if !self.no_frame_closing {
             return Vec::new();
@@ -47,7 +218,7 @@ impl CurveOptions {
     }
 }
 
-/// What deforms the meshes that are drawn.
+/// Processor that deforms the meshes that are drawn.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub enum SkinningName {
     /// The processor.
@@ -65,7 +236,7 @@ impl From<SkinningName> for Skinning {
     }
 }
 
-/// `800x600`.
+/// Size of a picture in pixels, such as `800x600`.
 pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     let expected = || format!("expected WIDTHxHEIGHT such as 800x600, found {text}");
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(expected)?;
@@ -73,10 +244,10 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     side(width).zip(side(height)).ok_or_else(expected)
 }
 
-/// More samples a pixel than any driver has.
+/// Upper bound of the samples per pixel: more than any driver has.
 const MOST_SAMPLES: u32 = 64;
 
-/// `4`.
+/// Number of samples per pixel, such as `4`.
 pub(super) fn samples(text: &str) -> Result<u32, String> {
     let number = text.parse().ok().filter(|n| *n <= MOST_SAMPLES);
     number.ok_or_else(|| {
@@ -84,7 +255,7 @@ pub(super) fn samples(text: &str) -> Result<u32, String> {
     })
 }
 
-/// `on` or `off`.
+/// Switch: `on` or `off`.
 pub(super) fn switch(text: &str) -> Result<bool, String> {
     match text {
         "on" => Ok(true),
@@ -93,7 +264,7 @@ pub(super) fn switch(text: &str) -> Result<bool, String> {
     }
 }
 
-/// `+x` and so on.
+/// View direction, such as `+x`.
 pub(super) fn view(text: &str) -> Result<ViewDirection, String> {
     ViewDirection::ALL
         .into_iter()
@@ -101,7 +272,7 @@ pub(super) fn view(text: &str) -> Result<ViewDirection, String> {
         .ok_or_else(|| format!("expected +x, -x, +y, -y, +z or -z, found {text}"))
 }
 
-/// `THETA,PHI,RADIUS` with `,TX,TY,TZ` or without; angles in degrees.
+/// Camera: `THETA,PHI,RADIUS`, optionally with `,TX,TY,TZ`; angles in degrees.
 pub(super) fn camera(text: &str) -> Result<Camera, String> {
     let numbers: Option<Vec<f32>> = text
         .split(',')
@@ -140,7 +311,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_and_cameras_are_read_and_nonsense_is_told() {
+    fn sizes_and_cameras_are_read_and_nonsense_is_refused() {
         assert_eq!(size("640x480"), Ok((640, 480)));
         assert!(size("640").is_err() && size("0x5").is_err() && size("-1x5").is_err());
         let read = camera("-30,10,5,0,1,0").expect("six numbers");

@@ -1,24 +1,23 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
-use super::check_collada::ColladaReport;
-use super::output::{tell, visible};
-use super::told::Told;
+use super::output::{DiagnosticJson, eprint_line, visible};
 use super::{CliError, print};
 use crate::character::Influence;
 use crate::disk::files;
 use crate::editor::Session;
+use crate::io::dae::{DaeReport, UpAxis};
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
 use serde::Serialize;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Say what is in each FILE and what is odd about it.
 ///
-/// Mistakes are told as path:line:column with what was expected and what was found; with --json
-/// errors and warnings are objects {"file", "line", "column", "message"}, where line and column
-/// are null if it is about the file as a whole.
+/// Mistakes are reported as path:line:column with what was expected and what was found; with --json
+/// errors and warnings are objects {"file", "line", "column", "message"}, where line and column are
+/// null if it is about the file as a whole.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
@@ -30,7 +29,7 @@ pub struct Args {
     json: bool,
 }
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Debug, Serialize)]
 struct Report {
     files: Vec<FileReport>,
@@ -40,16 +39,16 @@ struct Report {
 struct FileReport {
     path: String,
     #[serde(skip_serializing_if = "Option::is_none")]
-    error: Option<Told>,
+    error: Option<DiagnosticJson>,
     shapes: Vec<ShapeReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     posed_joints: Option<usize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     collada: Option<ColladaReport>,
-    warnings: Vec<Told>,
+    warnings: Vec<DiagnosticJson>,
 }
 
-/// What is in a shape; bounds are in the world.
+/// Contents of a shape; bounds are in the world.
 #[derive(Debug, Serialize)]
 struct ShapeReport {
     name: String,
@@ -93,11 +92,11 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             Err(error) => (FileReport::new(path), Some(error)),
         };
         if let Some(error) = &error {
-            tell(format_args!("error: {error}"));
+            eprint_line(format_args!("error: {error}"));
             failed = true;
         }
         report.files.push(FileReport {
-            error: error.as_ref().map(Told::from),
+            error: error.as_ref().map(DiagnosticJson::from),
             ..of_file
         });
     }
@@ -109,7 +108,11 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         sound.map(in_words).collect::<Vec<_>>().join("\n")
     };
     print(&text)?;
-    if failed { Err(CliError::Told) } else { Ok(()) }
+    if failed {
+        Err(CliError::Reported)
+    } else {
+        Ok(())
+    }
 }
 
 impl FileReport {
@@ -160,15 +163,15 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
         .zip(&session.evaluated().shapes);
     Ok(FileReport {
         shapes: shapes
-            .map(|(shape, evaluated)| look_at(shape, evaluated))
+            .map(|(shape, evaluated)| shape_report(shape, evaluated))
             .collect(),
         collada,
-        warnings: loaded.warnings.iter().map(Told::from).collect(),
+        warnings: loaded.warnings.iter().map(DiagnosticJson::from).collect(),
         ..FileReport::new(path)
     })
 }
 
-fn look_at(shape: &Shape, evaluated: &EvaluatedShape) -> ShapeReport {
+fn shape_report(shape: &Shape, evaluated: &EvaluatedShape) -> ShapeReport {
     let mesh = &evaluated.geometry.mesh;
     let bounds = evaluated.world_bounds();
     let mut materials: Vec<String> = Vec::new();
@@ -247,7 +250,7 @@ fn in_words(file: &FileReport) -> String {
         }
         if let Some([min, max]) = shape.bounds {
             let corner = |of: [f32; 3]| {
-                // What rounds to nothing has no sign.
+                // What rounds to zero has no sign.
                 let [x, y, z] = of.map(|value| if value.abs() <= 5e-5 { 0.0 } else { value });
                 format!("({x:.4}, {y:.4}, {z:.4})")
             };
@@ -263,12 +266,93 @@ fn in_words(file: &FileReport) -> String {
     out
 }
 
+/// Contents of a Collada file besides its shapes.
+#[derive(Debug, Serialize)]
+struct ColladaReport {
+    up_axis: &'static str,
+    meters_per_unit: f64,
+    skins: usize,
+    /// Range in the file; the shapes' weights have been divided by their sums.
+    weight_sums: Option<[f32; 2]>,
+    unweighted_vertices: usize,
+    inverse_bind_difference: Option<Difference>,
+    ignored: BTreeMap<String, usize>,
+}
+
+/// Largest difference between inverse bind matrices and scene.
+#[derive(Debug, Serialize)]
+struct Difference {
+    joint: String,
+    difference: f64,
+}
+
+impl ColladaReport {
+    /// Lines of the report as text: label and value.
+    fn in_words(&self) -> Vec<(&'static str, String)> {
+        let mut lines = vec![(
+            "collada",
+            format!("{} up, {} m a unit", self.up_axis, self.meters_per_unit),
+        )];
+        if self.skins > 0 {
+            lines.push(("  skins", self.skins.to_string()));
+        }
+        if let Some([low, high]) = self.weight_sums {
+            lines.push((
+                "  weight sums",
+                format!("{low:.4} to {high:.4} in the file"),
+            ));
+        }
+        if self.unweighted_vertices > 0 {
+            let count = self.unweighted_vertices;
+            let which = if count == 1 {
+                "vertex stays"
+            } else {
+                "vertices stay"
+            };
+            lines.push(("  unweighted", format!("{count} {which} at rest")));
+        }
+        if let Some(Difference { joint, difference }) = &self.inverse_bind_difference {
+            let most = if *difference == 0.0 {
+                "as in the scene".to_owned()
+            } else {
+                format!("differs from the scene by at most {difference:.1e}, at {joint}")
+            };
+            lines.push(("  bind pose", most));
+        }
+        for (what, count) in &self.ignored {
+            lines.push(("  ignored", format!("{count} × {what}")));
+        }
+        lines
+    }
+}
+
+impl From<DaeReport> for ColladaReport {
+    fn from(report: DaeReport) -> Self {
+        Self {
+            up_axis: match report.space.up {
+                UpAxis::X => "X",
+                UpAxis::Y => "Y",
+                UpAxis::Z => "Z",
+            },
+            meters_per_unit: report.space.meters,
+            skins: report.skins,
+            weight_sums: report.weight_sums.map(|(low, high)| [low, high]),
+            unweighted_vertices: report.unweighted,
+            inverse_bind_difference: report.worst_inverse_bind.map(|worst| Difference {
+                joint: worst.joint,
+                difference: worst.difference,
+            }),
+            ignored: report.ignored,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::cell::RefCell;
 
-    /// Files, and how often which was read.
+    /// Files of the disk, with a record of those that were read.
     #[derive(Default)]
     struct Counted(RefCell<Vec<PathBuf>>);
 
@@ -291,5 +375,30 @@ mod tests {
         assert_eq!(report.shapes[0].kind, "Character");
         let read = files.0.into_inner();
         assert_eq!(read.len(), 2, "{read:?}");
+    }
+
+    #[test]
+    fn a_bind_pose_without_a_difference_is_reported_as_equal() {
+        let lines = |difference| {
+            let report = ColladaReport {
+                up_axis: "Y",
+                meters_per_unit: 1.0,
+                skins: 1,
+                weight_sums: None,
+                unweighted_vertices: 1,
+                inverse_bind_difference: Some(Difference {
+                    joint: "Bone.002".to_owned(),
+                    difference,
+                }),
+                ignored: BTreeMap::new(),
+            };
+            report.in_words()[2..]
+                .iter()
+                .map(|(_, words)| words.clone())
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(lines(0.0), ["1 vertex stays at rest", "as in the scene"]);
+        let most = "differs from the scene by at most 1.5e-3, at Bone.002";
+        assert_eq!(lines(0.0015)[1], most);
     }
 }

@@ -1,7 +1,6 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
-use super::output::{self, picture_format, refuse_input};
-use super::told::Told;
+use super::output::{self, DiagnosticJson, picture_format, refuse_input};
 use super::{CliError, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
@@ -15,22 +14,22 @@ use std::path::{Path, PathBuf};
 
 /// Compare B with the reference A: two pictures, or two .obj files vertex by vertex.
 ///
-/// Prints the differences and what they come from, as far as it can be told. Ends with 0 if no
-/// more than the allowed differ, and with 1 otherwise.
+/// Prints the differences and what they come from, as far as it can be told. Ends with 0 if no more
+/// than the allowed differ, and with 1 otherwise.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj)
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// What is compared with it
+    /// The picture or mesh that is compared with it
     #[arg(value_name = "B")]
     b: PathBuf,
-    /// Up to where it is no difference: for pictures a step of a channel, 0 to 255 [0]; for
-    /// meshes a distance [0.00001 of the size of A]
+    /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
+    /// distance [0.00001 of the size of A]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     threshold: Option<f64>,
-    /// How many pixels or vertices may differ; with a % a share of the drawn pixels (those that
-    /// are not background) or of the vertices
+    /// Number of pixels or vertices that may differ; with a % a share of the drawn pixels (those
+    /// that are not background) or of the vertices
     #[arg(
         long,
         value_name = "P",
@@ -41,8 +40,8 @@ pub struct Args {
     /// Leave out this area of the pictures, in pixels from the upper left; may be repeated
     #[arg(long, value_name = "X,Y,W,H", allow_hyphen_values = true)]
     ignore: Vec<Area>,
-    /// Write a picture with A, B and their differences side by side, lighter where they are
-    /// larger (.png, .jpg, .gif)
+    /// Write a picture with A, B and their differences side by side, lighter where they are larger
+    /// (.png, .jpg, .gif)
     #[arg(short, long, value_name = "DIFF.png")]
     output: Option<PathBuf>,
     /// Print one JSON object instead of text
@@ -50,7 +49,7 @@ pub struct Args {
     json: bool,
 }
 
-/// What `--json` prints.
+/// Output of `--json`.
 #[derive(Serialize)]
 struct Report<'a, C> {
     a: String,
@@ -59,11 +58,11 @@ struct Report<'a, C> {
     comparison: &'a C,
 }
 
-/// What `--json` prints if there is nothing to measure.
+/// Output of `--json` if nothing could be compared.
 #[derive(Serialize)]
 struct Failure {
     passed: bool,
-    error: Told,
+    error: DiagnosticJson,
 }
 
 /// Carries the command out.
@@ -74,11 +73,11 @@ struct Failure {
 pub fn run(args: &Args) -> Result<(), CliError> {
     let done = compare(args);
     let error = match &done {
-        Err(CliError::Failed(diagnostic)) => Some(Told::from(diagnostic)),
+        Err(CliError::Failed(diagnostic)) => Some(DiagnosticJson::from(diagnostic)),
         Err(CliError::Other(message) | CliError::Usage(message)) => {
-            Some(Told::without_file(message.clone()))
+            Some(DiagnosticJson::without_file(message.clone()))
         }
-        Ok(()) | Err(CliError::Told) => None,
+        Ok(()) | Err(CliError::Reported) => None,
     };
     if let (true, Some(error)) = (args.json, error) {
         let failure = Failure {
@@ -113,7 +112,7 @@ fn compare(args: &Args) -> Result<(), CliError> {
 }
 
 fn is_mesh(path: &Path) -> bool {
-    // A name that is none is told when the file is read.
+    // A path that cannot be resolved is reported when the file is read.
     let path = builtin::resolve(path).unwrap_or_else(|_| path.to_owned());
     path.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
@@ -139,7 +138,7 @@ fn pictures(args: &Args) -> Result<(), CliError> {
             image::encode(&picture, format).map_err(|error| Diagnostic::new(path, error))?;
         disk::write_whole(path, &bytes)?;
     }
-    tell(args, &comparison, comparison.passed)
+    print_result(args, &comparison, comparison.passed)
 }
 
 fn picture_threshold(threshold: Option<f64>) -> Result<u8, CliError> {
@@ -172,7 +171,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     let read = |path: &Path| -> Result<_, CliError> {
         let imported = read_character_obj(path, &files.read(path)?)?;
         for warning in &imported.warnings {
-            output::tell(format_args!("warning: {warning}"));
+            output::eprint_line(format_args!("warning: {warning}"));
         }
         Ok(imported.value)
     };
@@ -182,17 +181,25 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         allowed: args.max_pixels,
     };
     let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
-    tell(args, &comparison, comparison.passed)
+    print_result(args, &comparison, comparison.passed)
 }
 
-/// Prints the result; a comparison that did not pass is an error that has been told.
-fn tell<C: Serialize + Display>(args: &Args, comparison: &C, passed: bool) -> Result<(), CliError> {
+/// Prints the result; a comparison that did not pass is an error that has been reported.
+fn print_result<C: Serialize + Display>(
+    args: &Args,
+    comparison: &C,
+    passed: bool,
+) -> Result<(), CliError> {
     if args.json {
         print_json(args, comparison)?;
     } else {
         print(&format!("{comparison}\n"))?;
     }
-    if passed { Ok(()) } else { Err(CliError::Told) }
+    if passed {
+        Ok(())
+    } else {
+        Err(CliError::Reported)
+    }
 }
 
 fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError> {

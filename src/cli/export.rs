@@ -1,8 +1,8 @@
 //! `editor export`: the current geometry as an `.obj` file.
 
-use super::load::{edit, load};
+use super::CliError;
+use super::arguments::{self, edit, load};
 use super::output::{expect_obj, refuse_input};
-use super::{CliError, arguments};
 use crate::disk;
 use crate::io;
 use std::path::PathBuf;
@@ -24,7 +24,7 @@ pub struct Args {
     /// Pose the characters first: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
-    /// Which weights count
+    /// Influences per vertex: all of the file, or the four largest
     #[arg(long, default_value = "all")]
     influences: arguments::Influences,
     #[command(flatten)]

@@ -1,23 +1,17 @@
-//! The command line, one file a command. Results go to standard output, everything else to
-//! standard error; the exit code is 0 when all is done, 1 when an input or a comparison failed,
-//! 2 when the command was used wrongly.
+//! The command line, one file per command. Results go to standard output, everything else to
+//! standard error; the exit code is 0 when all is done, 1 when an input or a comparison failed, 2
+//! when the command was used wrongly.
 
 mod arguments;
 pub mod check;
-mod check_collada;
 pub mod compare;
-mod display_options;
-mod error;
 pub mod export;
-mod load;
 mod output;
-mod panels;
 pub mod render;
-mod told;
+mod render_ui;
 
 pub use arguments::SkinningName;
-pub use error::CliError;
-pub use output::print;
+pub use output::{CliError, print};
 
 use crate::io::builtin;
 use clap::{Parser, Subcommand};
@@ -41,16 +35,16 @@ struct Cli {
     window: WindowArgs,
 }
 
-/// What the window starts with.
+/// Arguments of the window.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct WindowArgs {
     /// Scenes to open (.scene), files to import (.obj, .dae, .swp), or builtin:NAME
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// What stands in the title of the window after the program's name, for instance your name
+    /// Text in the window's title after the program's name, such as your name
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
-    /// What deforms characters, for this time [default: as View ▸ Skinning has it]
+    /// Processor that deforms characters, for this time [default: as in View ▸ Skinning]
     #[arg(long)]
     pub skinning: Option<SkinningName>,
 }
@@ -63,14 +57,14 @@ enum Command {
     Render(render::Args),
 }
 
-/// Runs the program with the arguments that it was started with; `open_window` is called where
-/// they name no command, and says what went wrong.
+/// Runs the program with the arguments that it was started with. Without a command it calls
+/// `open_window`, which returns a message if it fails.
 pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
-            // Help that was asked for is a result, all else a mistake; where even that cannot be
-            // printed there is nobody to tell.
+            // Help that was asked for is a result, all else an error; if even that cannot be
+            // printed, there is nowhere left to report it.
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
@@ -88,13 +82,13 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            error.tell();
+            error.report();
             error.exit_code()
         }
     }
 }
 
-/// A word that looks like no file and is none was meant as a command.
+/// Error for a word that does not look like a file, and does not exist: it was meant as a command.
 fn unknown(files: &[PathBuf]) -> Option<CliError> {
     let word = files.iter().find(|file| {
         let is_builtin = file.to_string_lossy().starts_with(builtin::PREFIX);

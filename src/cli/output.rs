@@ -1,13 +1,127 @@
-use super::CliError;
+//! Output of the commands: results, errors and warnings, and the files they write.
+
 use crate::disk;
+use crate::gpu::GpuError;
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, expect_extension};
+use crate::program::ProgramError;
+use crate::render::{OffscreenError, RenderError};
+use serde::Serialize;
 use std::fmt::Display;
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
-/// Prints a result on standard output. A reader that has gone away, as `head` does, is none of
-/// our business.
+/// Reason why a command failed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CliError {
+    /// An input is wrong, or an output cannot be written.
+    #[error("{0}")]
+    Failed(#[from] Diagnostic),
+    /// The same, without a file to name.
+    #[error("{0}")]
+    Other(String),
+    /// The command was used wrongly.
+    #[error("{0}")]
+    Usage(String),
+    /// The command failed, and the reason has been printed.
+    #[error("")]
+    Reported,
+}
+
+impl From<OffscreenError> for CliError {
+    fn from(error: OffscreenError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<GpuError> for CliError {
+    fn from(error: GpuError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<RenderError> for CliError {
+    fn from(error: RenderError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl From<ProgramError> for CliError {
+    fn from(error: ProgramError) -> Self {
+        Self::Other(error.to_string())
+    }
+}
+
+impl CliError {
+    /// Prints the error on standard error.
+    pub fn report(&self) {
+        match self {
+            Self::Reported => {}
+            Self::Usage(message) => {
+                eprint_line(format_args!("error: {message}"));
+                eprint_line("");
+                eprint_line("For more information, try '--help'.");
+            }
+            Self::Failed(_) => eprint_line(format_args!("error: {self}")),
+            // Messages of the system may have several lines.
+            Self::Other(_) => format!("error: {self}").lines().for_each(eprint_line),
+        }
+    }
+
+    /// Exit code of the program.
+    pub fn exit_code(&self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Failed(_) | Self::Other(_) | Self::Reported => 1,
+            Self::Usage(_) => 2,
+        })
+    }
+}
+
+/// Error or warning as `--json` prints it: the position in fields of its own, so that scripts need
+/// not parse a sentence.
+#[derive(Debug, Serialize)]
+pub struct DiagnosticJson {
+    /// Path of the file; `None` if no single file is at fault.
+    pub file: Option<String>,
+    /// Line, counted from 1; `None` for the file as a whole.
+    pub line: Option<usize>,
+    /// Column, counted from 1; `None` for the file as a whole.
+    pub column: Option<usize>,
+    /// Message without the position.
+    pub message: String,
+    /// Path, position and message in one line, for people.
+    #[serde(skip)]
+    pub in_words: String,
+}
+
+impl DiagnosticJson {
+    /// An error without a file to name.
+    pub fn without_file(message: String) -> Self {
+        Self {
+            file: None,
+            line: None,
+            column: None,
+            in_words: message.clone(),
+            message,
+        }
+    }
+}
+
+impl From<&Diagnostic> for DiagnosticJson {
+    fn from(diagnostic: &Diagnostic) -> Self {
+        Self {
+            file: Some(diagnostic.path.display().to_string()),
+            line: diagnostic.position.map(|position| position.line),
+            column: diagnostic.position.map(|position| position.column),
+            message: diagnostic.message.clone(),
+            in_words: diagnostic.to_string(),
+        }
+    }
+}
+
+/// Prints a result on standard output. It is no error if the reader has closed the pipe, as `head`
+/// does.
 ///
 /// # Errors
 /// If it cannot be written for any other reason.
@@ -21,14 +135,13 @@ pub fn print(text: &str) -> Result<(), CliError> {
     }
 }
 
-/// Says something on standard error, in one line. Where that cannot be written there is nobody to
-/// tell.
-pub fn tell(what: impl Display) {
+/// Prints one line on standard error. If that fails, there is nowhere left to report it.
+pub fn eprint_line(what: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(&what.to_string()));
 }
 
-/// `text` in one line that says what it holds: names in files that were handed in, and names of
-/// files, must neither steer the terminal nor look like lines of the program's own.
+/// `text` in one line, with control characters escaped: names from files, and of files, must
+/// neither control the terminal nor look like lines of the program.
 pub fn visible(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for c in text.chars() {
@@ -43,23 +156,23 @@ pub fn visible(text: &str) -> String {
     shown
 }
 
-/// The format of the picture to write, by the extension of its name.
+/// Format of the picture to write, by the extension of its path.
 ///
 /// # Errors
-/// If it is none that can be written: wrong usage, told before any work is done.
+/// If it is none that can be written: wrong usage, reported before any work is done.
 pub fn picture_format(output: &Path) -> Result<PictureFormat, CliError> {
     PictureFormat::of(output).map_err(|error| CliError::Usage(error.to_string()))
 }
 
-/// Checks that the name of the mesh to write ends in `.obj`.
+/// Checks that the path of the mesh to write ends in `.obj`.
 ///
 /// # Errors
-/// If it does not: wrong usage, told before any work is done.
+/// If it does not: wrong usage, reported before any work is done.
 pub fn expect_obj(output: &Path) -> Result<(), CliError> {
     expect_extension(output, "obj").map_err(|error| CliError::Usage(error.to_string()))
 }
 
-/// Refuses to write over one of the files that are read.
+/// Refuses to overwrite one of the files that are read.
 ///
 /// # Errors
 /// If `output` is one of `inputs`.

@@ -1,10 +1,9 @@
 //! `editor render`: a picture without a window.
 
-use super::display_options::DisplayOptions;
-use super::load::{edit, load};
-use super::output::{picture_format, tell};
-use super::panels::{self, PanelOptions};
-use super::{CliError, arguments};
+use super::CliError;
+use super::arguments::{self, DisplayOptions, edit, load};
+use super::output::{eprint_line, picture_format};
+use super::render_ui::{self, PanelOptions};
 use crate::disk;
 use crate::editor::{Session, View};
 use crate::gpu::Backend;
@@ -31,7 +30,7 @@ pub struct Args {
     /// Width and height in pixels.
     #[arg(long, default_value = "800x600", value_parser = arguments::size)]
     size: (u32, u32),
-    /// Where the camera stands: angles in degrees, distance, and what it looks at.
+    /// Camera: angles in degrees, distance, and the point it looks at.
     #[arg(
         long,
         value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
@@ -50,7 +49,7 @@ pub struct Args {
     pose: Option<PathBuf>,
     #[command(flatten)]
     display: DisplayOptions,
-    /// Which weights count.
+    /// Influences per vertex: all of the file, or the four largest.
     #[arg(long, default_value = "all")]
     influences: arguments::Influences,
     /// Light and background [default: course, or as the scene has it].
@@ -63,10 +62,10 @@ pub struct Args {
     /// on the processor, 4 for any other.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = arguments::samples)]
     samples: u32,
-    /// What to draw with.
+    /// OpenGL that draws.
     #[arg(long, default_value = "auto")]
     gl: GlName,
-    /// What deforms characters [default: the graphics card, or the processor where that draws].
+    /// Processor that deforms characters [default: the graphics card, or the CPU if that draws].
     #[arg(long)]
     skinning: Option<arguments::SkinningName>,
     /// Draw the window's panels too; the size is the window's.
@@ -99,7 +98,7 @@ enum GlName {
 pub fn run(args: &Args) -> Result<(), CliError> {
     let format = picture_format(&args.output)?;
     if args.ui {
-        panels::check_size(args.size)?;
+        render_ui::check_size(args.size)?;
     }
     let session = session(args)?;
     let backend = match args.gl {
@@ -109,7 +108,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     };
     let skinning = args.skinning.map(Into::into);
     let picture = if args.ui {
-        panels::picture(
+        render_ui::picture(
             &args.panels,
             session,
             backend,
@@ -128,7 +127,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         };
         let picture = offscreen.picture(&frame, args.size, args.samples)?;
         for notice in offscreen.renderer().take_notices() {
-            tell(format_args!("warning: {notice}"));
+            eprint_line(format_args!("warning: {notice}"));
         }
         picture
     };

@@ -2,35 +2,36 @@ use super::{Edit, Session};
 use crate::scene::{self, ShapeId};
 use glam::{Mat3, Mat4, Vec2, Vec3};
 
-/// A plane seen at less than this (sine, about 1°) cannot be pointed at.
+/// Sine of the angle (about 1°) between the ray and a plane below which the pointer does not move a
+/// point in that plane.
 const EDGE_ON: f32 = 0.02;
-/// What a coordinate may be off by rounding, in distances from the eye: well below a pixel.
+/// Rounding error of a coordinate, relative to the distance from the eye: well below a pixel.
 const ROUNDING: f32 = 4e-6;
 
-/// A control point in the user's hand. It stays under the pointer: points of flat curves and of
-/// profiles in the plane of their curve, others in the plane through them that is parallel to the
-/// picture.
+/// Drag of a control point, which stays under the pointer: points of flat curves and of profiles in
+/// the plane of their curve, others in the plane through them that is parallel to the picture.
 #[derive(Clone, Debug)]
 pub struct ControlPointDrag {
     shape: ShapeId,
     curve: usize,
     point: usize,
-    /// From the pointer to the point in the picture, pixels.
+    /// Vector from the pointer to the point in the picture, pixels.
     grip: Vec2,
-    /// Where the point was, in the shape's model space.
+    /// Position of the point at the start, in the shape's model space.
     start: Vec3,
     plane: Plane,
 }
 
-/// In the world; `normal` has unit length.
+/// Plane in the world; `normal` has unit length.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     origin: Vec3,
     normal: Vec3,
 }
 
-/// The control point of the selected shape at `pixel` in a picture of `size` (see
-/// [`scene::pick_control_point`]); none where control points are not shown.
+/// Picks the control point of the selected shape at `pixel` in a picture of `size` (see
+/// [`scene::pick_control_point`]): the indices of curve and point. `None` if control points are not
+/// displayed.
 pub fn control_point_at(session: &Session, pixel: Vec2, size: Vec2) -> Option<(usize, usize)> {
     let id = session.selected()?;
     if !session.scene().curve(id)?.display.control_points {
@@ -41,7 +42,7 @@ pub fn control_point_at(session: &Session, pixel: Vec2, size: Vec2) -> Option<(u
 }
 
 impl ControlPointDrag {
-    /// Grabs the control point at `pixel`, if there is one (see [`control_point_at`]).
+    /// Begins a drag of the control point at `pixel`, if there is one (see [`control_point_at`]).
     pub fn begin(session: &Session, pixel: Vec2, size: Vec2) -> Option<Self> {
         let (curve, point) = control_point_at(session, pixel, size)?;
         let shape = session.selected()?;
@@ -66,18 +67,18 @@ impl ControlPointDrag {
         })
     }
 
-    /// The shape whose point it is.
+    /// Shape whose point is dragged.
     pub fn shape(&self) -> ShapeId {
         self.shape
     }
 
-    /// The indices of the curve and of the point in it.
+    /// Indices of the curve and of the point in it.
     pub fn control_point(&self) -> (usize, usize) {
         (self.curve, self.point)
     }
 
-    /// Brings the point to where the pointer is: at `pixel` in a picture of `size`. `None` where
-    /// the plane that it moves in cannot be pointed at, so that it stays where it is.
+    /// Edit that moves the point under the pointer, which is at `pixel` in a picture of `size`.
+    /// `None` if the pointer does not meet the plane of the point, which then stays where it is.
     pub fn moved_to(&self, session: &Session, pixel: Vec2, size: Vec2) -> Option<Edit> {
         let camera = &session.view().camera;
         let ray = camera.ray(pixel + self.grip, size);
@@ -106,14 +107,14 @@ impl ControlPointDrag {
     }
 }
 
-/// The world's normal of the model's plane z = 0; `None` where that is flattened to a line.
+/// Unit normal, in the world, of the model's plane z = 0; `None` if the shape is scaled to a line.
 fn flat_normal(world_from_model: Mat4) -> Option<Vec3> {
     let (x, y) = (world_from_model.x_axis, world_from_model.y_axis);
     x.truncate().cross(y.truncate()).try_normalize()
 }
 
-/// A curve that is drawn flat in a straight view stays flat: coordinates that differ from `start`
-/// by rounding alone do not change.
+/// `position` with the coordinates of `start` where they differ by rounding alone, so that a curve
+/// that is edited in a view along an axis stays flat.
 fn without_rounding(position: Vec3, start: Vec3, rounding: Vec3) -> Vec3 {
     let same = (position - start).abs().cmple(rounding);
     Vec3::select(same, start, position)

@@ -4,36 +4,36 @@ use crate::character::{JointBone, SkeletalModel};
 use crate::scene::{BoneHit, ShapeId};
 use glam::Vec3;
 
-/// A bone that ends this near to a child, of its length, ends at the child: lengths of bones and
-/// places of joints are rounded apart from each other in files.
+/// Distance between the end of a bone and a child, relative to the bone's length, up to which the
+/// bone ends at the child: files round lengths of bones and positions of joints separately.
 const SAME_PLACE: f32 = 0.05;
 
-/// Fingers are grabbed by the wrist where their bones are shorter than this on the screen, in
-/// pixels: nobody could tell them apart. So is the palm, which is about twice as long.
+/// Length of a finger's bone on the screen, in pixels, below which the wrist is grabbed instead,
+/// since fingers cannot be told apart; and that of the palm, which is about twice as long.
 const TINY: f32 = 20.0;
 const TINY_PALM: f32 = 2.0 * TINY;
 
-/// The bone that leads to a wrist is at least so many times as long as any of the hand.
+/// Least length of the bone that leads to a wrist, relative to the longest bone of the hand.
 const FOREARM: f32 = 2.0;
 
-/// What of a character is brought somewhere.
+/// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IkGrip {
-    /// A joint; a root moves with all that hangs on it.
+    /// Joint; a root moves with everything below it.
     Joint(usize),
-    /// The end of a bone where no joint is, fixed to the frame of `joint`.
+    /// End of a bone at which there is no joint.
     Tip {
-        /// The joint that turns the bone.
+        /// Index of the joint that turns the bone.
         joint: usize,
-        /// Where it ends, in the joint's frame.
+        /// End of the bone, in the joint's frame.
         tip: Vec3,
     },
 }
 
 impl IkGrip {
-    /// The end of a bone that is nearer to where it was hit; of a bone that is tiny on `screen`
-    /// the wrist that it hangs on, if it hangs on one. Of joints in one place, one above the
-    /// other, it is the uppermost, which moves them all.
+    /// Grip of a bone that was hit: the nearer of its ends; or the wrist above it if the bone is
+    /// tiny on `screen`. Of joints in one place, one above the other, it is the uppermost, which
+    /// moves them all.
     pub fn of(session: &Session, hit: &BoneHit, screen: &Screen) -> Option<Self> {
         let character = &session.scene().character(hit.shape)?.character;
         let shape = session.evaluated().shape(hit.shape)?;
@@ -45,7 +45,7 @@ impl IkGrip {
         let length = place(start).distance(place(end));
         if let Some(wrist) = wrist(skeleton, bone) {
             let tiny = if wrist == bone.joint { TINY_PALM } else { TINY };
-            if screen.length(place(start), length)? < tiny {
+            if length / screen.world_per_pixel(place(start))? < tiny {
                 return Some(Self::Joint(wrist));
             }
         }
@@ -67,14 +67,14 @@ impl IkGrip {
         })
     }
 
-    /// The joint, or that which turns the bone.
+    /// Index of the joint, or of the joint that turns the bone.
     pub fn joint(self) -> usize {
         match self {
             Self::Joint(joint) | Self::Tip { joint, .. } => joint,
         }
     }
 
-    /// Where it is in the world.
+    /// Position in the world.
     pub fn place(self, session: &Session, shape: ShapeId) -> Option<Vec3> {
         let evaluated = session.evaluated().shape(shape)?;
         let figure = evaluated.geometry.figure.as_ref()?;
@@ -86,8 +86,8 @@ impl IkGrip {
         Some(evaluated.world_from_model.transform_point3(in_model))
     }
 
-    /// The chain that would bring it somewhere; none for a root, and where pins or a lack of
-    /// joints hold it.
+    /// Chain that moves the grip; `None` for a root, and if no joint above it can turn, as below a
+    /// pin.
     pub fn chain(
         self,
         session: &Session,
@@ -104,6 +104,7 @@ impl IkGrip {
     }
 }
 
+/// Index of the uppermost of the joints that are in the same place as `joint`.
 fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
     let joints = skeleton.joints();
     let same = |&joint: &usize| {
@@ -116,8 +117,8 @@ fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
         .unwrap_or(joint)
 }
 
-/// The joint that all of a hand hangs on, or a foot's toes, of which `bone` is a part: bones branch
-/// from it that are much shorter than the one which leads to it.
+/// Index of the wrist above `bone`, or of the ankle above toes: a joint whose branches are much
+/// shorter than the bone that leads to it.
 fn wrist(skeleton: &SkeletalModel, bone: &JointBone) -> Option<usize> {
     let joints = skeleton.joints();
     let mut longest = bone.tip.length();
@@ -153,7 +154,7 @@ mod tests {
         JointBone { joint, tip }
     }
 
-    /// A trunk with two arms; the first has a hand of two fingers.
+    /// A trunk with two arms; the first has a hand with two fingers.
     fn body() -> SkeletalModel {
         skeleton(&[
             (None, [0.0, 1.0, 0.0]),

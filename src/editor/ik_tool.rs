@@ -1,43 +1,44 @@
-use super::{Edit, IkGrip, IkSettings, Session};
+use super::{Edit, IkGrip, Session};
 use crate::character::ik::{IkChain, IkGoal, hold_pins};
-use crate::character::{Pose, SkeletalModel};
-use crate::math::Ray;
+use crate::character::{Facing, Pose, SkeletalModel};
+use crate::math::{DRay, Ray};
 use crate::scene::ShapeId;
 use glam::{DVec3, Vec3};
+use std::collections::BTreeSet;
 
-/// A hand, a foot or whatever else of a character held by the pointer: it follows in the plane
-/// parallel to the picture, and a chain of joints follows it. Pinned joints stay.
+/// Drag of a part of a character by inverse kinematics: it follows the pointer in the plane
+/// parallel to the picture, and a chain of joints follows it. Pinned joints stay where they are.
 ///
-/// Each moment goes on from the one before, so that a hand can be led all round its shoulder and
-/// the elbow never flips; where everything is pinned to is taken from the start.
+/// Each step starts from the previous one, so that a hand can be led all around its shoulder and
+/// the elbow never flips; the positions of pins are those at the start.
 #[derive(Clone, Debug)]
 pub struct IkDrag {
     shape: ShapeId,
     grip: IkGrip,
-    /// `None` if a root is moved.
+    /// Chain that turns; `None` if a root is moved.
     chain: Option<IkChain>,
     settings: IkSettings,
     start: Pose,
-    /// Where the grip was, in the world.
+    /// Position of the grip at the start, in the world.
     anchor: DVec3,
-    /// Across the plane that it moves in.
+    /// Normal of the plane in which the grip moves, in the world.
     normal: DVec3,
-    /// Where the cursor took hold, in that plane.
+    /// Point that was grabbed in that plane, in the world.
     from: DVec3,
     target: Vec3,
     off: f32,
-    /// Where each pin was, in the character's space.
+    /// Joint and position of each pin at the start, in the character's space.
     pinned: Vec<(usize, Vec3)>,
     lost: Vec<(usize, Vec3)>,
 }
 
 impl IkDrag {
-    /// What the grip or a pin is off its place by before it counts as out of reach, in the
-    /// character's space.
+    /// Distance, in the character's space, of the grip from its target or of a pin from its place
+    /// above which it counts as out of reach.
     pub const OUT_OF_REACH: f32 = 5e-3;
 
-    /// Takes `grip` of the character `shape` with the cursor on `ray`. `None` if there is no such
-    /// thing, the shape is scaled to nothing, or nothing can turn: a pin is above.
+    /// Begins a drag of `grip` of the character `shape` with the cursor on `ray`. `None` if it does
+    /// not exist, the shape is scaled to zero, or no joint can turn, as below a pin.
     pub fn begin(
         session: &Session,
         shape: ShapeId,
@@ -71,7 +72,7 @@ impl IkDrag {
         Some(drag)
     }
 
-    /// The character posed for the cursor on `ray`.
+    /// Edit that poses the character for the cursor on `ray`. `None` if there is no such pose.
     pub fn update(&mut self, session: &Session, ray: &Ray) -> Option<Edit> {
         let target = (self.anchor + self.meeting(ray)? - self.from).as_vec3();
         let character = session.scene().character(self.shape)?;
@@ -86,32 +87,33 @@ impl IkDrag {
         Some(Edit::SetPose(self.shape, pose))
     }
 
-    /// The character.
+    /// Identifier of the character.
     pub fn shape(&self) -> ShapeId {
         self.shape
     }
 
-    /// What is held.
+    /// Part that is dragged.
     pub fn grip(&self) -> IkGrip {
         self.grip
     }
 
-    /// The chain that follows; none if a root is moved.
+    /// Chain that turns; `None` if a root is moved.
     pub fn chain(&self) -> Option<&IkChain> {
         self.chain.as_ref()
     }
 
-    /// Where the grip is wanted, in the world.
+    /// Target of the grip, in the world.
     pub fn target(&self) -> Vec3 {
         self.target
     }
 
-    /// How far the grip is from there, in the character's space.
+    /// Distance of the grip from the target, in the character's space.
     pub fn off(&self) -> f32 {
         self.off
     }
 
-    /// The pinned joints that could not be held, and where they were, in the character's space.
+    /// Pinned joints that could not be held, with their positions at the start, in the character's
+    /// space.
     pub fn lost_pins(&self) -> &[(usize, Vec3)] {
         &self.lost
     }
@@ -144,22 +146,20 @@ impl IkDrag {
         let held_back = self.pinned.iter().zip(now);
         let lost = held_back.filter(|(was, now)| {
             let off = was.1.distance(now.1);
-            // A pin that is dragged itself goes where it is brought.
+            // A pin that is itself dragged is not lost.
             off > Self::OUT_OF_REACH && !busy.contains(&was.0)
         });
         self.lost = lost.map(|(was, _)| *was).collect();
         Some(held)
     }
 
-    /// Where the ray meets the plane.
+    /// Point where the ray meets the plane, in the world.
     fn meeting(&self, ray: &Ray) -> Option<DVec3> {
-        let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
-        let distance = (self.anchor - origin).dot(self.normal) / direction.dot(self.normal);
-        (distance > 0.0 && distance.is_finite()).then(|| origin + direction * distance)
+        DRay::from(ray).meet_plane(self.anchor, self.normal)
     }
 }
 
-/// Where the pinned joints are under `pose`, in the character's space.
+/// Positions of the pinned joints under `pose`, in the character's space.
 fn pins_at(skeleton: &SkeletalModel, pose: &Pose, settings: &IkSettings) -> Vec<(usize, Vec3)> {
     if settings.pins.is_empty() {
         return Vec::new();
@@ -167,4 +167,99 @@ fn pins_at(skeleton: &SkeletalModel, pose: &Pose, settings: &IkSettings) -> Vec<
     let frames = skeleton.update_current_joint_to_world_transforms(pose);
     let place = |&pin: &usize| Some((pin, frames.get(pin)?.w_axis.truncate()));
     settings.pins.iter().filter_map(place).collect()
+}
+
+/// Settings of the IK tool.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IkSettings {
+    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first.
+    pub length: usize,
+    /// Direction in which knees and elbows point.
+    pub pole: IkPole,
+    /// Whether the joint that is dragged keeps its orientation, as a foot that stays flat.
+    pub keep_orientation: bool,
+    /// Indices of the joints that keep their position and orientation.
+    pub pins: BTreeSet<usize>,
+}
+
+impl Default for IkSettings {
+    fn default() -> Self {
+        Self {
+            // Thigh and shin, upper arm and forearm.
+            length: 2,
+            pole: IkPole::default(),
+            keep_orientation: true,
+            pins: BTreeSet::new(),
+        }
+    }
+}
+
+/// Direction in which a chain bends, relative to the character at rest ([`Facing`]).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum IkPole {
+    /// As it is bent already; a straight chain like a knee or an elbow.
+    #[default]
+    AsBent,
+    /// To the front.
+    Front,
+    /// To the back.
+    Back,
+    /// To the character's left.
+    Left,
+    /// To the character's right.
+    Right,
+    /// +Y.
+    Up,
+    /// -Y.
+    Down,
+}
+
+impl IkPole {
+    /// All directions, in the order of the panel.
+    pub const ALL: [Self; 7] = [
+        Self::AsBent,
+        Self::Front,
+        Self::Back,
+        Self::Left,
+        Self::Right,
+        Self::Up,
+        Self::Down,
+    ];
+
+    /// Name in the panel, with the axis of the direction for a character of this facing.
+    pub fn label(self, facing: Facing) -> String {
+        let word = match self {
+            Self::AsBent => "as it is",
+            Self::Front => "front",
+            Self::Back => "back",
+            Self::Left => "left",
+            Self::Right => "right",
+            Self::Up => "up",
+            Self::Down => "down",
+        };
+        let Some(direction) = self.direction(facing) else {
+            return word.to_owned();
+        };
+        let sign = if direction.element_sum() < 0.0 {
+            '−'
+        } else {
+            '+'
+        };
+        let axis = ['X', 'Y', 'Z'][direction.abs().max_position()];
+        format!("{word} ({sign}{axis})")
+    }
+
+    /// Unit vector in the character's space, for a character of this facing; `None` for
+    /// [`IkPole::AsBent`].
+    pub fn direction(self, facing: Facing) -> Option<Vec3> {
+        match self {
+            Self::AsBent => None,
+            Self::Front => Some(facing.front()),
+            Self::Back => Some(-facing.front()),
+            Self::Left => Some(facing.left()),
+            Self::Right => Some(-facing.left()),
+            Self::Up => Some(Vec3::Y),
+            Self::Down => Some(Vec3::NEG_Y),
+        }
+    }
 }

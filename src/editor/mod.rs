@@ -1,39 +1,37 @@
-//! Editing as data: an [`Edit`] says how the document changes, and [`apply`] alone carries it out;
-//! a [`Session`] is a document with the selection and the view of its user.
+//! Editing as data: an [`Edit`] describes a change of the document, and [`apply`] alone carries it
+//! out; a [`Session`] is a document with the selection and the view of its user. Drags of the tools
+//! turn the pointer's position into edits.
 
 mod apply;
-mod apply_curve;
-mod change;
-mod command;
 mod control_point_drag;
+mod edit;
 mod gizmo;
 mod ik_grip;
-mod ik_settings;
 mod ik_tool;
-mod joint_turn;
-mod messages;
-mod move_gizmo;
 mod move_tool;
-mod pose_tool;
-mod ring_drag;
-mod rotation_gizmo;
+mod rotate_tool;
 mod session;
-mod tool;
 
-pub use apply::{EditError, apply};
-pub use change::Change;
-pub use command::{Edit, View};
+pub use apply::{Change, EditError, apply};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
-pub use gizmo::{GizmoAxes, GizmoHit, Handle, Screen};
+pub use edit::{Edit, View};
+pub use gizmo::{GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, Screen};
 pub use ik_grip::IkGrip;
-pub use ik_settings::{IkPole, IkSettings};
-pub use ik_tool::IkDrag;
-pub use joint_turn::JointTurn;
-pub use messages::{Message, Messages, Severity};
-pub use move_gizmo::MoveGizmo;
+pub use ik_tool::{IkDrag, IkPole, IkSettings};
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
-pub use pose_tool::{BoneDrag, ROLL_STEP, roll};
-pub use ring_drag::RingDrag;
-pub use rotation_gizmo::{RingPoint, RotationGizmo};
-pub use session::Session;
-pub use tool::Tool;
+pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
+pub use session::{Message, Messages, Session, Severity};
+
+/// Tool of the view: what a left drag does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Tool {
+    /// Moves the camera.
+    #[default]
+    Select,
+    /// Turns the bone under the pointer ([`BoneDrag`]), or by a ring of its gizmo ([`RingDrag`]).
+    Pose,
+    /// Moves the root above the bone, or the shape, under the pointer ([`MoveDrag`]).
+    Move,
+    /// Moves the end of the bone under the pointer by inverse kinematics ([`IkDrag`]).
+    Ik,
+}

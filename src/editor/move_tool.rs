@@ -1,14 +1,13 @@
-use super::ring_drag::along_line;
 use super::{Edit, Session};
 use crate::character::Pose;
-use crate::math::{Ray, Transform};
+use crate::math::{DRay, Ray, Transform};
 use crate::scene::ShapeId;
 use glam::{DMat3, DVec3, Vec3};
 
-/// Steps of a movement that snaps, in the world.
+/// Step of a movement that snaps, in the world.
 const SNAP: f64 = 0.1;
 
-/// What a move gesture moves.
+/// Target of a move gesture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveTarget {
     /// A whole shape.
@@ -20,7 +19,7 @@ pub enum MoveTarget {
         /// Index of a joint below the root.
         joint: usize,
     },
-    /// Every root of a character, the same way; `joint` says which of them the cursor leads.
+    /// All roots of a character by the same vector; the one above `joint` follows the cursor.
     AllRoots {
         /// The character.
         shape: ShapeId,
@@ -29,24 +28,24 @@ pub enum MoveTarget {
     },
 }
 
-/// Where a movement may lead. Directions are in the world, of any length but zero.
+/// Constraint of a movement. Directions are in the world, of any length but zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MoveAlong {
-    /// To and fro.
+    /// Along a line in this direction.
     Line(Vec3),
-    /// Anywhere across this direction.
+    /// In a plane with this normal.
     Plane(Vec3),
 }
 
 impl MoveTarget {
-    /// The shape that moves or whose roots do.
+    /// Identifier of the shape that moves, or whose roots move.
     pub fn shape(self) -> ShapeId {
         match self {
             Self::Shape(shape) | Self::Root { shape, .. } | Self::AllRoots { shape, .. } => shape,
         }
     }
 
-    /// The joint whose root moves, or leads.
+    /// Index of the joint whose root follows the cursor.
     pub fn joint(self) -> Option<usize> {
         match self {
             Self::Shape(_) => None,
@@ -54,7 +53,7 @@ impl MoveTarget {
         }
     }
 
-    /// The same for every root of the character; a shape stays a shape.
+    /// The same target with all roots of the character; a shape stays a shape.
     pub fn all_roots(self) -> Self {
         match self {
             Self::Root { shape, joint } => Self::AllRoots { shape, joint },
@@ -62,7 +61,7 @@ impl MoveTarget {
         }
     }
 
-    /// The point that a gesture moves, in the world: the shape's origin, or the leading root.
+    /// Position in the world of the shape's origin, or of the root that follows the cursor.
     pub fn place(self, session: &Session) -> Option<Vec3> {
         let evaluated = session.evaluated().shape(self.shape())?;
         let in_model = match self {
@@ -76,7 +75,7 @@ impl MoveTarget {
     }
 }
 
-/// The root above `joint`.
+/// Index of the root above `joint`, or `joint` itself if it is a root.
 pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize> {
     let joints = session
         .scene()
@@ -91,16 +90,16 @@ pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize>
     Some(joint)
 }
 
-/// A shape or roots held by the pointer. They move one to one: the point that they are held by
-/// stays where the cursor's ray meets the line or the plane through the joint.
+/// Drag of a shape or of roots, which move one to one: the point that was grabbed stays where the
+/// cursor's ray meets the line or plane through the target.
 #[derive(Clone, Debug)]
 pub struct MoveDrag {
     target: MoveTarget,
     start: Start,
-    /// A point of the line or plane.
+    /// Point of the line or plane, in the world.
     anchor: DVec3,
     along: MoveAlong,
-    /// Where the cursor took hold.
+    /// Point that was grabbed, in the world.
     from: DVec3,
     moved: DVec3,
 }
@@ -111,14 +110,14 @@ enum Start {
     Roots {
         pose: Pose,
         roots: Vec<usize>,
-        /// Directions of the world in the character's space.
+        /// Matrix of directions from the world to the character's space.
         model_from_world: DMat3,
     },
 }
 
 impl MoveDrag {
-    /// Takes `target` with the cursor on `ray`. `None` if it does not exist, is scaled to
-    /// nothing, or the ray runs along the plane.
+    /// Begins a drag of `target` with the cursor on `ray`. `None` if it does not exist, is scaled
+    /// to zero, or the ray is parallel to the line or plane.
     pub fn begin(
         session: &Session,
         target: MoveTarget,
@@ -148,8 +147,8 @@ impl MoveDrag {
         })
     }
 
-    /// Everything moved for the cursor on `ray`; with `snap` in steps of 0.1 along the world's
-    /// axes or along the line.
+    /// Edit that moves the target for the cursor on `ray`; with `snap` in steps of 0.1 along the
+    /// world's axes or along the line.
     pub fn update(&mut self, ray: &Ray, snap: bool) -> Edit {
         if let Some(to) = meeting(ray, self.anchor, self.along) {
             self.moved = to - self.from;
@@ -178,12 +177,12 @@ impl MoveDrag {
         }
     }
 
-    /// What is moved.
+    /// Target that is moved.
     pub fn target(&self) -> MoveTarget {
         self.target
     }
 
-    /// How far it has moved, in the world.
+    /// Vector by which the target has moved, in the world.
     pub fn moved(&self) -> Vec3 {
         self.moved.as_vec3()
     }
@@ -213,18 +212,14 @@ impl Start {
     }
 }
 
-/// Where the ray meets the plane, or comes nearest to the line, through `anchor`.
+/// Point where the ray meets the plane, or comes nearest to the line, through `anchor`.
 fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
-    let (origin, direction) = (ray.origin.as_dvec3(), ray.direction.as_dvec3());
+    let ray = DRay::from(ray);
     match along {
         MoveAlong::Line(line) => {
             let line = line.as_dvec3().try_normalize()?;
-            Some(anchor + line * along_line((origin, direction), anchor, line)?)
+            Some(anchor + line * ray.nearest_on_line(anchor, line)?)
         }
-        MoveAlong::Plane(normal) => {
-            let normal = normal.as_dvec3();
-            let distance = (anchor - origin).dot(normal) / direction.dot(normal);
-            (distance > 0.0 && distance.is_finite()).then(|| origin + direction * distance)
-        }
+        MoveAlong::Plane(normal) => ray.meet_plane(anchor, normal.as_dvec3()),
     }
 }

@@ -1,16 +1,17 @@
 use super::apply::{EditError, apply};
-use super::{Change, Edit, Messages, View};
+use super::{Change, Edit, View};
 use crate::math::Aabb;
 use crate::revision::Revision;
 use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeId, ViewSettings};
 
-/// Time of playback, in seconds, that is shown: the start, until there is a timeline to move on.
+/// Displayed time of playback, in seconds: there is no timeline yet.
 const SHOWN_TIME: f64 = 0.0;
 
-/// One running editor: the scene and all that concerns its user rather than the scene.
+/// Editing session: a document, with the view, the selection, the gesture and the messages of its
+/// user.
 #[derive(Debug)]
 pub struct Session {
-    /// The document. Changed by [`Session::edit`] and the end of a gesture alone.
+    /// Document, changed by [`Session::edit`] and the end of a gesture alone.
     scene: Scene,
     /// Revision of `scene`.
     document: Revision,
@@ -20,9 +21,9 @@ pub struct Session {
     hovered_bone: Option<(ShapeId, usize)>,
     hovered_control_point: Option<(usize, usize)>,
     view: ViewSettings,
-    /// Revision of the scene as it was opened.
+    /// Revision of the document as it was opened.
     opened: Revision,
-    /// Camera with which the scene was opened.
+    /// Camera with which the document was opened.
     start_camera: Camera,
     /// Messages to the user.
     pub messages: Messages,
@@ -30,7 +31,7 @@ pub struct Session {
     evaluated: Evaluated,
 }
 
-/// The document as it was when a gesture began.
+/// Gesture in progress: the document as it was when it began.
 #[derive(Debug)]
 struct Gesture {
     scene: Scene,
@@ -63,24 +64,24 @@ impl Session {
         Self::default()
     }
 
-    /// A session that starts with `shapes` seen through `view`; the last shape is selected.
+    /// A session with a document of `shapes`, seen through `view`; the last shape is selected.
     pub fn with_shapes(shapes: Vec<NewShape>, view: ViewSettings) -> Self {
         let mut session = Self::default();
         session.open(shapes, view);
         session
     }
 
-    /// Replaces the scene by one of `shapes`, seen through `view`, and selects the last shape.
+    /// Replaces the document by one of `shapes`, seen through `view`, and selects the last shape.
     /// Messages stay.
     pub fn open(&mut self, shapes: Vec<NewShape>, view: ViewSettings) {
-        // Shapes as they are replace a scene whatever they are.
+        // Opening shapes is never refused.
         let _ = self.edit(Edit::Open(shapes));
         self.view = view;
         self.start_camera = view.camera;
     }
 
-    /// Changes the document: the one way to do so, for panels, gestures, imports and commands.
-    /// Says what changed; what was added is selected.
+    /// Edits the document: the one way to do so, for panels, gestures, imports and commands.
+    /// Returns what changed; the last shape that was added is selected.
     ///
     /// # Errors
     /// If the edit would not leave a valid document; then nothing has changed.
@@ -95,7 +96,7 @@ impl Session {
             self.opened = self.document;
         }
         if change.opened || !change.added.is_empty() || !change.removed.is_empty() {
-            // A gesture is about shapes that are there from its beginning to its end.
+            // A gesture is about shapes that exist from its beginning to its end.
             self.gesture = None;
         }
         if let Some(&added) = change.added.last() {
@@ -110,8 +111,8 @@ impl Session {
         Ok(change)
     }
 
-    /// Begins a gesture: the edits that follow can be cancelled together. A gesture that is under
-    /// way is committed.
+    /// Begins a gesture: the edits that follow can be canceled together. A gesture in progress is
+    /// committed.
     pub fn begin_gesture(&mut self) {
         self.gesture = Some(Gesture {
             scene: self.scene.clone(),
@@ -119,15 +120,15 @@ impl Session {
         });
     }
 
-    /// Ends the gesture and keeps what it changed, which is returned.
+    /// Ends the gesture and keeps its edits. Returns what they changed.
     pub fn commit_gesture(&mut self) -> Change {
         self.gesture.take().map_or_else(Change::default, |gesture| {
             Change::between(&gesture.scene, &self.scene)
         })
     }
 
-    /// Ends the gesture and puts the document back to how it was when it began; nothing if none is
-    /// under way.
+    /// Ends the gesture and restores the document as it was when it began. Does nothing if none is
+    /// in progress.
     pub fn cancel_gesture(&mut self) {
         if let Some(gesture) = self.gesture.take() {
             self.scene = gesture.scene;
@@ -136,12 +137,12 @@ impl Session {
         }
     }
 
-    /// Whether a gesture is under way.
+    /// Whether a gesture is in progress.
     pub fn is_in_gesture(&self) -> bool {
         self.gesture.is_some()
     }
 
-    /// Changes how the document is looked at, and what in it is selected or under the pointer.
+    /// Changes the view, the selection or the messages.
     pub fn look(&mut self, view: View) {
         match view {
             View::SetCamera(camera) => self.view.camera = camera,
@@ -170,64 +171,65 @@ impl Session {
         self.forget_what_is_gone();
     }
 
-    /// The document.
+    /// Document.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// Revision of the document: changes with every edit that changes something, and comes back
-    /// when a gesture is cancelled. The camera, the selection and the pointer do not touch it.
+    /// Revision of the document. Changes with every edit that changes something, and returns to its
+    /// old value when a gesture is canceled. The camera, the selection and the pointer do not
+    /// affect it.
     pub fn document(&self) -> Revision {
         self.document
     }
 
-    /// The selected shape; always one that exists.
+    /// Selected shape; always one that exists.
     pub fn selected(&self) -> Option<ShapeId> {
         self.selected
     }
 
-    /// The selected joint of the selected shape; always one that exists.
+    /// Selected joint of the selected shape; always one that exists.
     pub fn selected_joint(&self) -> Option<usize> {
         self.selected_joint
     }
 
-    /// The joint of the selected shape that the pointer is over, in the view or in the panel.
+    /// Joint of the selected shape that the pointer is over, in the view or in the panel.
     pub fn hovered_joint(&self) -> Option<usize> {
         self.hovered_bone
             .filter(|&(shape, _)| Some(shape) == self.selected)
             .map(|(_, joint)| joint)
     }
 
-    /// The character and joint whose bone the pointer is over, in the view or in the panel;
-    /// always one that exists.
+    /// Character and joint whose bone the pointer is over, in the view or in the panel; always one
+    /// that exists.
     pub fn hovered_bone(&self) -> Option<(ShapeId, usize)> {
         self.hovered_bone
     }
 
-    /// The control point of the selected shape that the pointer is over, in the view or in the
-    /// panel: the indices of its curve in the [`crate::scene::CurveSet`] and of the point in the
-    /// curve. Always one that exists.
+    /// Control point of the selected shape that the pointer is over, in the view or in the panel:
+    /// the indices of its curve in the [`crate::scene::CurveSet`] and of the point in the curve.
+    /// Always one that exists.
     pub fn hovered_control_point(&self) -> Option<(usize, usize)> {
         self.hovered_control_point
     }
 
-    /// How the document is looked at.
+    /// View of the document.
     pub fn view(&self) -> &ViewSettings {
         &self.view
     }
 
-    /// Changes when another scene is opened. Its ids start again, so what is kept by
-    /// [`ShapeId`] outside of the session holds only for as long as this stays the same.
+    /// Revision that changes when another document is opened. Identifiers start again then, so what
+    /// is stored by [`ShapeId`] outside of the session is valid only until this changes.
     pub fn opened(&self) -> Revision {
         self.opened
     }
 
-    /// Camera with which the scene was opened.
+    /// Camera with which the document was opened.
     pub fn start_camera(&self) -> &Camera {
         &self.start_camera
     }
 
-    /// Matrices, deformed meshes and bounds that follow from the document as it is now.
+    /// Evaluated document: matrices, deformed meshes and bounds.
     pub fn evaluated(&self) -> &Evaluated {
         &self.evaluated
     }
@@ -249,7 +251,7 @@ impl Session {
         self.forget_what_is_gone();
     }
 
-    /// Clears whatever of the selection and the hovered parts does not exist (any more).
+    /// Clears the parts of the selection and of what the pointer is over that do not exist.
     fn forget_what_is_gone(&mut self) {
         self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
         let scene = &self.scene;
@@ -283,5 +285,73 @@ impl Session {
                 || self.evaluated.world_bounds(),
                 |shape| shape.world_bounds(),
             )
+    }
+}
+
+/// Severity of a message.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Something was done.
+    Info,
+    /// Something is unusual or was left out.
+    Warning,
+    /// Something failed, and nothing was changed.
+    Error,
+}
+
+/// Message to the user.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Message {
+    /// Severity.
+    pub severity: Severity,
+    /// Text, in plain words.
+    pub text: String,
+}
+
+/// Messages to the user, oldest first.
+#[derive(Clone, Debug, Default)]
+pub struct Messages {
+    history: Vec<Message>,
+    fresh: Vec<Message>,
+}
+
+/// Number of messages that are kept.
+const KEPT: usize = 500;
+
+impl Messages {
+    /// Appends a message.
+    pub fn tell(&mut self, severity: Severity, text: impl Into<String>) {
+        let message = Message {
+            severity,
+            text: text.into(),
+        };
+        for list in [&mut self.history, &mut self.fresh] {
+            if list.len() == KEPT {
+                list.remove(0);
+            }
+            list.push(message.clone());
+        }
+    }
+
+    /// Recent messages, oldest first.
+    pub fn history(&self) -> &[Message] {
+        &self.history
+    }
+
+    /// Messages that have not been dismissed, oldest first.
+    pub fn fresh(&self) -> &[Message] {
+        &self.fresh
+    }
+
+    /// Dismisses the fresh message at `index`; the history keeps it.
+    pub fn dismiss(&mut self, index: usize) {
+        if index < self.fresh.len() {
+            self.fresh.remove(index);
+        }
+    }
+
+    /// Dismisses all fresh messages; the history keeps them.
+    pub fn dismiss_all(&mut self) {
+        self.fresh.clear();
     }
 }

@@ -1,8 +1,8 @@
+use super::CurvePoint;
 use super::curve_evaluation;
-use crate::math::Frame;
 use glam::Vec3;
 
-/// A curve as a `.swp` file describes it: a chain of cubic pieces, or a circle.
+/// Curve as a `.swp` file describes it: a chain of cubic pieces, or a circle.
 ///
 /// Always valid: [`Curve::spline`] and [`Curve::circle`] check what they are given.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,46 +13,33 @@ pub struct Curve {
     steps: u32,
 }
 
-/// What a curve is made of.
+/// Form of a curve, with its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CurveForm {
     /// Cubic pieces.
     Spline {
-        /// How control points become pieces.
+        /// Basis of the control points.
         basis: Basis,
-        /// Whether it lies in the plane z = 0 (`bez2`, `bsp2`) or in space (`bez3`, `bsp3`).
-        /// All control points of a flat one have z = 0.
+        /// Whether it lies in the plane z = 0 (`bez2`, `bsp2`) or in space (`bez3`, `bsp3`). All
+        /// control points of a flat one have z = 0.
         flat: bool,
-        /// In model space, in the order of the file.
+        /// Control points in model space, in the order of the file.
         control_points: Vec<Vec3>,
     },
     /// About the origin in the plane z = 0, from +X counter-clockwise (`circ`).
     Circle {
-        /// Its radius; zero is allowed.
+        /// Radius, in model space; zero is allowed.
         radius: f32,
     },
 }
 
-/// How control points become cubic pieces.
+/// Basis by which control points become cubic pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Basis {
-    /// Bézier: 3k + 1 control points make k pieces, neighbours share a point.
+    /// Bézier: 3k + 1 control points make k pieces, neighbors share a point.
     Bezier,
-    /// Uniform B-spline: n control points make n − 3 pieces, neighbours share three points.
+    /// Uniform B-spline: n control points make n − 3 pieces, neighbors share three points.
     BSpline,
-}
-
-/// One evaluated point of a curve: V, T, N and B of the assignment.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
-    /// Where, in model space.
-    #[doc(alias = "V")]
-    pub position: Vec3,
-    /// Tangent, normal and binormal there.
-    #[doc(alias = "T")]
-    #[doc(alias = "N")]
-    #[doc(alias = "B")]
-    pub frame: Frame,
 }
 
 /// The largest STEPS of a curve or a surface of revolution.
@@ -62,22 +49,22 @@ pub const MAX_CURVE_POINTS: usize = 1_000_000;
 /// The largest coordinate or radius: beyond it sweeps could leave the range of `f32`.
 pub const MAX_COORDINATE: f32 = 1e9;
 
-/// Why numbers do not make a curve.
+/// Reason why numbers do not describe a curve.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CurveError {
-    /// The steps of a piece.
+    /// Number of steps out of range.
     #[error("expected 1 to {MAX_STEPS} steps, found {0}")]
     Steps(u64),
-    /// A Bézier curve's number of control points.
+    /// Number of control points that does not fit a Bézier curve.
     #[error("expected 3k + 1 control points (4, 7, 10, …) for a Bézier curve, found {0}")]
     BezierCount(usize),
-    /// A B-spline's number of control points.
+    /// Number of control points that does not fit a B-spline.
     #[error("expected at least 4 control points for a B-spline, found {0}")]
     BSplineCount(usize),
-    /// Pieces times steps.
+    /// Too many points: pieces times steps.
     #[error("expected at most {MAX_CURVE_POINTS} points on a curve, found {0}")]
     TooManyPoints(usize),
-    /// A number that is not finite, or too large to compute with.
+    /// Number that is not finite, or too large to compute with.
     #[error("expected numbers within ±{MAX_COORDINATE:e}, found {0:e}")]
     Coordinate(f32),
 }
@@ -86,7 +73,7 @@ impl Basis {
     /// Whether `count` control points make whole pieces.
     ///
     /// # Errors
-    /// If they do not; the message says which counts would.
+    /// If they do not; the message names counts that would.
     pub fn check_count(self, count: usize) -> Result<(), CurveError> {
         match self {
             Self::Bezier if count < 4 || count % 3 != 1 => Err(CurveError::BezierCount(count)),
@@ -95,7 +82,7 @@ impl Basis {
         }
     }
 
-    /// How many pieces `count` control points make.
+    /// Number of pieces that `count` control points make.
     pub fn pieces(self, count: usize) -> usize {
         match self {
             Self::Bezier => count.saturating_sub(1) / 3,
@@ -105,12 +92,12 @@ impl Basis {
 }
 
 impl Curve {
-    /// A Bézier curve or a B-spline with `steps` steps a piece. The z of a `flat` curve's
-    /// control points is dropped.
+    /// A Bézier curve or a B-spline with `steps` steps per piece. The z of a `flat` curve's control
+    /// points is dropped.
     ///
     /// # Errors
-    /// If the count does not fit the basis, a number is not finite or too large, or there would
-    /// be too many points.
+    /// If the count does not fit the basis, a number is not finite or too large, or there would be
+    /// too many points.
     pub fn spline(
         basis: Basis,
         flat: bool,
@@ -150,12 +137,12 @@ impl Curve {
         Ok(Self { form, steps })
     }
 
-    /// What it is made of.
+    /// Form of the curve.
     pub fn form(&self) -> &CurveForm {
         &self.form
     }
 
-    /// Steps a piece; of a circle, in all.
+    /// Steps per piece; of a circle, in all.
     pub fn steps(&self) -> u32 {
         self.steps
     }
@@ -178,7 +165,7 @@ impl Curve {
         matches!(self.form, CurveForm::Spline { flat: true, .. })
     }
 
-    /// At most how many points [`Curve::evaluate`] yields.
+    /// Upper bound of the number of points that [`Curve::evaluate`] returns.
     pub fn max_points(&self) -> usize {
         let steps = self.steps as usize + 1;
         match &self.form {
@@ -191,7 +178,7 @@ impl Curve {
         }
     }
 
-    /// The same curve with other steps.
+    /// The same curve with another number of steps.
     ///
     /// # Errors
     /// If there are none or too many.
@@ -206,36 +193,12 @@ impl Curve {
         }
     }
 
-    /// The same curve with control point `index` at `position`. A curve that closes stays
-    /// closed: where its last points repeat its first, the repeated one moves along. A circle,
-    /// or an index that does not exist, changes nothing.
+    /// Evaluates the curve: points from start to end with their frames, in model space.
     ///
-    /// # Errors
-    /// If `position` is not finite or too large.
-    pub fn with_control_point(&self, index: usize, position: Vec3) -> Result<Self, CurveError> {
-        let CurveForm::Spline {
-            basis,
-            flat,
-            control_points,
-        } = &self.form
-        else {
-            return Ok(self.clone());
-        };
-        let mut moved = control_points.clone();
-        for (i, point) in moved.iter_mut().enumerate() {
-            if i == index || Some(i) == twin(*basis, control_points, index) {
-                *point = position;
-            }
-        }
-        Self::spline(*basis, *flat, self.steps, moved)
-    }
-
-    /// The points from start to end with their frames, in model space.
-    ///
-    /// A point that two pieces share is stored once where the curve runs on smoothly, and twice
-    /// at a corner, once with either tangent. Frames are always finite and orthonormal: where a
-    /// derivative vanishes (repeated control points, cusps) the tangent is the direction that
-    /// the curve takes beside that point.
+    /// A point that two pieces share is stored once where the curve is smooth, and twice at a
+    /// corner, once with either tangent. Frames are always finite and orthonormal: where a
+    /// derivative vanishes (repeated control points, cusps) the tangent is the direction that the
+    /// curve takes beside that point.
     pub fn evaluate(&self) -> Vec<CurvePoint> {
         match &self.form {
             CurveForm::Spline {
@@ -245,40 +208,6 @@ impl Curve {
             } => curve_evaluation::spline(*basis, control_points, self.steps),
             CurveForm::Circle { radius } => curve_evaluation::circle(*radius, self.steps),
         }
-    }
-}
-
-/// How many points at the end repeat the first ones in a curve that closes.
-pub(super) fn repeated(basis: Basis) -> usize {
-    match basis {
-        Basis::Bezier => 1,
-        Basis::BSpline => 3,
-    }
-}
-
-/// Whether the last control points repeat the first ones, so that the curve closes.
-pub(super) fn repeats_its_start(basis: Basis, points: &[Vec3]) -> bool {
-    let shared = repeated(basis);
-    // With fewer points the first and the last ones would be the same ones.
-    match points.len().checked_sub(shared) {
-        Some(first_repeated) => {
-            first_repeated >= shared && points[..shared] == points[first_repeated..]
-        }
-        None => false,
-    }
-}
-
-/// The control point that repeats point `index` in a curve that closes.
-fn twin(basis: Basis, points: &[Vec3], index: usize) -> Option<usize> {
-    if !repeats_its_start(basis, points) {
-        return None;
-    }
-    let shared = repeated(basis);
-    let first_repeated = points.len() - shared;
-    if index < shared {
-        Some(first_repeated + index)
-    } else {
-        index.checked_sub(first_repeated)
     }
 }
 

@@ -1,27 +1,120 @@
-//! From control points to points with frames, in f64 so that tangents stay right where control
-//! points almost coincide.
+//! Evaluation of curves: points with frames, and frames of closed curves.
+//!
+//! Pieces are evaluated in `f64`, so that tangents stay right where control points almost coincide.
 
-use super::curve::{Basis, CurvePoint};
-use crate::math::Frame;
-use glam::{DVec3, Vec3};
+use super::curve::Basis;
+use crate::math::Aabb;
+use glam::{DVec3, Mat3, Vec3};
 use std::f64::consts::TAU;
 
-/// A derivative shorter than this, measured against the size of its piece, has no direction.
+/// Evaluated point of a curve: V, T, N and B of the assignment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Position, in model space.
+    #[doc(alias = "V")]
+    pub position: Vec3,
+    /// Tangent, normal and binormal there.
+    #[doc(alias = "T")]
+    #[doc(alias = "N")]
+    #[doc(alias = "B")]
+    pub frame: CurveFrame,
+}
+
+/// Orthonormal, right-handed frame at a point of a curve: `binormal = tangent × normal`. In the
+/// curve's model space.
+///
+/// Frames are carried along a curve so that they turn about the tangent as little as possible,
+/// where the Frenet frame would flip at every inflection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurveFrame {
+    /// Direction of the curve.
+    pub tangent: Vec3,
+    /// Normal; in a flat curve it points to the left of the tangent.
+    pub normal: Vec3,
+    /// Binormal; +Z in a flat curve.
+    pub binormal: Vec3,
+}
+
+/// Length of the cross product of two unit vectors below which they count as parallel.
+const PARALLEL: f32 = 1e-4;
+
+impl CurveFrame {
+    /// First frame of a curve that starts along the unit vector `tangent`: from the binormal +Z, or
+    /// +Y where the tangent is parallel to +Z.
+    pub fn first(tangent: Vec3) -> Self {
+        let seed = if tangent.cross(Vec3::Z).length() > PARALLEL {
+            Vec3::Z
+        } else {
+            Vec3::Y
+        };
+        let normal = seed.cross(tangent).normalize_or(Vec3::X);
+        Self::from_tangent_and_normal(tangent, normal)
+    }
+
+    /// Next frame, where the curve runs along the unit vector `tangent`: `N = normalize(B × T)`, `B
+    /// = normalize(T × N)` with the previous `B`. Where the new tangent is parallel to that
+    /// binormal, the previous normal is made perpendicular to the tangent instead.
+    pub fn carried_to(self, tangent: Vec3) -> Self {
+        let across = self.binormal.cross(tangent);
+        let normal = if across.length() > PARALLEL {
+            across.normalize_or(self.normal)
+        } else {
+            let upright = self.normal - tangent * self.normal.dot(tangent);
+            upright.normalize_or(self.normal)
+        };
+        Self::from_tangent_and_normal(tangent, normal)
+    }
+
+    /// This frame rotated by `angle` radians about its tangent, counter-clockwise seen from the
+    /// tangent's tip.
+    pub fn turned(self, angle: f32) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        let normal = self.normal * cos + self.binormal * sin;
+        Self::from_tangent_and_normal(self.tangent, normal.normalize_or(self.normal))
+    }
+
+    /// Angle in radians, −π..π, by which [`CurveFrame::turned`] takes this frame's normal to
+    /// `other`'s, as seen along this frame's tangent.
+    pub fn angle_to(self, other: Self) -> f32 {
+        let (x, y) = (
+            other.normal.dot(self.normal),
+            other.normal.dot(self.binormal),
+        );
+        y.atan2(x)
+    }
+
+    /// Whether all three vectors are finite, of unit length and at right angles within `tolerance`,
+    /// and right-handed.
+    pub fn is_orthonormal(self, tolerance: f32) -> bool {
+        let axes = Mat3::from_cols(self.tangent, self.normal, self.binormal);
+        (axes.transpose() * axes).abs_diff_eq(Mat3::IDENTITY, tolerance) && axes.determinant() > 0.0
+    }
+
+    fn from_tangent_and_normal(tangent: Vec3, normal: Vec3) -> Self {
+        Self {
+            tangent,
+            normal,
+            binormal: tangent.cross(normal).normalize_or(Vec3::Z),
+        }
+    }
+}
+
+/// Length of a derivative, relative to the size of its piece, below which it has no direction.
 const VANISHING: f64 = 1e-10;
-/// Tangents closer than this (cosine, about 0.08°) run on smoothly.
+/// Cosine of the angle between tangents (about 0.08°) above which the curve is smooth there.
 const SMOOTH: f32 = 1.0 - 1e-6;
 
-/// The four Bézier points of one cubic piece.
+/// Four Bézier points of one cubic piece.
 struct Piece([DVec3; 4]);
 
-/// A point of a piece with the direction of the curve there, where it has one.
+/// Point of a piece with the direction of the curve there, where it has one.
 struct Sample {
     position: Vec3,
     tangent: Option<Vec3>,
 }
 
 /// Points and frames of a chain of cubic pieces, `steps` steps each.
-pub fn spline(basis: Basis, control_points: &[Vec3], steps: u32) -> Vec<CurvePoint> {
+pub(super) fn spline(basis: Basis, control_points: &[Vec3], steps: u32) -> Vec<CurvePoint> {
     let mut samples: Vec<Sample> = Vec::new();
     for piece in pieces(basis, control_points) {
         for step in 0..=steps {
@@ -36,14 +129,14 @@ pub fn spline(basis: Basis, control_points: &[Vec3], steps: u32) -> Vec<CurvePoi
 }
 
 /// Points and frames of a circle about the origin: the last point is the first.
-pub fn circle(radius: f32, steps: u32) -> Vec<CurvePoint> {
+pub(super) fn circle(radius: f32, steps: u32) -> Vec<CurvePoint> {
     (0..=steps)
         .map(|step| {
             let angle = TAU * f64::from(step % steps) / f64::from(steps);
             let (sin, cos) = (angle.sin() as f32, angle.cos() as f32);
             CurvePoint {
                 position: Vec3::new(radius * cos, radius * sin, 0.0),
-                frame: Frame {
+                frame: CurveFrame {
                     tangent: Vec3::new(-sin, cos, 0.0),
                     normal: Vec3::new(-cos, -sin, 0.0),
                     binormal: Vec3::Z,
@@ -53,7 +146,7 @@ pub fn circle(radius: f32, steps: u32) -> Vec<CurvePoint> {
         .collect()
 }
 
-/// The pieces, as Bézier points.
+/// Pieces of a curve, as Bézier points.
 fn pieces(basis: Basis, control_points: &[Vec3]) -> Vec<Piece> {
     let stride = match basis {
         Basis::Bezier => 3,
@@ -89,8 +182,8 @@ impl Piece {
         }
     }
 
-    /// The direction of the first derivative that does not vanish. At the end of a piece the
-    /// second one points back to where the curve came from, so its sign changes there.
+    /// Direction of the first derivative that does not vanish. At the end of a piece the second one
+    /// points back to where the curve came from, so its sign changes there.
     fn tangent(&self, t: f64) -> Option<Vec3> {
         let [a, b, c, d] = self.0;
         let s = 1.0 - t;
@@ -120,14 +213,14 @@ impl Sample {
     }
 }
 
-/// Carries a frame along `samples`. A point without a direction has the one before it, points
-/// before the first direction have that one.
+/// Carries a frame along `samples`. A point without a direction takes the one before it; points
+/// before the first direction take that one.
 fn frames(samples: &[Sample]) -> Vec<CurvePoint> {
     let mut tangent = samples
         .iter()
         .find_map(|sample| sample.tangent)
         .unwrap_or(Vec3::X);
-    let mut frame = Frame::first(tangent);
+    let mut frame = CurveFrame::first(tangent);
     samples
         .iter()
         .map(|sample| {
@@ -139,4 +232,87 @@ fn frames(samples: &[Sample]) -> Vec<CurvePoint> {
             }
         })
         .collect()
+}
+
+/// Distance between the ends, relative to the size of the curve, up to which it is closed.
+const MEETING: f32 = 1e-5;
+/// Cosine of the angle between the tangents at the ends (about 2.5°) above which a closed curve has
+/// no corner there.
+const RUNNING_ON: f32 = 0.999;
+
+/// Whether the curve ends where it starts.
+pub fn is_closed(points: &[CurvePoint]) -> bool {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else {
+        return false;
+    };
+    let size = Aabb::from_points(points.iter().map(|point| point.position))
+        .size()
+        .length();
+    points.len() > 2 && first.position.distance(last.position) <= MEETING * size
+}
+
+/// Closes the frames of a curve that ends where it starts, in the direction that it starts in: the
+/// angle between the last frame and the first is distributed along the curve in proportion to arc
+/// length, so that a surface swept along it closes without a step. The last point becomes the
+/// first. Other curves do not change.
+///
+/// Returns the angle in radians, −π..π, by which the last frame had to turn; `None` if nothing
+/// changed.
+pub fn close_frames(points: &mut [CurvePoint]) -> Option<f32> {
+    let (&first, &last) = (points.first()?, points.last()?);
+    let runs_on = first.frame.tangent.dot(last.frame.tangent) > RUNNING_ON;
+    if !runs_on || !is_closed(points) {
+        return None;
+    }
+    let angle = last.frame.angle_to(first.frame);
+    let length: f32 = points
+        .windows(2)
+        .map(|pair| pair[0].position.distance(pair[1].position))
+        .sum();
+    let mut walked = 0.0;
+    let mut before = first.position;
+    for point in points.iter_mut() {
+        walked += point.position.distance(before);
+        before = point.position;
+        point.frame = point.frame.turned(angle * walked / length);
+    }
+    if let Some(last) = points.last_mut() {
+        *last = first;
+    }
+    Some(angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_frame_of_a_flat_curve_has_its_binormal_on_z() {
+        let frame = CurveFrame::first(Vec3::Y);
+        assert_eq!(frame.normal, -Vec3::X);
+        assert_eq!(frame.binormal, Vec3::Z);
+    }
+
+    #[test]
+    fn a_frame_exists_for_every_direction_even_along_z() {
+        for tangent in [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::Z] {
+            assert!(CurveFrame::first(tangent).is_orthonormal(1e-6));
+        }
+    }
+
+    #[test]
+    fn carrying_onto_the_old_binormal_keeps_the_normal() {
+        let frame = CurveFrame::first(Vec3::X);
+        let carried = frame.carried_to(frame.binormal);
+        assert!(carried.is_orthonormal(1e-6));
+        assert_eq!(carried.normal, frame.normal);
+    }
+
+    #[test]
+    fn turning_by_the_angle_between_two_frames_brings_one_to_the_other() {
+        let frame = CurveFrame::first(Vec3::new(0.6, 0.0, 0.8));
+        let other = frame.turned(-1.2);
+        assert!((frame.angle_to(other) + 1.2).abs() < 1e-6);
+        assert!(other.is_orthonormal(1e-6));
+    }
 }

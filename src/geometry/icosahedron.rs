@@ -3,8 +3,8 @@ use glam::Vec3;
 
 const CIRCUMRADIUS: f32 = 0.7;
 
-/// A regular icosahedron of circumradius 0.7 with vertices along (0, ±1, ±φ), (±1, ±φ, 0) and
-/// (±φ, 0, ±1), φ the golden ratio, as the course's pictures have it; flat normals.
+/// A regular icosahedron of circumradius 0.7 with vertices along (0, ±1, ±φ), (±1, ±φ, 0) and (±φ,
+/// 0, ±1), φ the golden ratio, as the course's pictures have it; flat normals.
 #[doc(alias = "Icosahedron")]
 pub fn icosahedron() -> Mesh {
     let golden = (1.0 + 5.0_f32.sqrt()) / 2.0;

@@ -1,18 +1,19 @@
 use crate::math::{Aabb, Ray, TriangleHit};
+use crate::revision::Revision;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
-use std::ops::Range;
+use std::ops::{Deref, Range};
 use std::sync::Arc;
 
-/// A triangle mesh in model space.
+/// Triangle mesh in model space.
 ///
-/// `triangles` wind counter-clockwise seen from outside. Every index is below
-/// `positions.len()`; [`Mesh::new`] and the importers see to it.
+/// `triangles` wind counter-clockwise seen from outside. Every index is below `positions.len()`;
+/// [`Mesh::new`] and the importers see to it.
 ///
 /// # Positions and vertices
-/// Posing, picking, export and the weights of a character know *positions*: one for each that
-/// the file lists. Drawing knows *vertices*: a position with a normal and texture coordinates.
-/// Most meshes have one vertex a position. Where the corners that meet in a position disagree
+/// Posing, picking, export and the weights of a character refer to *positions*: one for each that
+/// the file lists. Drawing refers to *vertices*: a position with a normal and texture coordinates.
+/// Most meshes have one vertex per position. Where the corners that meet in a position disagree
 /// about the rest, [`Mesh::seams`] adds copies of it, after all positions, so that vertex `i` is
 /// position `i` for as long as there are positions: buffers of positions stay valid and only grow
 /// at the end ([`Mesh::at_vertices`]).
@@ -22,9 +23,9 @@ pub struct Mesh {
     pub positions: Vec<Vec3>,
     /// Corners of each triangle, as indices into `positions`.
     pub triangles: Vec<[u32; 3]>,
-    /// How the surface is shaded.
+    /// Normals that the surface is shaded with.
     pub normals: Normals,
-    /// Vertices beyond one a position; `None` for a mesh that needs none.
+    /// Vertices beyond one per position; `None` for a mesh that needs none.
     pub seams: Option<Seams>,
     /// Texture coordinates of each vertex, (0, 0) at the picture's lower left; empty if none.
     pub texture_coordinates: Vec<Vec2>,
@@ -33,18 +34,18 @@ pub struct Mesh {
     pub groups: Vec<MaterialGroup>,
 }
 
-/// Where the normals of a mesh come from.
+/// Normals of a mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Normals {
-    /// One normal a triangle, from its current corners.
+    /// One normal per triangle, from its current corners.
     #[default]
     Flat,
-    /// One normal a vertex ([`Mesh::vertex_count`]), unit length.
+    /// One unit normal per vertex ([`Mesh::vertex_count`]).
     PerVertex(Vec<Vec3>),
 }
 
-/// The vertices of a mesh whose corners disagree in normals or texture coordinates where they
-/// share a position.
+/// The vertices of a mesh whose corners disagree in normals or texture coordinates where they share
+/// a position.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Seams {
     /// Vertex `positions.len() + k` lies at position `copies[k]`.
@@ -53,34 +54,34 @@ pub struct Seams {
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// A run of triangles that share a material.
+/// Range of triangles that share a material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MaterialGroup {
-    /// Which triangles.
+    /// Indices of the triangles.
     pub triangles: Range<usize>,
-    /// What they look like.
+    /// Material of all of them.
     pub material: Material,
 }
 
-/// The look of a group of triangles.
+/// Material of a group of triangles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// The name in the file.
+    /// Name in the file.
     pub name: String,
     /// Diffuse color, linear in the stored 0..1 values as everywhere in this program.
     pub color: Vec3,
-    /// A picture that replaces the color, if the file names one that could be read.
+    /// Texture that replaces the color, if the file names one that could be read.
     pub texture: Option<Arc<Picture>>,
 }
 
-/// A picture in memory.
+/// Picture in memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
-    /// Pixels a row.
+    /// Pixels per row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
-    /// RGBA, one byte a channel, top row first; `4 * width * height` bytes.
+    /// RGBA, one byte per channel, top row first; `4 * width * height` bytes.
     pub rgba: Vec<u8>,
 }
 
@@ -102,7 +103,7 @@ impl Mesh {
         }
     }
 
-    /// The same mesh shaded with one normal a vertex.
+    /// The same mesh with one normal per vertex, of unit length.
     pub fn with_normals(self, normals: Vec<Vec3>) -> Self {
         Self {
             normals: Normals::PerVertex(normals),
@@ -110,7 +111,7 @@ impl Mesh {
         }
     }
 
-    /// How many vertices there are to draw: at least as many as positions.
+    /// Number of vertices to draw: at least as many as positions.
     pub fn vertex_count(&self) -> usize {
         self.positions.len() + self.seams.as_ref().map_or(0, |seams| seams.copies.len())
     }
@@ -122,8 +123,8 @@ impl Mesh {
             .map_or(&self.triangles, |seams| &seams.triangles)
     }
 
-    /// What every vertex takes from its position: `of_positions`, one a position (where it is
-    /// now, say, or which joints move it), lengthened by the copies; one a vertex.
+    /// Attributes of all vertices from attributes of all positions (such as where they are now, or
+    /// their influences): `of_positions`, one per position, followed by those of the copies.
     pub fn at_vertices<'a, T: Copy>(&self, of_positions: &'a [T]) -> Cow<'a, [T]> {
         match &self.seams {
             None => Cow::Borrowed(of_positions),
@@ -134,7 +135,7 @@ impl Mesh {
         }
     }
 
-    /// The position that each vertex lies at: `0..positions.len()`, then the copies.
+    /// Index of the position of each vertex: `0..positions.len()`, then the copies.
     pub fn position_of_vertices(&self) -> impl Iterator<Item = u32> + '_ {
         let copies = self.seams.iter().flat_map(|seams| &seams.copies).copied();
         (0..self.positions.len() as u32).chain(copies)
@@ -146,8 +147,8 @@ impl Mesh {
     }
 }
 
-/// The nearest triangle that `ray` meets, with its index. `ray` and `positions` share a space;
-/// `triangles` index into `positions`.
+/// Nearest intersection of `ray` with triangles, with the index of the triangle. `ray` and
+/// `positions` are in one space; `triangles` are indices into `positions`.
 pub fn nearest_triangle(
     ray: &Ray,
     positions: &[Vec3],
@@ -161,4 +162,34 @@ pub fn nearest_triangle(
             Some((index, hit))
         })
         .min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))
+}
+
+/// Immutable mesh shared by reference, with a revision that caches compare.
+#[derive(Clone, Debug)]
+pub struct SharedMesh {
+    mesh: Arc<Mesh>,
+    revision: Revision,
+}
+
+impl SharedMesh {
+    /// Shares `mesh` under a new revision.
+    pub fn new(mesh: Mesh) -> Self {
+        Self {
+            mesh: Arc::new(mesh),
+            revision: Revision::new(),
+        }
+    }
+
+    /// The revision, the same for all copies.
+    pub fn revision(&self) -> Revision {
+        self.revision
+    }
+}
+
+impl Deref for SharedMesh {
+    type Target = Mesh;
+
+    fn deref(&self) -> &Mesh {
+        &self.mesh
+    }
 }

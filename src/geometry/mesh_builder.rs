@@ -1,8 +1,8 @@
 use super::{MaterialGroup, Mesh, Normals, Seams, face_normal};
 use glam::{Vec2, Vec3};
 
-/// A corner of a triangle, as formats write it that index positions, normals and texture
-/// coordinates apart.
+/// Corner of a triangle in a file format that indexes positions, normals and texture coordinates
+/// separately.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Corner {
     /// Index of the position.
@@ -13,11 +13,11 @@ pub struct Corner {
     pub texture: Option<Vec2>,
 }
 
-/// Makes a [`Mesh`] of triangles whose corners have normals and texture coordinates of their own.
+/// Builder of a [`Mesh`] from triangles whose corners have normals and texture coordinates of their
+/// own.
 ///
 /// Positions stay as they are, one a position of the file, used or not. Corners that share a
-/// position and agree in the rest become one vertex; others get copies of the position
-/// ([`Seams`]).
+/// position and agree in the rest become one vertex; others get copies of the position ([`Seams`]).
 #[derive(Clone, Debug, Default)]
 pub struct MeshBuilder {
     positions: Vec<Vec3>,
@@ -25,13 +25,14 @@ pub struct MeshBuilder {
     groups: Vec<MaterialGroup>,
 }
 
-/// How many vertices at one position are looked through for an equal one. More do not occur in
-/// earnest, and a file made to have them must not cost the square of its length.
+/// Number of vertices at one position that are compared with a new one. More do not occur in
+/// practice, and a file made to have them must not take time that grows with the square of its
+/// size.
 const MOST_COMPARED: usize = 64;
 const NONE: u32 = u32::MAX;
 
 impl MeshBuilder {
-    /// Nothing yet.
+    /// An empty builder.
     pub fn new() -> Self {
         Self::default()
     }
@@ -41,18 +42,18 @@ impl MeshBuilder {
         &self.positions
     }
 
-    /// How many triangles there are so far.
+    /// Number of triangles so far.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// Adds positions after those there are; corners name them by their index among all.
+    /// Appends positions; corners name them by their index among all.
     pub fn extend_positions(&mut self, positions: impl IntoIterator<Item = Vec3>) {
         self.positions.extend(positions);
     }
 
-    /// Adds a triangle, corners counter-clockwise seen from outside. One that names a position
-    /// which is not there yet is left out.
+    /// Appends a triangle, corners counter-clockwise seen from outside. A triangle that names a
+    /// position which does not exist yet is left out.
     pub fn push_triangle(&mut self, corners: [Corner; 3]) {
         let known = |corner: &Corner| (corner.position as usize) < self.positions.len();
         if corners.iter().all(known) {
@@ -67,8 +68,8 @@ impl MeshBuilder {
         }
     }
 
-    /// The mesh. If no corner has a normal it is flat, if some have, the others take that of
-    /// their triangle; texture coordinates that are missing beside others are (0, 0).
+    /// The mesh. If no corner has a normal it is flat, if some have, the others take that of their
+    /// triangle; texture coordinates that are missing beside others are (0, 0).
     pub fn build(self) -> Mesh {
         let corners = || self.triangles.iter().flatten();
         let has_normals = corners().any(|corner| corner.normal.is_some());

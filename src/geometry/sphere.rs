@@ -2,19 +2,19 @@ use super::Mesh;
 use glam::Vec3;
 use std::f32::consts::{PI, TAU};
 
-/// The axis that a sphere's poles lie on.
+/// Axis of a sphere's poles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Poles {
-    /// As the course's shape has them.
+    /// +Y, as in the course's shape.
     Y,
-    /// As the course's joints have them.
+    /// +Z, as in the course's joints.
     Z,
 }
 
 /// A sphere about the origin, smooth normals.
 ///
-/// `slices` run round the axis and `stacks` from pole to pole, at least 3 and 2. The course's
-/// shape has radius 0.5 and 20 of each, its joints radius 0.02 and 16 of each.
+/// `slices` run round the axis and `stacks` from pole to pole, at least 3 and 2. The course's shape
+/// has radius 0.5 and 20 of each, its joints radius 0.02 and 16 of each.
 #[doc(alias = "Sphere")]
 pub fn sphere(radius: f32, slices: u32, stacks: u32, poles: Poles) -> Mesh {
     let (slices, stacks) = (slices.max(3), stacks.max(2));

@@ -1,19 +1,16 @@
 use super::Mesh;
-use super::curve::CurvePoint;
-use super::curve_closing::is_closed;
-use super::surface_volume::{enclosed_by_lathe, enclosed_by_sweep};
+use super::curve_evaluation::{CurvePoint, is_closed};
 use crate::math::Aabb;
 use glam::{DQuat, DVec3, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 
-/// Corners closer than this, measured against the size of the surface, coincide.
+/// Distance, relative to the size of the surface, up to which corners coincide.
 const COINCIDING: f32 = 1e-7;
-/// A volume closer to zero than this, measured against the size cubed, has no sign.
+/// Volume, relative to the cube of the size, below which it is rounding and has no sign.
 const NO_VOLUME: f64 = 1e-9;
 
-/// The surface that `profile` (in the plane z = 0) sweeps when it is turned once about +Y, in
-/// `steps` steps.
+/// Surface of revolution of `profile` (in the plane z = 0) about +Y, in `steps` steps.
 ///
 /// Vertices lie ring by ring, `profile.len()` each, `steps + 1` rings, the last on the first.
 /// Normals are −N of the profile, turned along, and triangles wind counter-clockwise with them;
@@ -53,13 +50,13 @@ pub fn surface_of_revolution(profile: &[CurvePoint], steps: u32) -> Mesh {
     Mesh::new(positions, triangles).with_normals(normals)
 }
 
-/// The surface that `profile` (in the plane z = 0) makes when it is carried along `sweep`: each
+/// Generalized cylinder: the surface of `profile` (in the plane z = 0) swept along `sweep`. Each
 /// profile point (x, y) becomes V + x·N + y·B in the frame of each point of the sweep.
 ///
-/// Vertices lie ring by ring, `profile.len()` each, one ring a point of the sweep. Normals are
-/// −N of the profile in the same frames, and triangles wind counter-clockwise with them; both
-/// are flipped where a closed profile encloses a negative volume. To close a closed sweep, pass
-/// it through [`super::close_frames`] first.
+/// Vertices lie ring by ring, `profile.len()` each, one ring a point of the sweep. Normals are −N
+/// of the profile in the same frames, and triangles wind counter-clockwise with them; both are
+/// flipped where a closed profile encloses a negative volume. To close a closed sweep, pass it
+/// through [`super::close_frames`] first.
 #[doc(alias = "makeGenCyl")]
 pub fn generalized_cylinder(profile: &[CurvePoint], sweep: &[CurvePoint]) -> Mesh {
     let mut positions = Vec::with_capacity(profile.len() * sweep.len());
@@ -95,8 +92,8 @@ pub fn generalized_cylinder(profile: &[CurvePoint], sweep: &[CurvePoint]) -> Mes
     Mesh::new(positions, triangles).with_normals(normals)
 }
 
-/// Every edge of `triangles` once, as indices of its two vertices, the smaller first, in the
-/// order in which the triangles name them: the wireframe.
+/// Wireframe: every edge of `triangles` once, as indices of its two vertices, the smaller first, in
+/// the order in which the triangles name them.
 pub fn wireframe(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
     let mut seen = HashSet::with_capacity(triangles.len() * 2);
     let edges = triangles
@@ -108,9 +105,9 @@ pub fn wireframe(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// Two triangles for each cell of a grid of `ring` columns; `forward` says for each column
-/// whether they wind along the ring first, then from one ring to the next. Triangles with
-/// coinciding corners are left out.
+/// Two triangles for each cell of a grid of `ring` columns; `forward` says for each column whether
+/// they wind along the ring first, then from one ring to the next. Triangles with coinciding
+/// corners are left out.
 fn quads(positions: &[Vec3], ring: usize, forward: impl Fn(usize) -> bool) -> Vec<[u32; 3]> {
     let nearest = COINCIDING * size(positions);
     let apart = |a: u32, b: u32| positions[a as usize].distance(positions[b as usize]) > nearest;
@@ -148,7 +145,7 @@ fn reverse(corners: &mut [u32; 3]) {
     corners.swap(1, 2);
 }
 
-/// How well a triangle's winding agrees with its corners' normals, weighted by area.
+/// Agreement of a triangle's winding with its corners' normals, weighted by area.
 fn agreement(positions: &[Vec3], normals: &[Vec3], corners: [u32; 3]) -> f64 {
     let [a, b, c] = corners.map(|i| positions[i as usize].as_dvec3());
     let normal: DVec3 = corners
@@ -156,4 +153,42 @@ fn agreement(positions: &[Vec3], normals: &[Vec3], corners: [u32; 3]) -> f64 {
         .map(|&i| normals[i as usize].as_dvec3())
         .sum();
     (b - a).cross(c - a).dot(normal)
+}
+
+/// Volume enclosed by a surface of revolution about +Y with discs over its ends, positive if its
+/// triangles wind counter-clockwise seen from outside. The field has no flux through discs across
+/// +Y, so they need not be there.
+fn enclosed_by_lathe(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
+    let field = |p: DVec3| DVec3::new(p.x, 0.0, p.z) / 2.0;
+    flux(positions, triangles.iter().copied(), field)
+}
+
+/// Volume enclosed by a surface with closed rings of `ring` vertices, its first and last ring
+/// closed by fans, positive if its triangles wind counter-clockwise seen from outside. They must
+/// wind along the ring first, then from one ring to the next.
+fn enclosed_by_sweep(positions: &[Vec3], triangles: &[[u32; 3]], ring: usize) -> f64 {
+    let origin = positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
+    let field = |p: DVec3| (p - origin) / 3.0;
+    let fan = |first: usize| {
+        let at = move |i: usize| (first + i) as u32;
+        (2..ring).map(move |i| [at(0), at(i - 1), at(i)])
+    };
+    let last = positions.len().saturating_sub(ring);
+    flux(positions, triangles.iter().copied(), field) + flux(positions, fan(last), field)
+        - flux(positions, fan(0), field)
+}
+
+/// Flux of `field`, of divergence one, through triangles: the volume that they enclose. For a
+/// linear field it is exact with one sample per triangle.
+fn flux(
+    positions: &[Vec3],
+    triangles: impl Iterator<Item = [u32; 3]>,
+    field: impl Fn(DVec3) -> DVec3,
+) -> f64 {
+    triangles
+        .map(|corners| {
+            let [a, b, c] = corners.map(|i| positions[i as usize].as_dvec3());
+            field((a + b + c) / 3.0).dot((b - a).cross(c - a)) / 2.0
+        })
+        .sum()
 }

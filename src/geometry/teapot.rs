@@ -3,10 +3,10 @@ use glam::{Vec2, Vec3};
 
 /// Steps along each side of a patch.
 const STEPS: usize = 10;
-/// From the patches' units (the body's widest radius is 2) to the course's size (0.65).
+/// Scale from the patches' units (the body's widest radius is 2) to the course's size (0.65).
 const SCALE: f32 = 0.325;
-/// A quarter of a circle as one cubic: how far its inner control points go, as the original
-/// patches have it (0.5523 would be the best circle).
+/// A quarter of a circle as one cubic: how far its inner control points go, as the original patches
+/// have it (0.5523 would be the best circle).
 const QUARTER: f32 = 0.56;
 
 /// Profiles of the parts turned about the axis, as radius and height, four control points each.
@@ -19,11 +19,11 @@ const TURNED: [[[f32; 2]; 4]; 6] = [
     [[1.5, 0.15], [1.5, 0.075], [1.425, 0.0], [0.0, 0.0]],
 ];
 
-/// One row of a tube's control points: x and height where it meets the plane of symmetry on
-/// either side, and the depth that its inner points reach.
+/// One row of a tube's control points: x and height where it meets the plane of symmetry on either
+/// side, and the depth that its inner points reach.
 type TubeRow = ([f32; 2], [f32; 2], f32);
 
-/// Handle and spout, half a tube each; rows shared between neighbours are written once.
+/// Handle and spout, half a tube each; rows shared between neighbors are written once.
 const TUBES: [[TubeRow; 7]; 2] = [
     [
         ([-1.6, 2.025], [-1.5, 2.25], 0.3),
@@ -48,8 +48,8 @@ const TUBES: [[TubeRow; 7]; 2] = [
 /// Sixteen control points, `[v][u]`; y is up.
 type Patch = [[Vec3; 4]; 4];
 
-/// Martin Newell's teapot (1975) from its Bézier patches, spout along +X, centred, smooth
-/// normals; its box is ±1.0445, ±0.5118, ±0.65.
+/// Martin Newell's teapot (1975) from its Bézier patches, spout along +X, centered, smooth normals;
+/// its box is ±1.0445, ±0.5118, ±0.65.
 #[doc(alias = "Teapot")]
 pub fn teapot() -> Mesh {
     let mut positions = Vec::new();
@@ -174,8 +174,8 @@ fn point(patch: &Patch, u: f32, v: f32) -> Vec3 {
     blend(patch, bernstein(u), bernstein(v))
 }
 
-/// Unit normal. Where a side shrinks to a point the derivative along it vanishes: there the
-/// normal is taken a little way inside the patch.
+/// Unit normal. Where a side shrinks to a point the derivative along it vanishes: there the normal
+/// is taken a little way inside the patch.
 fn normal(patch: &Patch, u: f32, v: f32) -> Vec3 {
     let at = |u: f32, v: f32| {
         let along_u = blend(patch, bernstein_derivative(u), bernstein(v));

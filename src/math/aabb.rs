@@ -1,6 +1,6 @@
 use glam::{Mat4, Vec3};
 
-/// A box with sides along the axes. The empty box holds no point and has `min > max`.
+/// Axis-aligned bounding box. The empty box holds no point and has `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// Smallest coordinates.
@@ -10,7 +10,7 @@ pub struct Aabb {
 }
 
 impl Aabb {
-    /// The box around nothing.
+    /// The empty box.
     pub const EMPTY: Self = Self {
         min: Vec3::INFINITY,
         max: Vec3::NEG_INFINITY,
@@ -37,7 +37,7 @@ impl Aabb {
         }
     }
 
-    /// The middle; the origin for an empty box.
+    /// Center; the origin for an empty box.
     pub fn center(&self) -> Vec3 {
         if self.is_empty() {
             Vec3::ZERO

@@ -1,12 +1,12 @@
 use glam::{DMat3, DVec3, EulerRot, Mat3, Mat4, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// Below this cosine of the angle about Y, the turns about X and Z are about one line: gimbal
-/// lock, to within what single precision can tell.
+/// Cosine of the angle about Y below which the axes of the rotations about X and Z coincide to
+/// within single precision: gimbal lock.
 const LOCKED: f64 = 1e-6;
 
-/// Three angles in radians about X, Y and Z, meaning the rotation `Rx · Ry · Rz` of column
-/// vectors: Z turns first, X last (assignment, "Sliders").
+/// Euler angles in radians: the rotation `Rx · Ry · Rz` of column vectors, so Z turns first and X
+/// last (assignment, "Sliders").
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
 pub struct Euler {
@@ -20,12 +20,12 @@ impl Euler {
         radians: Vec3::ZERO,
     };
 
-    /// From radians about X, Y and Z.
+    /// Angles in radians about X, Y and Z.
     pub fn from_radians(radians: Vec3) -> Self {
         Self { radians }
     }
 
-    /// From degrees about X, Y and Z, the unit of files and panels.
+    /// Angles in degrees about X, Y and Z, the unit of files and panels.
     pub fn from_degrees(degrees: Vec3) -> Self {
         Self {
             radians: degrees * (std::f32::consts::PI / 180.0),
@@ -37,7 +37,7 @@ impl Euler {
         self.radians * (180.0 / std::f32::consts::PI)
     }
 
-    /// Degrees brought into 0..360, as the panel shows them.
+    /// Degrees wrapped into 0..360, as the panel shows them.
     pub fn wrapped_degrees(self) -> Vec3 {
         self.degrees().map(wrap_degrees)
     }
@@ -52,10 +52,9 @@ impl Euler {
         )
     }
 
-    /// The angles of `rotation` (without scale or mirroring) that are nearest to `to`, so that
-    /// what a panel shows does not jump. Of all angles that mean the same rotation these have
-    /// the smallest sum of squared changes; in gimbal lock too. `to` itself if `rotation` is not
-    /// finite.
+    /// Angles of `rotation` (without scale or mirroring) that are nearest to `to`, so that the
+    /// angles in a panel do not jump. Of all angles of that rotation these have the smallest sum of
+    /// squared changes, in gimbal lock too. `to` itself if `rotation` is not finite.
     pub fn nearest(rotation: Mat3, to: Self) -> Self {
         if !rotation.is_finite() {
             return to;
@@ -90,7 +89,8 @@ fn nearest_angles(m: DMat3, to: DVec3) -> DVec3 {
     }
 }
 
-/// At y = ±90° only the sum of the other two (at -90° z less x) matters: `together`.
+/// Nearest angles at y = ±90°, where only the sum of the other two (at −90° z less x) matters:
+/// `together`.
 fn nearest_when_locked(upper: bool, together: f64, to: DVec3) -> DVec3 {
     let sign = if upper { 1.0 } else { -1.0 };
     let half = wrap_half(together - (to.z + sign * to.x)) * 0.5;
@@ -98,17 +98,17 @@ fn nearest_when_locked(upper: bool, together: f64, to: DVec3) -> DVec3 {
     DVec3::new(to.x + sign * half, y, to.z + half)
 }
 
-/// `angles`, each by whole turns as near to `to` as can be.
+/// `angles`, each moved by whole turns as near to `to` as possible.
 fn near(angles: DVec3, to: DVec3) -> DVec3 {
     to + (angles - to).map(wrap_half)
 }
 
-/// Brings an angle into -π..π.
+/// Wraps an angle into −π..π.
 fn wrap_half(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }
 
-/// Brings an angle in degrees into 0..360; an angle that rounding would show as 360 becomes 0.
+/// Wraps an angle in degrees into 0..360; an angle that rounding would show as 360 becomes 0.
 fn wrap_degrees(degrees: f32) -> f32 {
     let wrapped = degrees.rem_euclid(360.0);
     if wrapped > 359.999_95 { 0.0 } else { wrapped }

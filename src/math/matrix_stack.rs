@@ -1,8 +1,7 @@
 use glam::Mat4;
 
-/// A stack of transforms in which every entry already holds the product of all below it
-/// (assignment, "Matrix stack"). It replaces the graphics library's own stack, which core GL
-/// no longer has.
+/// Stack of transforms in which every entry already holds the product of all below it (assignment,
+/// "Matrix stack"). It replaces the graphics library's own stack, which core GL no longer has.
 ///
 /// ```
 /// use editor_core::math::MatrixStack;
@@ -29,7 +28,7 @@ impl MatrixStack {
         self.world_from_local.push(self.top() * parent_from_child);
     }
 
-    /// Takes the top away. On an empty stack nothing happens.
+    /// Removes the top. Does nothing on an empty stack.
     pub fn pop(&mut self) {
         self.world_from_local.pop();
     }
@@ -42,7 +41,7 @@ impl MatrixStack {
             .unwrap_or(Mat4::IDENTITY)
     }
 
-    /// Takes every entry away.
+    /// Removes every entry.
     pub fn clear(&mut self) {
         self.world_from_local.clear();
     }

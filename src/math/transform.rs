@@ -1,27 +1,27 @@
 use super::Euler;
 use glam::{Mat3, Mat4, Vec3};
 
-/// Where a shape stands: `world_from_model = T · Rx · Ry · Rz · S` (course editor, "Euler
-/// angles").
+/// Placement of a model in the world: `world_from_model = T · Rx · Ry · Rz · S` (course editor,
+/// "Euler angles").
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Transform {
     /// Position of the model's origin in the world.
     pub position: Vec3,
-    /// Rotation, applied after scaling and before moving.
+    /// Rotation, applied after scaling and before translation.
     pub rotation: Euler,
     /// Scale along the model's own axes.
     pub scale: Vec3,
 }
 
 impl Transform {
-    /// At the origin, unturned, at its own size.
+    /// Transform that changes nothing.
     pub const IDENTITY: Self = Self {
         position: Vec3::ZERO,
         rotation: Euler::ZERO,
         scale: Vec3::ONE,
     };
 
-    /// The matrix from the model's space to the world's.
+    /// Matrix from model space to world space.
     pub fn world_from_model(&self) -> Mat4 {
         Mat4::from_translation(self.position)
             * self.rotation.to_mat4()
@@ -35,9 +35,9 @@ impl Default for Transform {
     }
 }
 
-/// The inverse transpose times the determinant: the way in which areas turn, and so normals, up to
-/// their length. It exists where the inverse does not, and agrees with the winding of triangles
-/// even under a mirror.
+/// Cofactor matrix, the inverse transpose times the determinant: how areas, and so normals, are
+/// transformed, up to their length. It exists where the inverse does not, and agrees with the
+/// winding of triangles even under a reflection.
 pub fn cofactors(m: Mat3) -> Mat3 {
     Mat3::from_cols(
         m.y_axis.cross(m.z_axis),

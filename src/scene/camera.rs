@@ -4,30 +4,30 @@ use glam::camera::rh::{proj::opengl, view};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use std::f32::consts::FRAC_PI_2;
 
-/// How far φ stays from the poles when it is turned by hand, radians.
+/// Least angle, in radians, between the direction of view and ±Y when the camera is turned by hand.
 const POLE_MARGIN: f32 = 0.1;
 const PAN_PER_PIXEL: f32 = 0.01;
 const TURN_PER_PIXEL: f32 = 0.005;
 const ZOOM_PER_NOTCH: f32 = 0.5;
-/// As near to its target as the wheel moves the eye.
+/// Least distance between eye and target to which the wheel zooms.
 const NEAREST: f32 = 0.5;
-/// As near as the eye goes to a target one unit away from the origin: nearer, `f32` could hardly
-/// tell the two apart.
+/// Least distance between the eye and a target one unit away from the origin: nearer, `f32` could
+/// hardly tell the two apart.
 const LEAST_RADIUS: f32 = 1e-4;
 
-/// A camera that looks at a target from a distance:
-/// `eye = target + r (cosφ cosθ, sinφ, cosφ sinθ)`, +Y up. Angles in radians.
+/// Camera that looks at a target from a distance: `eye = target + r (cosφ cosθ, sinφ, cosφ sinθ)`,
+/// +Y up. Angles in radians.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Camera {
-    /// What it looks at, in the world.
+    /// Point that it looks at, in the world.
     pub target: Vec3,
     /// Distance of the eye from the target.
     pub radius: f32,
-    /// Angle about +Y, from +X towards +Z.
+    /// Angle about +Y, from +X towards +Z, radians.
     pub theta: f32,
-    /// Angle above the horizontal plane.
+    /// Angle above the horizontal plane, radians.
     pub phi: f32,
-    /// Vertical field of view.
+    /// Vertical field of view, radians.
     pub fovy: f32,
     /// Distance of the near plane.
     pub near: f32,
@@ -60,7 +60,7 @@ impl Camera {
         }
     }
 
-    /// Turned to look from `direction`, with target and distance kept.
+    /// The same camera turned to look from `direction`, with target and distance kept.
     pub fn looking_from(self, direction: ViewDirection) -> Self {
         let (theta, phi) = direction.angles();
         Self { theta, phi, ..self }
@@ -79,33 +79,33 @@ impl Camera {
         Vec3::new(self.theta.sin(), 0.0, -self.theta.cos())
     }
 
-    /// Unit vector to the top of the picture.
+    /// Unit vector to the top of the picture, in the world.
     pub fn up(&self) -> Vec3 {
         self.outward().cross(self.right())
     }
 
-    /// Where the eye is, in the world.
+    /// Position of the eye, in the world.
     pub fn eye(&self) -> Vec3 {
         self.target + self.outward() * self.radius
     }
 
-    /// From the world to the eye's space (x right, y up, looking along -z).
+    /// Matrix from the world to the eye's space (x right, y up, looking along −z).
     pub fn view_from_world(&self) -> Mat4 {
         view::look_at_mat4(self.eye(), self.target, self.up())
     }
 
-    /// From the eye's space to clip space; `aspect` is width over height of the picture.
+    /// Matrix from the eye's space to clip space; `aspect` is width over height of the picture.
     pub fn clip_from_view(&self, aspect: f32) -> Mat4 {
         opengl::perspective(self.fovy, aspect, self.near, self.far)
     }
 
-    /// From the world to clip space.
+    /// Matrix from the world to clip space; `aspect` is width over height of the picture.
     pub fn clip_from_world(&self, aspect: f32) -> Mat4 {
         self.clip_from_view(aspect) * self.view_from_world()
     }
 
-    /// The ray, in the world, under a point of the picture: `pixel` from the top left, in a
-    /// picture of `size`. Starts at the eye; its direction has unit length.
+    /// Ray, in the world, through a point of the picture: `pixel` from the top left, in a picture
+    /// of `size` pixels. Starts at the eye; its direction has unit length.
     pub fn ray(&self, pixel: Vec2, size: Vec2) -> Ray {
         let half_height = (self.fovy * 0.5).tan();
         let x = (2.0 * pixel.x / size.x - 1.0) * half_height * size.x / size.y;
@@ -117,8 +117,8 @@ impl Camera {
         }
     }
 
-    /// Where a point of the world lies in a picture of `size`, from the top left; `None` behind
-    /// the eye.
+    /// Position of a point of the world in a picture of `size` pixels, from the top left; `None`
+    /// behind the eye.
     pub fn pixel(&self, world: Vec3, size: Vec2) -> Option<Vec2> {
         let clip: Vec4 = self.clip_from_world(size.x / size.y) * world.extend(1.0);
         (clip.w > 0.0).then(|| {
@@ -127,8 +127,8 @@ impl Camera {
         })
     }
 
-    /// How far a point of the world lies before the eye, along the direction of view; negative
-    /// behind it.
+    /// Distance of a point of the world from the eye along the direction of view; negative behind
+    /// the eye.
     pub fn depth(&self, world: Vec3) -> f32 {
         (self.eye() - world).dot(self.outward())
     }
@@ -143,14 +143,20 @@ impl Camera {
         -self.outward()
     }
 
-    /// How long a pixel is, in the world, at the depth of `world`, in a picture `height` pixels
-    /// high; `None` for what is nearer than the near plane.
+    /// Length of a pixel, in the world, at the depth of `world`, in a picture `height` pixels high;
+    /// `None` for a point nearer than the near plane.
     pub fn world_per_pixel(&self, world: Vec3, height: f32) -> Option<f32> {
         let depth = self.depth(world);
-        (depth > self.near).then(|| 2.0 * (self.fovy * 0.5).tan() * depth / height)
+        (depth > self.near).then(|| self.pixel_at_depth(depth, height))
     }
 
-    /// Drags the scene with the pointer, which moved by `delta` pixels (y down). The vertical
+    /// Length of a pixel, in the world, at a distance from the eye along the direction of view, in
+    /// a picture `height` pixels high.
+    pub(super) fn pixel_at_depth(&self, depth: f32, height: f32) -> f32 {
+        2.0 * (self.fovy * 0.5).tan() * depth / height
+    }
+
+    /// Pans by a drag of `delta` pixels (y down): the scene moves with the pointer. The vertical
     /// part runs along the world's +Y, as in the course's editor.
     pub fn pan(&mut self, delta: Vec2) {
         self.target -= self.right() * (delta.x * PAN_PER_PIXEL);
@@ -164,40 +170,41 @@ impl Camera {
         self.phi = (self.phi - TURN_PER_PIXEL * delta.y).clamp(-limit, limit);
     }
 
-    /// Drags the scene with the pointer, which moved by `delta` pixels (y down) of a picture
-    /// `height` pixels high: what lies as far away as the target stays under it.
+    /// Pans by a drag of `delta` pixels (y down) in a picture `height` pixels high, so that what is
+    /// as far away as the target stays under the pointer.
     pub fn pan_with_pointer(&mut self, delta: Vec2, height: f32) {
-        let world_per_pixel = 2.0 * self.radius * (self.fovy * 0.5).tan() / height;
+        let world_per_pixel = self.pixel_at_depth(self.radius, height);
         self.target += (self.up() * delta.y - self.right() * delta.x) * world_per_pixel;
     }
 
-    /// Turns the scene with the pointer about the target, by radians to the right and down; as
-    /// far as straight above and below.
+    /// Orbits about the target: turns the scene by `angles` in radians to the right and down, up to
+    /// straight above and below.
     pub fn orbit(&mut self, angles: Vec2) {
         self.theta += angles.x;
         self.phi = (self.phi + angles.y).clamp(-FRAC_PI_2, FRAC_PI_2);
     }
 
-    /// Moves the eye away from the target, or towards it for negative values, to `exp(away)`
-    /// times its distance.
+    /// Multiplies the distance of the eye from the target by `exp(away)`, within limits.
     pub fn dolly(&mut self, away: f32) {
         self.radius = (self.radius * away.exp()).clamp(2.0 * self.near, self.far * 10.0);
     }
 
-    /// Moves eye and target by `by`: along the picture's right, the world's up, and forwards.
+    /// Moves eye and target by `by`, in the world: along the picture's right, the world's up, and
+    /// forward.
     pub fn walk(&mut self, by: Vec3) {
         self.target += self.right() * by.x + Vec3::Y * by.y - self.outward() * by.z;
     }
 
-    /// Moves the eye towards the target by `notches` of the wheel, to a distance of 0.5. Where it
-    /// is nearer already, as [`Camera::fit`] brings it to small things, it stays.
+    /// Moves the eye towards the target by `notches` of the wheel, down to a distance of 0.5. If it
+    /// is nearer already, as after [`Camera::fit`] of something small, it stays.
     pub fn zoom(&mut self, notches: f32) {
         let nearest = NEAREST.min(self.radius);
         self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(nearest);
     }
 
-    /// Moves and, if need be, pulls the planes apart so that all of `bounds` is in a picture of
-    /// `aspect`, keeping the direction of view. An empty box changes nothing.
+    /// Fits all of `bounds`, in the world, into a picture of `aspect` (width over height): moves
+    /// the camera, keeping the direction of view, and the near and far plane if necessary. An empty
+    /// box changes nothing.
     pub fn fit(&mut self, bounds: &Aabb, aspect: f32) {
         if bounds.is_empty() {
             return;

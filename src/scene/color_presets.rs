@@ -1,15 +1,15 @@
 use glam::Vec3;
 
-/// A color by name.
+/// Named color.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColorPreset {
-    /// What the panel calls it. Some names are odd; pictures refer to them.
+    /// Name in the panel. Some do not match their color: they are the course's.
     pub name: &'static str,
     /// Red, green, blue in 0..1.
     pub color: Vec3,
 }
 
-/// Position in [`COLOR_PRESETS`] of the entry that stands for a color picked by hand.
+/// Index in [`COLOR_PRESETS`] of the entry that stands for a color picked by hand.
 pub const CUSTOM_PRESET: usize = 31;
 
 const fn preset(name: &'static str, r: f32, g: f32, b: f32) -> ColorPreset {
@@ -19,7 +19,7 @@ const fn preset(name: &'static str, r: f32, g: f32, b: f32) -> ColorPreset {
     }
 }
 
-/// The colors of the course's editor, in its order; the last, Custom, starts white.
+/// Colors of the course's editor, in its order; the last, Custom, starts white.
 #[doc(alias = "ColorPresets")]
 pub const COLOR_PRESETS: [ColorPreset; 32] = [
     preset("Black", 0.0, 0.0, 0.0),
@@ -56,7 +56,7 @@ pub const COLOR_PRESETS: [ColorPreset; 32] = [
     preset("Custom", 1.0, 1.0, 1.0),
 ];
 
-/// The color of a shape: one of the presets, or any other.
+/// Color of a shape: one of the presets, or any other.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ShapeColor {
@@ -75,7 +75,7 @@ impl ShapeColor {
         }
     }
 
-    /// Which entry of [`COLOR_PRESETS`] the panel shows.
+    /// Index of the entry of [`COLOR_PRESETS`] that the panel shows.
     pub fn preset_index(self) -> usize {
         match self {
             Self::Preset(index) => index.min(CUSTOM_PRESET),

@@ -2,24 +2,24 @@ use super::CurveSet;
 use crate::revision::Revision;
 use std::sync::Arc;
 
-/// Curves and surfaces in the scene: what was imported or drawn, and how it is shown.
+/// Curves and surfaces in the scene, with how they are displayed.
 #[derive(Clone, Debug)]
 pub struct CurveShape {
     curves: Arc<CurveSet>,
     frame_closing: bool,
     revision: Revision,
-    /// How it is drawn.
+    /// Display options.
     pub display: CurveDisplay,
 }
 
-/// How curves and surfaces are drawn.
+/// Display options of curves and surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CurveDisplay {
     /// Whether control points and the polygon that joins them are drawn.
     pub control_points: bool,
-    /// The curves.
+    /// Display of the curves.
     pub curve: CurveVisibility,
-    /// The surfaces.
+    /// Display of the surfaces.
     pub surface: SurfaceVisibility,
 }
 
@@ -33,7 +33,7 @@ impl Default for CurveDisplay {
     }
 }
 
-/// What the panel calls Curve Visibility.
+/// Display of curves: Curve Visibility in the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CurveVisibility {
@@ -46,7 +46,7 @@ pub enum CurveVisibility {
     OnWithFrames,
 }
 
-/// What the panel calls Surface Visibility.
+/// Display of surfaces: Surface Visibility in the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SurfaceVisibility {
@@ -68,7 +68,7 @@ impl PartialEq for CurveShape {
 }
 
 impl CurveShape {
-    /// `curves` as they are first shown, closed sweeps closing.
+    /// `curves` with default display options and frame closing.
     pub fn new(curves: CurveSet) -> Self {
         Self {
             curves: Arc::new(curves),
@@ -78,23 +78,23 @@ impl CurveShape {
         }
     }
 
-    /// The curves and surfaces.
+    /// Curves and surfaces.
     pub fn curves(&self) -> &CurveSet {
         &self.curves
     }
 
-    /// Whether the angle by which frames miss their start on a closed sweep is spread along it
-    /// (see [`crate::geometry::close_frames`]).
+    /// Whether the angle between the last and the first frame of a closed sweep is distributed
+    /// along it (see [`crate::geometry::close_frames`]).
     pub fn frame_closing(&self) -> bool {
         self.frame_closing
     }
 
-    /// Changes with every change of the curves or the frame closing.
+    /// Revision, which changes with the curves and the frame closing.
     pub fn revision(&self) -> Revision {
         self.revision
     }
 
-    /// Replaces the curves; the same ones change nothing.
+    /// Replaces the curves. Equal ones do not change the revision.
     pub fn set_curves(&mut self, curves: CurveSet) {
         if curves != *self.curves {
             self.curves = Arc::new(curves);

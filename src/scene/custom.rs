@@ -1,4 +1,4 @@
-//! A shape made in code, to be replaced by one of your own.
+//! The custom shape: made in code, to be replaced by one of your own.
 
 use crate::geometry::Mesh;
 use glam::Vec3;
@@ -9,7 +9,7 @@ const OUTER_RADIUS: f32 = 0.7;
 const INNER_RADIUS: f32 = 0.3;
 const THICKNESS: f32 = 0.2;
 
-/// The shape behind Insert ▸ Custom Shape: a five-pointed star in the XY plane.
+/// Shape of Insert ▸ Custom Shape: a five-pointed star in the XY plane.
 ///
 /// The course hands this function out empty. To make a shape of your own, fill `positions` with
 /// corners and `triangles` with three indices each, counter-clockwise seen from outside; the

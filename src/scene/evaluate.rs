@@ -1,6 +1,6 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Deformation, Scene, Shape, ShapeId, ShapeKind};
-use crate::character::StickFigure;
+use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
+use crate::character::{Character, StickFigure};
 use crate::geometry::{Normals, SharedMesh};
 use crate::math::Aabb;
 use crate::revision::Revision;
@@ -8,48 +8,48 @@ use glam::{Mat4, Vec3};
 use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, OnceLock};
 
-/// Everything that follows from a scene: matrices, deformed vertices, bounds.
+/// Evaluated scene: matrices, deformed vertices, bounds.
 #[derive(Clone, Debug, Default)]
 pub struct Evaluated {
-    /// One a shape, in the order of the scene.
+    /// Evaluated shapes, in the order of the scene.
     pub shapes: Vec<EvaluatedShape>,
 }
 
-/// What follows from one shape.
+/// Evaluated shape.
 #[derive(Clone, Debug)]
 pub struct EvaluatedShape {
-    /// Which shape.
+    /// Identifier of the shape.
     pub id: ShapeId,
     /// Whether it is drawn.
     pub visible: bool,
-    /// Whether the pointer finds it in the view: it is drawn and not locked.
+    /// Whether it can be picked in the view: it is drawn and not locked.
     pub pickable: bool,
-    /// Where it stands.
+    /// Transform from model space to the world.
     pub world_from_model: Mat4,
-    /// Its geometry under its current pose, in model space.
+    /// Geometry under the current pose, in model space.
     pub geometry: Arc<EvaluatedGeometry>,
 }
 
-/// A shape's geometry in model space; the same `Arc` for as long as nothing changes it.
+/// Geometry of a shape in model space; the same `Arc` until something changes it.
 #[derive(Clone, Debug)]
 pub struct EvaluatedGeometry {
     /// Triangles, materials and undeformed vertices; of curves, all their surfaces.
     pub mesh: SharedMesh,
-    /// What joints do to the mesh; `None` where nothing deforms it.
+    /// Deformation of the mesh by joints; `None` if it is rigid.
     pub deformation: Option<Deformation>,
     /// Joints and bones of a character.
     pub figure: Option<StickFigure>,
     /// Curves, control points, wireframe and parts of a shape made of curves.
     pub curves: Option<EvaluatedCurves>,
-    /// Changes whenever positions do.
+    /// Revision, which changes whenever positions do.
     pub revision: Revision,
-    /// Around all but a deformed mesh, whose bounds are worked out when they are asked for.
+    /// Bounds of all but a deformed mesh, whose bounds are computed on demand.
     pub(super) fixed_bounds: Aabb,
     pub(super) bounds: OnceLock<Aabb>,
 }
 
 impl EvaluatedGeometry {
-    /// What nothing deforms, with `bounds` around all of it.
+    /// Rigid geometry within `bounds`, in model space.
     pub(super) fn rigid(mesh: SharedMesh, bounds: Aabb, revision: Revision) -> Self {
         Self {
             mesh,
@@ -62,14 +62,14 @@ impl EvaluatedGeometry {
         }
     }
 
-    /// The current positions, in the order of the file.
+    /// Current positions in model space, in the order of the file.
     pub fn positions(&self) -> &[Vec3] {
         self.deformation
             .as_ref()
             .map_or(&self.mesh.positions, Deformation::positions)
     }
 
-    /// The current normals, one a vertex of the mesh; `None` where its triangles are flat.
+    /// Current normals, one per vertex of the mesh; `None` if its triangles are flat.
     pub fn normals(&self) -> Option<&[Vec3]> {
         match (&self.deformation, &self.mesh.normals) {
             (_, Normals::Flat) => None,
@@ -78,7 +78,7 @@ impl EvaluatedGeometry {
         }
     }
 
-    /// Around the mesh, the joints and the curves, in model space; not around control points.
+    /// Bounds of mesh, joints and curves, in model space; control points do not count.
     pub fn bounds(&self) -> Aabb {
         *self.bounds.get_or_init(|| match &self.deformation {
             Some(deformation) => {
@@ -89,30 +89,30 @@ impl EvaluatedGeometry {
         })
     }
 
-    /// A box that the mesh does not leave, in model space: what is around it where that is known,
-    /// else a larger one that follows from the joints, without moving a vertex.
-    pub(super) fn reach(&self) -> Aabb {
+    /// Box that contains the mesh, in model space: its bounds if they are known, else a larger box
+    /// that follows from the joints, without skinning a vertex.
+    pub(super) fn conservative_bounds(&self) -> Aabb {
         match &self.deformation {
-            Some(deformation) if !deformation.is_worked_out() => deformation.reach(),
+            Some(deformation) if !deformation.is_worked_out() => deformation.conservative_bounds(),
             _ => self.bounds(),
         }
     }
 }
 
 impl EvaluatedShape {
-    /// The box around the shape in the world.
+    /// Bounds of the shape, in the world.
     pub fn world_bounds(&self) -> Aabb {
         self.geometry.bounds().transformed(self.world_from_model)
     }
 }
 
 impl Evaluated {
-    /// The shape called `id`.
+    /// Evaluated shape of this identifier.
     pub fn shape(&self, id: ShapeId) -> Option<&EvaluatedShape> {
         self.shapes.iter().find(|shape| shape.id == id)
     }
 
-    /// The box around everything that is visible, in the world.
+    /// Bounds of everything that is visible, in the world.
     pub fn world_bounds(&self) -> Aabb {
         self.shapes
             .iter()
@@ -121,20 +121,20 @@ impl Evaluated {
     }
 }
 
-/// Evaluates scenes and keeps what did not change: only a shape whose pose or
-/// curves have a new revision is worked out again.
+/// Evaluator of scenes, which caches what did not change: only a shape whose pose or curves have a
+/// new revision is evaluated again.
 #[derive(Debug, Default)]
 pub struct Evaluator {
     cache: HashMap<ShapeId, Arc<EvaluatedGeometry>>,
 }
 
 impl Evaluator {
-    /// One that has seen nothing.
+    /// An evaluator with an empty cache.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Works out all that follows from `scene` at `time`, in seconds of playback.
+    /// Evaluates `scene` at `time`, in seconds of playback.
     pub fn evaluate(&mut self, scene: &Scene, time: f64) -> Evaluated {
         let there: HashSet<ShapeId> = scene.shapes().iter().map(|shape| shape.id).collect();
         self.cache.retain(|id, _| there.contains(id));
@@ -188,6 +188,68 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
         deformation: Some(Deformation::new(character.clone(), model_from_joint)),
         figure: Some(figure),
         ..EvaluatedGeometry::rigid(mesh, around_joints, shape.pose_revision())
+    }
+}
+
+/// Deformation of a character's mesh by a pose: frames of its joints, and the vertices that follow.
+///
+/// Vertices are computed on demand and then kept: where the graphics card deforms the mesh for
+/// drawing, only picking, export and the like need them.
+#[derive(Clone, Debug)]
+pub struct Deformation {
+    character: Arc<Character>,
+    model_from_joint: Vec<Mat4>,
+    positions: OnceLock<Vec<Vec3>>,
+    normals: OnceLock<Option<Vec<Vec3>>>,
+}
+
+impl Deformation {
+    /// Deformation of `character` with the joints' frames at `model_from_joint`, one per joint.
+    fn new(character: Arc<Character>, model_from_joint: Vec<Mat4>) -> Self {
+        Self {
+            character,
+            model_from_joint,
+            positions: OnceLock::new(),
+            normals: OnceLock::new(),
+        }
+    }
+
+    /// Character that is deformed.
+    pub fn character(&self) -> &Arc<Character> {
+        &self.character
+    }
+
+    /// Matrices from each joint's frame to model space.
+    pub fn model_from_joint(&self) -> &[Mat4] {
+        &self.model_from_joint
+    }
+
+    /// `T · B⁻¹` of every joint: from the bind pose to the current pose, both in model space.
+    pub fn palette(&self) -> Vec<Mat4> {
+        self.character.skeleton().palette(&self.model_from_joint)
+    }
+
+    /// Deformed positions, as many as the mesh has, in model space.
+    pub fn positions(&self) -> &[Vec3] {
+        self.positions
+            .get_or_init(|| self.character.skin(&self.model_from_joint))
+    }
+
+    /// Deformed normals, one per vertex of the mesh; `None` if its triangles are flat.
+    pub fn normals(&self) -> Option<&[Vec3]> {
+        self.normals
+            .get_or_init(|| self.character.skin_normals(&self.model_from_joint))
+            .as_deref()
+    }
+
+    /// Box that contains the mesh, in model space, found without skinning a vertex.
+    pub fn conservative_bounds(&self) -> Aabb {
+        self.character.conservative_bounds(&self.model_from_joint)
+    }
+
+    /// Whether the positions have been computed.
+    pub fn is_worked_out(&self) -> bool {
+        self.positions.get().is_some()
     }
 }
 

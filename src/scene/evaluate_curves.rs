@@ -5,56 +5,57 @@ use crate::geometry::{
 };
 use crate::math::Aabb;
 use glam::Vec3;
+use std::collections::HashSet;
 use std::ops::Range;
 
-/// What follows from a set of curves, in model space. The triangles of all its surfaces are the
-/// mesh of the [`EvaluatedGeometry`], so that whatever draws, picks or exports meshes has them.
+/// Evaluated curves and surfaces, in model space. The triangles of all surfaces are the mesh of the
+/// [`EvaluatedGeometry`], so that whatever draws, picks or exports meshes includes them.
 #[derive(Clone, Debug)]
 pub struct EvaluatedCurves {
-    /// The curves, in the order of the file.
+    /// Curves, in the order of the file.
     pub curves: Vec<EvaluatedCurve>,
-    /// The surfaces, in the order of the file.
+    /// Surfaces, in the order of the file.
     pub surfaces: Vec<EvaluatedSurface>,
-    /// Every edge of every surface once, as indices of vertices of the geometry's mesh: the
-    /// wireframe. Its normals are those of the mesh, one a vertex.
+    /// Wireframe: every edge of every surface once, as indices of vertices of the geometry's mesh.
+    /// Its normals are those of the mesh, one per vertex.
     pub edges: Vec<[u32; 2]>,
 }
 
-/// One evaluated curve.
+/// Evaluated curve.
 #[derive(Clone, Debug)]
 pub struct EvaluatedCurve {
-    /// Its index in the [`CurveSet`].
+    /// Index in the [`CurveSet`].
     pub item: usize,
     /// Points with tangent, normal and binormal, from start to end; a polyline through the
     /// positions is the curve. Frames of a curve that a surface is swept along are the ones that
     /// the surface has.
     pub points: Vec<CurvePoint>,
-    /// The control points; a polyline through them is the control polygon. None for a circle.
+    /// Control points; a polyline through them is the control polygon. Empty for a circle.
     pub control_points: Vec<Vec3>,
-    /// The angle in radians by which the frames were closed, for a curve that a surface is swept
-    /// along and that closes.
+    /// Angle in radians by which the frames were closed, for a closed curve that a surface is swept
+    /// along.
     pub closing_angle: Option<f32>,
 }
 
-/// Where one surface is in the geometry's mesh.
+/// Part of the geometry's mesh that is one surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct EvaluatedSurface {
-    /// Its index in the [`CurveSet`].
+    /// Index in the [`CurveSet`].
     pub item: usize,
-    /// Its vertices.
+    /// Range of its vertices.
     pub vertices: Range<usize>,
-    /// Its triangles.
+    /// Range of its triangles.
     pub triangles: Range<usize>,
 }
 
 impl EvaluatedCurve {
-    /// The curve as a polyline.
+    /// Positions of the points: the curve as a polyline.
     pub fn positions(&self) -> impl ExactSizeIterator<Item = Vec3> {
         self.points.iter().map(|point| point.position)
     }
 }
 
-/// Curves, surfaces and bounds of `shape`.
+/// Evaluates the curves, surfaces and bounds of `shape`.
 pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
     let set = shape.curves();
     let curves = curves(set, shape.frame_closing());
@@ -72,7 +73,7 @@ pub(super) fn evaluate_curves(shape: &CurveShape) -> EvaluatedGeometry {
 }
 
 fn curves(set: &CurveSet, frame_closing: bool) -> Vec<EvaluatedCurve> {
-    let sweeps = set.sweeps();
+    let sweeps: HashSet<usize> = set.sweeps().collect();
     let evaluated = |(item, curve): (usize, &crate::geometry::Curve)| {
         let mut points = curve.evaluate();
         let closing_angle = if frame_closing && sweeps.contains(&item) {
@@ -94,7 +95,7 @@ fn curves(set: &CurveSet, frame_closing: bool) -> Vec<EvaluatedCurve> {
         .collect()
 }
 
-/// All surfaces as one mesh, and which part of it each one is.
+/// All surfaces as one mesh, and the part of it that each one is.
 fn surfaces(set: &CurveSet, curves: &[EvaluatedCurve]) -> (Mesh, Vec<EvaluatedSurface>) {
     let points = |item: usize| {
         curves

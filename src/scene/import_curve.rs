@@ -1,12 +1,11 @@
 use crate::geometry::{Basis, Curve, CurveError, CurveForm, MAX_STEPS};
 use glam::Vec3;
-use std::collections::HashSet;
 
-/// The curves and surfaces of one `.swp` file, in its order; any number of either.
+/// Curves and surfaces of one `.swp` file, in its order; any number of either.
 ///
-/// Surfaces name their curves by index, always of an item before them that is a curve. Names
-/// need not be unique: where a file says a name twice, a surface takes the latest curve of that
-/// name before it.
+/// Surfaces refer to their curves by index, always of an item before them that is a curve. Names
+/// need not be unique: where a file uses a name twice, a surface takes the last curve of that name
+/// before it.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[doc(alias = "ImportCurve")]
 pub struct CurveSet {
@@ -15,55 +14,55 @@ pub struct CurveSet {
     points: usize,
 }
 
-/// One line of a `.swp` file, so to speak.
+/// Curve or surface of a `.swp` file, with its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurveItem {
-    /// Its name, without white space and brackets; `.` by custom where nobody needs one.
+    /// Name, without white space and brackets; by convention `.` where no name is needed.
     pub name: String,
-    /// What it is.
+    /// Curve or surface.
     pub kind: CurveItemKind,
 }
 
 /// A curve, or a surface made from curves.
 #[derive(Clone, Debug, PartialEq)]
 pub enum CurveItemKind {
-    /// `bez2`, `bez3`, `bsp2`, `bsp3` or `circ`.
+    /// Curve: `bez2`, `bez3`, `bsp2`, `bsp3` or `circ`.
     Curve(Curve),
-    /// `srev`: a flat profile turned about +Y.
+    /// Surface of revolution, `srev`: a flat profile turned about +Y.
     Revolution {
         /// Steps of the whole turn.
         steps: u32,
-        /// Index of the item that is turned.
+        /// Index of the profile.
         profile: usize,
     },
-    /// `gcyl`: a flat profile carried along another curve.
+    /// Generalized cylinder, `gcyl`: a flat profile swept along another curve.
     Sweep {
-        /// Index of the item that is carried.
+        /// Index of the profile.
         profile: usize,
-        /// Index of the item that it is carried along.
+        /// Index of the curve that it is swept along.
         sweep: usize,
     },
 }
 
-/// The largest number of points and vertices that all curves and surfaces of a set may have.
+/// Largest number of points and vertices of all curves and surfaces of a set.
 pub const MAX_SET_POINTS: usize = 2_000_000;
 
-/// Why something does not fit into a set of curves.
+/// Reason why something does not fit into a set of curves.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum CurveSetError {
-    /// Numbers that do not make a curve.
+    /// Numbers that do not describe a curve.
     #[error(transparent)]
     Curve(#[from] CurveError),
-    /// An index of no curve, or of a surface.
+    /// Index of a surface, or of nothing.
     #[error("expected the index of a curve, found {0}")]
     NotACurve(usize),
-    /// A profile in space.
+    /// Profile that is not in the plane z = 0.
     #[error("expected a profile in the plane z = 0, found “{0}”, which leaves it")]
     Uneven(String),
-    /// More points than can be kept in memory and drawn.
+    /// Too many points to be kept in memory and drawn.
     #[error("expected at most {MAX_SET_POINTS} points and vertices in all, found {0}")]
     TooLarge(usize),
-    /// A name that would not survive a file.
+    /// Name that cannot be written to a file.
     #[error("expected a name without white space and brackets, found “{0}”")]
     Name(String),
 }
@@ -79,14 +78,14 @@ impl CurveItem {
 }
 
 impl CurveSet {
-    /// A set without curves.
+    /// An empty set.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A set of one curve, for the Insert menu: a Bézier curve or B-spline of four control
-    /// points in the plane z = 0, to be dragged into shape. All of them lie right of the axis,
-    /// so that a surface of revolution of it is a bowl at once and does not run through itself.
+    /// Set of one curve, for the Insert menu: a Bézier curve or B-spline of four control points in
+    /// the plane z = 0, to be dragged into shape. All of them are right of the axis, so that its
+    /// surface of revolution is a bowl and does not intersect itself.
     pub fn start_spline(basis: Basis) -> Self {
         let points = [
             Vec3::new(0.3, -1.0, 0.0),
@@ -97,7 +96,7 @@ impl CurveSet {
         Self::of_one(Curve::spline(basis, false, 20, points.to_vec()))
     }
 
-    /// A set of one circle of radius 1, for the Insert menu.
+    /// Set of one circle of radius 1, for the Insert menu.
     pub fn start_circle() -> Self {
         Self::of_one(Curve::circle(60, 1.0))
     }
@@ -111,28 +110,28 @@ impl CurveSet {
         set
     }
 
-    /// The curves and surfaces, in the order of the file.
+    /// Curves and surfaces, in the order of the file.
     pub fn items(&self) -> &[CurveItem] {
         &self.items
     }
 
-    /// The curve at index `item`, if that is one.
+    /// Curve at index `item`, if that is one.
     pub fn curve(&self, item: usize) -> Option<&Curve> {
         self.items.get(item)?.curve()
     }
 
-    /// Index of the curve that a surface added now would get for `name`.
+    /// Index of the curve that `name` means in a surface that is added now.
     pub fn find(&self, name: &str) -> Option<usize> {
         self.items
             .iter()
             .rposition(|item| item.name == name && item.curve().is_some())
     }
 
-    /// Adds a curve or surface at the end and returns its index.
+    /// Appends a curve or surface and returns its index.
     ///
     /// # Errors
-    /// If a surface names something that is no curve or a profile that is not flat, if the name
-    /// would not survive a file, or if there would be too many points in all.
+    /// If a surface refers to something that is no curve or to a profile that is not flat, if the
+    /// name cannot be written to a file, or if there would be too many points in all.
     pub fn push(&mut self, name: &str, kind: CurveItemKind) -> Result<usize, CurveSetError> {
         let split = |c: char| c.is_whitespace() || c == '[' || c == ']';
         if name.is_empty() || name.contains(split) {
@@ -163,12 +162,12 @@ impl CurveSet {
         Ok(self.items.len() - 1)
     }
 
-    /// The same set with control point `point` of the curve `item` at `position`, in model
-    /// space. Flat curves, and curves that a surface has for its profile, keep z = 0; a curve
-    /// that closes stays closed. A point that does not exist changes nothing.
+    /// The same set with control point `point` of the curve `item` at `position`, in model space.
+    /// Flat curves, and profiles of surfaces, keep z = 0; a closed curve stays closed. A point that
+    /// does not exist changes nothing.
     ///
     /// # Errors
-    /// If `item` is no curve or `position` is no place.
+    /// If `item` is no curve, or `position` is not finite or too large.
     pub fn with_control_point(
         &self,
         item: usize,
@@ -183,7 +182,7 @@ impl CurveSet {
         self.with_kind(item, CurveItemKind::Curve(moved))
     }
 
-    /// The same set with one more control point, or piece, of the curve `item` behind `point` (see
+    /// The same set with one more control point, or piece, of the curve `item` after `point` (see
     /// [`Curve::with_point_after`]).
     ///
     /// # Errors
@@ -194,8 +193,8 @@ impl CurveSet {
         self.with_kind(item, CurveItemKind::Curve(changed))
     }
 
-    /// The same set without control point `point` of the curve `item`, where that can be spared
-    /// (see [`Curve::without_point`]).
+    /// The same set without control point `point` of the curve `item`, if it can be removed (see
+    /// [`Curve::without_point`]).
     ///
     /// # Errors
     /// If `item` is no curve.
@@ -205,8 +204,8 @@ impl CurveSet {
         self.with_kind(item, CurveItemKind::Curve(changed))
     }
 
-    /// The same set without the curve or surface `index`, and without the surfaces made from it.
-    /// An item that does not exist changes nothing.
+    /// The same set without the curve or surface `index`, and without the surfaces made from it. An
+    /// item that does not exist changes nothing.
     pub fn without_item(&self, index: usize) -> Self {
         let mut set = Self::new();
         // Where each of the items that stay is now.
@@ -232,8 +231,8 @@ impl CurveSet {
         set
     }
 
-    /// The same set with `steps` steps: per piece of a curve, of the whole turn of a surface of
-    /// revolution. A sweep has the steps of its curves, and does not change.
+    /// The same set with another number of steps of one item: per piece of a curve, or of the whole
+    /// turn of a surface of revolution. A sweep has the steps of its curves and does not change.
     ///
     /// # Errors
     /// If there is no such item, or there would be no or too many points.
@@ -250,7 +249,7 @@ impl CurveSet {
         self.with_kind(item, kind)
     }
 
-    /// The same set with a circle of another radius. A spline does not change.
+    /// The same set with another radius of a circle, in model space. A spline does not change.
     ///
     /// # Errors
     /// If `item` is no curve or `radius` is not finite or too large.
@@ -263,7 +262,7 @@ impl CurveSet {
         self.with_kind(item, CurveItemKind::Curve(changed))
     }
 
-    /// Whether a surface has the curve `item` for its profile.
+    /// Whether the curve `item` is the profile of a surface.
     pub fn is_profile(&self, item: usize) -> bool {
         self.items.iter().any(|other| match other.kind {
             CurveItemKind::Curve(_) => false,
@@ -275,18 +274,15 @@ impl CurveSet {
 
     /// Whether a surface is swept along the curve `item`.
     pub fn is_sweep(&self, item: usize) -> bool {
-        self.items
-            .iter()
-            .any(|other| matches!(other.kind, CurveItemKind::Sweep { sweep, .. } if sweep == item))
+        self.sweeps().any(|sweep| sweep == item)
     }
 
-    /// The curves that a surface is swept along, as [`CurveSet::is_sweep`] says of one.
-    pub fn sweeps(&self) -> HashSet<usize> {
-        let sweep = |item: &CurveItem| match item.kind {
+    /// Indices of the curves that a surface is swept along, one per surface.
+    pub fn sweeps(&self) -> impl Iterator<Item = usize> {
+        self.items.iter().filter_map(|item| match item.kind {
             CurveItemKind::Sweep { sweep, .. } => Some(sweep),
-            _ => None,
-        };
-        self.items.iter().filter_map(sweep).collect()
+            CurveItemKind::Curve(_) | CurveItemKind::Revolution { .. } => None,
+        })
     }
 
     /// A name that no item has, made from `base`.
@@ -301,7 +297,7 @@ impl CurveSet {
             .unwrap_or_else(|| base.to_owned())
     }
 
-    /// Everything pushed anew with one item replaced, so that every check is made again.
+    /// The same set with one item replaced, built anew so that every check is made again.
     fn with_kind(&self, index: usize, kind: CurveItemKind) -> Result<Self, CurveSetError> {
         let mut set = Self::new();
         for (i, item) in self.items.iter().enumerate() {
@@ -323,7 +319,7 @@ impl CurveSet {
         }
     }
 
-    /// How many points or vertices `kind` has at most.
+    /// Upper bound of the number of points or vertices of `kind`.
     fn cost(&self, kind: &CurveItemKind) -> usize {
         let points = |item: usize| self.curve(item).map_or(0, Curve::max_points);
         match kind {

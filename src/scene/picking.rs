@@ -1,16 +1,16 @@
-use super::curve_picking::nearest_curve;
-use super::{Evaluated, EvaluatedShape, ShapeId};
+use super::{Camera, Evaluated, EvaluatedShape, Scene, ShapeId, ShapeKind};
 use crate::geometry::nearest_triangle;
-use crate::math::Ray;
+use crate::math::{Cylinder, Ray};
+use glam::{Vec2, Vec3};
 
-/// Share by which distances to the same place may differ.
+/// Relative error of distances to the same point.
 const ROUNDING: f32 = 1e-4;
 
-/// The shape whose surface `ray`, in the world, meets first, or whose curve it first passes close
-/// by, with the distance along the ray. It passes through shapes that are hidden or locked.
+/// Picks the shape whose surface `ray`, in the world, meets first, or whose curve it first passes
+/// close to; with the distance along the ray. Shapes that are hidden or locked are ignored.
 ///
-/// A character shown as a skeleton is picked by its mesh all the same: thin bones are hard to
-/// hit and nothing else stands in that place.
+/// A character shown as a skeleton is picked by its mesh all the same: thin bones are hard to hit,
+/// and nothing else is in that place.
 pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
     let shapes = evaluated.shapes.iter().filter(|shape| shape.pickable);
     let mut nearest = None;
@@ -22,13 +22,13 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
         }
         nearest.map_or(f32::INFINITY, |(_, least)| least)
     };
-    // Boxes first, and the meshes in the order in which the ray comes to them: what lies behind a
-    // hit is not looked at, and characters that the pointer is not near are not skinned.
+    // Boxes first, then the meshes in the order in which the ray enters their boxes: those behind a
+    // hit are not tested, and characters that the pointer is not near are not skinned.
     let mut boxes = Vec::new();
     for shape in shapes {
         keep(shape.id, nearest_curve(shape, ray));
         let model_ray = ray.transformed(shape.world_from_model.inverse());
-        if let Some(entry) = model_ray.entry(&shape.geometry.reach()) {
+        if let Some(entry) = model_ray.entry(&shape.geometry.conservative_bounds()) {
             boxes.push((entry, shape, model_ray));
         }
     }
@@ -44,22 +44,166 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
     nearest
 }
 
-/// Where `ray`, in the shape's own space, first meets its surface.
+/// Distance at which `ray`, in model space, first meets the surface of `shape`.
 fn nearest_surface(shape: &EvaluatedShape, model_ray: &Ray) -> Option<f32> {
     let geometry = &shape.geometry;
     let (_, hit) = nearest_triangle(model_ray, geometry.positions(), &geometry.mesh.triangles)?;
     Some(hit.distance)
 }
 
+/// Distance from the ray up to which a curve is picked, relative to its distance from the eye:
+/// about seven pixels of an 800×600 picture at the initial field of view.
+const LINE_REACH: f32 = 0.01;
+/// Distance from a control point, in pixels, up to which it is picked.
+const POINT_REACH: f32 = 8.0;
+
+/// Picks the control point of `shape` at `pixel`, from the top left, in a picture of `size`: the
+/// indices of its curve in the [`super::CurveSet`] and of the point in the curve. Of several within
+/// reach the nearest in the picture; of points in one place the first. `None` if the shape is
+/// hidden or locked.
+pub fn pick_control_point(
+    shape: &EvaluatedShape,
+    camera: &Camera,
+    pixel: Vec2,
+    size: Vec2,
+) -> Option<(usize, usize)> {
+    let mut nearest = None;
+    let mut reach = POINT_REACH;
+    if !shape.pickable {
+        return None;
+    }
+    let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
+    for curve in curves {
+        for (point, &position) in curve.control_points.iter().enumerate() {
+            let world = shape.world_from_model.transform_point3(position);
+            let place = camera.pixel(world, size);
+            let Some(place) = place.filter(|_| camera.is_in_depth(world)) else {
+                continue;
+            };
+            if place.distance(pixel) < reach {
+                reach = place.distance(pixel);
+                nearest = Some((curve.item, point));
+            }
+        }
+    }
+    nearest
+}
+
+/// Distance at which `ray`, in the world, first passes within reach of a curve of `shape`.
+fn nearest_curve(shape: &EvaluatedShape, ray: &Ray) -> Option<f32> {
+    let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
+    let segments = curves.flat_map(|curve| curve.points.windows(2));
+    segments
+        .filter_map(|pair| {
+            let [a, b] = [&pair[0], &pair[1]]
+                .map(|point| shape.world_from_model.transform_point3(point.position));
+            passing(ray, ray.nearest_on_segment(a, b))
+        })
+        .min_by(f32::total_cmp)
+}
+
+/// Distance at which `ray` passes `point`; `None` behind the eye and out of reach.
+fn passing(ray: &Ray, point: Vec3) -> Option<f32> {
+    let distance = (point - ray.origin).dot(ray.direction) / ray.direction.length_squared();
+    let far = distance * ray.direction.length();
+    let miss = ray.at(distance).distance(point) / far;
+    (distance > 0.0 && miss <= LINE_REACH).then_some(distance)
+}
+
+/// Radius of the cylinder around a bone by which it is picked, in the character's space.
+const BONE_RADIUS: f32 = 0.1;
+/// Upper bound of that radius, relative to the bone's length: the cylinders of fingers would
+/// otherwise hide each other and the hand.
+const MOST_OF_LENGTH: f32 = 0.4;
+/// Lower bound of that radius on the screen, in pixels, so that thin rigs can be picked.
+const LEAST_PIXELS: f32 = 8.0;
+
+/// Bone under the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoneHit {
+    /// Identifier of the character.
+    pub shape: ShapeId,
+    /// Index of the joint that turns the bone.
+    pub joint: usize,
+    /// Index in [`crate::character::Character::bones`].
+    pub bone: usize,
+    /// Distance from the eye, in the world, along the ray under the pointer.
+    pub distance: f32,
+    /// Intersection of that ray with the bone's cylinder, in the world.
+    pub point: Vec3,
+}
+
+/// Bones of an evaluated character, in the order of [`crate::character::Character::bones`]: the
+/// index of the joint, and both ends in the world. Empty if the shape is no character.
+pub fn bones_in_world<'a>(
+    scene: &'a Scene,
+    evaluated: &'a EvaluatedShape,
+) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
+    let world = evaluated.world_from_model;
+    let figure = evaluated.geometry.figure.as_ref();
+    let bones = scene
+        .character(evaluated.id)
+        .map_or(&[][..], |character| character.character.bones());
+    bones.iter().filter_map(move |bone| {
+        let (start, end) = bone.ends(&figure?.model_from_joint)?;
+        let (start, end) = (world.transform_point3(start), world.transform_point3(end));
+        Some((bone.joint, start, end))
+    })
+}
+
+/// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
+/// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
+/// bones, and never so thin that it is hard to hit. Characters that are hidden or locked are
+/// ignored.
+pub fn pick_bone(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    camera: &Camera,
+    pixel: Vec2,
+    size: Vec2,
+) -> Option<BoneHit> {
+    let ray = camera.ray(pixel, size);
+    let characters = scene
+        .shapes()
+        .iter()
+        .zip(&evaluated.shapes)
+        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
+        .filter(|(_, evaluated)| evaluated.pickable);
+    let hits = characters.flat_map(|(_, shape)| {
+        let determinant = shape.world_from_model.determinant();
+        let radius = BONE_RADIUS * determinant.abs().cbrt();
+        bones_in_world(scene, shape)
+            .enumerate()
+            .filter_map(move |(bone, (joint, start, end))| {
+                let nearest = ray.nearest_on_segment(start, end);
+                let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
+                let least = LEAST_PIXELS * camera.pixel_at_depth(depth, size.y);
+                let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
+                let cylinder = Cylinder {
+                    start,
+                    end,
+                    radius: radius.max(least),
+                };
+                let distance = cylinder.entry(&ray)?;
+                Some(BoneHit {
+                    shape: shape.id,
+                    joint,
+                    bone,
+                    distance,
+                    point: ray.at(distance),
+                })
+            })
+    });
+    hits.min_by(|a, b| a.distance.total_cmp(&b.distance))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
-    use crate::geometry::Mesh;
+    use crate::geometry::{Basis, Mesh};
     use crate::math::{Euler, Transform};
-    use crate::scene::NewShape;
-    use crate::scene::{CharacterShape, Evaluator, Scene, ShapeKind};
-    use glam::Vec3;
+    use crate::scene::{CharacterShape, CurveSet, CurveShape, Evaluator, NewShape};
     use proptest::prelude::*;
     use std::sync::Arc;
 
@@ -85,8 +229,8 @@ mod tests {
         assert_eq!(pick_shape(&evaluated, &ray(4.0)), None);
     }
 
-    /// Two triangles, one held by each of two joints, a third shared by both with weights that
-    /// sum to less than one.
+    /// Two triangles, one held by each of two joints, a third shared by both with weights that sum
+    /// to less than one.
     fn character(bend: f32) -> ShapeKind {
         let joint = |parent, offset| Joint {
             parent,
@@ -203,5 +347,69 @@ mod tests {
         assert!(!deformation.is_worked_out());
         let found = pick_shape(&evaluated, &ray(0.75, 0.1)).map(|(shape, _)| shape);
         assert_eq!(found, Some(id));
+    }
+
+    fn scene(set: CurveSet) -> (Evaluated, ShapeId) {
+        let mut scene = Scene::new();
+        let kind = ShapeKind::Curve(CurveShape::new(set));
+        let id = scene.add(NewShape::new("Curve", kind));
+        if let Some(shape) = scene.shape_mut(id) {
+            shape.placement.transform.position = Vec3::Y;
+        }
+        (Evaluator::new().evaluate(&scene, 0.0), id)
+    }
+
+    fn from_the_front(x: f32, y: f32) -> Ray {
+        Ray {
+            origin: Vec3::new(x, y, 5.0),
+            direction: -Vec3::Z,
+        }
+    }
+
+    #[test]
+    fn a_curve_without_a_surface_is_picked_by_its_line() {
+        let (evaluated, id) = scene(CurveSet::start_circle());
+        let pick = |x, y| pick_shape(&evaluated, &from_the_front(x, y)).map(|(id, _)| id);
+        assert_eq!(pick(1.02, 1.0), Some(id));
+        assert_eq!(pick(0.0, 2.0), Some(id));
+        assert_eq!(pick(0.0, 1.0), None);
+        assert_eq!(pick(1.1, 1.0), None);
+    }
+
+    #[test]
+    fn a_line_behind_the_eye_is_not_picked() {
+        let (evaluated, _) = scene(CurveSet::start_circle());
+        let away = Ray {
+            origin: Vec3::new(1.0, 1.0, 5.0),
+            direction: Vec3::Z,
+        };
+        assert_eq!(pick_shape(&evaluated, &away), None);
+    }
+
+    #[test]
+    fn the_control_point_closest_to_the_pointer_is_picked() {
+        let (evaluated, _) = scene(CurveSet::start_spline(Basis::Bezier));
+        let (shape, size) = (&evaluated.shapes[0], Vec2::new(800.0, 600.0));
+        let camera = Camera::default();
+        let pick = |pixel| pick_control_point(shape, &camera, pixel, size);
+        let at = camera.pixel(Vec3::new(1.4, 0.5, 0.0), size).unwrap();
+        assert_eq!(pick(at + Vec2::new(5.0, -6.0)), Some((0, 1)));
+        assert_eq!(pick(at + Vec2::new(6.0, -6.0)), None);
+    }
+
+    #[test]
+    fn a_control_point_in_front_of_the_near_plane_is_not_picked() {
+        let (evaluated, _) = scene(CurveSet::start_spline(Basis::Bezier));
+        let point = Vec3::new(1.4, 0.5, 0.0);
+        let size = Vec2::new(800.0, 600.0);
+        for (radius, picked) in [(0.5, Some((0, 1))), (0.09, None)] {
+            let camera = Camera {
+                target: point,
+                radius,
+                ..Camera::default()
+            };
+            let pick = pick_control_point(&evaluated.shapes[0], &camera, size * 0.5, size);
+            assert_eq!(pick, picked);
+        }
     }
 }

@@ -1,12 +1,9 @@
-use super::kept_pose::{self, KeptPose};
-use super::{CurveShape, ShapeColor, custom};
-use crate::character::{Character, Pose};
+use super::{CharacterShape, CurveShape, ShapeColor, custom};
 use crate::geometry::{self, Mesh, SharedMesh};
 use crate::math::Transform;
-use crate::revision::Revision;
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
-/// Names a shape for as long as its scene is open; from 1, never reused.
+/// Identifier of a shape while its scene is open; from 1, never reused.
 #[derive(
     Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize,
 )]
@@ -19,31 +16,31 @@ impl std::fmt::Display for ShapeId {
     }
 }
 
-/// One thing in the scene. Equal shapes are drawn alike and behave alike: heavy data counts as
-/// equal where its revision is.
+/// Shape in the scene. Equal shapes are drawn alike and behave alike: heavy data is equal if its
+/// revision is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Its identity.
+    /// Identifier.
     pub id: ShapeId,
-    /// What the list calls it.
+    /// Name in the list of shapes.
     pub name: String,
-    /// What it is.
+    /// Geometry, and for characters and curves pose and display.
     pub kind: ShapeKind,
-    /// Where it came from, so that a scene file can name it; `None` for shapes made in code.
+    /// File that it came from, for scene files; `None` for shapes made in code.
     pub source: Option<Source>,
-    /// What Reset brings back: the placement and color that it started with.
+    /// Placement and color that Reset restores.
     pub start: Placement,
-    /// Its placement and color now.
+    /// Current placement and color.
     pub placement: Placement,
-    /// Whether it is drawn. One that is not cannot be picked either, nor does it count when the
-    /// view is fitted to everything; exports have it all the same.
+    /// Whether it is drawn. A hidden shape cannot be picked either and is ignored when the view is
+    /// fitted to everything; it is exported all the same.
     pub visible: bool,
-    /// Whether the pointer passes through it in the view: it is not picked, posed or moved there.
-    /// Panels and keys change it all the same.
+    /// Whether it is ignored by the pointer in the view: not picked, posed or moved there. Panels
+    /// and keys change it all the same.
     pub locked: bool,
 }
 
-/// A shape before it is in a scene: everything but its id.
+/// Shape before it is added to a scene: everything but its identifier.
 #[derive(Clone, Debug)]
 pub struct NewShape {
     /// Name for the list of shapes.
@@ -52,7 +49,7 @@ pub struct NewShape {
     pub kind: ShapeKind,
     /// File that it came from; `None` for shapes made in code.
     pub source: Option<Source>,
-    /// Placement and color, which Reset brings back later.
+    /// Placement and color, which Reset restores later.
     pub placement: Placement,
     /// See [`Shape::visible`].
     pub visible: bool,
@@ -82,19 +79,19 @@ impl NewShape {
     }
 }
 
-/// What every shape has: where it stands and its color.
+/// Placement of a shape in the world, with its color.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Placement {
-    /// From model space to the world.
+    /// Transform from model space to the world.
     pub transform: Transform,
     /// Whether the panel scales all axes together.
     pub uniform_scaling: bool,
-    /// Color of its surface.
+    /// Color of the surface.
     pub color: ShapeColor,
 }
 
 impl Placement {
-    /// At the origin at its own size, in preset color `preset`.
+    /// Placement at the origin, not rotated or scaled, with the color preset of index `preset`.
     pub fn at_origin(preset: usize) -> Self {
         Self {
             transform: Transform::IDENTITY,
@@ -104,34 +101,34 @@ impl Placement {
     }
 }
 
-/// Where an imported shape came from.
+/// File that a shape was imported from.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(transparent)]
 pub struct Source(
-    /// A path, or `builtin:NAME`.
+    /// Path, or `builtin:NAME`.
     pub String,
 );
 
-/// The closed set of things that a scene holds.
+/// Kind of a shape, with its data.
 #[derive(Clone, Debug)]
 pub enum ShapeKind {
-    /// ±0.5 on each axis.
+    /// Cube of ±0.5 on each axis.
     Cube,
-    /// Radius 0.5.
+    /// Sphere of radius 0.5.
     Sphere,
-    /// Square base, apex up.
+    /// Pyramid with a square base, apex up.
     Pyramid,
-    /// Newell's, from its patches.
+    /// Newell's teapot.
     Teapot,
-    /// Twenty faces.
+    /// Regular icosahedron.
     Icosahedron,
     /// The shape that [`custom::custom_shape`] makes.
     Custom,
-    /// Import Shape.
+    /// Imported mesh.
     Mesh(SharedMesh),
-    /// Import Character.
+    /// Imported character.
     Character(CharacterShape),
-    /// Import Curve.
+    /// Curves and surfaces, imported or drawn.
     Curve(CurveShape),
 }
 
@@ -157,149 +154,8 @@ impl PartialEq for ShapeKind {
     }
 }
 
-/// A character in the scene: what was imported, and how it is posed and shown.
-#[derive(Clone, Debug)]
-pub struct CharacterShape {
-    /// Skeleton, weights and bind mesh, shared with copies and older states.
-    pub character: Arc<Character>,
-    /// Its joints' angles. Change it through [`CharacterShape::set_pose`].
-    pose: Pose,
-    pose_revision: Revision,
-    poses: Vec<KeptPose>,
-    /// How it is drawn.
-    pub display: CharacterDisplay,
-}
-
-/// How a character is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct CharacterDisplay {
-    /// Skeleton, mesh or both.
-    pub mode: ModelDisplay,
-    /// How joints are drawn.
-    pub joints: JointStyle,
-    /// How bones are drawn.
-    pub bones: BoneStyle,
-    /// Diameter of joints drawn as points, in pixels.
-    pub point_size: f32,
-    /// Width of bones drawn as lines, in pixels; 1 is a plain GL line.
-    pub line_width: f32,
-}
-
-impl Default for CharacterDisplay {
-    fn default() -> Self {
-        Self {
-            mode: ModelDisplay::Mesh,
-            joints: JointStyle::Spheres,
-            bones: BoneStyle::Boxes,
-            point_size: 8.0,
-            line_width: 1.0,
-        }
-    }
-}
-
-/// What the panel calls Model Display Mode.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ModelDisplay {
-    /// Joints and bones.
-    Skeleton,
-    /// The deformed mesh.
-    Mesh,
-    /// The mesh with the skeleton seen through it.
-    Both,
-}
-
-/// How joints are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum JointStyle {
-    /// Round points of a fixed size on screen.
-    Points,
-    /// Spheres of radius 0.02 in the character's space.
-    Spheres,
-}
-
-/// How bones are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum BoneStyle {
-    /// Lines of a fixed width on screen.
-    Lines,
-    /// Boxes of half-width 0.01 in the character's space.
-    Boxes,
-}
-
-impl PartialEq for CharacterShape {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.character, &other.character)
-            && self.pose == other.pose
-            && self.poses == other.poses
-            && self.display == other.display
-    }
-}
-
-impl CharacterShape {
-    /// `character` in its bind pose.
-    pub fn new(character: Arc<Character>) -> Self {
-        Self {
-            character,
-            pose: Pose::new(),
-            pose_revision: Revision::new(),
-            poses: Vec::new(),
-            display: CharacterDisplay::default(),
-        }
-    }
-
-    /// The joints' angles.
-    pub fn pose(&self) -> &Pose {
-        &self.pose
-    }
-
-    /// The joints' angles at a time of playback, in seconds. A character keeps one pose for all
-    /// time so far.
-    pub fn pose_at(&self, _time: f64) -> &Pose {
-        &self.pose
-    }
-
-    /// Changes with every change of the pose.
-    pub fn pose_revision(&self) -> Revision {
-        self.pose_revision
-    }
-
-    /// The poses that are kept with it, in the order in which they were.
-    pub fn poses(&self) -> &[KeptPose] {
-        &self.poses
-    }
-
-    /// Keeps the current pose under `name`, in place of the one of that name if there is one.
-    pub fn keep_pose(&mut self, name: String) {
-        kept_pose::keep(&mut self.poses, name, self.pose.clone());
-    }
-
-    /// Takes a kept pose off the list; nothing if there is none with this index.
-    pub fn forget_pose(&mut self, index: usize) {
-        if index < self.poses.len() {
-            self.poses.remove(index);
-        }
-    }
-
-    /// `Pose 1` and so on: the first name that no kept pose has.
-    pub fn free_pose_name(&self) -> String {
-        kept_pose::free_name(&self.poses)
-    }
-
-    /// Replaces the pose; one that is the same changes nothing.
-    pub fn set_pose(&mut self, pose: Pose) {
-        if pose != self.pose {
-            self.pose = pose;
-            self.pose_revision = Revision::new();
-        }
-    }
-}
-
 impl ShapeKind {
-    /// The name that the Insert menu and scene files have for it.
+    /// Name of the kind, as in the Insert menu.
     pub fn label(&self) -> &'static str {
         match self {
             Self::Cube => "Cube",
@@ -314,7 +170,7 @@ impl ShapeKind {
         }
     }
 
-    /// The preset color a new one has.
+    /// Index of the color preset of a new shape.
     pub fn start_color(&self) -> usize {
         match self {
             Self::Cube => 2,
@@ -331,7 +187,8 @@ impl ShapeKind {
         }
     }
 
-    /// Its mesh, undeformed; empty for curves, whose surfaces only [`super::Evaluator`] makes.
+    /// Mesh of the shape, undeformed; empty for curves, whose surfaces only [`super::Evaluator`]
+    /// makes.
     pub fn mesh(&self) -> SharedMesh {
         static CUBE: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(geometry::cube()));
         static SPHERE: LazyLock<SharedMesh> =

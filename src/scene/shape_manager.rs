@@ -1,6 +1,6 @@
 use super::{CharacterShape, CurveShape, NewShape, Shape, ShapeId, ShapeKind};
 
-/// The scene: the list of shapes, in the order they were made.
+/// Scene: the list of shapes, in the order in which they were added.
 #[derive(Clone, Debug, PartialEq)]
 #[doc(alias = "ShapeManager")]
 pub struct Scene {
@@ -18,27 +18,27 @@ impl Default for Scene {
 }
 
 impl Scene {
-    /// A scene without shapes.
+    /// An empty scene.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The shapes, in the order they were made.
+    /// Shapes, in the order in which they were added.
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes
     }
 
-    /// The shape called `id`.
+    /// Shape of this identifier.
     pub fn shape(&self, id: ShapeId) -> Option<&Shape> {
         self.shapes.iter().find(|shape| shape.id == id)
     }
 
-    /// The shape called `id`, to be changed.
+    /// Shape of this identifier, to be changed.
     pub fn shape_mut(&mut self, id: ShapeId) -> Option<&mut Shape> {
         self.shapes.iter_mut().find(|shape| shape.id == id)
     }
 
-    /// The character called `id`, if it is one.
+    /// Shape of this identifier, if it is a character.
     pub fn character(&self, id: ShapeId) -> Option<&CharacterShape> {
         match &self.shape(id)?.kind {
             ShapeKind::Character(character) => Some(character),
@@ -46,7 +46,7 @@ impl Scene {
         }
     }
 
-    /// The character called `id`, to be changed, if it is one.
+    /// Shape of this identifier, if it is a character, to be changed.
     pub fn character_mut(&mut self, id: ShapeId) -> Option<&mut CharacterShape> {
         match &mut self.shape_mut(id)?.kind {
             ShapeKind::Character(character) => Some(character),
@@ -54,7 +54,7 @@ impl Scene {
         }
     }
 
-    /// The curves called `id`, if it is some.
+    /// Shape of this identifier, if it is made of curves.
     pub fn curve(&self, id: ShapeId) -> Option<&CurveShape> {
         match &self.shape(id)?.kind {
             ShapeKind::Curve(curve) => Some(curve),
@@ -62,7 +62,7 @@ impl Scene {
         }
     }
 
-    /// The curves called `id`, to be changed, if it is some.
+    /// Shape of this identifier, if it is made of curves, to be changed.
     pub fn curve_mut(&mut self, id: ShapeId) -> Option<&mut CurveShape> {
         match &mut self.shape_mut(id)?.kind {
             ShapeKind::Curve(curve) => Some(curve),
@@ -70,7 +70,7 @@ impl Scene {
         }
     }
 
-    /// Adds a shape at the end of the list, and returns its new id.
+    /// Appends a shape and returns its new identifier.
     pub fn add(&mut self, new: NewShape) -> ShapeId {
         let id = ShapeId(self.next_id);
         self.next_id += 1;
@@ -87,13 +87,14 @@ impl Scene {
         id
     }
 
-    /// Takes a shape away. Its id is not used again.
+    /// Removes a shape and returns it. Its identifier is not used again.
     pub fn delete(&mut self, id: ShapeId) -> Option<Shape> {
         let index = self.shapes.iter().position(|shape| shape.id == id)?;
         Some(self.shapes.remove(index))
     }
 
-    /// Puts position, scale, rotation, color and joint angles back to how the shape started.
+    /// Restores the placement and color that the shape started with, and the bind pose of a
+    /// character.
     pub fn reset(&mut self, id: ShapeId) {
         if let Some(shape) = self.shape_mut(id) {
             shape.placement = shape.start;
@@ -120,7 +121,7 @@ impl FromIterator<NewShape> for Scene {
     }
 }
 
-/// The name that an imported file gets in the list: its stem, first letter upper, rest lower.
+/// Name of an imported shape: the stem of its file, first letter in upper, the rest in lower case.
 pub fn name_of_import(stem: &str) -> String {
     let mut letters = stem.chars();
     match letters.next() {

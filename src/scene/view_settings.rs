@@ -1,18 +1,19 @@
 use super::Camera;
+use std::f32::consts::{FRAC_PI_2, PI};
 
-/// How the scene is looked at: everything about a picture that is not in the scene itself.
+/// View: everything about a picture that is not in the scene itself.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(default)]
 pub struct ViewSettings {
-    /// Where from.
+    /// Camera.
     pub camera: Camera,
-    /// Light and background.
+    /// Lights and background.
     pub look: Look,
     /// Whether the axes are drawn.
     pub axis: bool,
     /// Whether the Studio look draws its grid on the ground, and the Mannequin look its floor.
     pub grid: bool,
-    /// Facetted, smooth, or as the mesh has it.
+    /// Normals that surfaces are shaded with.
     pub shading: Shading,
 }
 
@@ -28,41 +29,95 @@ impl Default for ViewSettings {
     }
 }
 
-/// A set of lights with a background.
+/// Lights with a background.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Look {
-    /// The course's: one light, and highlights as seen from the world's origin, so that pictures
-    /// can be compared with the course's program.
+    /// The course editor's: one light, and highlights as seen from the world's origin, so that
+    /// pictures can be compared with that program.
     #[default]
     Course,
-    /// Key, fill and rim light with highlights for the real eye, and a grid on the ground.
+    /// Key, fill and rim light with highlights for the actual eye, and a grid on the ground.
     Studio,
     /// The Virtual Mannequin's: surfaces in the colors of their normals, a checkered floor, and
     /// bones as red lines over everything.
     Mannequin,
 }
 
-/// Which normals a surface is lit with.
+/// Normals that a surface is shaded with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Shading {
-    /// The mesh's own normals; facetted where it has none, as characters have it.
+    /// The mesh's own normals; flat triangles where it has none, as in characters.
     #[default]
     AsAuthored,
-    /// One normal a triangle.
+    /// One normal per triangle.
     Flat,
-    /// One normal a vertex, the mean of the faces around it where the mesh has none.
+    /// One normal per vertex, the mean of the faces around it where the mesh has none.
     Smooth,
 }
 
-/// Where the meshes of characters are deformed for drawing. Both ways apply every influence and
-/// agree to rounding.
+/// Processor that skins the meshes of characters for drawing. Both apply every influence and agree
+/// up to rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Skinning {
-    /// On the processor, which uploads the vertices: faster where it draws them, too.
+    /// The CPU, which uploads the vertices: faster where it also draws them.
     Cpu,
-    /// On the graphics card, in a vertex shader.
+    /// The graphics card, in a vertex shader.
     Gpu,
+}
+
+/// Direction of the six views of the View menu, named for the side from which they look.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ViewDirection {
+    /// Seen from +X.
+    PlusX,
+    /// Seen from −X.
+    MinusX,
+    /// Seen from above, with +X to the right.
+    PlusY,
+    /// Seen from below, with +X to the right.
+    MinusY,
+    /// Seen from +Z.
+    PlusZ,
+    /// Seen from −Z.
+    MinusZ,
+}
+
+impl ViewDirection {
+    /// All six, in the order of the menu.
+    pub const ALL: [Self; 6] = [
+        Self::PlusX,
+        Self::MinusX,
+        Self::PlusY,
+        Self::MinusY,
+        Self::PlusZ,
+        Self::MinusZ,
+    ];
+
+    /// Name: `+X`, `-X`, ….
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::PlusX => "+X",
+            Self::MinusX => "-X",
+            Self::PlusY => "+Y",
+            Self::MinusY => "-Y",
+            Self::PlusZ => "+Z",
+            Self::MinusZ => "-Z",
+        }
+    }
+
+    /// Angles θ and φ of the camera, radians. Seen from straight above or below, θ is the roll of
+    /// the picture: at 90° +X is to the right.
+    pub(super) fn angles(self) -> (f32, f32) {
+        match self {
+            Self::PlusX => (0.0, 0.0),
+            Self::MinusX => (PI, 0.0),
+            Self::PlusY => (FRAC_PI_2, FRAC_PI_2),
+            Self::MinusY => (FRAC_PI_2, -FRAC_PI_2),
+            Self::PlusZ => (FRAC_PI_2, 0.0),
+            Self::MinusZ => (-FRAC_PI_2, 0.0),
+        }
+    }
 }

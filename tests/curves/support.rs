@@ -1,6 +1,6 @@
+use editor_core::geometry::CurveFrame;
 use editor_core::geometry::{Basis, Curve, CurvePoint, Mesh};
 use editor_core::io::read_swp;
-use editor_core::math::Frame;
 use editor_core::scene::NewShape;
 use editor_core::scene::{CurveSet, CurveShape, EvaluatedGeometry, Evaluator, Scene, ShapeKind};
 use glam::Vec3;
@@ -45,7 +45,7 @@ pub fn half_circle(radius: f32, steps: u32) -> Vec<CurvePoint> {
             let out = Vec3::new(angle.cos() as f32, angle.sin() as f32, 0.0);
             CurvePoint {
                 position: out * radius,
-                frame: Frame {
+                frame: CurveFrame {
                     tangent: Vec3::new(-out.y, out.x, 0.0),
                     normal: -out,
                     binormal: Vec3::Z,

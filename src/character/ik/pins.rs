@@ -1,23 +1,22 @@
-use super::frames::frame;
-use super::{IkChain, IkGoal};
+use super::chain::{IkChain, IkGoal, frame, orient};
 use crate::character::{Pose, SkeletalModel};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
-/// A pinned joint that has moved or turned by less than this (of the skeleton's own units, or
-/// radians) has not.
+/// Movement (in units of model space) or rotation (in entries of the matrix) of a pinned joint
+/// below which it counts as still.
 const STILL: f64 = 1e-6;
 
-/// A pin that cannot be brought nearer than this by some joints needs more of them.
+/// Distance, in model space, from its place beyond which more joints are needed to hold a pin.
 const HELD: f32 = 1e-5;
 
-/// Brings pinned joints back to where they were, and turned as they were, in model space, after
-/// others have been turned or moved: `before` is the pose of then, `after` that of now.
+/// Returns the pose `after` with pinned joints back at the position and orientation, in model
+/// space, that they have under `before`.
 ///
-/// The joints above a pin make up for what those of `busy` did, which are left alone, as are
-/// joints above several pins: the two next to it if they can, as those of an arm or a leg; else
-/// the whole limb, up to where others branch off; else as many as there are, but for those that
-/// would turn the whole figure. A pin that gets out of reach is pointed at.
+/// The joints above a pin compensate for what the joints of `busy` did, which do not change, nor do
+/// joints above several pins: the two next to it if that is enough, as in an arm or a leg; else the
+/// whole limb, up to where others branch off; else all of them except those that would turn the
+/// whole figure. The limb of a pin out of reach points at it.
 pub fn hold_pins(
     skeleton: &SkeletalModel,
     before: &Pose,
@@ -27,7 +26,7 @@ pub fn hold_pins(
 ) -> Pose {
     let mut pose = after.clone();
     let exists = |pin: &usize| *pin < skeleton.joints().len() && !busy.contains(pin);
-    // From the roots outwards: what brings back a pin takes along those below it.
+    // From the roots outward: moving back a pin moves those below it.
     let mut order: Vec<usize> = pins.iter().copied().filter(exists).collect();
     order.sort_by_key(|&pin| above(skeleton, pin).count());
     let mut fixed = above_several(skeleton, &order);
@@ -37,14 +36,15 @@ pub fn hold_pins(
         let now = frame(skeleton, &pose, Some(pin));
         let moved = !was.origin.abs_diff_eq(now.origin, STILL);
         if moved || !was.rotation.abs_diff_eq(now.rotation, STILL) {
-            pose = brought_back(skeleton, before, pose, pin, was.origin, &fixed);
-            super::solve::orient(skeleton, &mut pose, pin, was.rotation);
+            pose = restore_position(skeleton, before, pose, pin, was.origin, &fixed);
+            orient(skeleton, &mut pose, pin, was.rotation);
         }
     }
     pose
 }
 
-fn brought_back(
+/// Moves `pin` back to `place`, in model space, by the joints above it that are not `fixed`.
+fn restore_position(
     skeleton: &SkeletalModel,
     before: &Pose,
     mut pose: Pose,
@@ -56,7 +56,7 @@ fn brought_back(
     let branches = |joint: &usize| skeleton.children(*joint).len() > 1;
     let mut limb = fixed.clone();
     limb.extend(above(skeleton, pin).filter(branches));
-    // A step too long for the legs shall not tip the figure over.
+    // A step that is too long for the legs must not tip the figure over.
     let mut figure = fixed.clone();
     if let Some(base) = above(skeleton, pin).filter(branches).last() {
         figure.insert(base);
@@ -75,13 +75,13 @@ fn brought_back(
     pose
 }
 
-/// The joints above one, the nearest first.
+/// Indices of the joints above one, the nearest first.
 fn above(skeleton: &SkeletalModel, joint: usize) -> impl Iterator<Item = usize> {
     let parent = |&joint: &usize| skeleton.joints()[joint].parent;
     std::iter::successors(parent(&joint), parent)
 }
 
-/// The joints that are above two pins or more.
+/// Indices of the joints that are above two pins or more.
 fn above_several(skeleton: &SkeletalModel, pins: &[usize]) -> BTreeSet<usize> {
     let mut once = BTreeSet::new();
     let all = pins.iter().flat_map(|&pin| above(skeleton, pin));

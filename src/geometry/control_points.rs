@@ -1,14 +1,38 @@
-//! Control points added to a curve and taken away, in whole pieces.
+//! Editing of control points: moving, adding and removing them, in whole pieces.
 
-use super::curve::{Basis, Curve, CurveError, CurveForm, repeated, repeats_its_start};
+use super::curve::{Basis, Curve, CurveError, CurveForm};
 use glam::Vec3;
 
 impl Curve {
-    /// The same curve with more control points behind point `index`: one for a B-spline, three,
-    /// which make a piece, for a Bézier curve. Behind the last point the curve runs on straight;
-    /// elsewhere the piece of a Bézier curve is split, which does not change its course, and a
-    /// B-spline gets a point halfway to the next one. A curve that closes stays closed. A circle,
+    /// The same curve with control point `index` at `position`, in model space. A closed curve
+    /// stays closed: where its last points repeat its first, the repeated one moves too. A circle,
     /// or an index that does not exist, changes nothing.
+    ///
+    /// # Errors
+    /// If `position` is not finite or too large.
+    pub fn with_control_point(&self, index: usize, position: Vec3) -> Result<Self, CurveError> {
+        let CurveForm::Spline {
+            basis,
+            flat,
+            control_points,
+        } = self.form()
+        else {
+            return Ok(self.clone());
+        };
+        let mut moved = control_points.clone();
+        for (i, point) in moved.iter_mut().enumerate() {
+            if i == index || Some(i) == twin(*basis, control_points, index) {
+                *point = position;
+            }
+        }
+        Self::spline(*basis, *flat, self.steps(), moved)
+    }
+
+    /// The same curve with more control points after point `index`: one for a B-spline, three,
+    /// which make a piece, for a Bézier curve. After the last point the curve continues straight;
+    /// elsewhere the piece of a Bézier curve is split, which does not change its shape, and a
+    /// B-spline gets a point halfway to the next one. A closed curve stays closed. A circle, or an
+    /// index that does not exist, changes nothing.
     ///
     /// # Errors
     /// If there would be too many points.
@@ -20,8 +44,8 @@ impl Curve {
     }
 
     /// The same curve without control point `index`; of a Bézier curve the handles beside it go
-    /// too, or at an end the piece. A curve that closes stays closed. A circle, or a point for
-    /// which [`Curve::can_lose_point`] says no, changes nothing.
+    /// too, or at an end the piece. A closed curve stays closed. A circle, or a point for which
+    /// [`Curve::can_lose_point`] is false, changes nothing.
     ///
     /// # Errors
     /// Never in practice: fewer points of a valid curve are within all bounds.
@@ -35,8 +59,8 @@ impl Curve {
         })
     }
 
-    /// Whether [`Curve::without_point`] takes point `index` away: enough others must be left, and
-    /// the handles of a Bézier curve only go with the point between them.
+    /// Whether [`Curve::without_point`] removes point `index`: enough others must be left, and the
+    /// handles of a Bézier curve only go with the point between them.
     pub fn can_lose_point(&self, index: usize) -> bool {
         let CurveForm::Spline {
             basis,
@@ -75,7 +99,8 @@ impl Curve {
     }
 }
 
-/// De Casteljau's construction halves the piece that starts at or holds point `index`.
+/// Halves the piece that starts at or contains point `index` (de Casteljau), or adds a piece after
+/// the last point.
 fn split_or_extended(points: &[Vec3], index: usize) -> Vec<Vec3> {
     let last = points.len() - 1;
     let mut changed = points.to_vec();
@@ -144,6 +169,40 @@ fn closed(mut ring: Vec<Vec3>) -> Vec<Vec3> {
         ring.push(ring[i]);
     }
     ring
+}
+
+/// Number of points at the end of a closed curve that repeat the first ones.
+fn repeated(basis: Basis) -> usize {
+    match basis {
+        Basis::Bezier => 1,
+        Basis::BSpline => 3,
+    }
+}
+
+/// Whether the last control points repeat the first ones, so that the curve closes.
+fn repeats_its_start(basis: Basis, points: &[Vec3]) -> bool {
+    let shared = repeated(basis);
+    // With fewer points the first and the last ones would be the same ones.
+    match points.len().checked_sub(shared) {
+        Some(first_repeated) => {
+            first_repeated >= shared && points[..shared] == points[first_repeated..]
+        }
+        None => false,
+    }
+}
+
+/// Index of the control point that repeats point `index` in a closed curve.
+fn twin(basis: Basis, points: &[Vec3], index: usize) -> Option<usize> {
+    if !repeats_its_start(basis, points) {
+        return None;
+    }
+    let shared = repeated(basis);
+    let first_repeated = points.len() - shared;
+    if index < shared {
+        Some(first_repeated + index)
+    } else {
+        index.checked_sub(first_repeated)
+    }
 }
 
 #[cfg(test)]

@@ -1,32 +1,95 @@
 use super::{Attachments, SkeletalModel};
+use crate::geometry::cuboid_from_unit;
 use glam::{Mat4, Vec3};
 
-/// A vertex follows a joint rather than others if the joint has more than this share in it.
+/// Joints and bones of a skeleton in one pose, for drawing and picking (assignment, "Stick
+/// figure").
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StickFigure {
+    /// Position of each joint, in model space, by joint index.
+    pub joints: Vec<Vec3>,
+    /// Matrices from each joint's frame to model space, by joint index.
+    pub model_from_joint: Vec<Mat4>,
+    /// The bones, ordered by the joint at their far end.
+    pub bones: Vec<Bone>,
+}
+
+/// Bone of a stick figure: the segment between a joint and its parent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bone {
+    /// Index of the joint that turns the bone, at the near end.
+    pub joint: usize,
+    /// Index of the joint at the far end.
+    pub child: usize,
+    /// Near end, in model space.
+    pub start: Vec3,
+    /// Far end, in model space.
+    pub end: Vec3,
+}
+
+impl Bone {
+    /// Transform that places a unit cuboid on the bone, see [`cuboid_from_unit`]; `None` at zero
+    /// length.
+    pub fn model_from_unit(&self, half_width: f32) -> Option<Mat4> {
+        cuboid_from_unit(self.start, self.end, half_width)
+    }
+}
+
+impl StickFigure {
+    /// Figure of `skeleton` with the joints' frames at `model_from_joint`, one per joint.
+    pub fn new(skeleton: &SkeletalModel, model_from_joint: &[Mat4]) -> Self {
+        let joints: Vec<Vec3> = model_from_joint
+            .iter()
+            .map(|matrix| matrix.w_axis.truncate())
+            .collect();
+        let bones = skeleton
+            .joints()
+            .iter()
+            .enumerate()
+            .filter_map(|(child, joint)| {
+                let parent = joint.parent?;
+                Some(Bone {
+                    joint: parent,
+                    child,
+                    start: joints[parent],
+                    end: joints[child],
+                })
+            })
+            .collect();
+        Self {
+            joints,
+            model_from_joint: model_from_joint.to_vec(),
+            bones,
+        }
+    }
+}
+
+/// Weight above which a joint dominates a vertex.
 const DOMINANT: f32 = 0.5;
 
-/// A bone that a hand can take: from a joint to a point that is fixed to the joint's frame.
+/// Bone that can be grabbed: from a joint to a point that is fixed to the joint's frame.
 ///
-/// Unlike the bones of a [`super::StickFigure`], which run from joint to joint, these reach to
-/// the ends of head, hands and feet.
+/// Unlike the bones of a [`StickFigure`], which run from joint to joint, these reach to the ends of
+/// head, hands and feet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JointBone {
-    /// The joint that turns the bone.
+    /// Index of the joint that turns the bone.
     pub joint: usize,
-    /// Where it ends, in the joint's own frame; never zero.
+    /// End of the bone, in the joint's frame; never zero.
     pub tip: Vec3,
 }
 
 impl JointBone {
-    /// Both ends in model space where the joints stand at `model_from_joint`, one a joint.
+    /// Both ends in model space, with the joints' frames at `model_from_joint`, one per joint.
     pub fn ends(&self, model_from_joint: &[Mat4]) -> Option<(Vec3, Vec3)> {
         let joint = model_from_joint.get(self.joint)?;
         Some((joint.w_axis.truncate(), joint.transform_point3(self.tip)))
     }
 }
 
-/// The bones of a character, ordered by joint: where the file says how long a joint's bone is,
-/// that one; else one to each child that lies elsewhere than the joint; and for a joint without
-/// children one as far as the vertices reach that follow it.
+/// Bones of a character, ordered by joint: if the file gives the length of a joint's bone, that
+/// one; otherwise one to each child that is not at the same place; and for a joint without children
+/// one as far as the vertices reach that it dominates.
 pub(super) fn bones(
     skeleton: &SkeletalModel,
     attachments: &Attachments,
@@ -52,8 +115,8 @@ pub(super) fn bones(
     bones
 }
 
-/// For every joint without children: the farthest extent of the vertices that it dominates,
-/// along their mean direction. Zero where it dominates none.
+/// Tips of the bones of all joints without children: the farthest extent of the vertices that the
+/// joint dominates, along their mean direction. Zero where it dominates none.
 fn leaf_tips(skeleton: &SkeletalModel, attachments: &Attachments, positions: &[Vec3]) -> Vec<Vec3> {
     let at = skeleton.bind_positions();
     let followers = || {

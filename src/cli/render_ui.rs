@@ -1,5 +1,8 @@
+//! `editor render --ui`: the window's panels in the picture, drawn by the program under a host of
+//! its own.
+
 use super::CliError;
-use super::output::tell;
+use super::output::eprint_line;
 use crate::disk;
 use crate::editor::{Session, Tool};
 use crate::geometry::Picture;
@@ -16,10 +19,10 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Panels take a few frames to find their sizes.
+/// Number of frames after which the panels have found their sizes.
 const FRAMES: usize = 4;
 
-/// Refuses a picture smaller than the window can be.
+/// Refuses a picture that is smaller than the window can be.
 pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), CliError> {
     let (least_width, least_height) = ui::LEAST_SIZE;
     if width >= least_width && height >= least_height {
@@ -31,7 +34,7 @@ pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), CliError> {
     )))
 }
 
-/// What a hand does in the window whose picture is drawn.
+/// Options of `--ui`: input before the picture is drawn.
 #[derive(Clone, Debug, clap::Args)]
 pub(super) struct PanelOptions {
     /// The tool that is chosen.
@@ -52,7 +55,7 @@ enum ToolName {
 }
 
 impl ToolName {
-    /// The press of the key that chooses it.
+    /// Press of the key that selects the tool.
     fn key(self) -> Event {
         let tool = match self {
             Self::Select => Tool::Select,
@@ -73,7 +76,7 @@ impl ToolName {
     }
 }
 
-/// From where to where, in pixels from the picture's upper left corner.
+/// Drag of the pointer, in pixels from the picture's upper left corner.
 #[derive(Clone, Copy, Debug)]
 struct Drag {
     from: Pos2,
@@ -94,7 +97,7 @@ fn drag(text: &str) -> Result<Drag, String> {
     }
 }
 
-/// The window as it would look, drawn by the program itself in a place where time stands still.
+/// Picture of the window, drawn by the program under a host whose clock stands still.
 pub(super) fn picture(
     options: &PanelOptions,
     session: Session,
@@ -104,11 +107,11 @@ pub(super) fn picture(
     skinning: Option<Skinning>,
 ) -> Result<Picture, CliError> {
     let offscreen = HeadlessContext::new(backend).map_err(OffscreenError::from)?;
-    // Refused before any work, where a driver has not as many samples.
+    // Fails before any work if the driver does not have as many samples.
     drop(Framebuffer::new(offscreen.gl(), 1, 1, samples)?);
     let mut graphics = Graphics::new(offscreen.gl())?.with_samples(samples);
     let no_name = GraphicsInfo {
-        // It would be another one on another machine.
+        // It differs between machines.
         description: String::new(),
         ..graphics.info()
     };
@@ -134,14 +137,14 @@ pub(super) fn picture(
         program.frame(&mut graphics, input, &mut StillHost)?;
     }
     for message in program.session().messages.history() {
-        tell(format_args!("warning: {}", message.text));
+        eprint_line(format_args!("warning: {}", message.text));
     }
     let window = graphics.window_picture();
     let nothing = || CliError::Other("no picture of the window could be made".to_owned());
     Ok(read_picture(window.ok_or_else(nothing)?)?)
 }
 
-/// What happens frame by frame, before the one that is drawn.
+/// Events of the frames before the one that is drawn.
 fn gesture(drag: Option<Drag>) -> Vec<Vec<Event>> {
     let mut frames = vec![Vec::new(); FRAMES];
     if let Some(Drag { from, to }) = drag {
@@ -159,14 +162,13 @@ fn gesture(drag: Option<Drag>) -> Vec<Vec<Event>> {
             frames.push(vec![Event::PointerMoved(from.lerp(to, 0.5))]);
             frames.push(vec![Event::PointerMoved(to)]);
         }
-        // What follows from it, such as a row that scrolls into sight.
+        // Time for what follows, such as a row that scrolls into view.
         frames.extend(vec![Vec::new(); FRAMES]);
     }
     frames
 }
 
-/// A place where nothing happens but what is asked for: it has no clock, no clipboard and no
-/// storage, and writes no files.
+/// Host without clock, clipboard and storage, which writes no files.
 struct StillHost;
 
 impl Host for StillHost {

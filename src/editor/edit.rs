@@ -7,32 +7,33 @@ use crate::scene::{
 };
 use glam::Vec3;
 
-/// A change of the scene.
+/// Change of the document.
 #[derive(Clone, Debug)]
 pub enum Edit {
     /// Several edits as one: all of them, in order, or none.
     Together(Vec<Edit>),
-    /// Replaces the scene by one of these shapes.
+    /// Replaces the document by one of these shapes.
     Open(Vec<NewShape>),
-    /// Adds shapes at the end of the list.
+    /// Appends shapes to the list.
     Insert(Vec<NewShape>),
     /// Deletes a shape.
     Delete(ShapeId),
-    /// Puts placement, color and joint angles back to how the shape started.
+    /// Restores the placement and color that the shape started with, and the bind pose of a
+    /// character.
     Reset(ShapeId),
-    /// Moves, turns or scales a shape.
+    /// Sets position, rotation and scale of a shape.
     SetTransform(ShapeId, Transform),
-    /// Scales all axes together, or each by its own. Turning it on makes all scales the x one.
+    /// Turns uniform scaling on or off. Turning it on sets all three scales to that of x.
     SetUniformScaling(ShapeId, bool),
-    /// Colors a shape.
+    /// Sets the color of a shape.
     SetColor(ShapeId, ShapeColor),
     /// Shows a shape in the view, or hides it there.
     SetVisible(ShapeId, bool),
-    /// Keeps a shape from being picked, posed and moved in the view, or lets it be.
+    /// Locks a shape, so that it cannot be picked, posed and moved in the view, or unlocks it.
     SetLocked(ShapeId, bool),
-    /// Changes how a character is drawn.
+    /// Sets the display options of a character.
     SetDisplay(ShapeId, CharacterDisplay),
-    /// Leaves every vertex of a character at most so many influences (see
+    /// Limits the number of influences per vertex of a character (see
     /// [`crate::character::Character::limited`]).
     LimitInfluences(ShapeId, usize),
     /// Replaces one angle of a joint; the other two stay exactly as they are.
@@ -52,33 +53,32 @@ pub enum Edit {
         shape: ShapeId,
         /// Index of the joint.
         joint: usize,
-        /// Its new angles.
+        /// New rotation.
         rotation: Euler,
     },
-    /// Moves a root joint from its place at rest, in the character's space.
+    /// Sets the translation of a root joint from its position at rest.
     SetRootOffset {
         /// The character.
         shape: ShapeId,
         /// Index of the root joint.
         root: usize,
-        /// How far.
+        /// Translation, in the character's space.
         offset: Vec3,
     },
-    /// Puts one joint back to rest.
+    /// Resets the joint at this index to rest.
     ResetJoint(ShapeId, usize),
-    /// Replaces all angles.
+    /// Replaces the whole pose.
     SetPose(ShapeId, Pose),
-    /// Keeps the current pose with the character, in place of the one of that name if there is
-    /// one.
+    /// Keeps the current pose with the character, replacing the one of that name if there is one.
     KeepPose {
         /// The character.
         shape: ShapeId,
-        /// What the list will call it.
+        /// Name in the list.
         name: String,
     },
-    /// Takes a kept pose, by its index, off the character's list.
+    /// Removes a kept pose, by its index, from the character's list.
     ForgetPose(ShapeId, usize),
-    /// Moves a control point. A curve that closes stays closed, a flat one flat.
+    /// Moves a control point. A closed curve stays closed, a flat one flat.
     SetControlPoint {
         /// The shape made of curves.
         shape: ShapeId,
@@ -86,21 +86,19 @@ pub enum Edit {
         curve: usize,
         /// Index of the control point.
         point: usize,
-        /// Its new place, in the shape's model space.
+        /// New position, in the shape's model space.
         position: Vec3,
     },
-    /// Adds a control point, or a whole piece of a Bézier curve (see
-    /// [`Curve::with_point_after`]).
+    /// Adds a control point, or a whole piece of a Bézier curve (see [`Curve::with_point_after`]).
     AddControlPoint {
         /// The shape made of curves.
         shape: ShapeId,
         /// Index of the curve in its [`crate::scene::CurveSet`].
         curve: usize,
-        /// Index of the control point that the new one comes behind.
+        /// Index of the control point before the new one.
         after: usize,
     },
-    /// Takes a control point away, of a Bézier curve with its handles (see
-    /// [`Curve::without_point`]).
+    /// Removes a control point, of a Bézier curve with its handles (see [`Curve::without_point`]).
     RemoveControlPoint {
         /// The shape made of curves.
         shape: ShapeId,
@@ -109,22 +107,22 @@ pub enum Edit {
         /// Index of the control point.
         point: usize,
     },
-    /// Adds a curve at the end of a shape made of curves.
+    /// Appends a curve to a shape made of curves.
     AddCurve(ShapeId, Curve),
-    /// Takes a curve or surface out of a shape made of curves, and all surfaces made from it.
+    /// Removes a curve or surface from a shape made of curves, and all surfaces made from it.
     RemoveCurveItem {
         /// The shape made of curves.
         shape: ShapeId,
         /// Index of the curve or surface in its [`crate::scene::CurveSet`].
         item: usize,
     },
-    /// Sets the steps of a curve (per piece) or of a surface of revolution (of the turn).
+    /// Sets the number of steps of a curve (per piece) or of a surface of revolution (of the turn).
     SetSteps {
         /// The shape made of curves.
         shape: ShapeId,
         /// Index of the curve or surface in its [`crate::scene::CurveSet`].
         item: usize,
-        /// How many.
+        /// Number of steps.
         steps: u32,
     },
     /// Sets the radius of a circle.
@@ -133,70 +131,70 @@ pub enum Edit {
         shape: ShapeId,
         /// Index of the circle in its [`crate::scene::CurveSet`].
         curve: usize,
-        /// In the shape's model space.
+        /// Radius, in the shape's model space.
         radius: f32,
     },
-    /// Spreads the angle by which frames miss their start along closed sweeps, or leaves it.
+    /// Turns frame closing on or off (see [`crate::geometry::close_frames`]).
     SetFrameClosing(ShapeId, bool),
-    /// Changes how curves and surfaces are drawn.
+    /// Sets the display options of curves and surfaces.
     SetCurveDisplay(ShapeId, CurveDisplay),
-    /// Adds the surface that a flat curve sweeps when it turns about +Y.
+    /// Appends the surface of revolution of a flat curve about +Y.
     MakeSurfaceOfRevolution {
         /// The shape made of curves.
         shape: ShapeId,
         /// Index of the curve in its [`crate::scene::CurveSet`].
         profile: usize,
-        /// Steps of the whole turn.
+        /// Number of steps of the whole turn.
         steps: u32,
     },
-    /// Adds the surface that a flat curve makes when it is carried along another.
+    /// Appends the generalized cylinder of a flat curve that is swept along another.
     MakeSweep {
         /// The shape made of curves.
         shape: ShapeId,
         /// Index of the flat curve in its [`crate::scene::CurveSet`]; a small circle, added with
         /// the surface, if `None`.
         profile: Option<usize>,
-        /// Index of the curve that it is carried along.
+        /// Index of the curve that it is swept along.
         sweep: usize,
     },
 }
 
-/// A change of how the scene is looked at.
+/// Change of the view, the selection or the messages; the document stays as it is.
 #[derive(Clone, Debug)]
 pub enum View {
-    /// Puts the camera elsewhere.
+    /// Sets the camera.
     SetCamera(Camera),
-    /// One of the six views of the View menu.
+    /// Sets the camera to one of the six views of the View menu.
     From(ViewDirection),
-    /// The course's first view.
+    /// Sets the camera to the course's initial view.
     ResetCamera,
-    /// Moves the camera so that the selected shape, or everything visible if none that is visible
-    /// is selected, fills a picture of this aspect (width over height).
+    /// Fits the selected shape, or everything visible if no visible shape is selected, into the
+    /// picture.
     Fit {
-        /// Width over height.
+        /// Width over height of the picture.
         aspect: f32,
     },
     /// Shows or hides the axes.
     SetAxis(bool),
     /// Shows or hides the Studio look's grid.
     SetGrid(bool),
-    /// Changes light and background.
+    /// Sets lights and background.
     SetLook(Look),
-    /// Changes the normals that surfaces are lit with.
+    /// Sets the normals that surfaces are shaded with.
     SetShading(Shading),
     /// Selects a shape, or none.
     Select(Option<ShapeId>),
     /// Selects a joint of the selected shape, or none.
     SelectJoint(Option<usize>),
-    /// Marks the joint of the selected shape that the pointer is over, or none.
+    /// Highlights the joint of the selected shape that the pointer is over, or none.
     HoverJoint(Option<usize>),
-    /// Marks the joint of any character that the pointer is over in the view, or none.
+    /// Highlights the joint of any character that the pointer is over in the view, or none.
     HoverBone(Option<(ShapeId, usize)>),
-    /// Marks the control point of the selected shape that the pointer is over, by the indices of
-    /// its curve and of the point in it; or none.
+    /// Highlights the control point of the selected shape that the pointer is over, by the indices
+    /// of its curve and of the point in it; or none.
     HoverControlPoint(Option<(usize, usize)>),
-    /// Takes the fresh messages away; the history keeps them.
+    /// Dismisses all fresh messages; the history keeps them.
     DismissMessages,
-    /// Takes the fresh message at an index from the view.
+    /// Dismisses the fresh message at an index; the history keeps it.
     DismissMessage(usize),
 }

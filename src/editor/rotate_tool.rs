@@ -1,0 +1,353 @@
+use super::{Edit, Session};
+use crate::math::{DRay, Euler, Ray};
+use crate::scene::ShapeId;
+use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Vec3};
+
+/// Joint that is being turned by a gesture, with its rotation at the start, from which each step of
+/// the gesture is computed.
+///
+/// All is in the character's space, in which gestures stay exact under a non-uniform scale.
+#[derive(Clone, Debug)]
+pub struct JointTurn {
+    shape: ShapeId,
+    joint: usize,
+    start: DMat3,
+    /// Rotation from the parent's frame to the character's space.
+    model_from_parent: DQuat,
+    world_from_model: DMat4,
+    model_from_world: DMat4,
+    /// Position of the joint, which a turn does not change.
+    center: DVec3,
+}
+
+impl JointTurn {
+    /// Begins to turn `joint` of the character `shape`. `None` if there is no such joint, or the
+    /// shape is scaled to zero.
+    pub fn begin(session: &Session, shape: ShapeId, joint: usize) -> Option<Self> {
+        let character = session.scene().character(shape)?;
+        let evaluated = session.evaluated().shape(shape)?;
+        let frames = &evaluated.geometry.figure.as_ref()?.model_from_joint;
+        let frame = frames.get(joint)?;
+        let model_from_parent = match character.character.skeleton().joints()[joint].parent {
+            Some(parent) => DQuat::from_mat4(&frames.get(parent)?.as_dmat4()).normalize(),
+            None => DQuat::IDENTITY,
+        };
+        let world_from_model = evaluated.world_from_model.as_dmat4();
+        let model_from_world = world_from_model.inverse();
+        let center = frame.w_axis.truncate().as_dvec3();
+        let sound =
+            model_from_world.is_finite() && model_from_parent.is_finite() && center.is_finite();
+        let [x, y, z] = character
+            .pose()
+            .rotation(joint)
+            .radians
+            .as_dvec3()
+            .to_array();
+        sound.then(|| Self {
+            shape,
+            joint,
+            start: DMat3::from_euler(EulerRot::XYZ, x, y, z),
+            model_from_parent,
+            world_from_model,
+            model_from_world,
+            center,
+        })
+    }
+
+    /// Identifier of the character.
+    pub fn shape(&self) -> ShapeId {
+        self.shape
+    }
+
+    /// Index of the joint.
+    pub fn joint(&self) -> usize {
+        self.joint
+    }
+
+    /// Position of the joint, in the character's space.
+    pub fn center(&self) -> DVec3 {
+        self.center
+    }
+
+    /// Position of the joint in the world.
+    pub fn world_center(&self) -> DVec3 {
+        self.world_from_model.transform_point3(self.center)
+    }
+
+    /// Ray of the world in the character's space; its direction is not of unit length.
+    pub fn model_ray(&self, ray: &Ray) -> DRay {
+        DRay::from(ray).transformed(self.model_from_world)
+    }
+
+    /// Point of the world in the character's space.
+    pub fn model_point(&self, world: Vec3) -> DVec3 {
+        self.model_from_world.transform_point3(world.as_dvec3())
+    }
+
+    /// Edit that turns the joint from its start by `angle` radians about `axis`, a unit vector in
+    /// the character's space; its angles are the nearest to those that it has in `session`.
+    pub fn turned(&self, session: &Session, axis: DVec3, angle: f64) -> Option<Edit> {
+        let in_parent = self.model_from_parent.inverse() * axis;
+        let turn = DMat3::from_axis_angle(in_parent.try_normalize()?, angle);
+        let shown = session
+            .scene()
+            .character(self.shape)?
+            .pose()
+            .rotation(self.joint);
+        Some(Edit::SetJointTransform {
+            shape: self.shape,
+            joint: self.joint,
+            rotation: Euler::nearest((turn * self.start).as_mat3(), shown),
+        })
+    }
+}
+
+/// `angle` in radians, rounded to whole steps of 15° if `snap`.
+fn snapped(angle: f64, snap: bool) -> f64 {
+    let step = 15.0_f64.to_radians();
+    if snap {
+        (angle / step).round() * step
+    } else {
+        angle
+    }
+}
+
+/// `angle` in radians, moved by whole turns as near to `to` as possible, so that a gesture can go
+/// around more than once.
+fn unwound(angle: f64, to: f64) -> f64 {
+    let turn = std::f64::consts::TAU;
+    angle + ((to - angle) / turn).round() * turn
+}
+
+/// Angle by which the Left and Right keys roll a bone, in radians.
+pub const ROLL_STEP: f32 = 0.1;
+
+/// Angle between cursor and joint, in radians seen from the eye (about a pixel), below which the
+/// cursor has no direction.
+const ON_THE_JOINT: f64 = 1e-3;
+
+/// Drag of a bone, which turns so that the grabbed point stays under the cursor, or in line with it
+/// as seen from the joint.
+///
+/// The axis is the line from the eye to the joint, in the character's space, and the angle is the
+/// dihedral angle from the plane through the grabbed point to the plane through the cursor's ray.
+/// That is exact under perspective and under a non-uniform scale, which both map planes to planes.
+/// It follows from the start of the gesture and the cursor alone, not from the path in between.
+#[derive(Clone, Debug)]
+pub struct BoneDrag {
+    turn: JointTurn,
+    /// Vector from the eye to the joint, in the world.
+    to_joint: DVec3,
+    /// Axis: the same direction in the character's space, of unit length.
+    axis: DVec3,
+    /// Direction from the axis to the grabbed point, of unit length; if the joint itself was
+    /// grabbed, unknown until the cursor has left it.
+    from: Option<DVec3>,
+    /// Angle of the cursor, in radians.
+    wanted: f64,
+    /// Angle of the joint, in radians: in steps if it snaps.
+    angle: f64,
+}
+
+impl BoneDrag {
+    /// Begins a drag of the bone of `joint` at the point `grabbed`, seen from `eye`, both in the
+    /// world. `None` if there is no such joint, the shape is scaled to zero, or the eye is at the
+    /// joint.
+    pub fn begin(
+        session: &Session,
+        shape: ShapeId,
+        joint: usize,
+        eye: Vec3,
+        grabbed: Vec3,
+    ) -> Option<Self> {
+        let turn = JointTurn::begin(session, shape, joint)?;
+        let axis = (turn.center() - turn.model_point(eye)).try_normalize()?;
+        let to_joint = turn.world_center() - eye.as_dvec3();
+        let mut drag = Self {
+            turn,
+            to_joint,
+            axis,
+            from: None,
+            wanted: 0.0,
+            angle: 0.0,
+        };
+        drag.from = drag.side(&Ray {
+            origin: eye,
+            direction: grabbed - eye,
+        });
+        Some(drag)
+    }
+
+    /// Edit that turns the joint for the cursor on `ray`, which starts at the eye; with `snap` in
+    /// steps of 15° from the start.
+    pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
+        if let Some(to) = self.side(ray) {
+            let from = *self.from.get_or_insert(to);
+            let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
+            self.wanted = unwound(angle, self.wanted);
+        }
+        self.angle = snapped(self.wanted, snap);
+        self.turn.turned(session, self.axis, self.angle)
+    }
+
+    /// Angle by which the joint has turned, in radians.
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Joint that is turned.
+    pub fn turn(&self) -> &JointTurn {
+        &self.turn
+    }
+
+    /// Direction from the axis to the ray, of unit length; `None` if the ray is at the joint.
+    fn side(&self, ray: &Ray) -> Option<DVec3> {
+        let across = ray.direction.as_dvec3().cross(self.to_joint).length();
+        let along = f64::from(ray.direction.length()) * self.to_joint.length();
+        if across <= ON_THE_JOINT * along {
+            return None;
+        }
+        let direction = self.turn.model_ray(ray).direction;
+        direction.reject_from_normalized(self.axis).try_normalize()
+    }
+}
+
+/// Edit that rolls a bone: turns its joint by `angle` radians about the axis of the bone, an index
+/// into [`crate::character::Character::bones`]. `None` if there is no such bone.
+pub fn roll(session: &Session, shape: ShapeId, bone: usize, angle: f32) -> Option<Edit> {
+    let bone = session
+        .scene()
+        .character(shape)?
+        .character
+        .bones()
+        .get(bone)?;
+    let turn = JointTurn::begin(session, shape, bone.joint)?;
+    let figure = session.evaluated().shape(shape)?.geometry.figure.as_ref()?;
+    let frame = figure.model_from_joint.get(bone.joint)?;
+    let axis = frame
+        .transform_vector3(bone.tip)
+        .as_dvec3()
+        .try_normalize()?;
+    turn.turned(session, axis, f64::from(angle))
+}
+
+/// Sine of the angle of view below which a ring is pulled along its tangent, since the intersection
+/// of its plane with the cursor's ray is badly conditioned.
+const EDGE_ON: f64 = 0.2;
+
+/// Drag of a ring of the rotation gizmo: the joint turns about the ring's axis.
+#[derive(Clone, Debug)]
+pub struct RingDrag {
+    turn: JointTurn,
+    /// Axis in the character's space, of unit length.
+    axis: DVec3,
+    how: How,
+    /// Angle of the cursor, in radians.
+    wanted: f64,
+    /// Angle of the joint, in radians: in steps if it snaps.
+    angle: f64,
+}
+
+/// Way to find an angle from the cursor. Vectors are in the character's space.
+#[derive(Clone, Copy, Debug)]
+enum How {
+    /// By the direction from the joint to the point of the ring's plane under the cursor.
+    Plane {
+        /// That direction at the start, of unit length.
+        from: DVec3,
+    },
+    /// By the distance along the ring's tangent at the grabbed point.
+    Tangent {
+        grabbed: DVec3,
+        tangent: DVec3,
+        radius: f64,
+        start: f64,
+    },
+}
+
+impl RingDrag {
+    /// Begins a drag of the ring about `axis` (in the character's space) around `joint` at
+    /// `grabbed` in the world, with the cursor on `ray`. `None` if there is no such joint, or no
+    /// angle follows from the cursor.
+    pub fn begin(
+        session: &Session,
+        shape: ShapeId,
+        joint: usize,
+        axis: Vec3,
+        grabbed: Vec3,
+        ray: &Ray,
+    ) -> Option<Self> {
+        let turn = JointTurn::begin(session, shape, joint)?;
+        let axis = axis.as_dvec3().try_normalize()?;
+        let model_ray = turn.model_ray(ray);
+        let flat = model_ray.direction.try_normalize()?.dot(axis).abs();
+        let on_plane = in_plane(&turn, axis, ray);
+        let how = match on_plane.filter(|_| flat > EDGE_ON) {
+            Some(from) => How::Plane { from },
+            None => {
+                let grabbed = turn.model_point(grabbed);
+                let arm = (grabbed - turn.center()).reject_from_normalized(axis);
+                let tangent = axis.cross(arm).try_normalize()?;
+                How::Tangent {
+                    grabbed,
+                    tangent,
+                    radius: arm.length(),
+                    start: model_ray.nearest_on_line(grabbed, tangent)?,
+                }
+            }
+        };
+        Some(Self {
+            turn,
+            axis,
+            how,
+            wanted: 0.0,
+            angle: 0.0,
+        })
+    }
+
+    /// Edit that turns the joint for the cursor on `ray`; with `snap` in steps of 15° from the
+    /// start.
+    pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
+        if let Some(angle) = self.angle_at(ray) {
+            self.wanted = angle;
+        }
+        self.angle = snapped(self.wanted, snap);
+        self.turn.turned(session, self.axis, self.angle)
+    }
+
+    /// Angle by which the joint has turned, in radians.
+    pub fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Joint that is turned.
+    pub fn turn(&self) -> &JointTurn {
+        &self.turn
+    }
+
+    fn angle_at(&self, ray: &Ray) -> Option<f64> {
+        match self.how {
+            How::Plane { from } => {
+                let to = in_plane(&self.turn, self.axis, ray)?;
+                let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
+                Some(unwound(angle, self.wanted))
+            }
+            How::Tangent {
+                grabbed,
+                tangent,
+                radius,
+                start,
+            } => {
+                let at = self.turn.model_ray(ray).nearest_on_line(grabbed, tangent)?;
+                Some((at - start) / radius)
+            }
+        }
+    }
+}
+
+/// Direction, of unit length, from the joint to the point where the ray meets the plane
+/// perpendicular to `axis`; `None` if it does not, or meets the joint itself.
+fn in_plane(turn: &JointTurn, axis: DVec3, ray: &Ray) -> Option<DVec3> {
+    let arm = turn.model_ray(ray).meet_plane(turn.center(), axis)? - turn.center();
+    arm.reject_from_normalized(axis).try_normalize()
+}

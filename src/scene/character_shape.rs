@@ -1,0 +1,158 @@
+use crate::character::{Character, Pose};
+use crate::revision::Revision;
+use std::sync::Arc;
+
+/// Character in the scene, with its pose, its kept poses and its display options.
+#[derive(Clone, Debug)]
+pub struct CharacterShape {
+    /// Skeleton, weights and bind mesh, shared by copies of the scene.
+    pub character: Arc<Character>,
+    /// Current pose, changed by [`CharacterShape::set_pose`] alone.
+    pose: Pose,
+    pose_revision: Revision,
+    poses: Vec<KeptPose>,
+    /// Display options.
+    pub display: CharacterDisplay,
+}
+
+/// Display options of a character.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct CharacterDisplay {
+    /// Skeleton, mesh or both.
+    pub mode: ModelDisplay,
+    /// Display of joints.
+    pub joints: JointStyle,
+    /// Display of bones.
+    pub bones: BoneStyle,
+    /// Diameter of joints drawn as points, in pixels.
+    pub point_size: f32,
+    /// Width of bones drawn as lines, in pixels; 1 is a plain GL line.
+    pub line_width: f32,
+}
+
+impl Default for CharacterDisplay {
+    fn default() -> Self {
+        Self {
+            mode: ModelDisplay::Mesh,
+            joints: JointStyle::Spheres,
+            bones: BoneStyle::Boxes,
+            point_size: 8.0,
+            line_width: 1.0,
+        }
+    }
+}
+
+/// Parts of a character that are drawn: Model Display Mode in the panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ModelDisplay {
+    /// Joints and bones.
+    Skeleton,
+    /// The deformed mesh.
+    Mesh,
+    /// The mesh with the skeleton seen through it.
+    Both,
+}
+
+/// Display of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum JointStyle {
+    /// Round points of a fixed size on screen.
+    Points,
+    /// Spheres of radius 0.02 in the character's space.
+    Spheres,
+}
+
+/// Display of bones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BoneStyle {
+    /// Lines of a fixed width on screen.
+    Lines,
+    /// Boxes of half-width 0.01 in the character's space.
+    Boxes,
+}
+
+impl PartialEq for CharacterShape {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.character, &other.character)
+            && self.pose == other.pose
+            && self.poses == other.poses
+            && self.display == other.display
+    }
+}
+
+impl CharacterShape {
+    /// `character` in its bind pose.
+    pub fn new(character: Arc<Character>) -> Self {
+        Self {
+            character,
+            pose: Pose::new(),
+            pose_revision: Revision::new(),
+            poses: Vec::new(),
+            display: CharacterDisplay::default(),
+        }
+    }
+
+    /// Current pose.
+    pub fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Pose at a time of playback, in seconds. So far a character has one pose at all times.
+    pub fn pose_at(&self, _time: f64) -> &Pose {
+        &self.pose
+    }
+
+    /// Revision, which changes with the pose.
+    pub fn pose_revision(&self) -> Revision {
+        self.pose_revision
+    }
+
+    /// Kept poses, in the order in which they were first kept.
+    pub fn poses(&self) -> &[KeptPose] {
+        &self.poses
+    }
+
+    /// Keeps the current pose under `name`, replacing the one of that name if there is one.
+    pub fn keep_pose(&mut self, name: String) {
+        let pose = self.pose.clone();
+        match self.poses.iter_mut().find(|kept| kept.name == name) {
+            Some(kept) => kept.pose = pose,
+            None => self.poses.push(KeptPose { name, pose }),
+        }
+    }
+
+    /// Removes the kept pose at `index`, if there is one.
+    pub fn forget_pose(&mut self, index: usize) {
+        if index < self.poses.len() {
+            self.poses.remove(index);
+        }
+    }
+
+    /// First name of `Pose 1`, `Pose 2`, … that no kept pose has.
+    pub fn free_pose_name(&self) -> String {
+        let taken = |name: &String| self.poses.iter().any(|kept| kept.name == *name);
+        let mut names = (1..).map(|number| format!("Pose {number}"));
+        names.find(|name| !taken(name)).unwrap_or_default()
+    }
+
+    /// Replaces the pose. An equal one does not change the revision.
+    pub fn set_pose(&mut self, pose: Pose) {
+        if pose != self.pose {
+            self.pose = pose;
+            self.pose_revision = Revision::new();
+        }
+    }
+}
+
+/// Pose that is kept with a character under a name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeptPose {
+    /// Name in the list, unique among the character's kept poses.
+    pub name: String,
+    /// Rotations and translations of the joints.
+    pub pose: Pose,
+}
