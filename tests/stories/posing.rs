@@ -173,7 +173,7 @@ fn a_pose_goes_over_the_clipboard_from_one_character_to_another() {
     let messages = story.messages();
     let (severity, text) = messages.last().unwrap();
     assert_eq!(*severity, Severity::Error);
-    assert!(text.starts_with("clipboard:1:2: "), "{text}");
+    assert!(text.starts_with("clipboard:1:1: expected"), "{text}");
     assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
 }
 

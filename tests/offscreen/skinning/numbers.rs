@@ -90,6 +90,7 @@ fn facets_have_the_normals_of_their_moved_corners() {
         for (name, scene) in &scenes {
             each_character(scene, |shape, character| {
                 let mesh = character.bind_mesh();
+                let size = mesh.bounds().size().max_element();
                 let positions = shape.geometry.positions();
                 let found = read_back(gl, shape, Shading::Flat);
                 let facets = Facets::new(mesh.vertex_count(), mesh.vertex_triangles());
@@ -100,7 +101,7 @@ fn facets_have_the_normals_of_their_moved_corners() {
                 {
                     let corners = mesh.triangles[triangle].map(|i| positions[i as usize]);
                     // What rounding may do to a thin triangle is no fault of either.
-                    if is_thin(corners, mesh.bounds().size().max_element()) {
+                    if is_thin(corners, size) {
                         continue;
                     }
                     compared += 1;
