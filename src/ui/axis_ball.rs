@@ -88,7 +88,7 @@ fn axis_of(direction: ViewDirection) -> (usize, bool) {
 }
 
 /// Draws one end; if it was clicked, the side to look from. The end that the camera looks from
-/// already stands for the opposite side.
+/// already leads to the opposite side.
 fn show_end(ui: &Ui, end: &End, middle: Pos2, camera: &Camera) -> Option<ViewDirection> {
     let rect = Rect::from_center_size(end.at, Vec2::splat(2.0 * END));
     let id = ui.id().with(("axis ball", end.direction.label()));
@@ -96,7 +96,7 @@ fn show_end(ui: &Ui, end: &End, middle: Pos2, camera: &Camera) -> Option<ViewDir
         .interact(rect, id, Sense::click())
         .on_hover_cursor(CursorIcon::PointingHand);
     let lit = response.hovered() || response.has_focus();
-    // The view is dark whatever the theme is, so the ball keeps the colors of the dark one.
+    // The view is dark in every theme, so the ball keeps the colors of the dark one.
     let bright = DARK.axes[end.axis];
     let fade = 0.55 + 0.45 * (end.nearness + 1.0) / 2.0;
     let color = if lit {

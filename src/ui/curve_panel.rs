@@ -93,7 +93,7 @@ pub(super) fn list(
     title(ui, id, actions);
     let items = shape.curves().items();
     if items.is_empty() {
-        ui.label(RichText::new("Nothing here yet. Add makes a curve.").weak());
+        ui.label(RichText::new("Nothing here yet. Add inserts a curve.").weak());
     }
     let evaluated = session
         .evaluated()

@@ -20,7 +20,7 @@ pub struct Palette {
     pub text: Color32,
     /// Text that stands out: titles, changed joints.
     pub strong: Color32,
-    /// Text that stands back: units, hints.
+    /// Less important text: units, hints.
     pub weak: Color32,
     /// The one accent: keyboard focus, marks.
     pub accent: Color32,
@@ -141,7 +141,7 @@ fn set_spacing(style: &mut Style) {
 }
 
 /// Shows file dialogs in colors in which all of them can be read: they lay text on black and on
-/// the color of the selection whatever the theme.
+/// the color of the selection in every theme.
 pub fn in_colors_of_file_dialogs(context: &Context, show: impl FnOnce()) {
     let preference = context.options(|options| options.theme_preference);
     let dark = context.style_of(Theme::Dark);

@@ -150,9 +150,9 @@ pub(super) struct Grab<H> {
 }
 
 impl<H> Grab<H> {
-    /// Begins a gesture if a left drag began in this frame on something that `take` takes, given
-    /// the picture and the pixel in it where the button went down: egui recognizes a drag only
-    /// once the pointer has moved. What `take` asks for comes before the gesture.
+    /// Begins a gesture if a left drag began in this frame and `take` grabs something, at the pixel
+    /// of a picture where the button went down: egui recognizes a drag only once the pointer has
+    /// moved. Actions of `take` come before the gesture.
     pub(super) fn begin(
         view: &Response,
         places: &ScenePlaces,
@@ -174,12 +174,12 @@ impl<H> Grab<H> {
         })
     }
 
-    /// What was grabbed.
+    /// The thing that was grabbed.
     pub(super) fn held(&self) -> &H {
         &self.held
     }
 
-    /// What was grabbed, unless the drag ended early.
+    /// The thing that was grabbed, unless the drag ended early.
     pub(super) fn active(&self) -> Option<&H> {
         Some(&self.held).filter(|_| !self.ended)
     }

@@ -38,10 +38,7 @@ pub const GESTURES: &[Gesture] = &[
         "Drag an arrow or a square",
         "Move along it, with Ctrl by 0.1",
     ),
-    gesture(
-        "IK: drag a bone",
-        "Bring its end somewhere; a chain follows",
-    ),
+    gesture("IK: drag a bone", "Move its end; a chain follows"),
     gesture("IK: drag the root", "Move it all; pinned joints stay"),
     gesture("IK: click a bone", "Select the joint at its nearer end"),
     gesture("Esc, right click in a drag", "Put everything back"),

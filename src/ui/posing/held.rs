@@ -1,4 +1,4 @@
-//! What a gesture of the Pose, Move and IK tools holds, and the gizmos that it can be taken by.
+//! Drags with the Pose, Move and IK tools, and the gizmos that they can use.
 
 use super::PoseState;
 use crate::editor::{
@@ -14,14 +14,14 @@ use glam::Vec2;
 /// A drag of a bone, a gizmo's handle, a root or a shape.
 pub(super) type PoseGesture = Grab<Held>;
 
-/// What is dragged, and the gizmo's handle that it was taken by, if any.
+/// A drag with one of the tools, and the gizmo's handle that it uses, if any.
 #[derive(Clone, Debug)]
 pub(in crate::ui) struct Held {
     drag: Drag,
     handle: Option<Handle>,
 }
 
-/// What is dragged.
+/// A drag of the object that a tool moves.
 #[derive(Clone, Debug)]
 pub(super) enum Drag {
     Bone(BoneDrag),
@@ -39,7 +39,7 @@ impl From<Drag> for Held {
 }
 
 impl Held {
-    /// The handle of a gizmo that it was taken by.
+    /// The gizmo's handle that it uses.
     pub(super) fn handle(&self) -> Option<Handle> {
         self.handle
     }

@@ -156,7 +156,7 @@ pub(super) fn status(
     Some((joint_name(session, hit.shape, joint), next))
 }
 
-/// What a drag with the IK tool would do with a grip.
+/// Effect of a drag of a grip with the IK tool, for the status line.
 fn ik_status(session: &Session, state: &PoseState, shape: ShapeId, grip: IkGrip) -> &'static str {
     let settings = state.ik.settings(shape);
     let is_root = root_of(session, shape, grip.joint()) == Some(grip.joint());

@@ -84,7 +84,7 @@ pub(in crate::ui) fn pointer(
     PointerUse::Over
 }
 
-/// What is under the pointer, for the chosen tool.
+/// Things under the pointer that the chosen tool acts on.
 enum Under {
     Nothing,
     Handle,
@@ -256,7 +256,7 @@ pub(in crate::ui) fn roll_by_keys(
     }
 }
 
-/// Character and index of a bone of the selected joint: the one taken last, or else the first.
+/// Character and index of a bone of the selected joint: the one dragged or clicked last, or else the first.
 fn bone_of_selected_joint(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
     let shape = session.selected().filter(|&id| is_pickable(session, id))?;
     let joint = session.selected_joint()?;
