@@ -32,3 +32,13 @@ pub fn grows_in_proportion<T>(size: usize, input: impl Fn(usize) -> T, run: impl
         "{LARGER} times the input took {times:.0} times the work: {little:?} and {much:?}"
     );
 }
+
+#[test]
+#[should_panic(expected = "times the work")]
+fn work_that_grows_with_the_square_is_seen() {
+    let all_pairs = |size: usize| {
+        let pairs = (0..size).flat_map(|a| (0..size).map(move |b| a ^ b));
+        std::hint::black_box(pairs.map(std::hint::black_box).max());
+    };
+    grows_in_proportion(300, |size| size, all_pairs);
+}

@@ -39,7 +39,7 @@ fn a_row_says_what_a_layer_may_use_and_name() {
 
 #[test]
 fn a_new_layer_is_one_more_row() {
-    let row = "| `program` | – | `gpu`, `ui` and below | `egui` |\n| `app`";
+    let row = "| `program` | – | `ui`, `gpu` and below | `egui` |\n| `app`";
     let table = Table::read(&TABLE.replace("| `app`", row));
     assert_eq!(
         faults(&table, "program/a.rs", "use crate::{gpu, scene, ui};"),
@@ -113,6 +113,7 @@ fn the_line_is_told() {
 
 #[test]
 fn a_layer_below_its_own_and_mere_words_are_no_fault() {
+    assert_eq!(wrong("math.rs", "pub struct Ray;"), [""; 0]);
     for code in [
         "use crate::math::{Ray, area::Area};",
         "use crate::scene::Shape;",

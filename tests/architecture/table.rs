@@ -58,27 +58,25 @@ impl Table {
         names.map(|name| &**name).collect()
     }
 
-    /// The layers of a cell such as `` `io`, `scene` and below ``.
+    /// The layers of a cell such as `` `io`, `scene` and below ``, which means those that either
+    /// may use as well.
     fn used(&self, cell: &str) -> BTreeSet<String> {
         let above = || self.layers.iter().map(|layer| layer.name.clone());
         if cell == "everything below" {
             return above().collect();
         }
-        let (listed, last_and_below) = match cell.strip_suffix(" and below") {
+        let (listed, and_below) = match cell.strip_suffix(" and below") {
             Some(listed) => (listed, true),
             None => (cell, false),
         };
         let named = quoted(listed);
         let mut uses: BTreeSet<String> = named.iter().map(|&name| name.to_owned()).collect();
-        for name in &named {
-            assert!(
-                self.layer(name).is_some(),
-                "`{name}` has no row above: {cell}"
-            );
-        }
-        if last_and_below {
-            let last = named.last().and_then(|last| self.layer(last));
-            uses.extend(last.expect("a layer before “and below”").uses.clone());
+        for name in named {
+            let layer = self.layer(name);
+            let layer = layer.unwrap_or_else(|| panic!("`{name}` has no row above: {cell}"));
+            if and_below {
+                uses.extend(layer.uses.clone());
+            }
         }
         uses
     }

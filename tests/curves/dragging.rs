@@ -7,6 +7,7 @@ use editor_core::scene::NewShape;
 use editor_core::scene::{Camera, CurveItemKind, CurveSet, CurveShape, ShapeKind};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 
 const SIZE: Vec2 = Vec2::new(520.0, 560.0);
 /// How far the point may be from where it is held, in pixels.
@@ -79,6 +80,7 @@ proptest! {
     #![proptest_config(ProptestConfig {
         // Some points lie outside the picture.
         max_global_rejects: 100_000,
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
         ..ProptestConfig::with_cases(2000)
     })]
 
