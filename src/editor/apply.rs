@@ -5,7 +5,6 @@ use crate::scene::{
     CharacterShape, CurveItemKind, CurveSet, CurveSetError, CurveShape, Scene, Shape, ShapeId,
 };
 use glam::Vec3;
-use std::sync::Arc;
 
 /// Radius and steps of the circle that a sweep without a profile gets: a tube.
 const TUBE_RADIUS: f32 = 0.1;
@@ -93,7 +92,7 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         Edit::SetVisible(id, visible) => on_shape(scene, id, |s| s.visible = visible),
         Edit::SetLocked(id, locked) => on_shape(scene, id, |s| s.locked = locked),
         Edit::SetDisplay(id, display) => on_character(scene, id, |c| c.display = display),
-        Edit::LimitInfluences(id, most) => on_character(scene, id, |c| limit_influences(c, most)),
+        Edit::LimitInfluences(id, most) => on_character(scene, id, |c| c.limit_influences(most)),
         Edit::SetJointAngle {
             shape,
             joint,
@@ -174,10 +173,6 @@ fn set_uniform_scaling(shape: &mut Shape, uniform: bool) {
         let scale = &mut shape.placement.transform.scale;
         *scale = Vec3::splat(scale.x);
     }
-}
-
-fn limit_influences(shape: &mut CharacterShape, most: usize) {
-    shape.character = Arc::new(shape.character.limited(most));
 }
 
 fn set_angle(pose: &mut Pose, joint: usize, axis: usize, radians: f32) {

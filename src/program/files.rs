@@ -1,7 +1,7 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::comparison::Comparison;
-use super::program::Program;
+use super::running::Program;
 use super::{Host, Purpose};
 use crate::character::Pose;
 use crate::editor::{Edit, Session, Severity};

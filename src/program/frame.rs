@@ -2,7 +2,7 @@ use super::Host;
 use super::comparison::Drawn;
 use super::graphics::Graphics;
 use super::input_parts::parts;
-use super::program::{Program, Shown};
+use super::running::{Program, Shown};
 use crate::editor::{Session, Severity};
 use crate::gpu::GpuError;
 use crate::render::{Frame, InterfaceError, Marks, RenderError, view_place};

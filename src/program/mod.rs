@@ -15,10 +15,10 @@ mod host;
 mod input_parts;
 mod job;
 mod preferences;
-mod program;
+mod running;
 
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{Host, HostEvent, Purpose, StorageKey};
 pub use job::{Job, JobResult};
-pub use program::{Options, Program};
+pub use running::{Options, Program};

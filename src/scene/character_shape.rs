@@ -9,7 +9,8 @@ pub struct CharacterShape {
     pub character: Arc<Character>,
     /// Current pose, changed by [`CharacterShape::set_pose`] alone.
     pose: Pose,
-    pose_revision: Revision,
+    /// Revision of everything that the deformed mesh follows from: character and pose.
+    revision: Revision,
     poses: Vec<KeptPose>,
     /// Display options.
     pub display: CharacterDisplay,
@@ -90,7 +91,7 @@ impl CharacterShape {
         Self {
             character,
             pose: Pose::new(),
-            pose_revision: Revision::new(),
+            revision: Revision::new(),
             poses: Vec::new(),
             display: CharacterDisplay::default(),
         }
@@ -106,9 +107,9 @@ impl CharacterShape {
         &self.pose
     }
 
-    /// Revision, which changes with the pose.
-    pub fn pose_revision(&self) -> Revision {
-        self.pose_revision
+    /// Revision, which changes with the pose and with the weights.
+    pub fn revision(&self) -> Revision {
+        self.revision
     }
 
     /// Kept poses, in the order in which they were first kept.
@@ -143,8 +144,14 @@ impl CharacterShape {
     pub fn set_pose(&mut self, pose: Pose) {
         if pose != self.pose {
             self.pose = pose;
-            self.pose_revision = Revision::new();
+            self.revision = Revision::new();
         }
+    }
+
+    /// Leaves every vertex at most `most` influences (see [`Character::limited`]).
+    pub fn limit_influences(&mut self, most: usize) {
+        self.character = Arc::new(self.character.limited(most));
+        self.revision = Revision::new();
     }
 }
 
