@@ -13,8 +13,8 @@ use crate::scene::ShapeId;
 use egui::{Button, CursorIcon, Label, Rect, Response, RichText, Ui, vec2};
 use glam::Vec2;
 
-/// Number of control points above which only the rows in view are shown to egui: the panel must stay
-/// fast for any file.
+/// Number of control points above which only the rows in view are shown to egui: the panel must
+/// stay fast for any file.
 const MANY: usize = 256;
 /// Width of a button, in points.
 const BUTTON: f32 = 18.0;

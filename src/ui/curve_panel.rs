@@ -19,8 +19,8 @@ use std::collections::HashMap;
 /// State of the list of curves, and of drags of control points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CurveState {
-    /// Whether a curve or surface is unfolded, by its shape and its index; without an entry, the only
-    /// one of a shape is.
+    /// Whether a curve or surface is unfolded, by its shape and its index; without an entry, the
+    /// only one of a shape is.
     pub unfolded: HashMap<(ShapeId, usize), bool>,
     /// Curve and control point whose row was under the pointer in the last frame.
     pub hovered: Option<(usize, usize)>,

@@ -184,8 +184,9 @@ fn takes_keys(ctx: &egui::Context) -> bool {
     ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
 }
 
-/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison, deselects
-/// the joint, or ends the program. While the screenshot dialog is open, no other key works.
+/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison,
+/// deselects the joint, or ends the program. While the screenshot dialog is open, no other key
+/// works.
 fn press(
     command: Command,
     session: &Session,

@@ -174,8 +174,8 @@ impl Navigation {
         }
     }
 
-    /// Text of the status line over a shape that is not selected: a click selects it, and a drag still
-    /// turns the camera.
+    /// Text of the status line over a shape that is not selected: a click selects it, and a drag
+    /// still turns the camera.
     pub(super) fn over_a_shape(self) -> &'static str {
         match self {
             Self::Course => "Click to select it · right drag turns the camera",

@@ -34,8 +34,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
-    /// Whether a text field or a popup had the keyboard focus at the end of the last frame. egui takes
-    /// it away from them at the start of the frame in which Esc is pressed.
+    /// Whether a text field or a popup had the keyboard focus at the end of the last frame. egui
+    /// takes it away from them at the start of the frame in which Esc is pressed.
     pub(super) keys_were_taken: bool,
     /// Whether fonts, spacing and colors were set.
     pub(super) styled: bool,
@@ -82,7 +82,8 @@ impl UiState {
         }
     }
 
-    /// Whether something is being dragged in the view, so that Esc cancels that and does nothing else.
+    /// Whether something is being dragged in the view, so that Esc cancels that and does nothing
+    /// else.
     pub fn gesture_under_way(&self) -> bool {
         self.curves.gesture.is_some() || self.pose.gesture.is_some()
     }

@@ -14,11 +14,12 @@ const POINTS_PER_NOTCH: f32 = 50.0;
 
 /// Handles the pointer over the scene: drags and the wheel move the camera according to the
 /// [`super::Navigation`], and a click selects the shape under the pointer. Control points of the
-/// selected curves take precedence, then gizmos and bones, and with the Move tool shapes: a left drag
-/// takes what is under the pointer.
+/// selected curves take precedence, then gizmos and bones, and with the Move tool shapes: a left
+/// drag takes what is under the pointer.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
-/// to themselves. `places` are the pictures of the scene in it. Returns the shape under the pointer.
+/// to themselves. `places` are the pictures of the scene in it. Returns the shape under the
+/// pointer.
 pub fn view_gestures(
     view: &Response,
     places: &ScenePlaces,

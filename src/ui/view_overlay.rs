@@ -17,8 +17,8 @@ use egui::{
 const PANEL_EDGE: f32 = 4.0;
 
 /// Makes the view of what the panels leave free, and shows what lies over it. Returns the view's
-/// rectangle in points, its widget, and the pictures of the scene in it. `settings` are those of the
-/// comparison under way, as its panel left them.
+/// rectangle in points, its widget, and the pictures of the scene in it. `settings` are those of
+/// the comparison under way, as its panel left them.
 ///
 /// The view is a widget below all others here: egui decides which of them the pointer is for.
 pub(super) fn show(

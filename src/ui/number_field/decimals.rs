@@ -7,9 +7,10 @@ pub(super) fn precise(value: f64) -> String {
     rounded(value, 0, 4)
 }
 
-/// `value` with as many of `decimals` as fit, and with `unit` if it fits without dropping a decimal;
-/// if nothing fits, without decimals. A value that would round up to a whole `turn` is written as 0,
-/// and angles have their unit only if every angle has room for it, so that rows look alike.
+/// `value` with as many of `decimals` as fit, and with `unit` if it fits without dropping a
+/// decimal; if nothing fits, without decimals. A value that would round up to a whole `turn` is
+/// written as 0, and angles have their unit only if every angle has room for it, so that rows look
+/// alike.
 pub(super) fn fitted(
     value: f64,
     unit: &str,

@@ -13,8 +13,8 @@ const ROOM_TO_TYPE: f32 = 76.0;
 #[derive(Clone, Default)]
 struct Typed {
     text: String,
-    /// Text when typing began. If it is left as it is, the value does not change, though the value may
-    /// have more decimals.
+    /// Text when typing began. If it is left as it is, the value does not change, though the value
+    /// may have more decimals.
     began_with: String,
     /// egui's pass number when the field was last shown. Text is dropped if the field was not shown
     /// in between.
@@ -118,8 +118,8 @@ const DEEPEST: usize = 32;
 
 /// Value of an arithmetic expression typed into a number field: `45/2`, `-(3 + 4) * 1.5`, `90°`.
 ///
-/// Accepts + − * /, parentheses and signs, the typographic × · ÷ −, a trailing degree sign, and a comma
-/// as a decimal point. `None` for anything else, and for values that are not finite.
+/// Accepts + − * /, parentheses and signs, the typographic × · ÷ −, a trailing degree sign, and a
+/// comma as a decimal point. `None` for anything else, and for values that are not finite.
 pub fn evaluate(text: &str) -> Option<f64> {
     let plain: Vec<char> = text
         .trim()

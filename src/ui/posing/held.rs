@@ -145,9 +145,9 @@ pub(super) enum Gizmo {
     },
 }
 
-/// The tool's gizmo for the selection: rings for a joint with the Pose tool, arrows for its root, or
-/// else for the shape, with the Move tool. `None` while something else is dragged, and for a shape
-/// that is hidden or locked.
+/// The tool's gizmo for the selection: rings for a joint with the Pose tool, arrows for its root,
+/// or else for the shape, with the Move tool. `None` while something else is dragged, and for a
+/// shape that is hidden or locked.
 pub(super) fn shown_gizmo(session: &Session, state: &PoseState, place: Place) -> Option<Gizmo> {
     if state.gesture.is_some() && state.held_handle().is_none() {
         return None;

@@ -17,8 +17,8 @@ const SELECTED: Color32 = Color32::from_rgb(0xff, 0x9e, 0x1c);
 const OTHERS: Color32 = Color32::from_rgba_premultiplied(0x60, 0x60, 0x60, 0x60);
 const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
-/// With a tool for bones, paints the bones of the selected joint over everything, and thin lines for
-/// bones that are hidden by the mesh of the selected character.
+/// With a tool for bones, paints the bones of the selected joint over everything, and thin lines
+/// for bones that are hidden by the mesh of the selected character.
 pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session, tool: Tool) {
     if tool != Tool::Select {
         let selected = session.selected();
@@ -47,8 +47,8 @@ pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session,
     }
 }
 
-/// Paints the bones of the hovered joint over everything, whether it is hovered in the view or in the
-/// list.
+/// Paints the bones of the hovered joint over everything, whether it is hovered in the view or in
+/// the list.
 pub(super) fn hovered_bones(painter: &Painter, place: Place, session: &Session) {
     if let Some((shape, joint)) = session.hovered_bone() {
         bones(
@@ -158,8 +158,8 @@ pub(super) fn gizmo(
     }
 }
 
-/// Paints the readout of a gesture beside the pointer: what it holds, and by how much that has turned
-/// or moved.
+/// Paints the readout of a gesture beside the pointer: what it holds, and by how much that has
+/// turned or moved.
 pub(super) fn readout(ui: &Ui, view: Rect, session: &Session, gesture: &PoseGesture) {
     let pointer = ui.ctx().input(|input| input.pointer.latest_pos());
     let text = gesture.active().map(Held::readout);

@@ -14,9 +14,9 @@ use crate::ui::{Action, Navigation, UiState};
 use egui::{Context, CursorIcon, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
 
-/// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks what
-/// is under it, selects by click, and turns or moves by drag. `list` is the joint of the selected
-/// character whose row in the list is under the pointer.
+/// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks
+/// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
+/// selected character whose row in the list is under the pointer.
 pub(in crate::ui) fn pointer(
     view: &Response,
     places: &ScenePlaces,
@@ -222,9 +222,9 @@ fn mark(session: &Session, bone: Option<(ShapeId, usize)>, actions: &mut Vec<Act
     }
 }
 
-/// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while Left
-/// or Right is pressed over the view. If the navigation turns the camera by these keys, only the bone
-/// under the pointer. To be called before the panels, which use these keys, too.
+/// Rolls the bone under the pointer, or else one of the selected joint, about its own axis while
+/// Left or Right is pressed over the view. If the navigation turns the camera by these keys, only
+/// the bone under the pointer. To be called before the panels, which use these keys, too.
 pub(in crate::ui) fn roll_by_keys(
     ctx: &Context,
     session: &Session,
@@ -256,7 +256,8 @@ pub(in crate::ui) fn roll_by_keys(
     }
 }
 
-/// Character and index of a bone of the selected joint: the one dragged or clicked last, or else the first.
+/// Character and index of a bone of the selected joint: the one dragged or clicked last, or else
+/// the first.
 fn bone_of_selected_joint(session: &Session, state: &PoseState) -> Option<(ShapeId, usize)> {
     let shape = session.selected().filter(|&id| is_pickable(session, id))?;
     let joint = session.selected_joint()?;

@@ -11,8 +11,8 @@ use crate::ui::widgets::named;
 use crate::ui::{axis_ball, commands};
 use egui::{Button, ComboBox, Frame, Margin, Rect, Sense, Ui, UiBuilder, vec2};
 
-/// Height of the tool bar with its margins, in points; a second line for the IK tool adds at most as
-/// much.
+/// Height of the tool bar with its margins, in points; a second line for the IK tool adds at most
+/// as much.
 pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
 
 /// The tools, with their labels in the bar.
@@ -75,7 +75,8 @@ const LONGEST: usize = 999;
 /// Width of the bar from which on the settings fit on one line, in points.
 const ONE_LINE: f32 = 368.0;
 
-/// Settings of the IK tool, in one line, or in two if there is no room for that. `room` is in points.
+/// Settings of the IK tool, in one line, or in two if there is no room for that. `room` is in
+/// points.
 fn ik_settings(ui: &mut Ui, room: f32, session: &Session, state: &mut IkState) {
     let in_line = |ui: &mut Ui, show: &mut dyn FnMut(&mut Ui)| {
         ui.horizontal(|ui| {
