@@ -149,6 +149,24 @@ fn every_layer_of_the_table_is_a_module_of_the_library() {
 }
 
 #[test]
+fn every_file_that_the_notes_name_is_there() {
+    let mut named = 0;
+    for notes in ["ARCHITECTURE.md", "CONTRIBUTING.md", "README.md"] {
+        let text = fs::read_to_string(root().join(notes)).unwrap();
+        // Every other part stands between backticks.
+        for part in text.split('`').skip(1).step_by(2) {
+            let is_file = [".rs", ".glsl", ".py", ".sh"].iter().any(|end| part.ends_with(end));
+            if is_file && !part.contains(['*', '<', ' ']) {
+                let is_there = |folder: &str| root().join(folder).join(part).is_file();
+                assert!(is_there("") || is_there("src"), "{notes} names {part}");
+                named += 1;
+            }
+        }
+    }
+    assert!(named > 20, "{named}");
+}
+
+#[test]
 fn unsafe_code_windows_and_files_are_guarded() {
     let table = table();
     let who = |name: &str| -> Vec<&str> {
