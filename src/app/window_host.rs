@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 
-/// What wakes the event loop from outside.
+/// Event that wakes the event loop from outside.
 #[derive(Debug)]
 pub(super) enum Wake {
     /// An assistive technology asks for something.
@@ -86,7 +86,7 @@ impl WindowHost {
         self.egui.egui_ctx()
     }
 
-    /// What happened since the last frame.
+    /// Input since the last frame.
     pub fn take_input(&mut self) -> egui::RawInput {
         self.egui.take_egui_input(self.window.window())
     }
@@ -169,7 +169,7 @@ impl Host for WindowHost {
             && let Some(folder) = path.parent()
             && std::fs::create_dir_all(folder).is_ok()
         {
-            // See [`Host::store`]: nobody is told.
+            // Nothing that the user made is lost: see [`Host::store`].
             let _ = disk::write_whole(&path, &bytes);
         }
     }

@@ -18,14 +18,14 @@ pub(super) struct Comparison {
     reference: Textured,
     live: Option<Textured>,
     difference: Option<Textured>,
-    /// What `live` shows: drawn again only when this changes.
+    /// State that `live` shows: it is drawn again only when this changes.
     drawn: Option<Drawn>,
     settings: CompareSettings,
     report: CompareReport,
     measuring: Measuring,
 }
 
-/// What a picture of the live view follows from.
+/// State that a picture of the live view follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Drawn {
     pub document: Revision,
@@ -116,7 +116,7 @@ impl Comparison {
         })
     }
 
-    /// What is chosen in its panel.
+    /// Choices in its panel.
     pub fn settings(&self) -> &CompareSettings {
         &self.settings
     }
@@ -201,7 +201,7 @@ impl Comparison {
         None
     }
 
-    /// Takes in what a job found out. That of another comparison is left aside.
+    /// Takes in the result of a job. That of an earlier comparison is ignored.
     pub fn take_result(&mut self, result: JobResult) {
         if self.measuring.running != Some(result.of) {
             return;

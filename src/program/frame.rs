@@ -11,24 +11,24 @@ use egui::{Context, FullOutput, RawInput};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// What a host that leaves running egui to the program brings for a frame.
+/// Input of a frame, from a host that leaves running egui to the program.
 #[derive(Clone, Debug)]
 pub struct FrameInput {
-    /// Where egui keeps what it remembers.
+    /// Context of egui.
     pub context: Context,
-    /// What happened since the last frame.
+    /// Input since the last frame.
     pub raw: RawInput,
     /// Width and height of the window in pixels, neither of them 0.
     pub size: (u32, u32),
 }
 
-/// What the panels are shown for.
+/// Purpose for which the panels are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pass {
-    /// To take what the user did.
+    /// To take the user's input.
     Input,
-    /// To show what came of it. What panels and gestures paint over the scene would otherwise be
-    /// a frame behind the scene.
+    /// To show its effect. Whatever panels and gestures paint over the scene would otherwise be a
+    /// frame behind the scene.
     Display,
 }
 
@@ -49,7 +49,7 @@ impl From<GpuError> for ProgramError {
     }
 }
 
-/// What came of running egui once or more.
+/// Result of running egui once or more.
 struct PanelRun {
     shown: Shown,
     output: FullOutput,
@@ -286,8 +286,8 @@ impl Program {
         };
         let is_same = is_about_size(&error) && again;
         let text = format!("The picture is not as it should be: {error}");
-        let mut told = self.session.messages.history().iter();
-        if is_same || told.any(|message| message.text == text) {
+        let mut before = self.session.messages.history().iter();
+        if is_same || before.any(|message| message.text == text) {
             return Ok(false);
         }
         self.tell(Severity::Error, text);
@@ -295,7 +295,7 @@ impl Program {
     }
 }
 
-/// What came of drawing a frame.
+/// Result of drawing a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct DrawnFrame {
     /// Whether the panels have something new to show.

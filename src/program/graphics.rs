@@ -33,7 +33,7 @@ struct Window {
     painter: InterfacePainter,
 }
 
-/// What the program wants to know about its graphics before there are any.
+/// Properties of the graphics that the program shows and keeps to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct GraphicsInfo {
     /// Version and renderer, for the status line.
@@ -42,7 +42,7 @@ pub struct GraphicsInfo {
     pub max_texture_side: usize,
 }
 
-/// What a picture of the scene follows from.
+/// State that a picture of the scene follows from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SceneKey {
     document: Revision,
@@ -76,7 +76,7 @@ impl Graphics {
         Self { samples, ..self }
     }
 
-    /// What draws.
+    /// Properties of what draws.
     pub fn info(&self) -> GraphicsInfo {
         let info = self.gl.info();
         GraphicsInfo {

@@ -8,10 +8,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// What a place gives to the program: files, a clipboard, storage, jobs, a clock and a window.
+/// Services of the place where the program runs: files, a clipboard, storage, jobs, a clock and a
+/// window.
 ///
-/// Nothing here waits: what takes time, or a person, is answered later by a [`HostEvent`]. Paths
-/// are names that a host understands; none has to be on a disk.
+/// No call waits: whatever takes time, or a person, is answered later by a [`HostEvent`]. Paths are
+/// names that the host understands; none has to be on a disk.
 pub trait Host {
     /// Time since any fixed moment. It never goes back.
     fn now(&self) -> Duration;
@@ -43,11 +44,10 @@ pub trait Host {
     /// Asks for the text on the clipboard. Answered by [`HostEvent::Pasted`].
     fn request_paste(&mut self);
 
-    /// What an earlier run stored under `key`.
+    /// Bytes that an earlier run stored under `key`, if it did.
     fn load(&self, key: StorageKey) -> Option<Vec<u8>>;
 
-    /// Stores `bytes` for later runs. A failure loses nothing that the user made, so nobody is
-    /// told.
+    /// Stores `bytes` for later runs. A failure loses nothing that the user made, so it is ignored.
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
 
     /// Runs `job` beside the program. Answered by [`HostEvent::Finished`].
@@ -56,8 +56,7 @@ pub trait Host {
     /// Names the window.
     fn set_title(&mut self, title: &str);
 
-    /// Carries out what egui wants of the place: the cursor, links, text that was copied in a
-    /// field.
+    /// Carries out requests of egui: the cursor, links, text that was copied in a field.
     fn handle_platform_output(&mut self, output: egui::PlatformOutput);
 
     /// Ends the program, after this frame.
@@ -67,11 +66,11 @@ pub trait Host {
     fn next_event(&mut self) -> Option<HostEvent>;
 }
 
-/// What a host has to say, in answer to a call or by itself.
+/// Event of a host: the answer to a call, or something that happened there.
 pub enum HostEvent {
     /// A file was chosen.
     Chosen {
-        /// What it was chosen for.
+        /// Purpose of the request.
         purpose: Purpose,
         /// The file.
         path: PathBuf,
@@ -85,11 +84,11 @@ pub enum HostEvent {
         /// Where it and the files beside it are read.
         files: Arc<dyn Files>,
     },
-    /// A file was written, or why it was not.
+    /// A file was written, or could not be.
     Written {
         /// The file.
         path: PathBuf,
-        /// What came of it.
+        /// Outcome.
         result: Result<(), Diagnostic>,
     },
     /// The text on the clipboard; empty if there is none.
@@ -98,7 +97,7 @@ pub enum HostEvent {
     Finished(JobResult),
 }
 
-/// What is stored from one run to the next.
+/// Entry that is stored from one run to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum StorageKey {
     /// Choices of the user that are not part of a document, as JSON.
@@ -114,7 +113,7 @@ impl StorageKey {
     }
 }
 
-/// What a file is chosen for.
+/// Purpose for which a file is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
     /// Import ▸ Import Shape.

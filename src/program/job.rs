@@ -5,7 +5,7 @@ use crate::revision::Revision;
 /// thread, to a worker with a memory of its own, or do it on the spot.
 #[derive(Clone, Debug)]
 pub struct Job {
-    /// State of the two pictures that this is about.
+    /// State of the two pictures.
     pub(super) of: Revision,
     pub(super) step: Step,
     /// A is the reference, B the live view.
@@ -21,14 +21,14 @@ pub(super) enum Step {
     Judge,
 }
 
-/// What came of a job.
+/// Result of a job.
 #[derive(Debug)]
 pub struct JobResult {
     pub(super) of: Revision,
     pub(super) outcome: Result<Outcome, CompareError>,
 }
 
-/// What was found out about two pictures.
+/// Findings about two pictures.
 #[derive(Debug)]
 pub(super) enum Outcome {
     Measured(Measured),

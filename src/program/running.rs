@@ -14,14 +14,14 @@ use crate::ui::{
 };
 use std::path::{Path, PathBuf};
 
-/// What the program is started with.
+/// Options that the program is started with.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Scenes to open and files to import, in order.
     pub files: Vec<PathBuf>,
     /// Title of the window; the one of [`globals`] if `None`.
     pub title: Option<String>,
-    /// What deforms characters, in place of what the preferences say.
+    /// Way of skinning, in place of the one in the preferences.
     pub skinning: Option<Skinning>,
 }
 
@@ -42,7 +42,7 @@ pub struct Program {
     title: String,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
-    /// What deformed characters in the first frame.
+    /// Way of skinning in the first frame.
     skinning_at_start: Option<Skinning>,
 }
 
@@ -106,8 +106,8 @@ impl Program {
         &mut self.ui
     }
 
-    /// Shows the panels in `root`, the `Ui` of the whole window, and carries out what is done in
-    /// them and in the view. Needs no OpenGL.
+    /// Shows the panels in `root`, the `Ui` of the whole window, and carries out the actions of the
+    /// user in them and in the view. Needs no OpenGL.
     pub fn show(&mut self, root: &mut egui::Ui, pass: Pass, host: &mut dyn Host) -> Shown {
         let context = root.ctx().clone();
         if pass == Pass::Input {
@@ -149,7 +149,7 @@ impl Program {
         }
     }
 
-    /// Takes in what the host has to say; whether there was anything.
+    /// Takes in the events of the host; whether there were any.
     pub fn take_events(&mut self, host: &mut dyn Host) -> bool {
         let mut any = false;
         while let Some(event) = host.next_event() {
@@ -176,7 +176,7 @@ impl Program {
         any
     }
 
-    /// Carries out what panels, menus, keys and gestures ask for: the one place that does.
+    /// Carries out the actions of panels, menus, keys and gestures: the one place that does.
     pub fn carry_out(&mut self, actions: Vec<Action>, host: &mut dyn Host) {
         for action in actions {
             match action {
@@ -280,7 +280,7 @@ impl Program {
     }
 }
 
-/// What came of showing the panels once.
+/// Result of showing the panels once.
 pub struct Shown {
     /// Where the panels left room for the view.
     pub panels: UiOutput,

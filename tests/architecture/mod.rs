@@ -155,7 +155,9 @@ fn every_file_that_the_notes_name_is_there() {
         let text = fs::read_to_string(root().join(notes)).unwrap();
         // Every other part stands between backticks.
         for part in text.split('`').skip(1).step_by(2) {
-            let is_file = [".rs", ".glsl", ".py", ".sh"].iter().any(|end| part.ends_with(end));
+            let is_file = [".rs", ".glsl", ".py", ".sh"]
+                .iter()
+                .any(|end| part.ends_with(end));
             if is_file && !part.contains(['*', '<', ' ']) {
                 let is_there = |folder: &str| root().join(folder).join(part).is_file();
                 assert!(is_there("") || is_there("src"), "{notes} names {part}");
