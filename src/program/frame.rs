@@ -125,7 +125,8 @@ impl Program {
         self.keep_preferences(host);
         // What is under the pointer now is known to the next frame.
         let again = came_in || shown.changed || drawn.changed || answered;
-        Ok(if again || !self.pending_pictures.is_empty() {
+        let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
+        Ok(if again || pictures_due {
             Duration::ZERO
         } else {
             delay.min(drawn.wait)

@@ -17,8 +17,8 @@ mod job;
 mod preferences;
 mod running;
 
-pub use frame::{FrameInput, Pass, ProgramError};
+pub use frame::{DrawnFrame, FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{Host, HostEvent, Purpose, StorageKey};
 pub use job::{Job, JobResult};
-pub use running::{Options, Program};
+pub use running::{Options, Program, Shown};

@@ -29,7 +29,10 @@ pub struct Options {
 pub struct Program {
     pub(super) session: Session,
     pub(super) ui: UiState,
+    /// Preferences of the last run, with the folder of this one.
     pub(super) preferences: Preferences,
+    /// Preferences as they were stored last.
+    stored: Preferences,
     pub(super) comparison: Option<Comparison>,
     /// Pictures that are saved once they can be drawn.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
@@ -53,6 +56,7 @@ impl Program {
             session,
             ui: UiState::new(),
             preferences: Preferences::default(),
+            stored: Preferences::default(),
             comparison: None,
             pending_pictures: Vec::new(),
             paste_into: None,
@@ -87,7 +91,7 @@ impl Program {
             program.open_at_start(&options.files, host);
         }
         program.preferences.started_before = true;
-        program.preferences.store(host);
+        program.keep_preferences(host);
         program
     }
 
@@ -273,9 +277,9 @@ impl Program {
         if self.ui.skinning != self.skinning_at_start {
             now.skinning = self.ui.skinning;
         }
-        if now != self.preferences {
+        if now != self.stored {
             now.store(host);
-            self.preferences = now;
+            self.stored = now;
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Story, differing};
 use editor_core::editor::Severity;
-use editor_core::program::Purpose;
+use editor_core::program::{Purpose, StorageKey};
 use editor_core::scene::bones_in_world;
 use egui::{Key, Modifiers, Pos2, pos2, vec2};
 use glam::Vec3;
@@ -50,6 +50,9 @@ fn a_character_is_imported_posed_by_a_slider_and_the_mesh_follows() {
     story.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::I);
     let folder = story.host.requests.last().unwrap().folder.clone();
     assert_eq!(folder, Some("models".into()));
+    let kept = &story.host.stored[&StorageKey::Preferences];
+    let kept: serde_json::Value = serde_json::from_slice(kept).unwrap();
+    assert_eq!(kept["last_folder"], "models", "at the next start, too");
 }
 
 #[test]

@@ -67,8 +67,17 @@ fn skinning_asked_for_at_the_start_is_for_that_time_only() {
         skinning: Some(Skinning::Cpu),
         ..Options::default()
     };
-    let story = Story::start_with(MemoryHost::default(), options, &["models/strip.obj"]);
+    let mut story = Story::start_with(MemoryHost::default(), options, &["models/strip.obj"]);
     assert_eq!(preferences(&story)["skinning"], serde_json::Value::Null);
+    let mut skinning = |name: &str| {
+        for label in ["View", "Skinning", name] {
+            story.click(label);
+        }
+        preferences(&story)["skinning"].clone()
+    };
+    assert_eq!(skinning("Graphics Card"), "gpu");
+    // Back to what it was asked to be for this time.
+    assert_eq!(skinning("Processor"), serde_json::Value::Null);
 }
 
 #[test]
