@@ -2,7 +2,7 @@
 
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files};
-use editor_core::program::{Host, HostEvent, Job, Purpose, StorageKey};
+use editor_core::program::{FileRequest, Host, HostEvent, Job, Purpose, StorageKey};
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -15,6 +15,7 @@ pub type Table = HashMap<PathBuf, Vec<u8>>;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
     pub purpose: Purpose,
+    request: FileRequest,
     pub folder: Option<PathBuf>,
     pub name: String,
 }
@@ -55,7 +56,7 @@ impl MemoryHost {
     pub fn choose(&mut self, path: &str) {
         let request = self.requests.last().expect("a file was asked for");
         self.events.push_back(HostEvent::Chosen {
-            purpose: request.purpose,
+            request: request.request,
             path: path.into(),
             files: self.files(),
         });
@@ -83,9 +84,10 @@ impl Host for MemoryHost {
         Arc::new(WithBuiltin(self.files.clone()))
     }
 
-    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
+    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
         self.requests.push(Request {
-            purpose,
+            purpose: request.purpose,
+            request,
             folder: folder.map(Path::to_owned),
             name: name.to_owned(),
         });

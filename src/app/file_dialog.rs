@@ -1,5 +1,5 @@
 use crate::disk::Disk;
-use crate::program::Purpose;
+use crate::program::{FileRequest, Purpose};
 use crate::ui;
 use egui::{Key, Modifiers};
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 /// The file dialog of the window, drawn inside it: it needs no desktop portal.
 #[derive(Default)]
 pub(super) struct WindowFileDialog {
-    open: Option<(Purpose, FileDialog)>,
+    open: Option<(FileRequest, FileDialog)>,
 }
 
 impl WindowFileDialog {
@@ -18,7 +18,8 @@ impl WindowFileDialog {
 
     /// Opens it in `folder`, in place of one that is open already. A file that is to be written is
     /// called `name` until the user does otherwise.
-    pub fn open(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
+    pub fn open(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
+        let purpose = request.purpose;
         let mut dialog = dialog(purpose, folder);
         if let Some((first, _)) = purpose.written().first() {
             // What is typed belongs to the name, not to a search that would choose another file.
@@ -35,13 +36,13 @@ impl WindowFileDialog {
         } else {
             dialog.pick_file();
         }
-        self.open = Some((purpose, dialog));
+        self.open = Some((request, dialog));
     }
 
     /// Shows the dialog if it is open; returns the file once one is chosen.
-    pub fn show(&mut self, context: &egui::Context) -> Option<(Purpose, PathBuf)> {
-        let (purpose, dialog) = self.open.as_mut()?;
-        let purpose = *purpose;
+    pub fn show(&mut self, context: &egui::Context) -> Option<(FileRequest, PathBuf)> {
+        let (request, dialog) = self.open.as_mut()?;
+        let request = *request;
         ui::in_colors_of_file_dialogs(context, || {
             dialog.update(context);
         });
@@ -52,13 +53,13 @@ impl WindowFileDialog {
             return None;
         };
         self.open = None;
-        match purpose.completed(&path) {
-            None => Some((purpose, path)),
-            Some(complete) if !complete.exists() => Some((purpose, complete)),
+        match request.purpose.completed(&path) {
+            None => Some((request, path)),
+            Some(complete) if !complete.exists() => Some((request, complete)),
             Some(complete) => {
                 // The dialog has asked about another file: let it ask about this one.
                 let name = complete.file_name().unwrap_or_default().to_string_lossy();
-                self.open(purpose, complete.parent(), &name);
+                self.open(request, complete.parent(), &name);
                 None
             }
         }

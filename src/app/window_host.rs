@@ -2,7 +2,7 @@ use super::file_dialog::WindowFileDialog;
 use crate::disk;
 use crate::gpu::WindowContext;
 use crate::io::Files;
-use crate::program::{Host, HostEvent, Job, JobResult, Purpose, StorageKey};
+use crate::program::{FileRequest, Host, HostEvent, Job, JobResult, StorageKey};
 use egui_winit::accesskit_winit;
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -126,14 +126,14 @@ impl Host for WindowHost {
         Arc::new(disk::files())
     }
 
-    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str) {
-        self.dialog.open(purpose, folder, name);
+    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
+        self.dialog.open(request, folder, name);
     }
 
     fn show_dialogs(&mut self, context: &egui::Context) {
-        if let Some((purpose, path)) = self.dialog.show(context) {
+        if let Some((request, path)) = self.dialog.show(context) {
             self.events.push_back(HostEvent::Chosen {
-                purpose,
+                request,
                 path,
                 files: self.files(),
             });
@@ -176,15 +176,17 @@ impl Host for WindowHost {
 
     fn start_job(&mut self, job: Job) {
         let (finish, proxy) = (self.finish.clone(), self.proxy.clone());
+        let copy = job.clone();
         let work = move || {
             // A window that is gone needs neither the result nor waking.
-            let _ = finish.send(job.run());
+            let _ = finish.send(copy.run());
             let _ = proxy.send_event(Wake::JobFinished);
         };
-        // Without a thread to spare there is no result: the panel goes on saying so.
-        let _ = std::thread::Builder::new()
-            .name("job".to_owned())
-            .spawn(work);
+        let thread = std::thread::Builder::new().name("job".to_owned());
+        if thread.spawn(work).is_err() {
+            // Without a thread to spare the window has to wait for it.
+            self.events.push_back(HostEvent::Finished(job.run()));
+        }
     }
 
     fn set_title(&mut self, title: &str) {

@@ -4,12 +4,12 @@
 use super::CliError;
 use super::output::eprint_line;
 use crate::disk;
-use crate::editor::{Session, Tool};
+use crate::editor::{Session, Severity, Tool};
 use crate::geometry::Picture;
 use crate::gpu::{Backend, Framebuffer, HeadlessContext};
 use crate::io::Files;
 use crate::program::{
-    FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Program, Purpose, StorageKey,
+    FileRequest, FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Program, StorageKey,
 };
 use crate::render::{OffscreenError, read_picture};
 use crate::scene::Skinning;
@@ -137,7 +137,12 @@ pub(super) fn picture(
         program.frame(&mut graphics, input, &mut StillHost)?;
     }
     for message in program.session().messages.history() {
-        eprint_line(format_args!("warning: {}", message.text));
+        match message.severity {
+            Severity::Error => return Err(CliError::Other(message.text.clone())),
+            Severity::Info | Severity::Warning => {
+                eprint_line(format_args!("warning: {}", message.text));
+            }
+        }
     }
     let window = graphics.window_picture();
     let nothing = || CliError::Other("no picture of the window could be made".to_owned());
@@ -180,7 +185,7 @@ impl Host for StillHost {
         Arc::new(disk::files())
     }
 
-    fn choose_file(&mut self, _: Purpose, _: Option<&Path>, _: &str) {}
+    fn choose_file(&mut self, _: FileRequest, _: Option<&Path>, _: &str) {}
 
     fn write_file(&mut self, _: &Path, _: Vec<u8>) {}
 

@@ -313,6 +313,7 @@ pub struct Message {
 pub struct Messages {
     history: Vec<Message>,
     fresh: Vec<Message>,
+    count: u64,
 }
 
 /// Number of messages that are kept.
@@ -325,12 +326,18 @@ impl Messages {
             severity,
             text: text.into(),
         };
+        self.count += 1;
         for list in [&mut self.history, &mut self.fresh] {
             if list.len() == KEPT {
                 list.remove(0);
             }
             list.push(message.clone());
         }
+    }
+
+    /// Number of messages since the start, those that are not kept any more included.
+    pub fn count(&self) -> u64 {
+        self.count
     }
 
     /// Recent messages, oldest first.

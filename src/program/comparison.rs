@@ -3,7 +3,7 @@ use super::job::{Job, JobResult, Outcome, Step};
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::Picture;
 use crate::revision::Revision;
-use crate::scene::ViewSettings;
+use crate::scene::{Skinning, ViewSettings};
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::{Context, TextureHandle};
 use std::sync::Arc;
@@ -31,6 +31,7 @@ pub(super) struct Drawn {
     pub document: Revision,
     pub view: ViewSettings,
     pub smooth_edges: bool,
+    pub skinning: Option<Skinning>,
 }
 
 /// How far the measuring of the two pictures has come.

@@ -52,7 +52,9 @@ impl Program {
     /// Uses a file that was dropped on the window: a picture to compare the view with, a pose for
     /// the selected character, all else as an import.
     pub(super) fn use_dropped(&mut self, path: &Path, files: &dyn Files) {
-        let posed = self.session.selected().filter(|_| is_pose(path));
+        let scene = self.session.scene();
+        let selected = self.session.selected();
+        let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
         if is_picture(path) {
             self.compare_with(path, files);
         } else if let Some(shape) = posed {
@@ -182,9 +184,12 @@ impl Program {
 
     /// Gives the pose that was asked for from the clipboard to its character.
     pub(super) fn paste(&mut self, text: &str) {
-        let Some(shape) = self.paste_into.take() else {
+        let Some((opened, shape)) = self.paste_into.take() else {
             return;
         };
+        if self.is_from_another_scene(opened) {
+            return;
+        }
         if text.trim().is_empty() {
             let text = "There is no pose on the clipboard: Copy Pose puts one there";
             self.tell(Severity::Warning, text);
@@ -202,7 +207,8 @@ impl Program {
 
     fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8]) {
         let Some(character) = self.session.scene().character(shape) else {
-            return;
+            let text = format!("{}: there is no character any more to pose", path.display());
+            return self.tell(Severity::Error, text);
         };
         let skeleton = character.character.skeleton();
         let file = match PoseFile::read(path, bytes) {

@@ -1,14 +1,12 @@
 use super::Host;
 use super::comparison::Drawn;
 use super::graphics::Graphics;
-use super::input_parts::parts;
+use super::input_parts::input_parts;
 use super::running::{Program, Shown};
 use crate::editor::{Session, Severity};
 use crate::gpu::GpuError;
 use crate::render::{Frame, InterfaceError, Marks, RenderError, view_place};
-use crate::ui::Screenshot;
 use egui::{Context, FullOutput, RawInput};
-use std::path::PathBuf;
 use std::time::Duration;
 
 /// Input of a frame, from a host that leaves running egui to the program.
@@ -85,21 +83,14 @@ impl Program {
         host: &mut dyn Host,
     ) -> Result<Duration, ProgramError> {
         let FrameInput { context, raw, size } = input;
-        self.frame_rate.count(host.now());
-        // A dialog that closes in this frame is still in what the frame shows.
-        let due = if host.is_dialog_open() {
-            Vec::new()
-        } else {
-            std::mem::take(&mut self.pending_pictures)
-        };
-        let came_in = self.take_events(host);
+        let came_in = self.begin_frame(host);
         let without_events = RawInput {
             events: Vec::new(),
             dropped_files: Vec::new(),
             ..raw.clone()
         };
         let mut run: Option<PanelRun> = None;
-        for part in parts(raw) {
+        for part in input_parts(raw) {
             run = PanelRun::join(run, self.run_panels(&context, part, Pass::Input, host));
         }
         if run.as_ref().is_some_and(|run| run.shown.changed) {
@@ -118,24 +109,48 @@ impl Program {
         let place = view_place((min.x, min.y), (max.x, max.y), pixels_per_point, size);
 
         let view_size = (place.width.unsigned_abs(), place.height.unsigned_abs());
-        let drawn = self.draw(graphics, view_size, Some(size), host)?;
+        let messages = self.session.messages.count();
+        let wait = self.draw(graphics, view_size, Some(size), host)?;
         graphics.compose(place, &context, output)?;
-        self.save_pictures(due, graphics, host);
-        let answered = self.take_events(host);
-        self.keep_preferences(host);
-        // What is under the pointer now is known to the next frame.
-        let again = came_in || shown.changed || drawn.changed || answered;
-        let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
-        Ok(if again || pictures_due {
+        let wait = wait.min(self.finish_frame(graphics, host));
+        // The panels have shown neither what was carried out last nor messages about drawing.
+        let told = self.session.messages.count() != messages;
+        Ok(if came_in || shown.changed || told {
             Duration::ZERO
         } else {
-            delay.min(drawn.wait)
+            delay.min(wait)
         })
+    }
+
+    /// Begins a frame: counts it and takes in the events of the host, of which it returns whether
+    /// there were any. A host that calls [`Program::show`] itself calls this before.
+    pub fn begin_frame(&mut self, host: &mut dyn Host) -> bool {
+        self.frame_rate.count(host.now());
+        // A dialog that closes in this frame is still in what the frame shows.
+        if !host.is_dialog_open() {
+            self.due_pictures.append(&mut self.pending_pictures);
+        }
+        self.take_events(host)
+    }
+
+    /// Ends a frame: writes the pictures that were asked for, and stores preferences that changed.
+    /// Returns how long no frame is needed for their sake. A host that calls [`Program::show`] and
+    /// [`Program::draw`] itself calls this after.
+    pub fn finish_frame(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> Duration {
+        self.save_pictures(graphics, host);
+        let answered = self.take_events(host);
+        self.keep_preferences(host);
+        let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
+        if answered || pictures_due {
+            Duration::ZERO
+        } else {
+            Duration::MAX
+        }
     }
 
     /// Draws the scene in a picture of `view` pixels, if something changed, or the comparison that
     /// is under way; and makes the picture of the window fit `window`, if the program composes it.
-    /// What cannot be drawn becomes a message.
+    /// Failures become messages. Returns how long no frame is needed for the drawing's sake.
     ///
     /// # Errors
     /// If nothing can be drawn any more, or nothing ever could.
@@ -145,7 +160,7 @@ impl Program {
         view: (u32, u32),
         window: Option<(u32, u32)>,
         host: &mut dyn Host,
-    ) -> Result<DrawnFrame, ProgramError> {
+    ) -> Result<Duration, ProgramError> {
         let composed = match window.map(|size| graphics.fit_window(size)) {
             // Without any picture not even the panels could say what is wrong.
             Some(Err(error)) if graphics.window_picture().is_none() => return Err(error),
@@ -157,13 +172,17 @@ impl Program {
         let fitted = composed.and(fitted.map_err(ProgramError::from));
         let wrong_size = fitted.as_ref().is_err_and(is_about_size);
         let was_wrong = graphics.replace_wrong_size(wrong_size);
-        let mut changed = self.tell_fault(fitted, was_wrong)?;
-        changed |= self.tell_fault(drawn.map_err(ProgramError::from), false)?;
-        changed |= self.draw_comparison(graphics, host);
+        self.tell_fault(fitted, was_wrong)?;
+        self.tell_fault(drawn.map_err(ProgramError::from), false)?;
+        let compared = self.draw_comparison(graphics, host);
+        for notice in graphics.take_notices() {
+            self.tell(Severity::Warning, notice);
+        }
         let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
-        Ok(DrawnFrame {
-            changed,
-            wait: wait.unwrap_or(Duration::MAX),
+        Ok(match wait {
+            _ if compared => Duration::ZERO,
+            Some(wait) => wait,
+            None => Duration::MAX,
         })
     }
 
@@ -194,7 +213,8 @@ impl Program {
     fn draw_scene(&mut self, graphics: &mut Graphics) -> Result<(), RenderError> {
         graphics.set_skinning(self.ui.skinning);
         if self.comparison.is_some() {
-            // Its pictures lie over the whole view.
+            // Its pictures lie over the whole view, which may change its size meanwhile.
+            graphics.forget_scene();
             return Ok(());
         }
         let marks = Marks {
@@ -204,11 +224,7 @@ impl Program {
             hovered_joint: self.session.hovered_joint(),
             hovered_control_point: self.session.hovered_control_point(),
         };
-        let drawn = graphics.draw_scene(&frame(&self.session, marks), self.session.document());
-        for notice in graphics.take_notices() {
-            self.tell(Severity::Warning, notice);
-        }
-        drawn
+        graphics.draw_scene(&frame(&self.session, marks), self.session.document())
     }
 
     /// Draws the scene in the size of the picture that it is compared with, if it changed. Whether
@@ -224,6 +240,7 @@ impl Program {
             document: self.session.document(),
             view: *self.session.view(),
             smooth_edges,
+            skinning: self.ui.skinning,
         };
         if !comparison.needs(&wanted) {
             return false;
@@ -241,14 +258,9 @@ impl Program {
         }
     }
 
-    /// Draws and writes the pictures that were asked for.
-    fn save_pictures(
-        &mut self,
-        due: Vec<(PathBuf, Screenshot)>,
-        graphics: &mut Graphics,
-        host: &mut dyn Host,
-    ) {
-        for (path, shot) in due {
+    /// Draws and writes the pictures that are due.
+    fn save_pictures(&mut self, graphics: &mut Graphics, host: &mut dyn Host) {
+        for (path, shot) in std::mem::take(&mut self.due_pictures) {
             let picture = if shot.with_panels {
                 graphics.read_window().map_err(RenderError::from)
             } else {
@@ -257,7 +269,10 @@ impl Program {
             };
             match picture {
                 Ok(Some(picture)) => self.save_picture(&path, &picture, host),
-                Ok(None) => {}
+                Ok(None) => {
+                    let text = "Not saved: pictures with panels cannot be taken here";
+                    self.tell(Severity::Error, text);
+                }
                 Err(error) => {
                     let text = format!("The picture could not be drawn: {error}");
                     self.tell(Severity::Error, text);
@@ -266,9 +281,8 @@ impl Program {
         }
     }
 
-    /// Says what went wrong with drawing, once, so that work can go on; whether there is something
-    /// new to say. While the size of the window changes, so does the text of what is the same
-    /// failure, `again`.
+    /// Reports a failure of drawing, once, so that work can go on. While the size of the window
+    /// changes, so does the text of what is the same failure, `again`.
     ///
     /// # Errors
     /// If nothing can be drawn any more, or nothing ever could.
@@ -276,9 +290,9 @@ impl Program {
         &mut self,
         drawn: Result<(), ProgramError>,
         again: bool,
-    ) -> Result<bool, ProgramError> {
+    ) -> Result<(), ProgramError> {
         let error = match drawn {
-            Ok(()) => return Ok(false),
+            Ok(()) => return Ok(()),
             Err(ProgramError::Render(RenderError::Gpu(error @ GpuError::Lost { .. }))) => {
                 return Err(error.into());
             }
@@ -288,21 +302,11 @@ impl Program {
         let is_same = is_about_size(&error) && again;
         let text = format!("The picture is not as it should be: {error}");
         let mut before = self.session.messages.history().iter();
-        if is_same || before.any(|message| message.text == text) {
-            return Ok(false);
+        if !is_same && !before.any(|message| message.text == text) {
+            self.tell(Severity::Error, text);
         }
-        self.tell(Severity::Error, text);
-        Ok(true)
+        Ok(())
     }
-}
-
-/// Result of drawing a frame.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct DrawnFrame {
-    /// Whether the panels have something new to show.
-    pub changed: bool,
-    /// How long nothing needs to be drawn for the comparison's sake.
-    pub wait: Duration,
 }
 
 /// Whether a picture could not have the size that it needs.

@@ -98,7 +98,7 @@ impl Graphics {
     /// Chooses what deforms characters; whether pictures have to be drawn again.
     pub(super) fn set_skinning(&mut self, skinning: Option<Skinning>) {
         if self.renderer.set_skinning(skinning) {
-            self.shown = None;
+            self.forget_scene();
         }
     }
 
@@ -114,12 +114,21 @@ impl Graphics {
     /// # Errors
     /// If the picture cannot be made.
     pub(super) fn fit_view(&mut self, size: (u32, u32)) -> Result<(), GpuError> {
+        let before = self.scene.as_ref().map(|s| (s.width(), s.height()));
         let samples = self.samples;
         let fitted = fit(&self.gl, &mut self.scene, size, samples).map(drop);
         if self.scene.is_none() {
             fit(&self.gl, &mut self.scene, (1, 1), 0)?;
         }
+        if self.scene.as_ref().map(|s| (s.width(), s.height())) != before {
+            self.forget_scene();
+        }
         fitted
+    }
+
+    /// Draws the scene anew when it is shown next.
+    pub(super) fn forget_scene(&mut self) {
+        self.shown = None;
     }
 
     /// Makes the picture of the window fit its `size` in pixels, and the painter of the panels if

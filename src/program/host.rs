@@ -2,6 +2,7 @@
 
 use super::{Job, JobResult};
 use crate::io::{Diagnostic, Files};
+use crate::revision::Revision;
 use crate::scene::ShapeId;
 use crate::ui::Screenshot;
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ pub trait Host {
 
     /// Lets the user choose a file to read or to write, in `folder` if the host knows it, called
     /// `name` if it is to be written. Answered by [`HostEvent::Chosen`], or not at all.
-    fn choose_file(&mut self, purpose: Purpose, folder: Option<&Path>, name: &str);
+    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str);
 
     /// Shows those dialogs that the host draws with egui itself. Called in every pass, after the
     /// panels.
@@ -50,7 +51,7 @@ pub trait Host {
     /// Stores `bytes` for later runs. A failure loses nothing that the user made, so it is ignored.
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
 
-    /// Runs `job` beside the program. Answered by [`HostEvent::Finished`].
+    /// Runs `job` beside the program. Always answered by [`HostEvent::Finished`].
     fn start_job(&mut self, job: Job);
 
     /// Names the window.
@@ -70,8 +71,8 @@ pub trait Host {
 pub enum HostEvent {
     /// A file was chosen.
     Chosen {
-        /// Purpose of the request.
-        purpose: Purpose,
+        /// The request that this answers.
+        request: FileRequest,
         /// The file.
         path: PathBuf,
         /// Where it and the files beside it are read.
@@ -111,6 +112,16 @@ impl StorageKey {
             Self::Preferences => "preferences.json",
         }
     }
+}
+
+/// Request for a file. A host keeps it, and gives it back with the answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FileRequest {
+    /// Purpose for which the file is chosen.
+    pub purpose: Purpose,
+    /// The scene that was open, since shapes are named by their place in it: an answer that comes
+    /// after another was opened is about none of its shapes.
+    pub(super) opened: Revision,
 }
 
 /// Purpose for which a file is chosen.
@@ -186,6 +197,20 @@ impl Purpose {
             | Self::ImportCharacter
             | Self::Compare
             | Self::LoadPose(_) => &[],
+        }
+    }
+
+    /// The shape that the file is about, if it is about one.
+    pub(super) fn shape(self) -> Option<ShapeId> {
+        match self {
+            Self::ExportCurve(id) | Self::SavePose(id, _) | Self::LoadPose(id) => Some(id),
+            Self::ImportShape
+            | Self::ImportCurve
+            | Self::ImportCharacter
+            | Self::ExportGeometry
+            | Self::SaveScreenshot(_)
+            | Self::Compare
+            | Self::SaveComparison => None,
         }
     }
 

@@ -5,8 +5,8 @@ use egui::{Event, RawInput};
 ///
 /// egui looks at a frame as a whole: what is pressed is what lies where the pointer was last, a
 /// drag ends where it was before the frame of the release, and text typed after a click goes to
-/// where the keyboard was before it. On slow frames that takes one thing for another.
-pub(super) fn parts(mut input: RawInput) -> Vec<RawInput> {
+/// where the keyboard was before it. On slow frames so one thing is taken for another.
+pub fn input_parts(mut input: RawInput) -> Vec<RawInput> {
     let is_button = |event: &Event| matches!(event, Event::PointerButton { .. });
     let mut groups: Vec<Vec<Event>> = vec![Vec::new()];
     for event in std::mem::take(&mut input.events) {
@@ -64,7 +64,7 @@ mod tests {
             time: Some(3.0),
             ..RawInput::default()
         };
-        let parts = parts(input);
+        let parts = input_parts(input);
         let counts: Vec<usize> = parts.iter().map(|part| part.events.len()).collect();
         assert_eq!(counts, [2, 1, 1, 1, 1]);
         assert!(parts.iter().all(|part| part.time == Some(3.0)));
@@ -74,6 +74,6 @@ mod tests {
 
     #[test]
     fn a_frame_without_events_is_one_part() {
-        assert_eq!(parts(RawInput::default()).len(), 1);
+        assert_eq!(input_parts(RawInput::default()).len(), 1);
     }
 }

@@ -2,8 +2,9 @@
 //! the pictures of a frame. What differs between a window, a command and a test is behind the one
 //! trait [`Host`].
 //!
-//! A host calls [`Program::frame`] once a frame, or, where something else runs egui for it,
-//! [`Program::show`] and [`Program::draw`].
+//! A host calls [`Program::frame`] once a frame. Where something else runs egui for it, it calls
+//! [`Program::begin_frame`], [`Program::show`] within the pass of egui for each of the
+//! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
 mod comparison;
 mod files;
@@ -17,8 +18,9 @@ mod job;
 mod preferences;
 mod running;
 
-pub use frame::{DrawnFrame, FrameInput, Pass, ProgramError};
+pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
-pub use host::{Host, HostEvent, Purpose, StorageKey};
+pub use host::{FileRequest, Host, HostEvent, Purpose, StorageKey};
+pub use input_parts::input_parts;
 pub use job::{Job, JobResult};
 pub use running::{Options, Program, Shown};

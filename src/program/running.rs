@@ -4,9 +4,10 @@ use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::preferences::Preferences;
-use super::{Host, HostEvent, Purpose, globals};
+use super::{FileRequest, Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity};
 use crate::io::builtin::{self, BuiltinKind};
+use crate::revision::Revision;
 use crate::scene::ShapeId;
 use crate::scene::Skinning;
 use crate::ui::{
@@ -34,10 +35,12 @@ pub struct Program {
     /// Preferences as they were stored last.
     stored: Preferences,
     pub(super) comparison: Option<Comparison>,
-    /// Pictures that are saved once they can be drawn.
+    /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
+    /// Pictures that are saved at the end of this frame.
+    pub(super) due_pictures: Vec<(PathBuf, Screenshot)>,
     /// The character that gets the pose on the clipboard, once its text is there.
-    pub(super) paste_into: Option<ShapeId>,
+    pub(super) paste_into: Option<(Revision, ShapeId)>,
     /// The shape under the pointer when the last frame was drawn.
     pub(super) hovered_shape: Option<ShapeId>,
     pub(super) frame_rate: FrameRate,
@@ -59,6 +62,7 @@ impl Program {
             stored: Preferences::default(),
             comparison: None,
             pending_pictures: Vec::new(),
+            due_pictures: Vec::new(),
             paste_into: None,
             hovered_shape: None,
             frame_rate: FrameRate::default(),
@@ -144,8 +148,7 @@ impl Program {
         }
         host.show_dialogs(&context);
         let actions = std::mem::take(&mut output.actions);
-        let mut changed = !actions.is_empty();
-        self.carry_out(actions, host);
+        let mut changed = self.carry_out(actions, host);
         changed |= self.take_events(host);
         Shown {
             panels: output,
@@ -154,18 +157,23 @@ impl Program {
     }
 
     /// Takes in the events of the host; whether there were any.
-    pub fn take_events(&mut self, host: &mut dyn Host) -> bool {
+    pub(super) fn take_events(&mut self, host: &mut dyn Host) -> bool {
         let mut any = false;
         while let Some(event) = host.next_event() {
             any = true;
             match event {
                 HostEvent::Chosen {
-                    purpose,
+                    request,
                     path,
                     files,
                 } => {
                     self.preferences.last_folder = path.parent().map(Path::to_owned);
-                    self.use_chosen(purpose, path, &*files, host);
+                    if request.purpose.shape().is_some()
+                        && self.is_from_another_scene(request.opened)
+                    {
+                        continue;
+                    }
+                    self.use_chosen(request.purpose, path, &*files, host);
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, &*files),
                 HostEvent::Written { path, result } => self.tell_written(&path, result),
@@ -181,26 +189,53 @@ impl Program {
     }
 
     /// Carries out the actions of panels, menus, keys and gestures: the one place that does.
-    pub fn carry_out(&mut self, actions: Vec<Action>, host: &mut dyn Host) {
+    /// Returns whether there is something new to show. A drag that is held still is none.
+    pub fn carry_out(&mut self, actions: Vec<Action>, host: &mut dyn Host) -> bool {
+        let mut changed = false;
         for action in actions {
-            match action {
+            changed |= match action {
                 Action::Edit(edit) => self.edit(edit),
-                Action::Gesture(GestureStep::Begin) => self.session.begin_gesture(),
-                Action::Gesture(GestureStep::Commit) => {
-                    self.session.commit_gesture();
+                Action::Gesture(step) => {
+                    match step {
+                        GestureStep::Begin => self.session.begin_gesture(),
+                        GestureStep::Commit => drop(self.session.commit_gesture()),
+                        GestureStep::Cancel => self.session.cancel_gesture(),
+                    }
+                    true
                 }
-                Action::Gesture(GestureStep::Cancel) => self.session.cancel_gesture(),
-                Action::View(view) => self.session.look(view),
-                Action::Ask(ask) => self.answer(ask, host),
+                Action::View(view) => {
+                    self.session.look(view);
+                    true
+                }
+                Action::Ask(ask) => {
+                    self.answer(ask, host);
+                    true
+                }
+            };
+        }
+        changed
+    }
+
+    /// Edits the document; a refusal becomes a message. Returns whether there is something new to
+    /// show.
+    pub(super) fn edit(&mut self, edit: Edit) -> bool {
+        match self.session.edit(edit) {
+            Ok(change) => !change.is_nothing(),
+            Err(refused) => {
+                self.tell(Severity::Error, refused.to_string());
+                true
             }
         }
     }
 
-    /// Edits the document; a refusal becomes a message.
-    pub(super) fn edit(&mut self, edit: Edit) {
-        if let Err(refused) = self.session.edit(edit) {
-            self.tell(Severity::Error, refused.to_string());
+    /// Whether an answer is about a scene that another has taken the place of; a message says so.
+    pub(super) fn is_from_another_scene(&mut self, opened: Revision) -> bool {
+        let is_late = opened != self.session.opened();
+        if is_late {
+            let text = "Nothing was done: another scene has been opened in the meantime";
+            self.tell(Severity::Warning, text);
         }
+        is_late
     }
 
     pub(super) fn tell(&mut self, severity: Severity, text: impl Into<String>) {
@@ -209,7 +244,10 @@ impl Program {
 
     fn answer(&mut self, ask: Ask, host: &mut dyn Host) {
         let folder = self.preferences.last_folder.as_deref();
-        let mut choose = |purpose, name: &str| host.choose_file(purpose, folder, name);
+        let opened = self.session.opened();
+        let mut choose = |purpose, name: &str| {
+            host.choose_file(FileRequest { purpose, opened }, folder, name);
+        };
         match ask {
             Ask::ImportShape => choose(Purpose::ImportShape, ""),
             Ask::ImportCharacter => choose(Purpose::ImportCharacter, ""),
@@ -238,7 +276,7 @@ impl Program {
                 }
             }
             Ask::PastePose(shape) => {
-                self.paste_into = Some(shape);
+                self.paste_into = Some((opened, shape));
                 host.request_paste();
             }
             Ask::Compare(action) => self.compare(action, host),
@@ -248,11 +286,13 @@ impl Program {
 
     fn compare(&mut self, action: CompareAction, host: &mut dyn Host) {
         let folder = self.preferences.last_folder.as_deref();
+        let opened = self.session.opened();
+        let mut choose = |purpose, name: &str| {
+            host.choose_file(FileRequest { purpose, opened }, folder, name);
+        };
         match action {
-            CompareAction::Choose => host.choose_file(Purpose::Compare, folder, ""),
-            CompareAction::Save => {
-                host.choose_file(Purpose::SaveComparison, folder, "comparison.png");
-            }
+            CompareAction::Choose => choose(Purpose::Compare, ""),
+            CompareAction::Save => choose(Purpose::SaveComparison, "comparison.png"),
             CompareAction::Close => self.comparison = None,
             CompareAction::Set(settings) => {
                 if let Some(comparison) = &mut self.comparison {

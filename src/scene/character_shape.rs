@@ -107,8 +107,9 @@ impl CharacterShape {
         &self.pose
     }
 
-    /// Revision, which changes with the pose and with the weights.
-    pub fn revision(&self) -> Revision {
+    /// Revision of the pose at a time of playback, in seconds, and of the weights: all that the
+    /// deformed mesh follows from.
+    pub fn revision_at(&self, _time: f64) -> Revision {
         self.revision
     }
 

@@ -154,7 +154,7 @@ impl Evaluator {
 
     fn geometry(&mut self, shape: &Shape, time: f64) -> Arc<EvaluatedGeometry> {
         let revision = match &shape.kind {
-            ShapeKind::Character(character) => character.revision(),
+            ShapeKind::Character(character) => character.revision_at(time),
             ShapeKind::Curve(curve) => curve.revision(),
             other => other.mesh().revision(),
         };
@@ -187,7 +187,7 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
     EvaluatedGeometry {
         deformation: Some(Deformation::new(character.clone(), model_from_joint)),
         figure: Some(figure),
-        ..EvaluatedGeometry::rigid(mesh, around_joints, shape.revision())
+        ..EvaluatedGeometry::rigid(mesh, around_joints, shape.revision_at(time))
     }
 }
 

@@ -135,7 +135,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
-    add_gestures_of_fields(&ctx, &mut actions);
+    add_gestures_of_fields(&ctx, session, state, &mut actions);
     state.view_rect = view_rect;
 
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got
@@ -169,13 +169,24 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
 
 /// Adds beginnings of drags of number fields before the actions of this frame, and their ends after
 /// them.
-fn add_gestures_of_fields(ctx: &egui::Context, actions: &mut Vec<Action>) {
-    for step in number_field::take_gestures(ctx) {
-        let index = match step {
+fn add_gestures_of_fields(
+    ctx: &egui::Context,
+    session: &Session,
+    state: &UiState,
+    actions: &mut Vec<Action>,
+) {
+    let steps = number_field::take_gestures(ctx);
+    // A field that is not shown any more cannot end its drag.
+    let released = !ctx.input(|input| input.pointer.any_down());
+    if steps.is_empty() && released && session.is_in_gesture() && !state.gesture_under_way() {
+        actions.push(Action::Gesture(GestureStep::Commit));
+    }
+    for step in steps {
+        let place = match step {
             GestureStep::Begin => 0,
             GestureStep::Commit | GestureStep::Cancel => actions.len(),
         };
-        actions.insert(index, Action::Gesture(step));
+        actions.insert(place, Action::Gesture(step));
     }
 }
 

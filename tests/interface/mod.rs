@@ -289,7 +289,9 @@ impl Shell {
                     compare::carry_out(&mut self.comparing, &ask);
                     self.asked.push(ask);
                 }
-                action => self.program.carry_out(vec![action], &mut self.host),
+                action => {
+                    self.program.carry_out(vec![action], &mut self.host);
+                }
             }
         }
     }

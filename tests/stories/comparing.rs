@@ -97,6 +97,20 @@ fn a_comparison_is_saved_side_by_side_and_ends_with_esc() {
 }
 
 #[test]
+fn the_view_is_the_same_after_a_comparison_as_before() {
+    let mut story = Story::start(&["builtin:robot"]);
+    let before = story.scene_picture();
+    let picture = image::encode(&before, PictureFormat::Png).unwrap();
+    story.host.files.insert("robot.png".into(), picture);
+    story.host.drop_file("robot.png");
+    story.settle();
+    let beside = story.graphics.scene_picture().unwrap().height();
+    assert!(beside < before.height, "the panel takes room from the view");
+    story.key(Key::Escape);
+    assert_eq!(super::differing(&before, &story.scene_picture()), 0);
+}
+
+#[test]
 fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_reason() {
     let mut story = Story::start(&[]);
     let wide = editor_core::geometry::Picture {

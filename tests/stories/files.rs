@@ -173,3 +173,33 @@ fn kept_poses_are_saved_under_their_names_and_loaded() {
     story.choose("p.json");
     assert_eq!(story.degrees("Elbow"), Vec3::new(15.0, 0.0, 0.0));
 }
+
+#[test]
+fn an_answer_that_comes_after_another_scene_was_opened_touches_none_of_its_shapes() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let pose = br#"{"joints": {"Elbow": [0, 0, 50]}}"#;
+    story.host.files.insert("bent.json".into(), pose.to_vec());
+    story.click("Pose");
+    story.click("Load Pose…");
+    let view = *story.session().view();
+    let kind = story.shape().kind.clone();
+    let again = vec![editor_core::scene::NewShape::new("Other", kind)];
+    story.program.session_mut().open(again, view);
+    story.choose("bent.json");
+    assert_eq!(story.shape().name, "Other");
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    let late = "Nothing was done: another scene has been opened in the meantime";
+    assert_eq!(story.messages(), [(Severity::Warning, late)]);
+}
+
+#[test]
+fn a_pose_dropped_where_no_character_is_selected_is_refused_with_its_reason() {
+    let mut story = Story::start(&["builtin:gem"]);
+    story.host.files.insert("bent.json".into(), b"{}".to_vec());
+    story.host.drop_file("bent.json");
+    story.settle();
+    let [(Severity::Error, message)] = story.messages()[..] else {
+        panic!("{:?}", story.messages());
+    };
+    assert!(message.starts_with("bent.json: expected"), "{message}");
+}

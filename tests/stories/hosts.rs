@@ -4,7 +4,9 @@
 use super::{SIZE, Story, differing, started_before};
 use crate::host::MemoryHost;
 use editor_core::gpu::{Backend, HeadlessContext};
+use editor_core::io::image;
 use editor_core::program::{Graphics, Options, Pass, Program};
+use editor_core::ui::{Action, Ask, Screenshot};
 use egui::{Event, Key, Modifiers, RawInput, Rect, pos2, vec2};
 
 #[test]
@@ -20,6 +22,13 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
         ..Options::default()
     };
     let mut program = Program::start(&options, graphics.info(), &mut host);
+    // A picture without panels is asked for before the first frame.
+    let shot = Screenshot {
+        with_panels: false,
+        size: Some((64, 48)),
+    };
+    program.carry_out(vec![Action::Ask(Ask::Screenshot(shot))], &mut host);
+    host.choose("robot.png");
     let context = egui::Context::default();
     let mut frame = |events: Vec<Event>| {
         let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(SIZE.0 as f32, SIZE.1 as f32));
@@ -29,12 +38,14 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
             ..RawInput::default()
         };
         let mut view = Rect::NOTHING;
+        program.begin_frame(&mut host);
         let mut output = context.run_ui(raw, |root| {
             view = program.show(root, Pass::Input, &mut host).panels.view_rect;
         });
         output.textures_delta.clear();
         let size = (view.width() as u32, view.height() as u32);
         program.draw(&mut graphics, size, None, &mut host).unwrap();
+        program.finish_frame(&mut graphics, &mut host);
         let picture = graphics.scene_picture().unwrap();
         assert_eq!((picture.width(), picture.height()), size);
         assert!(
@@ -60,6 +71,9 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
     assert!(differing(&before, &after) > 1_000, "the camera moved");
     assert!(!quits);
     assert!(frame(vec![key(Key::Escape, Modifiers::NONE)]).1);
+    let saved = &host.written[std::path::Path::new("robot.png")];
+    let saved = image::decode(std::path::Path::new("robot.png"), saved).unwrap();
+    assert_eq!((saved.width, saved.height), (64, 48));
 }
 
 #[test]

@@ -121,11 +121,12 @@ impl Story {
 
     /// Draws frames until none is needed any more.
     fn settle(&mut self) {
-        for _ in 0..30 {
+        for _ in 0..60 {
             if self.frame(Vec::new()) > Duration::from_millis(20) {
                 return;
             }
         }
+        panic!("frames are drawn without an end");
     }
 
     fn session(&self) -> &Session {
