@@ -142,3 +142,28 @@ fn pins_that_do_not_move_change_nothing() {
     let held = hold_pins(&skeleton, &pose, &pose, &pins, &[HAND]);
     assert_eq!(held, pose);
 }
+
+#[test]
+fn pins_are_held_from_the_root_outward_in_whatever_order_the_file_has_them() {
+    let joint = |parent, offset| Joint {
+        parent,
+        offset,
+        ..Joint::default()
+    };
+    // Hand, elbow, shoulder, and a root in the shoulder's place.
+    let joints = vec![
+        joint(Some(1), Vec3::X),
+        joint(Some(2), Vec3::X),
+        joint(Some(3), Vec3::ZERO),
+        joint(None, Vec3::ZERO),
+    ];
+    let skeleton = SkeletalModel::new(joints).unwrap();
+    let before = Pose::new();
+    let mut after = before.clone();
+    after.set_joint_transform(3, Euler::from_degrees(Vec3::Z * 30.0));
+    let held = hold_pins(&skeleton, &before, &after, &BTreeSet::from([0, 2]), &[3]);
+    for pin in [0, 2] {
+        let off = moved(&skeleton, &before, &held, pin);
+        assert!(off < 1e-5, "pin {pin} is off by {off}");
+    }
+}

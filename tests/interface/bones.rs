@@ -502,3 +502,60 @@ fn the_move_tool_names_the_root_that_moves_and_not_the_bone_under_the_hand() {
         (2, 0)
     );
 }
+
+#[test]
+fn with_shift_the_arrows_of_a_root_move_every_root() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::forest());
+    editor.harness.state_mut().gestures = true;
+    editor.key(Key::G);
+    editor.view(View::SelectJoint(Some(1)));
+    let from = editor.place(Vec3::X * 0.5) + vec2(60.0, 0.0);
+    editor
+        .harness
+        .event(Event::ModifiersChanged(Modifiers::SHIFT));
+    editor.hand(from, from + vec2(50.0, 0.0));
+    let (one, other) = (editor.root_offset(1), editor.root_offset(0));
+    assert!(one.x > 0.1 && one.with_x(0.0) == Vec3::ZERO, "{one}");
+    assert_eq!(one, other);
+}
+
+#[test]
+fn of_the_bones_of_a_joint_the_one_that_was_clicked_is_rolled() {
+    const WAIST: usize = 2;
+    let mut editor = Editor::with_hands(Key::B);
+    let session = editor.session();
+    let evaluated = &session.evaluated().shapes[0];
+    let bones = bones_in_world(session.scene(), evaluated);
+    let ends: Vec<_> = bones.filter(|bone| bone.0 == WAIST).collect();
+    assert_eq!(ends.len(), 2, "to the right and to the left hip");
+    for (_, start, end) in ends {
+        // Without rings in the way.
+        editor.view(View::SelectJoint(None));
+        let at = editor.place(start.lerp(end, 0.7));
+        editor.click_at(at);
+        assert_eq!(editor.session().selected_joint(), Some(WAIST));
+        editor.point(editor.harness.state().view.left_bottom() + vec2(20.0, -20.0));
+        editor.key(Key::ArrowRight);
+        let rotation = editor.character().pose().rotation(WAIST).to_mat3();
+        let along = end - start;
+        assert!((rotation * along).abs_diff_eq(along, 1e-5), "{along}");
+        assert!(!editor.character().pose().is_bind());
+        editor.key(Key::ArrowLeft);
+    }
+}
+
+#[test]
+fn a_joint_clicked_in_the_list_shows_its_rings_though_its_bone_was_just_turned() {
+    let mut editor = Editor::with_hands(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.hand(from, from + vec2(-20.0, 60.0));
+    editor.click("Reset Left elbow");
+    editor.click("Left elbow");
+    let middle = editor.place(editor.bone(LEFT_ELBOW).0);
+    let on_ring = |degrees: f32| middle + 72.0 * Vec2::angled(-degrees.to_radians());
+    editor.hand(on_ring(80.0), on_ring(110.0));
+    let turned = editor.joint(LEFT_ELBOW);
+    let expected = Vec3::new(0.0, 0.0, 30.0);
+    assert!(turned.abs_diff_eq(expected, 1.5), "{turned}");
+}

@@ -432,3 +432,17 @@ fn a_curve_deleted_while_its_point_is_dragged_ends_the_gesture() {
     assert!(editor.session().scene().shapes().is_empty());
     assert!(!editor.harness.state().state.gesture_under_way());
 }
+
+#[test]
+fn of_several_flat_curves_the_last_is_turned() {
+    let mut set = three_curves();
+    let last = set.items()[0].kind.clone();
+    set.push("last", last).unwrap();
+    let mut editor = with_set(set);
+    editor.choose(&["Insert", "Surface of Revolution from Curve"]);
+    let turned = CurveItemKind::Revolution {
+        steps: 48,
+        profile: 3,
+    };
+    assert_eq!(kinds(&editor)[4], turned);
+}

@@ -373,3 +373,24 @@ fn a_drag_that_begins_between_the_tools_does_not_move_the_camera() {
         assert_eq!(editor.session().view().camera, camera, "{at}");
     }
 }
+
+#[test]
+fn the_joint_under_the_pointer_is_pinned_before_the_selected_one() {
+    let mut editor = Editor::with_ik();
+    editor.view(View::SelectJoint(Some(LEFT_KNEE)));
+    let at = editor.near(LEFT_FOOT, LEFT_KNEE);
+    editor.point(at);
+    editor.key(Key::P);
+    assert!(editor.has("Pinned: stays while others are dragged · P unpins"));
+}
+
+#[test]
+fn pins_of_one_character_do_not_hold_another() {
+    let mut editor = Editor::with_ik();
+    editor.pin(LEFT_KNEE);
+    editor.add_character(figure::figure());
+    editor.type_into("Position X", "0.8");
+    let from = editor.near(LEFT_FOOT, LEFT_KNEE);
+    editor.bring(from, STEP);
+    assert_eq!(editor.turned(), [LEFT_LEG, LEFT_KNEE, LEFT_FOOT]);
+}

@@ -346,3 +346,23 @@ fn a_joint_selected_in_the_view_has_its_row_where_nothing_dims_it() {
         assert!(row.top() >= top + FADE, "{joint}: {row}");
     }
 }
+
+#[test]
+fn resetting_the_angles_of_a_root_leaves_its_offset() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Root Offset Z", "-3");
+    editor.type_into("Root Y", "30");
+    editor.click("Reset Root");
+    let pose = editor.character().pose();
+    assert_eq!(pose.root_offset(ROOT), Vec3::Z * -3.0);
+    assert_eq!(editor.joint(ROOT), Vec3::ZERO);
+}
+
+#[test]
+fn right_goes_to_the_first_of_several_children() {
+    const RIGHT_HIP: usize = 4;
+    let mut editor = Editor::with_figure();
+    editor.click("Waist");
+    editor.key(Key::ArrowRight);
+    assert_eq!(editor.session().selected_joint(), Some(RIGHT_HIP));
+}

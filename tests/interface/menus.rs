@@ -1,9 +1,11 @@
 //! Menus, keys and dialogs.
 
 use crate::interface::Editor;
+use editor_core::editor::View;
 use editor_core::scene::{Camera, Look, Shading, Skinning};
 use editor_core::ui::{Ask, Screenshot};
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::NodeT;
 
 #[test]
 fn every_shape_of_the_insert_menu_is_added_and_selected() {
@@ -218,4 +220,36 @@ fn esc_closes_the_screenshot_dialog_and_no_other_key_works_below_it() {
     editor.key(Key::Escape);
     assert!(!editor.has("Save…"));
     assert!(editor.asked().is_empty());
+}
+
+impl Editor {
+    /// Whether the item of an open menu can be chosen.
+    fn can_choose(&self, item: &str) -> bool {
+        !self.widget(item).accesskit_node().is_disabled()
+    }
+}
+
+#[test]
+fn a_joint_at_rest_cannot_be_reset_and_a_turned_one_can() {
+    let mut editor = Editor::with_figure();
+    editor.click("Neck");
+    editor.click("Pose");
+    assert!(!editor.can_choose("Reset Joint"));
+    editor.key(Key::Escape);
+    editor.type_into("Neck X", "10");
+    editor.view(View::SelectJoint(Some(3)));
+    editor.click("Pose");
+    assert!(editor.can_choose("Reset Joint"));
+}
+
+#[test]
+fn where_everything_is_hidden_there_is_nothing_to_fit() {
+    let mut editor = Editor::new();
+    editor.choose(&["Insert", "Cube"]);
+    editor.click("View");
+    assert!(editor.can_choose("Fit to View"));
+    editor.key(Key::Escape);
+    editor.click("Hide Cube");
+    editor.click("View");
+    assert!(!editor.can_choose("Fit to View"));
 }

@@ -68,3 +68,15 @@ fn the_history_is_copied_with_words_for_the_signs() {
     });
     assert_eq!(copied, Some("Warning: odd weights\nError: no file\n"));
 }
+
+#[test]
+fn a_warning_stays_in_sight_and_so_does_a_note_beside_it() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Warning, "odd weights");
+    tell(&mut editor, Severity::Info, "Imported a.dae");
+    editor.harness.run_steps(100);
+    assert!(editor.has("odd weights") && editor.has("Imported a.dae"));
+    editor.click("Dismiss: odd weights");
+    editor.harness.run_steps(40);
+    assert!(!editor.has("Imported a.dae"));
+}

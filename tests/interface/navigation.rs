@@ -1,6 +1,7 @@
 //! Ways of moving the camera that hands bring along from other programs.
 
 use crate::interface::Editor;
+use editor_core::editor::View;
 use editor_core::scene::Camera;
 use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
@@ -198,5 +199,98 @@ fn over_a_shape_the_status_line_names_the_button_that_turns() {
         editor.settle();
         let said = format!("Click to select it · {turns}");
         assert!(editor.has(&said), "{navigation}");
+    }
+}
+
+#[test]
+fn keys_with_shift_are_commands_and_do_not_walk() {
+    let mut editor = empty("Mannequin");
+    for key in [Key::S, Key::W, Key::ArrowUp, Key::ArrowLeft] {
+        editor.key_with(Modifiers::SHIFT, key);
+    }
+    assert_eq!(editor.session().view().camera, Camera::default());
+    assert_eq!(editor.shape().name, "Sphere", "Shift and S");
+}
+
+#[test]
+fn in_the_mannequin_left_and_right_turn_the_camera_to_that_side() {
+    let mut editor = empty("Mannequin");
+    for (key, side) in [(Key::ArrowRight, 1.0), (Key::ArrowLeft, -1.0)] {
+        editor.key(Key::R);
+        editor.key(key);
+        let camera = editor.session().view().camera;
+        assert!(camera.eye().x * side > 0.3, "{key:?} {}", camera.eye());
+        assert_eq!((camera.target, camera.phi), (Vec3::ZERO, 0.0));
+    }
+}
+
+#[test]
+fn up_and_down_move_along_the_worlds_axis_however_the_camera_looks() {
+    let mut editor = empty("Mannequin");
+    let mut camera = Camera::default();
+    camera.turn(vec2(0.0, -160.0));
+    editor.view(View::SetCamera(camera));
+    editor.key(Key::ArrowUp);
+    let moved = editor.session().view().camera.target;
+    assert!(
+        moved.y > 0.099 && moved.with_y(0.0) == Vec3::ZERO,
+        "{moved}"
+    );
+}
+
+#[test]
+fn in_the_course_a_drag_upward_moves_along_the_worlds_axis_from_above_too() {
+    let mut editor = empty("As the course's editor");
+    let mut camera = Camera::default();
+    camera.turn(vec2(0.0, -160.0));
+    editor.view(View::SetCamera(camera));
+    let by = egui::vec2(0.0, 50.0);
+    let [_, after] = drag(&mut editor, PointerButton::Primary, Modifiers::NONE, by);
+    let expected = Vec3::Y * 0.5;
+    assert!(after.target.abs_diff_eq(expected, 1e-5), "{}", after.target);
+}
+
+#[test]
+fn esc_puts_the_camera_back_to_before_the_drag_however_long_that_was() {
+    let mut editor = empty("As the course's editor");
+    editor.harness.hover_at(FROM);
+    editor.harness.drag_at(FROM);
+    for right in [40.0, 90.0, 140.0] {
+        editor.harness.hover_at(FROM + egui::vec2(right, 0.0));
+        editor.settle();
+    }
+    assert!(editor.session().view().camera.target.x < -1.0);
+    editor.key(Key::Escape);
+    assert_eq!(editor.session().view().camera, Camera::default());
+}
+
+#[test]
+fn a_short_stroke_over_a_touchpad_is_less_than_a_notch_of_the_wheel() {
+    let mut editor = empty("As the course's editor");
+    editor.harness.hover_at(FROM);
+    editor.harness.event(Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 10.0),
+        modifiers: Modifiers::NONE,
+        phase: egui::TouchPhase::Move,
+    });
+    editor.settle();
+    let radius = editor.session().view().camera.radius;
+    assert!(radius > 4.5 && radius < 5.0, "{radius}");
+}
+
+#[test]
+fn r_puts_every_character_back_to_rest() {
+    let mut editor = empty("Mannequin");
+    for _ in 0..3 {
+        editor.add_character(crate::interface::figure::figure());
+        editor.type_into("Neck X", "30");
+        editor.type_into("Root Offset Y", "2");
+    }
+    editor.key(Key::R);
+    let scene = editor.session().scene();
+    for shape in scene.shapes() {
+        let character = scene.character(shape.id).expect("a character");
+        assert!(character.pose().is_bind(), "{}", shape.id);
     }
 }

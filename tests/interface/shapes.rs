@@ -1,7 +1,10 @@
 //! The shape panel: list, properties, color, display.
 
 use crate::interface::Editor;
-use editor_core::scene::{BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, ShapeColor, ShapeId};
+use editor_core::editor::Edit;
+use editor_core::scene::{
+    BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, NewShape, ShapeColor, ShapeId, ShapeKind,
+};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 
@@ -175,4 +178,59 @@ fn a_new_shape_is_scrolled_into_sight_in_a_long_list() {
     let row = editor.widget("[15] Sphere (ID: 15)").rect();
     let below = editor.widget("Delete").rect();
     assert!(row.bottom() <= below.top(), "{row} is below {below}");
+}
+
+#[test]
+fn a_right_click_puts_a_number_back_to_where_the_shape_started() {
+    let mut editor = Editor::new();
+    let mut shape = NewShape::new("Cube", ShapeKind::Cube);
+    shape.placement.transform.position = Vec3::new(1.0, 2.0, 3.0);
+    editor.edit(Edit::Insert(vec![shape]));
+    editor.type_into("Position X", "7");
+    editor.type_into("Position Y", "8");
+    editor.right_click("Position Y");
+    let position = editor.shape().placement.transform.position;
+    assert_eq!(position, Vec3::new(7.0, 2.0, 3.0));
+}
+
+/// Names and colors of the course's editor, in its order, in eighths; Light Gray is 0.825.
+#[rustfmt::skip]
+const COURSE_COLORS: [(&str, [u8; 3]); 30] = [
+    ("Black", [0, 0, 0]), ("White", [8, 8, 8]), ("Red", [8, 0, 0]), ("Lime", [0, 8, 0]),
+    ("Blue", [0, 0, 8]), ("Yellow", [8, 8, 0]), ("Cyan", [0, 8, 8]), ("Magenta", [8, 0, 8]),
+    ("Silver", [6, 6, 6]), ("Gray", [4, 4, 4]), ("Maroon", [4, 0, 0]), ("Olive", [4, 4, 0]),
+    ("Green", [0, 4, 0]), ("Purple", [4, 0, 4]), ("Teal", [0, 4, 4]), ("Navy", [0, 0, 4]),
+    ("Orange", [8, 4, 0]), ("Rose", [8, 0, 4]), ("Light Green", [0, 8, 4]), ("Gold", [4, 8, 0]),
+    ("Violet", [4, 0, 8]), ("Light Blue", [0, 4, 8]), ("Pink", [8, 4, 4]), ("Mint", [4, 8, 4]),
+    ("Lavender", [4, 4, 8]), ("Fuchsia", [8, 4, 8]), ("Baby Blue", [8, 8, 4]), ("Canary", [4, 8, 8]),
+    ("Dark Gray", [2, 2, 2]), ("Nero", [1, 1, 1]),
+];
+
+#[test]
+fn presets_have_the_names_and_colors_of_the_courses_editor() {
+    for (index, (name, eighths)) in COURSE_COLORS.into_iter().enumerate() {
+        let rgb = Vec3::from(eighths.map(f32::from)) / 8.0;
+        assert_eq!(COLOR_PRESETS[index].name, name);
+        assert_eq!(ShapeColor::Preset(index).rgb(), rgb, "{name}");
+    }
+    assert_eq!(COLOR_PRESETS[30].name, "Light Gray");
+    assert_eq!(ShapeColor::Preset(30).rgb(), Vec3::splat(0.825));
+    assert_eq!(COLOR_PRESETS[31].name, "Custom");
+}
+
+#[test]
+fn new_shapes_have_the_colors_of_the_courses_editor() {
+    let mut editor = Editor::new();
+    for (item, color) in [
+        ("Cube", "Red"),
+        ("Sphere", "Lime"),
+        ("Pyramid", "Yellow"),
+        ("Teapot", "Blue"),
+        ("Icosahedron", "Cyan"),
+        ("Custom Shape", "Olive"),
+    ] {
+        editor.choose(&["Insert", item]);
+        let preset = editor.shape().placement.color.preset_index();
+        assert_eq!(COLOR_PRESETS[preset].name, color, "{item}");
+    }
 }

@@ -1,7 +1,8 @@
 //! What lies over the view, and the view itself.
 
 use crate::interface::Editor;
-use editor_core::editor::View;
+use editor_core::editor::{Edit, View};
+use editor_core::math::Transform;
 use editor_core::scene::{Camera, ViewDirection};
 use egui::Key;
 use glam::{Vec3, vec2};
@@ -75,4 +76,33 @@ fn a_drag_in_the_view_is_the_programs_and_changes_nothing_here() {
     let camera = editor.session().view().camera;
     editor.drag("View of the scene", 40.0);
     assert_eq!(editor.session().view().camera, camera);
+}
+
+#[test]
+fn of_two_ends_of_the_axis_ball_in_one_place_the_nearer_is_clicked() {
+    let mut editor = Editor::new();
+    let mut camera = Camera::default();
+    // The ends of Z are a few points apart, and +Z is before the other.
+    camera.turn(vec2(10.0, 0.0));
+    editor.view(View::SetCamera(camera));
+    editor.click("Look from +Z");
+    let now = editor.session().view().camera;
+    assert_eq!(now, camera.looking_from(ViewDirection::PlusZ));
+}
+
+#[test]
+fn a_wide_shape_is_fitted_to_the_width_of_a_wide_view() {
+    let mut editor = Editor::sized(egui::vec2(1400.0, 500.0));
+    editor.choose(&["Insert", "Cube"]);
+    let wide = Transform {
+        scale: Vec3::new(10.0, 1.0, 1.0),
+        ..Transform::IDENTITY
+    };
+    let cube = editor.shape().id;
+    editor.edit(Edit::SetTransform(cube, wide));
+    editor.key(Key::F);
+    // The nearest edges, as seen from +Z, are the widest.
+    let ends = [-5.0, 5.0].map(|x| editor.place(Vec3::new(x, 0.0, 0.5)).x);
+    let share = (ends[1] - ends[0]) / editor.harness.state().view.width();
+    assert!((0.85..1.0).contains(&share), "{share} of the width");
 }

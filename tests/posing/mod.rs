@@ -2,6 +2,7 @@
 
 mod dragging;
 mod ik;
+mod mirroring;
 mod moving;
 mod picking;
 mod support;
