@@ -161,6 +161,7 @@ impl Program {
                     files,
                 } => {
                     self.preferences.last_folder = path.parent().map(Path::to_owned);
+                    self.preferences.store(host);
                     self.use_chosen(purpose, path, &*files, host);
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, &*files),
