@@ -237,6 +237,40 @@ fn deleting_takes_the_shape_that_was_named_and_selects_its_successor() {
 }
 
 #[test]
+fn the_next_shape_is_selected_after_a_deleted_one_and_a_joint_stays_selected_with_its_shape() {
+    let (mut session, [one, other, _]) = session();
+    session.look(View::Select(Some(one)));
+    session.look(View::SelectJoint(Some(1)));
+    session.look(View::Select(Some(one)));
+    assert_eq!(session.selected_joint(), Some(1));
+    session.edit(Edit::Delete(one)).unwrap();
+    assert_eq!(session.selected(), Some(other));
+}
+
+#[test]
+fn the_camera_of_the_start_is_that_of_the_document_and_only_500_messages_are_kept() {
+    let view = ViewSettings {
+        camera: Camera {
+            radius: 7.0,
+            ..Camera::default()
+        },
+        ..ViewSettings::default()
+    };
+    let mut session = Session::with_shapes(Vec::new(), view);
+    session.look(View::ResetCamera);
+    assert_eq!(*session.start_camera(), view.camera);
+    for number in 0..502 {
+        let severity = editor_core::editor::Severity::Info;
+        session.messages.tell(severity, number.to_string());
+    }
+    let told = session.messages.history();
+    assert_eq!(
+        (told.len(), &*told[0].text, &*told[499].text),
+        (500, "2", "501")
+    );
+}
+
+#[test]
 fn a_gesture_ends_when_shapes_come_or_go_and_a_second_one_begins_anew() {
     let (mut session, [one, ..]) = session();
     session.begin_gesture();

@@ -320,7 +320,7 @@ mod tests {
         for bad in ["", "1,2", "1,2,x", "1,2,NaN", "1,2,0", "1,2,3,4"] {
             assert!(camera(bad).is_err(), "{bad}");
         }
-        assert_eq!((samples("0"), samples("4")), (Ok(0), Ok(4)));
+        assert_eq!((samples("0"), samples("64")), (Ok(0), Ok(64)));
         for bad in ["-1", "65", "1.5", "many", ""] {
             assert!(samples(bad).is_err(), "{bad}");
         }

@@ -183,3 +183,13 @@ pub fn refuse_input(output: &Path, inputs: &[PathBuf]) -> Result<(), CliError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_ends_a_line_or_turns_writing_round_is_shown_as_its_number() {
+        assert_eq!(visible("a\u{2028}b\u{202e}"), "a\\u{2028}b\\u{202e}");
+    }
+}

@@ -166,6 +166,30 @@ mod tests {
         assert_eq!(error.message, "a part of its path is a file, not a folder");
     }
 
+    #[test]
+    fn a_file_too_large_to_read_is_refused_with_its_size() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("huge.obj");
+        // A hole: it takes no room on the disk.
+        File::create(&path)
+            .unwrap()
+            .set_len((1 << 30) + (1 << 20))
+            .unwrap();
+        let error = Disk.read(&path).unwrap_err();
+        let message = "expected a file of at most 1024 MiB, found 1025";
+        assert_eq!(error.message, message);
+    }
+
+    #[test]
+    fn a_file_is_the_same_under_all_its_names_and_missing_ones_are_not() {
+        let folder = tempfile::tempdir().unwrap();
+        let (path, missing) = (folder.path().join("a.obj"), folder.path().join("b.obj"));
+        fs::write(&path, "v").unwrap();
+        assert!(is_same_file(&path, &folder.path().join("./a.obj")));
+        assert!(!is_same_file(&path, &missing));
+        assert!(!is_same_file(&missing, &folder.path().join("c.obj")));
+    }
+
     fn entries(folder: &Path) -> usize {
         fs::read_dir(folder).unwrap().count()
     }

@@ -234,3 +234,31 @@ impl Comparison {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::Area;
+
+    #[test]
+    fn what_is_left_out_goes_on_with_another_picture_as_far_as_it_is_inside() {
+        let area = |x, y, width, height| Area {
+            x,
+            y,
+            width,
+            height,
+        };
+        let settings = CompareSettings {
+            masks: vec![area(1, 0, 2, 1), area(3, 1, 50, 40), area(90, 90, 5, 5)],
+            ..CompareSettings::default()
+        };
+        let picture = Picture {
+            width: 5,
+            height: 4,
+            rgba: vec![0; 4 * 5 * 4],
+        };
+        let comparison = Comparison::new("a.png".to_owned(), picture, settings);
+        let inside = [area(1, 0, 2, 1), area(3, 1, 2, 3), area(4, 3, 1, 1)];
+        assert_eq!(comparison.settings().masks, inside);
+    }
+}

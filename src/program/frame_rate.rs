@@ -59,4 +59,21 @@ mod tests {
         rate.count(now + Duration::from_secs(1));
         assert_eq!(rate.shown(), None);
     }
+
+    #[test]
+    fn one_slow_frame_changes_the_rate_a_little_and_many_change_it_to_theirs() {
+        let mut rate = FrameRate::default();
+        let mut now = Duration::ZERO;
+        let mut frames = |count, milliseconds| {
+            for _ in 0..count {
+                now += Duration::from_millis(milliseconds);
+                rate.count(now);
+            }
+            rate.shown().unwrap()
+        };
+        frames(20, 20);
+        // A tenth of 100 ms and nine tenths of 20 ms are 28 ms.
+        assert!((frames(1, 100) - 1.0 / 0.028).abs() < 0.1);
+        assert!((frames(100, 100) - 10.0).abs() < 0.1);
+    }
 }

@@ -268,6 +268,8 @@ mod tests {
             "a.txt",
             "._man.obj",
             "._a.png",
+            "tube.obj",
+            "tube.attach",
             "noext",
         ];
         let files: HashMap<PathBuf, Vec<u8>> =
@@ -280,12 +282,18 @@ mod tests {
     fn a_dialog_offers_the_files_that_its_purpose_can_read_or_write() {
         assert_eq!(
             offered(Purpose::ImportShape),
-            ["man.obj", "cup.obj", "rig.DAE"]
+            ["man.obj", "cup.obj", "rig.DAE", "tube.obj"]
         );
-        assert_eq!(offered(Purpose::ImportCharacter), ["man.obj", "rig.DAE"]);
+        assert_eq!(
+            offered(Purpose::ImportCharacter),
+            ["man.obj", "rig.DAE", "tube.obj"]
+        );
         assert_eq!(offered(Purpose::ImportCurve), ["a.swp"]);
         assert_eq!(offered(Purpose::ExportCurve(ShapeId(1))), ["a.swp"]);
-        assert_eq!(offered(Purpose::ExportGeometry), ["man.obj", "cup.obj"]);
+        assert_eq!(
+            offered(Purpose::ExportGeometry),
+            ["man.obj", "cup.obj", "tube.obj"]
+        );
         assert_eq!(offered(Purpose::LoadPose(ShapeId(1))), ["a.json"]);
         assert_eq!(offered(Purpose::SavePose(ShapeId(1), None)), ["a.json"]);
         assert_eq!(offered(Purpose::Compare), ["a.png", "a.JPG", "a.gif"]);

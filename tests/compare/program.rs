@@ -212,6 +212,16 @@ fn wrong_usage_ends_with_2() {
 }
 
 #[test]
+fn what_is_odd_in_a_mesh_is_told_beside_the_result() {
+    let folder = meshes();
+    let odd = fs::read_to_string(folder.path().join("a.obj")).unwrap() + "f 1 2\n";
+    fs::write(folder.path().join("odd.obj"), odd).unwrap();
+    let (code, _, err) = compare(&folder, &["a.obj", "odd.obj"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(err.starts_with("warning: odd.obj:"), "{err}");
+}
+
+#[test]
 fn json_is_one_object_for_wrong_usage_too() {
     let folder = pictures();
     for name in ["a.obj", "b.obj"] {
@@ -223,6 +233,7 @@ fn json_is_one_object_for_wrong_usage_too() {
         (2, "a.png b.png -o d.txt", "d.txt"),
         (2, "a.obj b.obj -o d.png", "--output is for pictures"),
         (1, "a.png b.png -o a.png", "expected another file"),
+        (1, "a.png b.png -o b.png", "expected another file"),
     ] {
         let arguments: Vec<&str> = line.split(' ').chain(["--json"]).collect();
         let (code, out, err) = compare(&folder, &arguments);

@@ -55,6 +55,27 @@ fn check_prints_one_json_object_for_any_number_of_files() {
 }
 
 #[test]
+fn a_pose_that_only_moves_a_root_is_of_one_joint_and_materials_are_named_once() {
+    let folder = folder();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    write(
+        "moved.json",
+        "{\"joints\": {}, \"roots\": {\"Root\": [1, 0, 0]}}",
+    );
+    write("red.mtl", "newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n");
+    write(
+        "flag.obj",
+        "mtllib red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n\
+         usemtl red\nf 1 2 3\nusemtl blue\nf 1 2 3\nusemtl red\nf 3 2 1\n",
+    );
+    let arguments = ["check", "--json", "moved.json", "flag.obj"];
+    let report = json(&editor_in(folder.path(), &arguments).out);
+    assert_eq!(report["files"][0]["posed_joints"], 1);
+    let materials = &report["files"][1]["shapes"][0]["materials"];
+    assert_eq!(materials, &json!(["red", "blue"]));
+}
+
+#[test]
 fn places_are_told_in_parts_to_programs_and_a_file_as_a_whole_has_none() {
     let ran = editor_in(folder().path(), &["check", "--json", "man.obj", "none.obj"]);
     let report = json(&ran.out);

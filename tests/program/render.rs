@@ -158,6 +158,44 @@ fn a_bone_in_the_hand_can_be_shown_with_the_panels() {
 }
 
 #[test]
+fn fit_leaves_a_margin_and_no_more_in_wide_pictures_and_in_tall_ones() {
+    let folder = folder();
+    for size in ["600x150", "150x600"] {
+        let line = format!("render box.obj --view +z --fit --size {size} -o fit.png");
+        let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        let picture = picture(folder.path(), "fit.png");
+        let is_drawn = |x, y| picture.get_pixel(x, y).0 != [26, 26, 26, 255];
+        let (width, height) = picture.dimensions();
+        let columns = (0..width).filter(|&x| (0..height).any(|y| is_drawn(x, y)));
+        let rows = (0..height).filter(|&y| (0..width).any(|x| is_drawn(x, y)));
+        for count in [columns.count(), rows.count()] {
+            assert!((75..150).contains(&count), "{size}: {count} of 150 pixels");
+        }
+    }
+}
+
+#[test]
+fn every_tool_shows_itself_and_a_drag_to_where_it_began_is_a_click() {
+    let folder = folder();
+    let render = |options: &str| {
+        let line = format!("render box.obj --ui --size 1000x640 -o a.png {options}");
+        let ran = editor_in(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options}");
+        picture(folder.path(), "a.png")
+    };
+    let tools = ["select", "pose", "move", "ik"].map(|tool| render(&format!("--tool {tool}")));
+    for (index, tool) in tools.iter().enumerate() {
+        assert!(!tools[..index].contains(tool), "tool {index}");
+    }
+    // Nothing is there, so a click selects nothing, and the panel of the shape goes away.
+    let clicked = render("--drag 330,120,330,120");
+    let pairs = clicked.pixels().zip(tools[0].pixels());
+    let differing = pairs.filter(|(a, b)| a != b).count();
+    assert!(differing > 5_000, "{differing} pixels");
+}
+
+#[test]
 fn pictures_are_written_as_png_jpeg_and_gif() {
     let folder = folder();
     for name in ["a.png", "a.jpg", "a.gif"] {

@@ -39,6 +39,22 @@ fn wrong_usage_ends_with_2_and_prints_no_result() {
 }
 
 #[test]
+fn a_character_that_the_program_brings_is_no_unknown_command() {
+    for (word, code) in [("builtin:robot", 1), ("robot", 2)] {
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_editor"))
+            .arg(word)
+            .env_remove("DISPLAY")
+            .env_remove("WAYLAND_DISPLAY")
+            .env_remove("WAYLAND_SOCKET")
+            .stderr(std::process::Stdio::null())
+            .status()
+            .unwrap();
+        // Without a display a window is a failure, and not wrong usage.
+        assert_eq!(status.code(), Some(code), "{word}");
+    }
+}
+
+#[test]
 fn the_help_of_what_reads_files_names_every_kind_of_them() {
     let folder = folder();
     for command in ["check", "export", "render"] {

@@ -1,6 +1,8 @@
 //! Comparing the view with a picture, whose measuring is done beside the program.
 
 use super::Story;
+use crate::host::MemoryHost;
+use editor_core::compare::Area;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::program::Purpose;
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
@@ -77,6 +79,55 @@ fn moving_a_joint_is_measured_again_and_only_the_newest_state_is_judged() {
 }
 
 #[test]
+fn an_area_that_is_left_out_is_measured_anew_and_kept_for_the_next_picture() {
+    let mut story = comparing();
+    while measure(&mut story) > 0 {}
+    let settings = CompareSettings {
+        masks: vec![Area {
+            x: 0,
+            y: 0,
+            width: 300,
+            height: 50,
+        }],
+        smooth_edges: true,
+        ..CompareSettings::default()
+    };
+    let set = Action::Ask(Ask::Compare(CompareAction::Set(settings)));
+    story.program.carry_out(vec![set], &mut story.host);
+    story.settle();
+    while measure(&mut story) > 0 {}
+    assert!(has_text(&story, "0 of 45000"), "{:?}", texts(&story));
+
+    story.host.drop_file("mine.png");
+    story.settle();
+    while measure(&mut story) > 0 {}
+    assert!(has_text(&story, "0 of 45000"), "{:?}", texts(&story));
+}
+
+#[test]
+fn of_several_pictures_at_the_start_the_last_is_compared_with() {
+    let picture = |width| {
+        let picture = editor_core::geometry::Picture {
+            width,
+            height: 10,
+            rgba: vec![7; 40 * width as usize],
+        };
+        image::encode(&picture, PictureFormat::Png).unwrap()
+    };
+    let host = MemoryHost {
+        files: [
+            ("first.png".into(), picture(20)),
+            ("last.png".into(), picture(30)),
+        ]
+        .into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &["first.png", "models/strip.obj", "last.png"]);
+    while measure(&mut story) > 0 {}
+    assert!(has_text(&story, "300 of 300"), "{:?}", texts(&story));
+}
+
+#[test]
 fn a_comparison_is_saved_side_by_side_and_ends_with_esc() {
     let mut story = comparing();
     while measure(&mut story) > 0 {}
@@ -118,10 +169,17 @@ fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_r
         height: 1,
         rgba: vec![7; 4 * 5000],
     };
-    let bytes = image::encode(&wide, PictureFormat::Png).unwrap();
-    story.host.files.insert("wide.png".into(), bytes);
+    let tall = editor_core::geometry::Picture {
+        width: 1,
+        height: 5000,
+        ..wide.clone()
+    };
+    for (name, picture) in [("wide.png", wide), ("tall.png", tall)] {
+        let bytes = image::encode(&picture, PictureFormat::Png).unwrap();
+        story.host.files.insert(name.into(), bytes);
+    }
     story.host.files.insert("none.png".into(), b"none".to_vec());
-    for name in ["wide.png", "none.png"] {
+    for name in ["wide.png", "none.png", "tall.png"] {
         story.host.drop_file(name);
         story.settle();
     }
@@ -129,6 +187,7 @@ fn a_picture_larger_than_a_texture_and_one_that_is_none_are_refused_with_their_r
     let expected = "wide.png: expected a picture of at most 4096 pixels a side, found 5000×1";
     assert_eq!(messages[0].1, expected);
     assert!(messages[1].1.starts_with("none.png: "), "{messages:?}");
+    assert!(messages[2].1.ends_with("found 1×5000"), "{messages:?}");
     assert!(!story.has("Stop comparing"));
 }
 

@@ -1,9 +1,10 @@
 //! Files that are dropped, saved, exported and refused.
 
 use super::Story;
-use editor_core::editor::Severity;
+use editor_core::editor::{Edit, Severity, View};
 use editor_core::io::image;
 use editor_core::program::Purpose;
+use editor_core::ui::{Action, Ask};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 use std::path::Path;
@@ -50,10 +51,16 @@ fn a_name_that_could_not_be_read_again_is_refused_and_so_is_a_full_disk() {
     story.click("File");
     story.click("Export Geometry…");
     story.choose("scene.txt");
+    story.click("Pose");
+    story.click("Save Pose…");
+    story.choose("walk.obj");
+    story.click("File");
+    story.click("Export Geometry…");
     story.host.write_fault = Some("the disk is full".into());
     story.choose("scene.obj");
     let expected = [
         "Not saved: scene.txt: expected a name that ends in .obj",
+        "Not saved: walk.obj: expected a name that ends in .json",
         "Not saved: scene.obj: the disk is full",
     ];
     let found: Vec<&str> = story.messages().iter().map(|(_, text)| *text).collect();
@@ -76,6 +83,13 @@ fn a_dropped_file_is_an_import_a_pose_or_a_picture_to_compare_with() {
     let without = "bent.json: applied without Tail, which this character does not have";
     assert_eq!(story.messages(), [(Severity::Warning, without)]);
 
+    story.key_with(Modifiers::ALT | Modifiers::SHIFT, Key::R);
+    let same = story.host.files[Path::new("bent.json")].clone();
+    story.host.files.insert("LOUD.JSON".into(), same);
+    story.host.drop_file("LOUD.JSON");
+    story.settle();
+    assert!((story.degrees("Elbow").z - 50.0).abs() < 1e-4);
+
     story.host.drop_file("builtin:gem");
     story.settle();
     assert_eq!(story.names(), ["Strip", "Gem"]);
@@ -97,6 +111,14 @@ fn a_screenshot_of_the_view_has_the_size_that_was_asked_for_and_no_marks() {
     let background = &picture.rgba[..4];
     let drawn = picture.rgba.chunks_exact(4).filter(|p| *p != background);
     assert!(drawn.count() > 500, "the strip is in the picture");
+
+    let nothing = Action::View(View::Select(None));
+    story.program.carry_out(vec![nothing], &mut story.host);
+    story.key(Key::F12);
+    story.click("Save…");
+    story.choose("unmarked.png");
+    let unmarked = decoded(&story, "unmarked.png");
+    assert_eq!(super::differing(&picture, &unmarked), 0);
 
     // A name that says no format is refused before anything is drawn.
     story.key(Key::F12);
@@ -172,6 +194,56 @@ fn kept_poses_are_saved_under_their_names_and_loaded() {
     story.click("Load Pose…");
     story.choose("p.json");
     assert_eq!(story.degrees("Elbow"), Vec3::new(15.0, 0.0, 0.0));
+
+    let shape = story.shape().id;
+    let waving = Edit::KeepPose {
+        shape,
+        name: "Waving!".into(),
+    };
+    let save = Ask::SavePose(shape, Some(1));
+    let actions = vec![Action::Edit(waving), Action::Ask(save)];
+    story.program.carry_out(actions, &mut story.host);
+    assert_eq!(story.host.requests.last().unwrap().name, "waving.json");
+}
+
+#[test]
+fn what_is_odd_in_a_file_is_told_and_the_file_is_used() {
+    let mut story = Story::start(&[]);
+    for (name, text) in [
+        ("man.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n"),
+        ("man.skel", "0 0 0 -1 # Root\n0 1 0 0 # Tip\n"),
+        ("man.attach", "1\n0.25\n1\n"),
+    ] {
+        story.host.files.insert(name.into(), text.into());
+    }
+    story.host.drop_file("man.obj");
+    story.settle();
+    assert_eq!(story.names(), ["Man"]);
+    let odd = "man.attach:2:1: 1 vertex with weights that do not sum up to 1";
+    assert_eq!(story.messages(), [(Severity::Warning, odd)]);
+}
+
+#[test]
+fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.host.clipboard = " \n".into();
+    let paste = Action::Ask(Ask::PastePose(story.shape().id));
+    story.program.carry_out(vec![paste], &mut story.host);
+    story.settle();
+    let none = "There is no pose on the clipboard: Copy Pose puts one there";
+    assert_eq!(story.messages(), [(Severity::Warning, none)]);
+}
+
+#[test]
+fn opening_a_file_without_a_camera_of_its_own_keeps_the_view() {
+    let mut story = Story::start(&["builtin:gem"]);
+    story.key_with(Modifiers::COMMAND, Key::Num3);
+    let camera = story.session().view().camera;
+    let open = Action::Ask(Ask::OpenBuiltin("robot"));
+    story.program.carry_out(vec![open], &mut story.host);
+    story.settle();
+    assert_eq!(story.names(), ["Robot"]);
+    assert_eq!(story.session().view().camera, camera);
 }
 
 #[test]

@@ -5,7 +5,9 @@ use crate::host::MemoryHost;
 use editor_core::editor::Severity;
 use editor_core::program::{Options, StorageKey};
 use editor_core::scene::{Look, Skinning, ViewDirection};
+use editor_core::ui::Navigation;
 use egui::{Key, Modifiers};
+use std::path::Path;
 
 fn preferences(story: &Story) -> serde_json::Value {
     let stored = &story.host.stored[&StorageKey::Preferences];
@@ -59,6 +61,49 @@ fn what_is_chosen_is_there_at_the_next_start() {
     assert_eq!(kept["theme"], "Light");
     assert_eq!(kept["navigation"], "blender");
     assert_eq!(kept["skinning"], "cpu");
+
+    let again = MemoryHost {
+        stored: story.host.stored.clone(),
+        ..MemoryHost::default()
+    };
+    let mut next = Story::start_at(again, &[]);
+    let state = next.program.ui_mut();
+    assert_eq!(state.theme, egui::ThemePreference::Light);
+    assert_eq!(state.navigation, Navigation::Blender);
+    assert_eq!(state.skinning, Some(Skinning::Cpu));
+    assert_eq!(preferences(&next), kept, "nothing is forgotten by starting");
+}
+
+#[test]
+fn skinning_asked_for_at_the_start_comes_before_what_was_chosen_earlier() {
+    let stored = br#"{"started_before": true, "skinning": "gpu"}"#.to_vec();
+    let host = MemoryHost {
+        stored: [(StorageKey::Preferences, stored)].into(),
+        ..MemoryHost::default()
+    };
+    let options = Options {
+        skinning: Some(Skinning::Cpu),
+        ..Options::default()
+    };
+    let mut story = Story::start_with(host, options, &[]);
+    assert_eq!(story.program.ui_mut().skinning, Some(Skinning::Cpu));
+    assert_eq!(preferences(&story)["skinning"], "gpu");
+}
+
+#[test]
+fn dialogs_open_where_a_file_was_chosen_last_at_the_next_start_too() {
+    let mut story = Story::start(&[]);
+    story.key_with(Modifiers::COMMAND, Key::I);
+    assert_eq!(story.host.requests.last().unwrap().folder, None);
+    story.choose("models/strip.obj");
+    let again = MemoryHost {
+        stored: story.host.stored.clone(),
+        ..MemoryHost::default()
+    };
+    let mut next = Story::start_at(again, &[]);
+    next.key(Key::F8);
+    let request = next.host.requests.last().unwrap();
+    assert_eq!(request.folder.as_deref(), Some(Path::new("models")));
 }
 
 #[test]
