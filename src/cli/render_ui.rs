@@ -84,12 +84,10 @@ struct Drag {
 }
 
 fn drag(text: &str) -> Result<Drag, String> {
-    let numbers: Vec<f32> = text
-        .split(',')
-        .map_while(|n| n.trim().parse().ok())
-        .collect();
-    match numbers[..] {
-        [x, y, z, w] if numbers.iter().all(|n| n.is_finite()) => Ok(Drag {
+    let number = |n: &str| n.trim().parse().ok().filter(|n: &f32| n.is_finite());
+    let numbers: Option<Vec<f32>> = text.split(',').map(number).collect();
+    match numbers.as_deref() {
+        Some(&[x, y, z, w]) => Ok(Drag {
             from: pos2(x, y),
             to: pos2(z, w),
         }),
@@ -209,5 +207,19 @@ impl Host for StillHost {
 
     fn next_event(&mut self) -> Option<HostEvent> {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_drag_is_four_numbers_and_nothing_else() {
+        let found = drag("1, 2,-3,4.5").unwrap();
+        assert_eq!((found.from, found.to), (pos2(1.0, 2.0), pos2(-3.0, 4.5)));
+        for bad in ["", "1,2,3", "1,2,3,4,5", "1,2,3,4,x", "1,2,3,NaN"] {
+            assert!(drag(bad).is_err(), "{bad}");
+        }
     }
 }

@@ -112,6 +112,17 @@ mod tests {
     }
 
     #[test]
+    fn smooth_normals_lean_towards_the_larger_face() {
+        // Two right triangles share the corner at the origin: one of area 2 that faces +Z, one of
+        // area 1/2 that faces +X.
+        let positions = [Vec3::ZERO, Vec3::X * 2.0, Vec3::Y * 2.0, Vec3::Y, Vec3::Z];
+        let normals = smooth_normals(&positions, &[[0, 1, 2], [0, 3, 4]]);
+        let expected = Vec3::new(1.0, 0.0, 4.0) / 17.0_f32.sqrt();
+        assert!(normals[0].abs_diff_eq(expected, 1e-6), "{}", normals[0]);
+        assert_eq!((normals[1], normals[4]), (Vec3::Z, Vec3::X));
+    }
+
+    #[test]
     fn every_triangle_keeps_its_corners_and_owns_its_last_one() {
         for mesh in [icosahedron(), sphere(1.0, 9, 7, Poles::Z)] {
             let facets = Facets::new(mesh.positions.len(), &mesh.triangles);

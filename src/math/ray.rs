@@ -210,6 +210,20 @@ mod tests {
     const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 
     #[test]
+    fn a_plane_behind_the_eye_is_not_met() {
+        let ray = DRay {
+            origin: DVec3::new(0.0, 1.0, 5.0),
+            direction: DVec3::new(0.0, 0.5, -1.0),
+        };
+        let wall = ray.meet_plane(DVec3::ZERO, DVec3::Z * -3.0);
+        assert_eq!(wall, Some(DVec3::new(0.0, 3.5, 0.0)));
+        // The ground is below, and the ray goes up.
+        assert_eq!(ray.meet_plane(DVec3::ZERO, DVec3::Y), None);
+        let along = DVec3::new(0.0, 1.0, 0.5);
+        assert_eq!(ray.meet_plane(DVec3::ZERO, along), None, "it is parallel");
+    }
+
+    #[test]
     fn a_ray_meets_a_triangle_from_either_side_but_not_behind_itself() {
         let at = Vec3::new(0.25, 0.5, 0.0);
         for z in [2.0, -2.0] {
