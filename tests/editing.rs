@@ -117,6 +117,44 @@ fn an_edit_that_changes_nothing_leaves_the_revision_of_the_document() {
 }
 
 #[test]
+fn a_bone_of_another_character_under_the_pointer_is_no_joint_of_the_selected_one() {
+    let (mut session, [one, other, _]) = session();
+    session.look(View::Select(Some(one)));
+    session.look(View::HoverBone(Some((other, 1))));
+    assert_eq!(session.hovered_bone(), Some((other, 1)));
+    assert_eq!(session.hovered_joint(), None);
+    session.look(View::HoverJoint(Some(2)));
+    assert_eq!(session.hovered_bone(), Some((one, 2)));
+    assert_eq!(session.hovered_joint(), Some(2));
+}
+
+#[test]
+fn fitting_means_the_selected_shape_or_everything_that_is_visible_where_it_is_hidden() {
+    let (mut session, [_, _, cube]) = session();
+    let far = editor_core::math::Transform {
+        position: Vec3::X * 50.0,
+        ..editor_core::math::Transform::IDENTITY
+    };
+    let shapes = vec![NewShape::new("Sphere", ShapeKind::Sphere)];
+    session.edit(Edit::Insert(shapes)).unwrap();
+    let sphere = session.selected().unwrap();
+    session.edit(Edit::SetTransform(sphere, far)).unwrap();
+    let fit = |session: &mut Session| {
+        session.look(View::Fit { aspect: 1.0 });
+        session.view().camera.target
+    };
+    assert!(fit(&mut session).abs_diff_eq(Vec3::X * 50.0, 1e-3));
+    session.edit(Edit::SetVisible(sphere, false)).unwrap();
+    let target = fit(&mut session);
+    assert!(
+        target.x.abs() < 1.0,
+        "the others are about the origin: {target}"
+    );
+    session.look(View::Select(Some(cube)));
+    assert!(fit(&mut session).abs_diff_eq(Vec3::ZERO, 1e-3));
+}
+
+#[test]
 fn together_means_all_or_none() {
     let (mut session, [one, _, _]) = session();
     let document = session.document();
