@@ -56,6 +56,32 @@ fn the_nearer_end_of_a_bone_is_taken_and_a_joint_where_there_is_one() {
 }
 
 #[test]
+fn a_pin_that_is_dragged_itself_is_not_lost_and_one_that_is_left_behind_is() {
+    let (mut session, id) = session(Camera::default(), Default::default(), &Default::default());
+    let lost = |session: &mut Session, pin: usize| {
+        let settings = IkSettings {
+            pins: [pin].into(),
+            ..IkSettings::default()
+        };
+        let middle = SIZE * 0.5;
+        let ray = session.view().camera.ray(middle, SIZE);
+        let root = IkGrip::Joint(0);
+        let mut held = IkDrag::begin(session, id, root, &settings, &ray).expect("a root");
+        let far = session.view().camera.ray(middle + Vec2::X * 300.0, SIZE);
+        let edit = held.update(session, &far).expect("it follows");
+        session.begin_gesture();
+        session.edit(edit).unwrap();
+        let lost: Vec<usize> = held.lost_pins().iter().map(|(joint, _)| *joint).collect();
+        session.cancel_gesture();
+        lost
+    };
+    // The root is the pin, and goes where it is led.
+    assert_eq!(lost(&mut session, 0), [0; 0]);
+    // The end of its arm is pinned where no arm reaches to any more.
+    assert_eq!(lost(&mut session, 2), [2]);
+}
+
+#[test]
 fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
     let (mut session, id) = session(Camera::default(), Default::default(), &Default::default());
     let middle = SIZE * 0.5;
