@@ -351,3 +351,34 @@ fn in_plane(turn: &JointTurn, axis: DVec3, ray: &Ray) -> Option<DVec3> {
     let arm = turn.model_ray(ray).meet_plane(turn.center(), axis)? - turn.center();
     arm.reject_from_normalized(axis).try_normalize()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_snaps_to_the_nearest_fifteen_degrees_on_either_side() {
+        for (degrees, expected) in [(7.0, 0.0), (8.0, 15.0), (-8.0, -15.0), (52.0, 45.0)] {
+            let found = snapped(f64::to_radians(degrees), true).to_degrees();
+            assert!((found - expected).abs() < 1e-9, "{degrees}: {found}");
+            assert_eq!(snapped(degrees, false), degrees);
+        }
+    }
+
+    #[test]
+    fn an_angle_that_goes_round_more_than_once_does_not_jump_back() {
+        let near = |degrees: f64, to: f64| unwound(degrees.to_radians(), to.to_radians());
+        for (degrees, to, expected) in [
+            (-170.0, 175.0, 190.0),
+            (10.0, 355.0, 370.0),
+            (170.0, -175.0, -190.0),
+            (0.0, 719.0, 720.0),
+        ] {
+            let found = near(degrees, to).to_degrees();
+            assert!(
+                (found - expected).abs() < 1e-9,
+                "{degrees} near {to}: {found}"
+            );
+        }
+    }
+}
