@@ -112,6 +112,12 @@ fn snapped(angle: f64, snap: bool) -> f64 {
     }
 }
 
+/// Angle about the unit vector `axis`, in radians from -π to π, by which `from` turns to `to`; both
+/// are of unit length and across the axis.
+fn angle_about(axis: DVec3, from: DVec3, to: DVec3) -> f64 {
+    axis.dot(from.cross(to)).atan2(from.dot(to))
+}
+
 /// `angle` in radians, moved by whole turns as near to `to` as possible, so that a gesture can go
 /// around more than once.
 fn unwound(angle: f64, to: f64) -> f64 {
@@ -183,8 +189,7 @@ impl BoneDrag {
     pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
         if let Some(to) = self.side(ray) {
             let from = *self.from.get_or_insert(to);
-            let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
-            self.wanted = unwound(angle, self.wanted);
+            self.wanted = unwound(angle_about(self.axis, from, to), self.wanted);
         }
         self.angle = snapped(self.wanted, snap);
         self.turn.turned(session, self.axis, self.angle)
@@ -329,8 +334,7 @@ impl RingDrag {
         match self.how {
             How::Plane { from } => {
                 let to = in_plane(&self.turn, self.axis, ray)?;
-                let angle = self.axis.dot(from.cross(to)).atan2(from.dot(to));
-                Some(unwound(angle, self.wanted))
+                Some(unwound(angle_about(self.axis, from, to), self.wanted))
             }
             How::Tangent {
                 grabbed,

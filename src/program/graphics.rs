@@ -15,7 +15,7 @@ pub struct Graphics {
     scene: Option<Framebuffer>,
     /// The scene, as large as the picture that it is compared with.
     compared: Option<Framebuffer>,
-    /// What `scene` shows: drawn again only when this changes.
+    /// State that `scene` shows: it is drawn again only when this changes.
     shown: Option<SceneKey>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
     window: Option<Window>,
@@ -48,8 +48,6 @@ struct SceneKey {
     document: Revision,
     view: ViewSettings,
     marks: Marks,
-    /// Width and height in pixels.
-    size: (u32, u32),
 }
 
 impl Graphics {
@@ -114,13 +112,13 @@ impl Graphics {
     /// # Errors
     /// If the picture cannot be made.
     pub(super) fn fit_view(&mut self, size: (u32, u32)) -> Result<(), GpuError> {
-        let before = self.scene.as_ref().map(|s| (s.width(), s.height()));
         let samples = self.samples;
+        let fresh = !fits(self.scene.as_ref(), size, samples);
         let fitted = fit(&self.gl, &mut self.scene, size, samples).map(drop);
         if self.scene.is_none() {
             fit(&self.gl, &mut self.scene, (1, 1), 0)?;
         }
-        if self.scene.as_ref().map(|s| (s.width(), s.height())) != before {
+        if fresh && fitted.is_ok() {
             self.forget_scene();
         }
         fitted
@@ -170,7 +168,6 @@ impl Graphics {
             document,
             view: *frame.view,
             marks: frame.marks,
-            size: (target.width(), target.height()),
         };
         if self.shown == Some(key) {
             return Ok(());
@@ -248,6 +245,11 @@ impl Graphics {
     }
 }
 
+/// Whether there is a picture of this size, in pixels, and with so many samples.
+fn fits(picture: Option<&Framebuffer>, (width, height): (u32, u32), samples: u32) -> bool {
+    picture.is_some_and(|p| (p.width(), p.height(), p.samples()) == (width, height, samples))
+}
+
 /// Makes `picture` anew if it has another size.
 ///
 /// # Errors
@@ -258,9 +260,8 @@ fn fit<'a>(
     (width, height): (u32, u32),
     samples: u32,
 ) -> Result<&'a Framebuffer, GpuError> {
-    let fits = |p: &Framebuffer| (p.width(), p.height(), p.samples()) == (width, height, samples);
     let fitting = match picture.take() {
-        Some(kept) if fits(&kept) => kept,
+        Some(kept) if fits(Some(&kept), (width, height), samples) => kept,
         before => match Framebuffer::new(gl, width, height, samples) {
             Ok(made) => made,
             Err(error) => {

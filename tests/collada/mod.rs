@@ -7,4 +7,4 @@ mod importing;
 mod materials;
 mod meshes;
 mod reference;
-mod support;
+pub mod support;

@@ -13,12 +13,7 @@ use std::time::Duration;
 /// A story in which the strip is compared with a picture of itself, of 300 by 200 pixels.
 fn comparing() -> Story {
     let mut story = Story::start(&["models/strip.obj"]);
-    story.key(Key::F12);
-    story.click("Custom");
-    story.type_into("Picture width", "300");
-    story.type_into("Picture height", "200");
-    story.click("Save…");
-    story.choose("mine.png");
+    story.save_view((300, 200), "mine.png");
     let saved = story.host.written[Path::new("mine.png")].clone();
     story.host.files.insert("mine.png".into(), saved);
     story.key(Key::F8);

@@ -100,12 +100,7 @@ fn a_dropped_file_is_an_import_a_pose_or_a_picture_to_compare_with() {
 #[test]
 fn a_screenshot_of_the_view_has_the_size_that_was_asked_for_and_no_marks() {
     let mut story = Story::start(&["models/strip.obj"]);
-    story.key(Key::F12);
-    story.click("Custom");
-    story.type_into("Picture width", "320");
-    story.type_into("Picture height", "200");
-    story.click("Save…");
-    story.choose("strip.png");
+    story.save_view((320, 200), "strip.png");
     let picture = decoded(&story, "strip.png");
     assert_eq!((picture.width, picture.height), (320, 200));
     let background = &picture.rgba[..4];

@@ -276,6 +276,16 @@ impl Story {
         self.key(Key::Enter);
     }
 
+    /// Saves a picture of the view alone in a size of its own, by the dialog.
+    fn save_view(&mut self, (width, height): (u32, u32), path: &str) {
+        self.key(Key::F12);
+        self.click("Custom");
+        self.type_into("Picture width", &width.to_string());
+        self.type_into("Picture height", &height.to_string());
+        self.click("Save…");
+        self.choose(path);
+    }
+
     /// Answers the newest request for a file, and lets the program use it.
     fn choose(&mut self, path: &str) {
         self.host.choose(path);

@@ -1,6 +1,7 @@
 //! Importing a character and posing it, by sliders and by hand.
 
 use super::{Story, differing};
+use crate::collada::support::{instance, static_document, triangle};
 use editor_core::editor::Severity;
 use editor_core::program::{Purpose, StorageKey};
 use editor_core::scene::bones_in_world;
@@ -72,19 +73,16 @@ fn one_broken_file_is_one_message_and_the_scene_stays_as_it_is() {
 }
 
 #[test]
-fn a_file_with_several_shapes_is_one_edit() {
-    let mut story = Story::start(&[]);
-    story.host.drop_file("builtin:creature");
+fn a_file_with_several_shapes_brings_in_all_of_them_and_selects_the_last() {
+    let mut story = Story::start(&["builtin:gem"]);
+    let other = format!("<node name=\"M\">{}</node></visual_scene>", instance("g"));
+    let both = static_document(&triangle("g")).replace("</visual_scene>", &other);
+    story.host.files.insert("two.dae".into(), both.into_bytes());
+    story.host.drop_file("two.dae");
     story.settle();
-    let first = story.session().document();
-    assert!(!story.names().is_empty());
-    // What a whole scene brings in is selected by its last shape.
-    assert_eq!(
-        story.session().selected(),
-        story.session().scene().shapes().last().map(|s| s.id)
-    );
-    story.key(Key::Delete);
-    assert_ne!(story.session().document(), first);
+    assert_eq!(story.names(), ["Gem", "Two N", "Two M"]);
+    assert_eq!(story.shape().name, "Two M");
+    assert_eq!(story.messages(), []);
 }
 
 #[test]
@@ -207,5 +205,9 @@ fn hovering_changes_what_is_marked_and_not_the_document() {
     story.settle();
     assert_eq!(story.session().hovered_joint(), Some(2));
     assert_eq!(story.session().document(), document);
-    assert!(story.host.cursor.is_some());
+    assert_eq!(story.host.cursor, Some(egui::CursorIcon::Grab));
+    story.point(pos2(5.0, 300.0));
+    story.settle();
+    assert_eq!(story.session().hovered_joint(), None);
+    assert_eq!(story.host.cursor, Some(egui::CursorIcon::Default));
 }
