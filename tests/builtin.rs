@@ -69,7 +69,7 @@ fn everything_in_the_catalogue_opens_by_its_name() {
         assert_eq!(kind, builtin.kind);
         assert_eq!(shape.name.to_lowercase(), builtin.name);
         assert_eq!(
-            shape.source.as_ref().unwrap().0,
+            shape.source.as_ref().unwrap().file,
             format!("builtin:{}", builtin.name)
         );
     }

@@ -115,6 +115,8 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         Edit::SetPose(id, pose) => on_character(scene, id, |c| c.set_pose(pose)),
         Edit::KeepPose { shape, name } => on_character(scene, shape, |c| c.keep_pose(name)),
         Edit::ForgetPose(id, index) => on_character(scene, id, |c| c.forget_pose(index)),
+        Edit::SetIk(id, ik) => on_character(scene, id, |c| c.ik = ik),
+        Edit::Rename(id, name) => on_shape(scene, id, |s| s.name = name),
         Edit::SetControlPoint {
             shape,
             curve,

@@ -2,8 +2,8 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, Look, NewShape, Shading, ShapeColor, ShapeId,
-    ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, IkSettings, Look, NewShape, Shading, ShapeColor,
+    ShapeId, ViewDirection,
 };
 use glam::Vec3;
 
@@ -89,6 +89,10 @@ pub enum Edit {
         /// New position, in the shape's model space.
         position: Vec3,
     },
+    /// Sets the settings of inverse kinematics of a character, with its pins.
+    SetIk(ShapeId, IkSettings),
+    /// Renames a shape.
+    Rename(ShapeId, String),
     /// Adds a control point, or a whole piece of a Bézier curve (see [`Curve::with_point_after`]).
     AddControlPoint {
         /// The shape made of curves.

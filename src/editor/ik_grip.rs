@@ -1,4 +1,4 @@
-use super::{IkSettings, Screen, Session};
+use super::{Screen, Session};
 use crate::character::ik::IkChain;
 use crate::character::{JointBone, SkeletalModel};
 use crate::scene::{BoneHit, ShapeId};
@@ -88,15 +88,10 @@ impl IkGrip {
 
     /// Chain that moves the grip; `None` for a root, and if no joint above it can turn, as below a
     /// pin.
-    pub fn chain(
-        self,
-        session: &Session,
-        shape: ShapeId,
-        settings: &IkSettings,
-    ) -> Option<IkChain> {
+    pub fn chain(self, session: &Session, shape: ShapeId) -> Option<IkChain> {
         let character = session.scene().character(shape)?;
         let (skeleton, pose) = (character.character.skeleton(), character.pose());
-        let (length, pins) = (settings.length, &settings.pins);
+        let (length, pins) = (character.ik.length, &character.ik.pins);
         match self {
             Self::Joint(joint) => IkChain::to_joint(skeleton, pose, joint, length, pins),
             Self::Tip { joint, tip } => IkChain::to_point(skeleton, pose, joint, tip, length, pins),

@@ -1,10 +1,9 @@
 use super::{Edit, IkGrip, Session};
 use crate::character::ik::{IkChain, IkGoal, hold_pins};
-use crate::character::{Facing, Pose, SkeletalModel};
+use crate::character::{Pose, SkeletalModel};
 use crate::math::{DRay, Ray};
-use crate::scene::ShapeId;
+use crate::scene::{IkSettings, ShapeId};
 use glam::{DVec3, Vec3};
-use std::collections::BTreeSet;
 
 /// Drag of a part of a character by inverse kinematics: it follows the pointer in the plane
 /// parallel to the picture, and a chain of joints follows it. Pinned joints stay where they are.
@@ -39,19 +38,14 @@ impl IkDrag {
 
     /// Begins a drag of `grip` of the character `shape` with the cursor on `ray`. `None` if it does
     /// not exist, the shape is scaled to zero, or no joint can turn, as below a pin.
-    pub fn begin(
-        session: &Session,
-        shape: ShapeId,
-        grip: IkGrip,
-        settings: &IkSettings,
-        ray: &Ray,
-    ) -> Option<Self> {
+    pub fn begin(session: &Session, shape: ShapeId, grip: IkGrip, ray: &Ray) -> Option<Self> {
         let character = session.scene().character(shape)?;
+        let settings = &character.ik;
         let joints = character.character.skeleton().joints();
         let is_root = joints.get(grip.joint())?.parent.is_none();
         let chain = match grip {
             IkGrip::Joint(_) if is_root => None,
-            _ => Some(grip.chain(session, shape, settings)?),
+            _ => Some(grip.chain(session, shape)?),
         };
         let target = grip.place(session, shape)?;
         let mut drag = Self {
@@ -167,99 +161,4 @@ fn pins_at(skeleton: &SkeletalModel, pose: &Pose, settings: &IkSettings) -> Vec<
     let frames = skeleton.update_current_joint_to_world_transforms(pose);
     let place = |&pin: &usize| Some((pin, frames.get(pin)?.w_axis.truncate()));
     settings.pins.iter().filter_map(place).collect()
-}
-
-/// Settings of the IK tool.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct IkSettings {
-    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first.
-    pub length: usize,
-    /// Direction in which knees and elbows point.
-    pub pole: IkPole,
-    /// Whether the joint that is dragged keeps its orientation, as a foot that stays flat.
-    pub keep_orientation: bool,
-    /// Indices of the joints that keep their position and orientation.
-    pub pins: BTreeSet<usize>,
-}
-
-impl Default for IkSettings {
-    fn default() -> Self {
-        Self {
-            // Thigh and shin, upper arm and forearm.
-            length: 2,
-            pole: IkPole::default(),
-            keep_orientation: true,
-            pins: BTreeSet::new(),
-        }
-    }
-}
-
-/// Direction in which a chain bends, relative to the character at rest ([`Facing`]).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum IkPole {
-    /// As it is bent already; a straight chain like a knee or an elbow.
-    #[default]
-    AsBent,
-    /// To the front.
-    Front,
-    /// To the back.
-    Back,
-    /// To the character's left.
-    Left,
-    /// To the character's right.
-    Right,
-    /// +Y.
-    Up,
-    /// -Y.
-    Down,
-}
-
-impl IkPole {
-    /// All directions, in the order of the panel.
-    pub const ALL: [Self; 7] = [
-        Self::AsBent,
-        Self::Front,
-        Self::Back,
-        Self::Left,
-        Self::Right,
-        Self::Up,
-        Self::Down,
-    ];
-
-    /// Name in the panel, with the axis of the direction for a character of this facing.
-    pub fn label(self, facing: Facing) -> String {
-        let word = match self {
-            Self::AsBent => "as it is",
-            Self::Front => "front",
-            Self::Back => "back",
-            Self::Left => "left",
-            Self::Right => "right",
-            Self::Up => "up",
-            Self::Down => "down",
-        };
-        let Some(direction) = self.direction(facing) else {
-            return word.to_owned();
-        };
-        let sign = if direction.element_sum() < 0.0 {
-            '−'
-        } else {
-            '+'
-        };
-        let axis = ['X', 'Y', 'Z'][direction.abs().max_position()];
-        format!("{word} ({sign}{axis})")
-    }
-
-    /// Unit vector in the character's space, for a character of this facing; `None` for
-    /// [`IkPole::AsBent`].
-    pub fn direction(self, facing: Facing) -> Option<Vec3> {
-        match self {
-            Self::AsBent => None,
-            Self::Front => Some(facing.front()),
-            Self::Back => Some(-facing.front()),
-            Self::Left => Some(facing.left()),
-            Self::Right => Some(-facing.left()),
-            Self::Up => Some(Vec3::Y),
-            Self::Down => Some(Vec3::NEG_Y),
-        }
-    }
 }

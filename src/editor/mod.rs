@@ -17,7 +17,7 @@ pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use edit::{Edit, View};
 pub use gizmo::{GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, Screen};
 pub use ik_grip::IkGrip;
-pub use ik_tool::{IkDrag, IkPole, IkSettings};
+pub use ik_tool::IkDrag;
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
 pub use session::{Message, Messages, Session, Severity};

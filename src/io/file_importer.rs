@@ -6,7 +6,7 @@ use super::{
 use crate::character::Character;
 use crate::geometry::SharedMesh;
 use crate::scene::{
-    CharacterShape, CurveShape, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
+    CharacterShape, CurveShape, Importer, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
 };
 use std::path::Path;
 use std::sync::Arc;
@@ -49,7 +49,13 @@ pub fn import_collada(
     let read = read_dae(files, &to_open(path)?)?;
     Ok(read.map(|scene| {
         let report = scene.report.clone();
-        (shapes_of(path, scene), report)
+        // What has no skeleton is imported as shapes.
+        let importer = if scene.characters.is_empty() {
+            Importer::Shape
+        } else {
+            Importer::Character
+        };
+        (shapes_of(path, importer, scene), report)
     }))
 }
 
@@ -67,7 +73,10 @@ pub fn import_character(
         "obj" => {
             exists(files, &file)?;
             let character = read_character(files, &file)?;
-            Ok(character.map(|character| vec![new_shape(path, posable(character))]))
+            Ok(character.map(|character| {
+                let kind = posable(character);
+                vec![new_shape(path, Importer::Character, kind)]
+            }))
         }
         "dae" => {
             let read = read_dae(files, &file)?;
@@ -75,7 +84,7 @@ pub fn import_character(
                 let message = "expected a character, found only shapes: import it as a shape";
                 return Err(Diagnostic::new(path, message));
             }
-            Ok(read.map(|scene| shapes_of(path, scene)))
+            Ok(read.map(|scene| shapes_of(path, Importer::Character, scene)))
         }
         extension => Err(cannot_open(
             files,
@@ -98,10 +107,10 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
         "obj" => {
             let mesh = read_shape_obj(files, &file, &files.read(&file)?)?;
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
-            Ok(mesh.map(|mesh| vec![new_shape(path, kind(mesh))]))
+            Ok(mesh.map(|mesh| vec![new_shape(path, Importer::Shape, kind(mesh))]))
         }
         "dae" => Ok(read_dae(files, &file)?.map(|scene| {
-            let shapes = shapes_of(path, scene);
+            let shapes = shapes_of(path, Importer::Shape, scene);
             let rigid = shapes.into_iter().map(|shape| {
                 let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
                 NewShape {
@@ -127,7 +136,7 @@ pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
         "swp" => {
             let curves = read_swp(&file, &files.read(&file)?)?;
             let kind = |curves| ShapeKind::Curve(CurveShape::new(curves));
-            Ok(curves.map(|curves| vec![new_shape(path, kind(curves))]))
+            Ok(curves.map(|curves| vec![new_shape(path, Importer::Curve, kind(curves))]))
         }
         extension => Err(cannot_open(files, path, extension, "curves", &["swp"])),
     }
@@ -203,14 +212,19 @@ fn exists(files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
     }
 }
 
-fn new_shape(path: &Path, kind: ShapeKind) -> NewShape {
+/// The first shape of a file.
+fn new_shape(path: &Path, importer: Importer, kind: ShapeKind) -> NewShape {
     let path_text = path.to_string_lossy();
     let stem = match path_text.strip_prefix(builtin::PREFIX) {
         Some(name) => Path::new(name).file_stem(),
         None => path.file_stem(),
     };
     let name = name_of_import(&stem.unwrap_or_default().to_string_lossy());
-    NewShape::new(name, kind).from_source(Source(path_text.into_owned()))
+    NewShape::new(name, kind).from_source(Source {
+        file: path_text.into_owned(),
+        importer,
+        part: 0,
+    })
 }
 
 fn posable(character: Character) -> ShapeKind {
@@ -219,7 +233,7 @@ fn posable(character: Character) -> ShapeKind {
 
 /// The characters of a Collada file, then its static meshes. The only one of a file has the
 /// file's name, others that of the file and their own.
-fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
+fn shapes_of(path: &Path, importer: Importer, scene: DaeScene) -> Vec<NewShape> {
     let characters = scene.characters.into_iter();
     let characters = characters.map(|found| (found.name, posable(found.character)));
     let meshes = scene.meshes.into_iter();
@@ -228,9 +242,11 @@ fn shapes_of(path: &Path, scene: DaeScene) -> Vec<NewShape> {
     let is_alone = found.len() == 1;
     found
         .into_iter()
-        .map(|(name, kind)| {
-            let shape = new_shape(path, kind);
+        .enumerate()
+        .map(|(part, (name, kind))| {
+            let shape = new_shape(path, importer, kind);
             NewShape {
+                source: shape.source.map(|source| Source { part, ..source }),
                 name: if is_alone {
                     shape.name
                 } else {

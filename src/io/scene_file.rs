@@ -124,6 +124,7 @@ impl SceneReader<'_> {
                 source,
                 // Reset brings a shape back to its place in the scene, not to the origin.
                 placement,
+                start: placement,
                 visible: data.visible.unwrap_or(true),
                 locked: data.locked.unwrap_or(false),
             }

@@ -1,3 +1,4 @@
+use super::IkSettings;
 use crate::character::{Character, Pose};
 use crate::revision::Revision;
 use std::sync::Arc;
@@ -12,6 +13,8 @@ pub struct CharacterShape {
     /// Revision of everything that the deformed mesh follows from: character and pose.
     revision: Revision,
     poses: Vec<KeptPose>,
+    /// Settings of inverse kinematics, with its pins.
+    pub ik: IkSettings,
     /// Display options.
     pub display: CharacterDisplay,
 }
@@ -81,6 +84,7 @@ impl PartialEq for CharacterShape {
         Arc::ptr_eq(&self.character, &other.character)
             && self.pose == other.pose
             && self.poses == other.poses
+            && self.ik == other.ik
             && self.display == other.display
     }
 }
@@ -93,6 +97,7 @@ impl CharacterShape {
             pose: Pose::new(),
             revision: Revision::new(),
             poses: Vec::new(),
+            ik: IkSettings::default(),
             display: CharacterDisplay::default(),
         }
     }

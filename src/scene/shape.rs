@@ -49,8 +49,10 @@ pub struct NewShape {
     pub kind: ShapeKind,
     /// File that it came from; `None` for shapes made in code.
     pub source: Option<Source>,
-    /// Placement and color, which Reset restores later.
+    /// Placement and color.
     pub placement: Placement,
+    /// Placement and color that Reset restores.
+    pub start: Placement,
     /// See [`Shape::visible`].
     pub visible: bool,
     /// See [`Shape::locked`].
@@ -60,9 +62,11 @@ pub struct NewShape {
 impl NewShape {
     /// A visible shape at the origin, in the color of its kind.
     pub fn new(name: impl Into<String>, kind: ShapeKind) -> Self {
+        let start = Placement::at_origin(kind.start_color());
         Self {
             name: name.into(),
-            placement: Placement::at_origin(kind.start_color()),
+            placement: start,
+            start,
             kind,
             source: None,
             visible: true,
@@ -101,13 +105,29 @@ impl Placement {
     }
 }
 
-/// File that a shape was imported from.
-#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(transparent)]
-pub struct Source(
-    /// Path, or `builtin:NAME`.
-    pub String,
-);
+/// Origin of an imported shape: enough to import the same shape again.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
+    /// Path of the file, or `builtin:NAME`.
+    pub file: String,
+    /// Way in which the file was read.
+    pub importer: Importer,
+    /// Index among the shapes that the importer made of the file.
+    pub part: usize,
+}
+
+/// Way in which a file is read. One file may be read in several: an `.obj` beside a `.skel` as a
+/// character or as a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Importer {
+    /// Import Shape: meshes alone.
+    Shape,
+    /// Import Character: meshes with their skeletons, and the static meshes beside them.
+    Character,
+    /// Import Curve.
+    Curve,
+}
 
 /// Kind of a shape, with its data.
 #[derive(Clone, Debug)]

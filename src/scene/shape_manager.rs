@@ -79,7 +79,7 @@ impl Scene {
             name: new.name,
             kind: new.kind,
             source: new.source,
-            start: new.placement,
+            start: new.start,
             placement: new.placement,
             visible: new.visible,
             locked: new.locked,

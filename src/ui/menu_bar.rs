@@ -125,7 +125,7 @@ impl Items<'_> {
     }
 
     fn item(&mut self, ui: &mut Ui, entry: &Entry) {
-        let why = why_disabled(entry.command, self.session, self.state);
+        let why = why_disabled(entry.command, self.session);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
             Some(true) => format!("✔ {}", entry.label),

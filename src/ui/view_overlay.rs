@@ -44,7 +44,14 @@ pub(super) fn show(
         }
         _ => ScenePlaces::whole(rect),
     };
-    posing::show(&mut over, &places, &response, session, &mut state.pose);
+    posing::show(
+        &mut over,
+        &places,
+        &response,
+        session,
+        &mut state.pose,
+        actions,
+    );
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     // It must not hide messages.

@@ -2,8 +2,8 @@
 
 use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::character::Facing;
-use editor_core::editor::{IkDrag, IkGrip, IkPole, IkSettings, Screen, Session};
-use editor_core::scene::{BoneHit, Camera, ShapeId, bones_in_world};
+use editor_core::editor::{Edit, IkDrag, IkGrip, Screen, Session};
+use editor_core::scene::{BoneHit, Camera, IkPole, IkSettings, ShapeId, bones_in_world};
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -21,13 +21,20 @@ fn hit(session: &Session, id: ShapeId, joint: usize, along: f32) -> BoneHit {
     }
 }
 
-fn drag(session: &Session, id: ShapeId, grip: IkGrip, at: Vec2, length: usize) -> Option<IkDrag> {
+fn drag(
+    session: &mut Session,
+    id: ShapeId,
+    grip: IkGrip,
+    at: Vec2,
+    length: usize,
+) -> Option<IkDrag> {
     let settings = IkSettings {
         length,
         ..IkSettings::default()
     };
+    session.edit(Edit::SetIk(id, settings)).unwrap();
     let ray = session.view().camera.ray(at, SIZE);
-    IkDrag::begin(session, id, grip, &settings, &ray)
+    IkDrag::begin(session, id, grip, &ray)
 }
 
 fn screen(session: &Session) -> Screen {
@@ -63,10 +70,11 @@ fn a_pin_that_is_dragged_itself_is_not_lost_and_one_that_is_left_behind_is() {
             pins: [pin].into(),
             ..IkSettings::default()
         };
+        session.edit(Edit::SetIk(id, settings)).unwrap();
         let middle = SIZE * 0.5;
         let ray = session.view().camera.ray(middle, SIZE);
         let root = IkGrip::Joint(0);
-        let mut held = IkDrag::begin(session, id, root, &settings, &ray).expect("a root");
+        let mut held = IkDrag::begin(session, id, root, &ray).expect("a root");
         let far = session.view().camera.ray(middle + Vec2::X * 300.0, SIZE);
         let edit = held.update(session, &far).expect("it follows");
         session.begin_gesture();
@@ -85,7 +93,8 @@ fn a_pin_that_is_dragged_itself_is_not_lost_and_one_that_is_left_behind_is() {
 fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
     let (mut session, id) = session(Camera::default(), Default::default(), &Default::default());
     let middle = SIZE * 0.5;
-    let mut held = drag(&session, id, IkGrip::Joint(3), middle, 2).expect("a root can be moved");
+    let mut held =
+        drag(&mut session, id, IkGrip::Joint(3), middle, 2).expect("a root can be moved");
     assert!(held.chain().is_none());
     let ray = session.view().camera.ray(middle + Vec2::X * 30.0, SIZE);
     let edit = held.update(&session, &ray).expect("it follows");
@@ -103,10 +112,10 @@ fn only_a_root_moves_and_every_pole_is_a_direction_of_its_own() {
 
 #[test]
 fn what_does_not_exist_is_not_taken() {
-    let (session, id) = session(Camera::default(), Default::default(), &Default::default());
+    let (mut session, id) = session(Camera::default(), Default::default(), &Default::default());
     let tip = Vec3::Y;
     for grip in [IkGrip::Joint(9), IkGrip::Tip { joint: 9, tip }] {
-        assert!(drag(&session, id, grip, SIZE * 0.5, 2).is_none());
+        assert!(drag(&mut session, id, grip, SIZE * 0.5, 2).is_none());
     }
     let nowhere = BoneHit {
         bone: 9,
@@ -132,7 +141,7 @@ proptest! {
         let held_at = grip.place(&session, id).and_then(|world| pixel(&session, world));
         prop_assume!(held_at.is_some());
         let from = held_at.unwrap();
-        let Some(mut held) = drag(&session, id, grip, from, length) else {
+        let Some(mut held) = drag(&mut session, id, grip, from, length) else {
             return Ok(());
         };
         let rest = session.scene().character(id).unwrap().pose().clone();

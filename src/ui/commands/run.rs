@@ -30,7 +30,7 @@ pub(in crate::ui) fn run(
 }
 
 fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
-    if why_disabled(command, session, state).is_some() {
+    if why_disabled(command, session).is_some() {
         return None;
     }
     let view = session.view();
@@ -59,10 +59,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::PinJoint => {
             state.pose.tool = Tool::Ik;
             if let Some((shape, joint)) = posing::joint_to_pin(session) {
-                state.pose.ik.toggle_pin(shape, joint);
+                return posing::toggle_pin(session, shape, joint).map(Action::Edit);
             }
         }
-        Command::UnpinAll => state.pose.ik.unpin_all(),
+        Command::UnpinAll => return Some(Action::Edit(posing::unpin_all(session))),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive)),
         Command::MakeSurfaceOfRevolution => return revolution(session),
@@ -122,13 +122,9 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
 }
 
 /// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
-pub(in crate::ui) fn why_disabled(
-    command: Command,
-    session: &Session,
-    state: &UiState,
-) -> Option<&'static str> {
+pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
     match command {
-        Command::UnpinAll if !state.pose.ik.has_pins() => Some("Nothing is pinned"),
+        Command::UnpinAll if !posing::has_pins(session) => Some("Nothing is pinned"),
         Command::ToggleGrid if session.view().look == Look::Course => {
             Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
         }

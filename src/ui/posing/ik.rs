@@ -1,101 +1,67 @@
-//! The IK tool: its settings, pins, and the chain that follows a grip.
+//! The IK tool: pins, and the chain that follows a grip.
 
 use super::held::{Drag, PoseGesture};
-use crate::editor::{IkDrag, IkGrip, IkSettings, Screen, Session};
+use crate::editor::{Edit, IkDrag, IkGrip, Screen, Session};
 use crate::math::Ray;
-use crate::scene::{BoneHit, ShapeId};
+use crate::scene::{BoneHit, IkSettings, ShapeId, ShapeKind};
 use crate::ui::scene_places::Place;
 use egui::Pos2;
 use glam::Vec3;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
-/// State of the IK tool.
-#[derive(Clone, Debug, Default)]
-pub(in crate::ui) struct IkState {
-    /// Settings chosen in the tool bar, without pins.
-    pub chosen: IkSettings,
-    /// The character and its grip under the pointer in the view, while nothing is dragged.
-    pub hovered: Option<(ShapeId, IkGrip)>,
-    /// Pinned joints of each character that has any.
-    pins: HashMap<ShapeId, BTreeSet<usize>>,
+/// The pinned joints of a character; none if it has none, or is none.
+pub(super) fn pins(session: &Session, shape: ShapeId) -> impl Iterator<Item = usize> {
+    let character = session.scene().character(shape);
+    character
+        .into_iter()
+        .flat_map(|c| c.ik.pins.iter().copied())
 }
 
-impl IkState {
-    /// Settings with the pins of one character.
-    pub fn settings(&self, shape: ShapeId) -> IkSettings {
-        IkSettings {
-            pins: self.pins(shape).cloned().unwrap_or_default(),
-            ..self.chosen.clone()
-        }
-    }
+/// The characters with pins.
+pub(super) fn pinned(session: &Session) -> impl Iterator<Item = (ShapeId, &IkSettings)> {
+    let shapes = session.scene().shapes().iter();
+    let with_settings = shapes.filter_map(|shape| match &shape.kind {
+        ShapeKind::Character(character) => Some((shape.id, &character.ik)),
+        _ => None,
+    });
+    with_settings.filter(|(_, ik)| !ik.pins.is_empty())
+}
 
-    /// The pinned joints of a character, if it has any.
-    pub fn pins(&self, shape: ShapeId) -> Option<&BTreeSet<usize>> {
-        self.pins.get(&shape)
-    }
+pub(in crate::ui) fn has_pins(session: &Session) -> bool {
+    pinned(session).next().is_some()
+}
 
-    /// All characters with pins.
-    pub fn pinned(&self) -> impl Iterator<Item = (ShapeId, &BTreeSet<usize>)> {
-        self.pins.iter().map(|(&shape, pins)| (shape, pins))
+/// Pins a joint, or unpins it.
+pub(in crate::ui) fn toggle_pin(session: &Session, shape: ShapeId, joint: usize) -> Option<Edit> {
+    let mut ik = session.scene().character(shape)?.ik.clone();
+    if !ik.pins.remove(&joint) {
+        ik.pins.insert(joint);
     }
+    Some(Edit::SetIk(shape, ik))
+}
 
-    pub fn is_pinned(&self, shape: ShapeId, joint: usize) -> bool {
-        self.pins(shape).is_some_and(|pins| pins.contains(&joint))
-    }
+/// Unpins all joints of all characters.
+pub(in crate::ui) fn unpin_all(session: &Session) -> Edit {
+    let without = |(shape, ik): (ShapeId, &IkSettings)| {
+        let pins = BTreeSet::new();
+        let ik = IkSettings { pins, ..ik.clone() };
+        Edit::SetIk(shape, ik)
+    };
+    Edit::Together(pinned(session).map(without).collect())
+}
 
-    /// Pins a joint, or unpins it.
-    pub fn toggle_pin(&mut self, shape: ShapeId, joint: usize) {
-        let pins = self.pins.entry(shape).or_default();
-        if !pins.remove(&joint) {
-            pins.insert(joint);
-        }
-        if pins.is_empty() {
-            self.pins.remove(&shape);
-        }
-    }
-
-    /// The settings alone, without pins.
-    pub fn without_pins(&self) -> Self {
-        Self {
-            chosen: self.chosen.clone(),
-            ..Self::default()
-        }
-    }
-
-    pub fn unpin_all(&mut self) {
-        self.pins.clear();
-    }
-
-    pub fn has_pins(&self) -> bool {
-        !self.pins.is_empty()
-    }
-
-    /// Begins a drag of the grip on a bone with the pointer on `ray`.
-    pub(super) fn take(
-        &self,
-        session: &Session,
-        hit: &BoneHit,
-        screen: &Screen,
-        ray: &Ray,
-    ) -> Option<Drag> {
-        let grip = IkGrip::of(session, hit, screen)?;
-        let settings = self.settings(hit.shape);
-        let drag = IkDrag::begin(session, hit.shape, grip, &settings, ray);
-        let stuck = Drag::Stuck(hit.shape, grip.joint());
-        Some(drag.map_or(stuck, Drag::Ik))
-    }
+/// Begins a drag of the grip on a bone with the pointer on `ray`.
+pub(super) fn take(session: &Session, hit: &BoneHit, screen: &Screen, ray: &Ray) -> Option<Drag> {
+    let grip = IkGrip::of(session, hit, screen)?;
+    let drag = IkDrag::begin(session, hit.shape, grip, ray);
+    let stuck = Drag::Stuck(hit.shape, grip.joint());
+    Some(drag.map_or(stuck, Drag::Ik))
 }
 
 /// The joint that is pinned or unpinned: the hovered one, or else the selected one.
 pub(in crate::ui) fn joint_to_pin(session: &Session) -> Option<(ShapeId, usize)> {
     let selected = session.selected().zip(session.selected_joint());
     session.hovered_bone().or(selected)
-}
-
-/// Drops pins of characters that were deleted.
-pub(super) fn forget_gone(session: &Session, state: &mut IkState) {
-    let exists = |shape: &ShapeId| session.scene().character(*shape).is_some();
-    state.pins.retain(|shape, _| exists(shape));
 }
 
 /// The grip that is dragged or hovered, and the joints of the chain that follows it, root first; in
@@ -139,7 +105,7 @@ pub(super) fn lost_pins(
 /// The grip and the chain to mark in the view; `None` if no grip is dragged or hovered.
 pub(super) fn followed(
     session: &Session,
-    state: &IkState,
+    hovered: Option<(ShapeId, IkGrip)>,
     gesture: Option<&PoseGesture>,
     place: Place,
 ) -> Option<Followed> {
@@ -151,14 +117,14 @@ pub(super) fn followed(
             (drag.shape(), drag.grip(), Some(drag))
         }
         None => {
-            let (shape, grip) = state.hovered?;
+            let (shape, grip) = hovered?;
             (shape, grip, None)
         }
     };
     let joints = match held {
         Some(drag) => drag.chain().map(|chain| chain.joints().to_vec()),
         None => {
-            let chain = grip.chain(session, shape, &state.settings(shape));
+            let chain = grip.chain(session, shape);
             chain.map(|chain| chain.joints().to_vec())
         }
     };

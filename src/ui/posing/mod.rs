@@ -6,7 +6,7 @@ mod paint;
 mod pointer;
 mod tool_bar;
 
-pub(super) use ik::joint_to_pin;
+pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
 pub(super) use pointer::{pointer, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
 
@@ -16,7 +16,6 @@ use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
 use egui::{Painter, Response, Ui};
 use held::{Held, PoseGesture};
-use ik::IkState;
 
 /// State of the tools.
 #[derive(Clone, Debug, Default)]
@@ -24,7 +23,9 @@ pub(super) struct PoseState {
     pub tool: Tool,
     /// Axes of gizmos.
     pub axes: GizmoAxes,
-    pub ik: IkState,
+    /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
+    /// dragged.
+    pub hovered_grip: Option<(ShapeId, IkGrip)>,
     /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
@@ -46,14 +47,13 @@ impl PoseState {
         *self = Self {
             tool: self.tool,
             axes: self.axes,
-            ik: self.ik.without_pins(),
             ..Self::default()
         };
     }
 
     /// Whether the view marks a chain instead of the hovered bone.
     fn shows_chain(&self) -> bool {
-        self.tool == Tool::Ik && (self.gesture.is_some() || self.ik.hovered.is_some())
+        self.tool == Tool::Ik && (self.gesture.is_some() || self.hovered_grip.is_some())
     }
 
     /// The handle of a gizmo that is being dragged.
@@ -69,6 +69,7 @@ pub(super) fn show(
     view: &Response,
     session: &Session,
     state: &mut PoseState,
+    actions: &mut Vec<Action>,
 ) {
     let whole = ui.max_rect();
     let gesture = state.gesture.as_ref();
@@ -81,14 +82,13 @@ pub(super) fn show(
         }
         show_gizmo(&painter, place, view, session, state);
         if state.tool == Tool::Ik {
-            paint::ik(&painter, place, session, &state.ik, gesture);
+            paint::ik(&painter, place, session, state.hovered_grip, gesture);
         }
     }
     if let Some(gesture) = gesture {
         paint::readout(ui, whole, session, gesture);
     }
-    ik::forget_gone(session, &mut state.ik);
-    tool_bar::show(ui, whole, session, state);
+    tool_bar::show(ui, whole, session, state, actions);
 }
 
 fn show_gizmo(
@@ -134,9 +134,9 @@ pub(super) fn status(
         return Some((over, next));
     }
     let hit = state.hovered?;
-    if let Some((shape, grip)) = state.ik.hovered {
+    if let Some((shape, grip)) = state.hovered_grip {
         let over = joint_name(session, shape, Some(grip.joint()));
-        return Some((over, ik_status(session, state, shape, grip)));
+        return Some((over, ik_status(session, shape, grip)));
     }
     let (joint, next) = match state.tool {
         Tool::Select => (
@@ -157,12 +157,11 @@ pub(super) fn status(
 }
 
 /// Effect of a drag of a grip with the IK tool, for the status line.
-fn ik_status(session: &Session, state: &PoseState, shape: ShapeId, grip: IkGrip) -> &'static str {
-    let settings = state.ik.settings(shape);
+fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     let is_root = root_of(session, shape, grip.joint()) == Some(grip.joint());
-    let is_held = grip.chain(session, shape, &settings).is_none();
+    let is_held = grip.chain(session, shape).is_none();
     let moves_root = is_root && matches!(grip, IkGrip::Joint(_));
-    if settings.pins.contains(&grip.joint()) {
+    if ik::pins(session, shape).any(|pin| pin == grip.joint()) {
         "Pinned: stays while others are dragged · P unpins"
     } else if moves_root {
         "Drag to move it all; pins stay · P pins"

@@ -1,7 +1,7 @@
 //! Painting of bones, gizmos and inverse kinematics over a picture of the scene.
 
 use super::held::{Gizmo, Held, PoseGesture};
-use super::ik::{IkState, followed, lost_pins};
+use super::ik::{followed, lost_pins, pinned};
 use super::joint_name;
 use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
@@ -311,10 +311,10 @@ pub(super) fn ik(
     painter: &Painter,
     place: Place,
     session: &Session,
-    state: &IkState,
+    hovered: Option<(ShapeId, IkGrip)>,
     gesture: Option<&PoseGesture>,
 ) {
-    if let Some(followed) = followed(session, state, gesture, place) {
+    if let Some(followed) = followed(session, hovered, gesture, place) {
         let mut line = followed.chain;
         line.push(followed.grip);
         painter.add(Shape::line(line.clone(), Stroke::new(6.0, SHADE)));
@@ -338,8 +338,8 @@ pub(super) fn ik(
     let screen = place.screen(session);
     let evaluated = session.evaluated();
     let is_visible = |id| evaluated.shape(id).is_some_and(|shape| shape.visible);
-    for (shape, pins) in state.pinned().filter(|&(id, _)| is_visible(id)) {
-        for &joint in pins {
+    for (shape, ik) in pinned(session).filter(|&(id, _)| is_visible(id)) {
+        for &joint in &ik.pins {
             let world = IkGrip::Joint(joint).place(session, shape);
             let pixel = world.and_then(|world| screen.pixel(world));
             if let Some(pixel) = pixel {

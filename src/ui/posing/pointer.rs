@@ -1,7 +1,7 @@
 //! What the pointer and the arrow keys do to bones, gizmos and shapes with the chosen tool.
 
-use super::PoseState;
 use super::held::{Drag, Held, shown_gizmo};
+use super::{PoseState, ik};
 use crate::editor::{
     BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
     root_of,
@@ -51,7 +51,7 @@ pub(in crate::ui) fn pointer(
         _ => None,
     };
     state.hovered = bone.map(|(hit, _)| hit);
-    state.ik.hovered = bone
+    state.hovered_grip = bone
         .filter(|_| state.tool == Tool::Ik)
         .and_then(|(hit, place)| {
             let grip = IkGrip::of(session, &hit, &place.screen(session))?;
@@ -165,7 +165,7 @@ fn take(
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
         let drag = match state.tool {
             Tool::Pose => turn_bone(session, state, hit)?,
-            Tool::Ik => state.ik.take(session, &hit, &screen, &ray)?,
+            Tool::Ik => ik::take(session, &hit, &screen, &ray)?,
             _ => move_root(session, hit, &ray, all)?,
         };
         state.taken = Some(hit);

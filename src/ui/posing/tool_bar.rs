@@ -1,9 +1,11 @@
 //! The tool bar: tools, and the settings of the IK tool.
 
 use super::PoseState;
-use super::ik::{IkState, joint_to_pin};
+use super::ik::{self, joint_to_pin};
 use crate::character::Facing;
-use crate::editor::{GizmoAxes, IkPole, Session, Tool};
+use crate::editor::{Edit, GizmoAxes, Session, Tool};
+use crate::scene::{CharacterShape, IkPole, IkSettings, ShapeId};
+use crate::ui::Action;
 use crate::ui::commands::Command;
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
@@ -24,7 +26,13 @@ const TOOLS: [(Tool, &str); 4] = [
 ];
 
 /// The tool bar in the upper left corner of the view.
-pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &mut PoseState) {
+pub(super) fn show(
+    ui: &mut Ui,
+    view: Rect,
+    session: &Session,
+    state: &mut PoseState,
+    actions: &mut Vec<Action>,
+) {
     let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(480.0, 24.0));
     // Clicks between the buttons must not reach the scene behind them.
     let builder = UiBuilder::new()
@@ -56,7 +64,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &mut PoseS
         });
         if state.tool == Tool::Ik {
             let room = axis_ball::left(view) - place.left();
-            ik_settings(ui, room, session, &mut state.ik);
+            ik_settings(ui, room, session, actions);
         }
     });
 }
@@ -69,15 +77,19 @@ fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
         .clicked()
 }
 
-/// Greatest length of a chain, in joints.
-const LONGEST: usize = 999;
-
 /// Width of the bar from which on the settings fit on one line, in points.
 const ONE_LINE: f32 = 368.0;
 
-/// Settings of the IK tool, in one line, or in two if there is no room for that. `room` is in
-/// points.
-fn ik_settings(ui: &mut Ui, room: f32, session: &Session, state: &mut IkState) {
+/// Settings of the IK tool for the selected character, or for all if none is selected: in one line,
+/// or in two if there is no room for that. `room` is in points.
+fn ik_settings(ui: &mut Ui, room: f32, session: &Session, actions: &mut Vec<Action>) {
+    let characters = characters(session);
+    let shown = characters.first().map(|(_, shape)| &shape.ik);
+    let mut ik = shown.cloned().unwrap_or_default();
+    let facing = characters
+        .first()
+        .map(|(_, shape)| shape.character.skeleton().facing())
+        .unwrap_or_default();
     let in_line = |ui: &mut Ui, show: &mut dyn FnMut(&mut Ui)| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
@@ -85,52 +97,70 @@ fn ik_settings(ui: &mut Ui, room: f32, session: &Session, state: &mut IkState) {
         });
     };
     if room < ONE_LINE {
-        in_line(ui, &mut |ui| chain(ui, session, state));
-        in_line(ui, &mut |ui| end(ui, session, state));
+        in_line(ui, &mut |ui| chain(ui, facing, &mut ik));
+        in_line(ui, &mut |ui| {
+            keep_orientation(ui, &mut ik);
+            pins(ui, session, actions);
+        });
     } else {
         in_line(ui, &mut |ui| {
-            chain(ui, session, state);
-            end(ui, session, state);
+            chain(ui, facing, &mut ik);
+            keep_orientation(ui, &mut ik);
+            pins(ui, session, actions);
         });
+    }
+    if shown.is_some_and(|shown| *shown != ik) {
+        let with_own_pins = |(id, shape): &(ShapeId, &CharacterShape)| {
+            let pins = shape.ik.pins.clone();
+            Edit::SetIk(*id, IkSettings { pins, ..ik.clone() })
+        };
+        let edits = characters.iter().map(with_own_pins).collect();
+        actions.push(Action::Edit(Edit::Together(edits)));
+    }
+}
+
+/// The selected character, or all characters.
+fn characters(session: &Session) -> Vec<(ShapeId, &CharacterShape)> {
+    let scene = session.scene();
+    let character = |id| Some((id, scene.character(id)?));
+    match session.selected().and_then(character) {
+        Some(selected) => vec![selected],
+        None => {
+            let ids = scene.shapes().iter().map(|shape| shape.id);
+            ids.filter_map(character).collect()
+        }
     }
 }
 
 /// Length and bend of the chain.
-fn chain(ui: &mut Ui, session: &Session, state: &mut IkState) {
+fn chain(ui: &mut Ui, facing: Facing, ik: &mut IkSettings) {
     ui.label("Chain").on_hover_text(
         "How many joints turn: 2 for an arm or a leg, more for a spine or a tail. \
          A root or a pin ends it before.",
     );
-    let length = NumberField::new("Chain length", state.chosen.length as f32, 0.05)
+    let length = NumberField::new("Chain length", ik.length as f32, 0.05)
         .rest(2.0)
-        .range(1.0..=LONGEST as f64)
+        .range(1.0..=IkSettings::LONGEST as f64)
         .decimals(0..=0);
     if let Some(length) = length.show(ui, vec2(32.0, 20.0)) {
-        state.chosen.length = (length.round() as usize).clamp(1, LONGEST);
+        ik.length = (length.round() as usize).clamp(1, IkSettings::LONGEST);
     }
     ui.label("Bend").on_hover_text(
         "Where knees and elbows point to, as the character stands at rest. Its front follows from \
          which joints are left and right, by name or place; +Z where nothing says.",
     );
-    let selected = session
-        .selected()
-        .and_then(|id| session.scene().character(id));
-    let facing = selected.map(|shape| shape.character.skeleton().facing());
-    pole(ui, facing.unwrap_or_default(), &mut state.chosen.pole);
+    pole(ui, facing, &mut ik.pole);
 }
 
-/// Orientation of the end, and pins.
-fn end(ui: &mut Ui, session: &Session, state: &mut IkState) {
-    let keep = state.chosen.keep_orientation;
+fn keep_orientation(ui: &mut Ui, ik: &mut IkSettings) {
     let flat = named(
-        ui.add(Button::selectable(keep, "Flat")),
+        ui.add(Button::selectable(ik.keep_orientation, "Flat")),
         "Keep the end's direction",
     );
     let tip = "The dragged joint keeps its orientation, as a foot stays flat";
     if flat.on_hover_text(tip).clicked() {
-        state.chosen.keep_orientation = !keep;
+        ik.keep_orientation = !ik.keep_orientation;
     }
-    pins(ui, session, state);
 }
 
 fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
@@ -145,20 +175,21 @@ fn pole(ui: &mut Ui, facing: Facing, pole: &mut IkPole) {
     named(combo.response, "Bend direction");
 }
 
-fn pins(ui: &mut Ui, session: &Session, state: &mut IkState) {
+fn pins(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let joint = joint_to_pin(session);
-    let pinned = joint.is_some_and(|(shape, joint)| state.is_pinned(shape, joint));
+    let pinned =
+        joint.is_some_and(|(shape, joint)| ik::pins(session, shape).any(|pin| pin == joint));
     let pin = Button::selectable(pinned, "Pin");
     let why = "Select a joint first: click it in the view or in the list";
     if pin_button(ui, pin, joint.is_some(), Command::PinJoint, why)
         && let Some((shape, joint)) = joint
     {
-        state.toggle_pin(shape, joint);
+        actions.extend(ik::toggle_pin(session, shape, joint).map(Action::Edit));
     }
     let unpin = Button::new("Unpin all");
     let why = "Nothing is pinned";
-    if pin_button(ui, unpin, state.has_pins(), Command::UnpinAll, why) {
-        state.unpin_all();
+    if pin_button(ui, unpin, ik::has_pins(session), Command::UnpinAll, why) {
+        actions.push(Action::Edit(ik::unpin_all(session)));
     }
 }
 
