@@ -14,6 +14,7 @@ mod collada;
 mod compare;
 mod curves;
 mod editing;
+mod history;
 mod ik;
 mod interface;
 mod offscreen;

@@ -67,6 +67,11 @@ impl Attachments {
             .map(|run| &self.influences[run[0] as usize..run[1] as usize])
     }
 
+    /// Estimated memory, in bytes.
+    pub fn memory(&self) -> usize {
+        size_of_val(&*self.influences) + size_of_val(&*self.starts)
+    }
+
     /// Largest number of influences of a vertex.
     pub fn most_influences(&self) -> usize {
         self.vertices().map(<[Influence]>::len).max().unwrap_or(0)

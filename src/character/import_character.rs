@@ -33,6 +33,11 @@ pub enum CharacterError {
 }
 
 impl Character {
+    /// Estimated memory of the weights, in bytes: all that is heavy beside the mesh.
+    pub fn weights_memory(&self) -> usize {
+        self.attachments.memory()
+    }
+
     /// Binds `bind_mesh` (positions in model space, in the order of the rows of `attachments`) to
     /// `skeleton`.
     ///

@@ -54,6 +54,12 @@ impl Pose {
         }
     }
 
+    /// Estimated memory, in bytes.
+    pub fn memory(&self) -> usize {
+        let entries = self.rotations.len() + self.root_offsets.len();
+        size_of::<Self>() + entries * (size_of::<usize>() + size_of::<Euler>())
+    }
+
     /// Translation of a root from its position at rest, in model space.
     pub fn root_offset(&self, joint: usize) -> Vec3 {
         self.root_offsets.get(&joint).copied().unwrap_or(Vec3::ZERO)

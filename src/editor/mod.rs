@@ -6,11 +6,13 @@ mod apply;
 mod control_point_drag;
 mod edit;
 mod gizmo;
+mod history;
 mod ik_grip;
 mod ik_tool;
 mod move_tool;
 mod rotate_tool;
 mod session;
+mod step_name;
 
 pub use apply::{Change, EditError, apply};
 pub use control_point_drag::{ControlPointDrag, control_point_at};

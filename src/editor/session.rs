@@ -1,4 +1,6 @@
 use super::apply::{EditError, apply};
+use super::history::{History, Selection, State};
+use super::step_name::step_name;
 use super::{Change, Edit, View};
 use crate::math::Aabb;
 use crate::revision::Revision;
@@ -16,8 +18,8 @@ pub struct Session {
     /// Revision of `scene`.
     document: Revision,
     gesture: Option<Gesture>,
-    selected: Option<ShapeId>,
-    selected_joint: Option<usize>,
+    history: History,
+    selection: Selection,
     hovered_bone: Option<(ShapeId, usize)>,
     hovered_control_point: Option<(usize, usize)>,
     view: ViewSettings,
@@ -31,21 +33,25 @@ pub struct Session {
     evaluated: Evaluated,
 }
 
-/// Gesture in progress: the document as it was when it began.
+/// Gesture in progress: document and selection as they were when it began.
 #[derive(Debug)]
 struct Gesture {
-    scene: Scene,
-    document: Revision,
+    state: State,
+    selection: Selection,
 }
 
 impl Default for Session {
     fn default() -> Self {
-        Self {
+        let state = State {
             scene: Scene::new(),
             document: Revision::new(),
+        };
+        Self {
+            scene: state.scene.clone(),
+            document: state.document,
             gesture: None,
-            selected: None,
-            selected_joint: None,
+            history: History::new(state),
+            selection: Selection::default(),
             hovered_bone: None,
             hovered_control_point: None,
             view: ViewSettings::default(),
@@ -80,61 +86,122 @@ impl Session {
         self.start_camera = view.camera;
     }
 
-    /// Edits the document: the one way to do so, for panels, gestures, imports and commands.
-    /// Returns what changed; the last shape that was added is selected.
+    /// Edits the document: the one way to do so, for panels, gestures, imports and commands. Outside
+    /// of a gesture it is a step that can be undone. Returns what changed; the last shape that was
+    /// added is selected.
     ///
     /// # Errors
     /// If the edit would not leave a valid document; then nothing has changed.
     pub fn edit(&mut self, edit: Edit) -> Result<Change, EditError> {
-        let place = self.selected.and_then(|id| self.index_of(id));
+        let place = self.selected().and_then(|id| self.index_of(id));
+        let before = self.present();
+        let selection = self.selection;
         let change = apply(&mut self.scene, edit)?;
         if change.is_nothing() {
             return Ok(change);
         }
         self.document = Revision::new();
-        if change.opened {
-            self.opened = self.document;
-        }
-        if change.opened || !change.added.is_empty() || !change.removed.is_empty() {
-            // A gesture is about shapes that exist from its beginning to its end.
-            self.gesture = None;
-        }
         if let Some(&added) = change.added.last() {
             self.select(Some(added));
-        } else if self.selected.is_some_and(|id| self.index_of(id).is_none()) {
+        } else if self
+            .selected()
+            .is_some_and(|id| self.index_of(id).is_none())
+        {
             // The shape that takes the deleted one's place in the list, as in the course's editor.
             let last = self.scene.shapes().len().checked_sub(1);
             let next = place.zip(last).map(|(place, last)| place.min(last));
             self.select(next.map(|next| self.scene.shapes()[next].id));
         }
+        if change.opened {
+            self.opened = self.document;
+            self.gesture = None;
+            self.history = History::new(self.present());
+        } else if self.gesture.is_none() {
+            self.record(before, selection);
+        } else if !change.added.is_empty() || !change.removed.is_empty() {
+            // A gesture is about shapes that exist from its beginning to its end.
+            self.commit_gesture();
+        }
         self.evaluate();
         Ok(change)
     }
 
-    /// Begins a gesture: the edits that follow can be canceled together. A gesture in progress is
-    /// committed.
+    /// Begins a gesture: the edits that follow are one step, and can be canceled together. A
+    /// gesture in progress is committed.
     pub fn begin_gesture(&mut self) {
+        self.commit_gesture();
         self.gesture = Some(Gesture {
-            scene: self.scene.clone(),
-            document: self.document,
+            state: self.present(),
+            selection: self.selection,
         });
     }
 
-    /// Ends the gesture and keeps its edits. Returns what they changed.
-    pub fn commit_gesture(&mut self) -> Change {
-        self.gesture.take().map_or_else(Change::default, |gesture| {
-            Change::between(&gesture.scene, &self.scene)
-        })
+    /// Ends the gesture and keeps its edits, as one step that can be undone; none if they changed
+    /// nothing in the end.
+    pub fn commit_gesture(&mut self) {
+        if let Some(Gesture { state, selection }) = self.gesture.take() {
+            if state.scene == self.scene {
+                self.document = state.document;
+            } else {
+                self.record(state, selection);
+            }
+        }
     }
 
     /// Ends the gesture and restores the document as it was when it began. Does nothing if none is
     /// in progress.
     pub fn cancel_gesture(&mut self) {
         if let Some(gesture) = self.gesture.take() {
-            self.scene = gesture.scene;
-            self.document = gesture.document;
-            self.evaluate();
+            self.restore(&gesture.state);
         }
+    }
+
+    /// Undoes the last step, or cancels the gesture in progress. Returns the step's name; `None` if
+    /// there is none.
+    pub fn undo(&mut self) -> Option<String> {
+        if self.gesture.is_some() {
+            self.cancel_gesture();
+            return None;
+        }
+        let last = self.history.done().checked_sub(1)?;
+        let name = self.steps().nth(last).map(str::to_owned);
+        self.go_to_step(last);
+        name
+    }
+
+    /// Does the step again that was undone last, or cancels the gesture in progress. Returns the
+    /// step's name; `None` if there is none.
+    pub fn redo(&mut self) -> Option<String> {
+        if self.gesture.is_some() {
+            self.cancel_gesture();
+            return None;
+        }
+        let name = self.steps().nth(self.history.done()).map(str::to_owned);
+        self.go_to_step(self.history.done() + 1);
+        name
+    }
+
+    /// Goes to the document after the first `done` of [`Session::steps`], with the selection of that
+    /// time. A gesture in progress is canceled. Does nothing if there are fewer steps.
+    pub fn go_to_step(&mut self, done: usize) {
+        self.cancel_gesture();
+        if let Some((state, selection)) = self.history.go_to(done) {
+            let state = state.clone();
+            self.select(selection.shape);
+            self.selection = selection;
+            self.restore(&state);
+        }
+    }
+
+    /// Names of the steps since the document was opened, oldest first: those that were undone come
+    /// last, [`Session::done_steps`] before them. At most 200 are kept.
+    pub fn steps(&self) -> impl ExactSizeIterator<Item = &str> {
+        self.history.names()
+    }
+
+    /// Number of steps that can be undone.
+    pub fn done_steps(&self) -> usize {
+        self.history.done()
     }
 
     /// Whether a gesture is in progress.
@@ -157,12 +224,12 @@ impl Session {
             View::SetLook(look) => self.view.look = look,
             View::SetShading(shading) => self.view.shading = shading,
             View::Select(selected) => {
-                if selected != self.selected {
+                if selected != self.selected() {
                     self.select(selected);
                 }
             }
-            View::SelectJoint(joint) => self.selected_joint = joint,
-            View::HoverJoint(joint) => self.hovered_bone = self.selected.zip(joint),
+            View::SelectJoint(joint) => self.selection.joint = joint,
+            View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
             View::HoverBone(bone) => self.hovered_bone = bone,
             View::HoverControlPoint(point) => self.hovered_control_point = point,
             View::DismissMessage(index) => self.messages.dismiss(index),
@@ -177,7 +244,7 @@ impl Session {
     }
 
     /// Revision of the document. Changes with every edit that changes something, and returns to its
-    /// old value when a gesture is canceled. The camera, the selection and the pointer do not
+    /// old value when a gesture is canceled or a step undone. The camera, the selection and the pointer do not
     /// affect it.
     pub fn document(&self) -> Revision {
         self.document
@@ -185,18 +252,18 @@ impl Session {
 
     /// Selected shape; always one that exists.
     pub fn selected(&self) -> Option<ShapeId> {
-        self.selected
+        self.selection.shape
     }
 
     /// Selected joint of the selected shape; always one that exists.
     pub fn selected_joint(&self) -> Option<usize> {
-        self.selected_joint
+        self.selection.joint
     }
 
     /// Joint of the selected shape that the pointer is over, in the view or in the panel.
     pub fn hovered_joint(&self) -> Option<usize> {
         self.hovered_bone
-            .filter(|&(shape, _)| Some(shape) == self.selected)
+            .filter(|&(shape, _)| Some(shape) == self.selected())
             .map(|(_, joint)| joint)
     }
 
@@ -240,10 +307,32 @@ impl Session {
 
     /// Selects a shape, or none, and no part of it.
     fn select(&mut self, selected: Option<ShapeId>) {
-        self.selected = selected;
-        self.selected_joint = None;
+        self.selection = Selection {
+            shape: selected,
+            joint: None,
+        };
         self.hovered_bone = None;
         self.hovered_control_point = None;
+    }
+
+    fn present(&self) -> State {
+        State {
+            scene: self.scene.clone(),
+            document: self.document,
+        }
+    }
+
+    fn restore(&mut self, state: &State) {
+        self.scene.go_to(&state.scene);
+        self.document = state.document;
+        self.evaluate();
+    }
+
+    /// Makes the change from an earlier state a step that can be undone.
+    fn record(&mut self, before: State, selection: Selection) {
+        let name = step_name(&before.scene, &self.scene);
+        let present = self.present();
+        self.history.push(name, selection, self.selection, present);
     }
 
     fn evaluate(&mut self) {
@@ -253,21 +342,21 @@ impl Session {
 
     /// Clears the parts of the selection and of what the pointer is over that do not exist.
     fn forget_what_is_gone(&mut self) {
-        self.selected = self.selected.filter(|&id| self.scene.shape(id).is_some());
+        let exists = |&id: &ShapeId| self.scene.shape(id).is_some();
+        self.selection.shape = self.selection.shape.filter(exists);
         let scene = &self.scene;
         let has = |shape: ShapeId, joint: usize| {
             scene
                 .character(shape)
                 .is_some_and(|shape| joint < shape.character.skeleton().joints().len())
         };
-        self.selected_joint = self
-            .selected_joint
-            .filter(|&joint| self.selected.is_some_and(|shape| has(shape, joint)));
+        let selected = self.selection.shape;
+        let joint = self.selection.joint;
+        self.selection.joint = joint.filter(|&j| selected.is_some_and(|shape| has(shape, j)));
         self.hovered_bone = self
             .hovered_bone
             .filter(|&(shape, joint)| has(shape, joint));
-        let curves = self
-            .selected
+        let curves = selected
             .and_then(|id| self.scene.curve(id))
             .map(|shape| shape.curves());
         self.hovered_control_point = self.hovered_control_point.filter(|&(curve, point)| {
@@ -278,7 +367,7 @@ impl Session {
     }
 
     fn bounds_to_fit(&self) -> Aabb {
-        self.selected
+        self.selected()
             .and_then(|id| self.evaluated.shape(id))
             .filter(|shape| shape.visible)
             .map_or_else(

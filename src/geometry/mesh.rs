@@ -2,6 +2,7 @@ use crate::math::{Aabb, Ray, TriangleHit};
 use crate::revision::Revision;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
+use std::collections::HashSet;
 use std::ops::{Deref, Range};
 use std::sync::Arc;
 
@@ -86,6 +87,21 @@ pub struct Picture {
 }
 
 impl Mesh {
+    /// Estimated memory of vertices and triangles, in bytes.
+    pub fn memory(&self) -> usize {
+        let normals = match &self.normals {
+            Normals::Flat => 0,
+            Normals::PerVertex(normals) => size_of_val(&**normals),
+        };
+        let seams = self.seams.as_ref();
+        let seams = seams.map_or(0, |s| size_of_val(&*s.copies) + size_of_val(&*s.triangles));
+        size_of_val(&*self.positions)
+            + size_of_val(&*self.triangles)
+            + size_of_val(&*self.texture_coordinates)
+            + normals
+            + seams
+    }
+
     /// A mesh with flat normals and no materials.
     ///
     /// # Panics
@@ -172,6 +188,15 @@ pub struct SharedMesh {
 }
 
 impl SharedMesh {
+    /// Estimated memory in bytes; 0 if the mesh is among those `counted` already, by address.
+    pub fn memory(&self, counted: &mut HashSet<usize>) -> usize {
+        if counted.insert(Arc::as_ptr(&self.mesh).addr()) {
+            self.mesh.memory()
+        } else {
+            0
+        }
+    }
+
     /// Shares `mesh` under a new revision.
     pub fn new(mesh: Mesh) -> Self {
         Self {

@@ -11,7 +11,8 @@ use crate::revision::Revision;
 use crate::scene::ShapeId;
 use crate::scene::Skinning;
 use crate::ui::{
-    self, Action, Ask, CompareAction, CompareSettings, GestureStep, Screenshot, UiOutput, UiState,
+    self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
+    UiOutput, UiState,
 };
 use std::path::{Path, PathBuf};
 
@@ -198,8 +199,16 @@ impl Program {
                 Action::Gesture(step) => {
                     match step {
                         GestureStep::Begin => self.session.begin_gesture(),
-                        GestureStep::Commit => drop(self.session.commit_gesture()),
+                        GestureStep::Commit => self.session.commit_gesture(),
                         GestureStep::Cancel => self.session.cancel_gesture(),
+                    }
+                    true
+                }
+                Action::History(step) => {
+                    match step {
+                        HistoryMove::Undo => drop(self.session.undo()),
+                        HistoryMove::Redo => drop(self.session.redo()),
+                        HistoryMove::GoTo(done) => self.session.go_to_step(done),
                     }
                     true
                 }

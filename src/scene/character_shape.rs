@@ -1,6 +1,7 @@
 use super::IkSettings;
 use crate::character::{Character, Pose};
 use crate::revision::Revision;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Character in the scene, with its pose, its kept poses and its display options.
@@ -116,6 +117,18 @@ impl CharacterShape {
     /// deformed mesh follows from.
     pub fn revision_at(&self, _time: f64) -> Revision {
         self.revision
+    }
+
+    /// See [`super::Scene::memory`].
+    pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
+        let shared = if counted.insert(Arc::as_ptr(&self.character).addr()) {
+            self.character.weights_memory() + self.character.bind_mesh().memory(counted)
+        } else {
+            0
+        };
+        let poses = self.poses.iter().map(|kept| &kept.pose);
+        let poses = std::iter::once(&self.pose).chain(poses);
+        shared + poses.map(Pose::memory).sum::<usize>()
     }
 
     /// Kept poses, in the order in which they were first kept.

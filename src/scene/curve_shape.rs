@@ -1,5 +1,7 @@
-use super::CurveSet;
+use super::{CurveItem, CurveSet};
 use crate::revision::Revision;
+use glam::Vec3;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Curves and surfaces in the scene, with how they are displayed.
@@ -93,6 +95,18 @@ impl CurveShape {
     /// Revision, which changes with the curves and the frame closing.
     pub fn revision(&self) -> Revision {
         self.revision
+    }
+
+    /// See [`super::Scene::memory`].
+    pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
+        if !counted.insert(Arc::as_ptr(&self.curves).addr()) {
+            return 0;
+        }
+        let points = |item: &CurveItem| item.curve().map_or(0, |c| c.control_points().len());
+        let items = self.curves.items().iter();
+        items
+            .map(|item| size_of::<CurveItem>() + points(item) * size_of::<Vec3>())
+            .sum()
     }
 
     /// Replaces the curves. Equal ones do not change the revision.

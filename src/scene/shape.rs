@@ -1,6 +1,7 @@
 use super::{CharacterShape, CurveShape, ShapeColor, custom};
 use crate::geometry::{self, Mesh, SharedMesh};
 use crate::math::Transform;
+use std::collections::HashSet;
 use std::sync::LazyLock;
 
 /// Identifier of a shape while its scene is open; from 1, never reused.
@@ -38,6 +39,24 @@ pub struct Shape {
     /// Whether it is ignored by the pointer in the view: not picked, posed or moved there. Panels
     /// and keys change it all the same.
     pub locked: bool,
+}
+
+impl Shape {
+    /// See [`super::Scene::memory`].
+    pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
+        let own = size_of::<Self>() + self.name.len();
+        own + match &self.kind {
+            ShapeKind::Mesh(mesh) => mesh.memory(counted),
+            ShapeKind::Character(character) => character.memory(counted),
+            ShapeKind::Curve(curve) => curve.memory(counted),
+            ShapeKind::Cube
+            | ShapeKind::Sphere
+            | ShapeKind::Pyramid
+            | ShapeKind::Teapot
+            | ShapeKind::Icosahedron
+            | ShapeKind::Custom => 0,
+        }
+    }
 }
 
 /// Shape before it is added to a scene: everything but its identifier.

@@ -1,11 +1,19 @@
 use super::{CharacterShape, CurveShape, NewShape, Shape, ShapeId, ShapeKind};
+use std::collections::HashSet;
 
 /// Scene: the list of shapes, in the order in which they were added.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 #[doc(alias = "ShapeManager")]
 pub struct Scene {
     shapes: Vec<Shape>,
     next_id: u32,
+}
+
+/// Scenes with equal shapes are equal, whichever identifiers were in use before.
+impl PartialEq for Scene {
+    fn eq(&self, other: &Self) -> bool {
+        self.shapes == other.shapes
+    }
 }
 
 impl Default for Scene {
@@ -91,6 +99,19 @@ impl Scene {
     pub fn delete(&mut self, id: ShapeId) -> Option<Shape> {
         let index = self.shapes.iter().position(|shape| shape.id == id)?;
         Some(self.shapes.remove(index))
+    }
+
+    /// Returns to an earlier or later state of this scene. Identifiers that were in use since are
+    /// not used again.
+    pub fn go_to(&mut self, state: &Self) {
+        self.shapes.clone_from(&state.shapes);
+        self.next_id = self.next_id.max(state.next_id);
+    }
+
+    /// Estimated memory in bytes. Data that states of a scene share counts once: `counted` holds
+    /// the addresses of what has been counted already.
+    pub fn memory(&self, counted: &mut HashSet<usize>) -> usize {
+        self.shapes.iter().map(|shape| shape.memory(counted)).sum()
     }
 
     /// Restores the placement and color that the shape started with, and the bind pose of a

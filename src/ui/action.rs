@@ -9,6 +9,8 @@ pub enum Action {
     Edit(Edit),
     /// Begins or ends a gesture; its edits come in between.
     Gesture(GestureStep),
+    /// Goes back or forward in the history of the document.
+    History(HistoryMove),
     /// Changes the camera, the look or the selection.
     View(View),
     /// Needs a dialog, a file or the program.
@@ -24,6 +26,17 @@ pub enum GestureStep {
     Commit,
     /// Ends it and undoes its changes.
     Cancel,
+}
+
+/// A move in the history of the document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HistoryMove {
+    /// Undoes the last step, or cancels the gesture under way.
+    Undo,
+    /// Does the step again that was undone last.
+    Redo,
+    /// Goes to the document after this number of steps since it was opened.
+    GoTo(usize),
 }
 
 /// A request that only the program around the panels can carry out.

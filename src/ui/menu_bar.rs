@@ -1,4 +1,4 @@
-use super::commands::{Command, Entry, Menu, is_on, run, why_disabled};
+use super::commands::{Command, Entry, Menu, full_label, is_on, run, why_disabled};
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
@@ -46,6 +46,7 @@ pub(super) fn show(
         MenuBar::new().config(config).ui(ui, |ui| {
             ui.spacing_mut().button_padding = egui::vec2(8.0, 2.0);
             ui.menu_button("File", |ui| scrolled(ui, |ui| items.file(ui)));
+            ui.menu_button("Edit", |ui| scrolled(ui, |ui| items.edit(ui)));
             ui.menu_button("Insert", |ui| scrolled(ui, |ui| items.insert(ui)));
             ui.menu_button("View", |ui| scrolled(ui, |ui| items.view(ui)));
             ui.menu_button("Pose", |ui| scrolled(ui, |ui| items.pose(ui)));
@@ -67,6 +68,12 @@ impl Items<'_> {
         submenu(ui, "Built-in Scene", |ui| self.all(ui, Menu::Scenes));
         ui.separator();
         self.all(ui, Menu::File);
+    }
+
+    fn edit(&mut self, ui: &mut Ui) {
+        self.all(ui, Menu::Edit);
+        ui.separator();
+        self.all(ui, Menu::Shape);
     }
 
     fn insert(&mut self, ui: &mut Ui) {
@@ -130,7 +137,7 @@ impl Items<'_> {
         let mark = match on {
             Some(true) => format!("✔ {}", entry.label),
             Some(false) => format!("     {}", entry.label),
-            None => entry.label.to_owned(),
+            None => full_label(entry.command, self.session),
         };
         let button = Button::new(mark)
             .shortcut_text(entry.first_key(ui.ctx(), self.state.navigation))

@@ -10,6 +10,7 @@ mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod history;
 mod joint_list;
 mod joint_rows;
 mod menu_bar;
@@ -27,7 +28,7 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
-pub use action::{Action, Ask, GestureStep, Screenshot};
+pub use action::{Action, Ask, GestureStep, HistoryMove, Screenshot};
 pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use compare::{
     CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
@@ -40,7 +41,7 @@ pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
-use crate::editor::{Session, View};
+use crate::editor::{Session, Tool, View};
 use crate::scene::{Look, ShapeId};
 use egui::{Rect, Response, Ui};
 
@@ -109,6 +110,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
     let mut actions = Vec::new();
+    let holding = is_holding(&ctx);
     let keys_taken = input.keys_are_taken
         || state.keys_were_taken
         || state.gesture_under_way()
@@ -135,7 +137,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
-    add_gestures_of_fields(&ctx, session, state, &mut actions);
+    add_gestures_of_panels(&ctx, holding, session, state, &mut actions);
     state.view_rect = view_rect;
 
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got
@@ -167,19 +169,37 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
 }
 
-/// Adds beginnings of drags of number fields before the actions of this frame, and their ends after
-/// them.
-fn add_gestures_of_fields(
+/// Whether a button or an arrow key is held, so that edits go on in the next frames.
+fn is_holding(ctx: &egui::Context) -> bool {
+    use egui::Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp};
+    ctx.input(|input| {
+        let arrows = [ArrowDown, ArrowLeft, ArrowRight, ArrowUp];
+        input.pointer.any_down() || arrows.iter().any(|key| input.keys_down.contains(key))
+    })
+}
+
+/// Makes edits of the panels that belong together a gesture: number fields say when their drags
+/// begin and end; all else that edits while a button or an arrow key is held, such as a choice of
+/// color, is one gesture until it is released.
+fn add_gestures_of_panels(
     ctx: &egui::Context,
+    holding: bool,
     session: &Session,
     state: &UiState,
     actions: &mut Vec<Action>,
 ) {
     let steps = number_field::take_gestures(ctx);
-    // A field that is not shown any more cannot end its drag.
-    let released = !ctx.input(|input| input.pointer.any_down());
-    if steps.is_empty() && released && session.is_in_gesture() && !state.gesture_under_way() {
-        actions.push(Action::Gesture(GestureStep::Commit));
+    if steps.is_empty() && !state.gesture_under_way() {
+        let edits = actions
+            .iter()
+            .any(|action| matches!(action, Action::Edit(_)));
+        if holding && edits && !session.is_in_gesture() {
+            actions.insert(0, Action::Gesture(GestureStep::Begin));
+        }
+        // Also for a field that is not shown any more, which cannot end its drag.
+        if !holding && session.is_in_gesture() {
+            actions.push(Action::Gesture(GestureStep::Commit));
+        }
     }
     for step in steps {
         let place = match step {
@@ -220,5 +240,11 @@ fn press(
     if state.windows.is_open(windows::Dialog::Screenshot) {
         return;
     }
+    // The joint at hand, rather than all that hangs together with it.
+    let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
+    let command = match command {
+        Command::Delete if joint_at_hand => Command::ResetJoint,
+        command => command,
+    };
     actions.extend(commands::run(command, session, state, aspect));
 }

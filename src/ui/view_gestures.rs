@@ -240,8 +240,9 @@ impl Hand {
     fn read(view: &Response) -> Self {
         let position = view.interact_pointer_pos();
         view.ctx.input_mut(|input| {
-            // Consumed, so that Esc does nothing else in this frame.
-            let escape = input.consume_key(Modifiers::NONE, Key::Escape);
+            // Consumed, so that these keys do nothing else in this frame.
+            let escape = input.consume_key(Modifiers::NONE, Key::Escape)
+                || input.consume_key(Modifiers::COMMAND, Key::Z);
             let pointer = &input.pointer;
             Self {
                 position: released_at(input).or(position),

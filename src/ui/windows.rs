@@ -1,11 +1,11 @@
-//! Windows over the view: Keys and Mouse, Messages, About, Screenshot.
+//! Windows over the view: Keys and Mouse, Messages, History, About, Screenshot.
 
 use super::commands::{GESTURES, Menu, entries};
 use super::number_field::NumberField;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::labelled;
-use super::{Action, Ask, Navigation, Screenshot, ViewInput, messages};
+use super::{Action, Ask, Navigation, Screenshot, ViewInput, history, messages};
 use crate::editor::Session;
 use egui::{
     Align, Button, Frame, Grid, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui,
@@ -17,6 +17,7 @@ use egui::{
 pub(super) enum Dialog {
     Keys,
     Messages,
+    History,
     About,
     Screenshot,
 }
@@ -66,6 +67,9 @@ pub(super) fn show(
     window(root, windows, Dialog::Messages, "Messages", |ui| {
         messages::history(ui, &session.messages);
     });
+    window(root, windows, Dialog::History, "History", |ui| {
+        history::show(ui, session, actions);
+    });
     window(root, windows, Dialog::About, "About", |ui| {
         about(ui, input.backend);
     });
@@ -90,6 +94,7 @@ fn window(
         Dialog::About => vec2(360.0, 140.0),
         // As high as the program's window allows.
         Dialog::Keys => vec2(480.0, 720.0),
+        Dialog::History => vec2(280.0, 360.0),
         _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
@@ -150,10 +155,11 @@ fn title(menu: Menu) -> &'static str {
     match menu {
         Menu::File => "File",
         Menu::Scenes => "File ⏵ Built-in Scene",
+        Menu::Edit => "Edit",
         Menu::Insert => "Insert",
         Menu::Curves => "Insert, curves",
         Menu::Import => "Insert ⏵ Import",
-        Menu::Shape => "Selected shape",
+        Menu::Shape => "Edit, selected shape",
         Menu::View => "View",
         Menu::Look => "View ⏵ Look",
         Menu::Shading => "View ⏵ Shading",

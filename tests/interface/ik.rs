@@ -3,7 +3,7 @@
 use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::math::{Euler, Transform};
-use editor_core::scene::NewShape;
+use editor_core::scene::{CharacterShape, NewShape, ShapeId, ShapeKind};
 use egui::{Key, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::kittest::NodeT;
 use glam::Vec3;
@@ -342,8 +342,10 @@ fn pins_and_folds_do_not_go_over_to_the_next_scene_though_its_ids_start_again() 
     assert!(editor.can_unpin() && !editor.has("Left elbow"));
     let session = editor.harness.state_mut().program.session_mut();
     let view = *session.view();
-    let kind = session.scene().shapes()[0].kind.clone();
-    session.open(vec![NewShape::new("Model1", kind)], view);
+    let character = session.scene().character(ShapeId(1)).expect("a character");
+    let again = CharacterShape::new(character.character.clone());
+    let shape = NewShape::new("Model1", ShapeKind::Character(again));
+    session.open(vec![shape], view);
     editor.settle();
     assert!(!editor.can_unpin());
     assert!(editor.has("Left elbow"));

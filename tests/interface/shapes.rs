@@ -185,6 +185,7 @@ fn a_right_click_puts_a_number_back_to_where_the_shape_started() {
     let mut editor = Editor::new();
     let mut shape = NewShape::new("Cube", ShapeKind::Cube);
     shape.placement.transform.position = Vec3::new(1.0, 2.0, 3.0);
+    shape.start = shape.placement;
     editor.edit(Edit::Insert(vec![shape]));
     editor.type_into("Position X", "7");
     editor.type_into("Position Y", "8");

@@ -7,6 +7,7 @@ mod hosts;
 mod looking;
 mod posing;
 mod starting;
+mod undoing;
 
 use crate::host::MemoryHost;
 use editor_core::editor::{Session, Severity};

@@ -8,7 +8,7 @@ pub use keys::{GESTURES, Gesture};
 pub use table::{COMMANDS, Entry, Menu};
 
 pub(super) use keys::{gesture, pressed, tooltip, with_key};
-pub(super) use run::{REVOLUTION_STEPS, curves, is_on, run, why_disabled};
+pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, why_disabled};
 pub(super) use table::{entries, label};
 
 use crate::editor::Tool;
@@ -28,6 +28,12 @@ pub enum Command {
     ExportGeometry,
     /// Closes the last dialog that was opened, else ends the program.
     Quit,
+    /// Undoes the last step.
+    Undo,
+    /// Does the step again that was undone last.
+    Redo,
+    /// Opens Edit ▸ History.
+    History,
     /// Inserts a shape.
     Insert(Primitive),
     /// Imports a shape.

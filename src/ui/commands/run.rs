@@ -8,7 +8,7 @@ use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
-use crate::ui::{Action, Ask, CompareAction, posing};
+use crate::ui::{Action, Ask, CompareAction, HistoryMove, posing};
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -39,6 +39,9 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Keys => state.windows.open(Dialog::Keys),
         Command::Messages => state.windows.open(Dialog::Messages),
         Command::About => state.windows.open(Dialog::About),
+        Command::History => state.windows.open(Dialog::History),
+        Command::Undo => return Some(Action::History(HistoryMove::Undo)),
+        Command::Redo => return Some(Action::History(HistoryMove::Redo)),
         Command::SetTheme(theme) => state.theme = theme,
         Command::SetNavigation(navigation) => state.set_navigation(navigation),
         Command::OpenScene(name) => return Some(Action::Ask(Ask::OpenBuiltin(name))),
@@ -104,6 +107,21 @@ fn toggle(command: Command, session: &Session) -> Option<Action> {
     }))
 }
 
+/// Label of a command in a menu, with the step that Undo or Redo is about.
+pub(in crate::ui) fn full_label(command: Command, session: &Session) -> String {
+    let done = session.done_steps();
+    let step = match command {
+        Command::Undo => done.checked_sub(1),
+        Command::Redo => Some(done),
+        _ => None,
+    };
+    let step = step.and_then(|step| session.steps().nth(step));
+    match step {
+        Some(step) => format!("{} {step}", label(command)),
+        None => label(command).to_owned(),
+    }
+}
+
 /// State of a command that switches something on or off; `None` for all others.
 pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState) -> Option<bool> {
     let view = session.view();
@@ -124,6 +142,12 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
 /// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
 pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
     match command {
+        Command::Undo if session.done_steps() == 0 && !session.is_in_gesture() => {
+            Some("There is nothing to undo")
+        }
+        Command::Redo if session.done_steps() == session.steps().len() => {
+            Some("There is nothing to redo")
+        }
         Command::UnpinAll if !posing::has_pins(session) => Some("Nothing is pinned"),
         Command::ToggleGrid if session.view().look == Look::Course => {
             Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")

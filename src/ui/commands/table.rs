@@ -13,6 +13,8 @@ pub enum Menu {
     File,
     /// File ▸ Built-in Scene.
     Scenes,
+    /// Edit, the part about the history.
+    Edit,
     /// Insert, first part.
     Insert,
     /// Insert, the part with curves.
@@ -41,7 +43,7 @@ pub enum Menu {
     Pose,
     /// Help.
     Help,
-    /// Buttons of the shape panel, and the icons in its list.
+    /// Edit, the part about the selected shape; buttons of the shape panel, and icons in its list.
     Shape,
 }
 
@@ -50,6 +52,7 @@ impl Menu {
     pub const ALL: &[Self] = &[
         Self::File,
         Self::Scenes,
+        Self::Edit,
         Self::Insert,
         Self::Curves,
         Self::Import,
@@ -135,6 +138,10 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
     entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else let go of the selected joint, else end the program", &[key(NONE, Key::Escape)]),
+
+    entry(Command::Undo, Menu::Edit, "Undo", "Take back the last step; in the middle of a drag, all of the drag", &[key(CTRL, Key::Z)]),
+    entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]),
+    entry(Command::History, Menu::Edit, "History", "Every step since the document was opened; a click goes back or forward to it", &[]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
     entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),

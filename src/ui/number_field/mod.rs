@@ -194,7 +194,10 @@ impl<'a> NumberField<'a> {
             exact: self.value,
             cancelled: false,
         });
-        let cancel = ui.input(|input| input.pointer.button_pressed(PointerButton::Secondary));
+        let cancel = ui.input_mut(|input| {
+            input.pointer.button_pressed(PointerButton::Secondary)
+                || input.consume_key(Modifiers::COMMAND, Key::Z)
+        });
         if cancel || dragged.cancelled {
             if !dragged.cancelled {
                 note_gesture(ui, GestureStep::Cancel);

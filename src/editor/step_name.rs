@@ -1,0 +1,181 @@
+//! Names of steps for the Edit menu and the history, found by what has changed: so a gesture is
+//! named for its result, whatever its edits were.
+
+use super::Change;
+use crate::character::{Pose, SkeletalModel};
+use crate::scene::{CharacterShape, CurveShape, Scene, Shape, ShapeKind};
+
+/// Change of a shape: a verb, and what it is done to.
+type Named = (&'static str, String);
+
+/// Name of the step from one state of a scene to another, such as "Rotate Left elbow".
+pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
+    let change = Change::between(before, after);
+    let shape = |scene: &Scene, id| scene.shape(id).cloned();
+    match (&*change.added, &*change.removed, &*change.altered) {
+        ([added], [], []) => shape(after, *added).map_or_else(String::new, |s| inserted(&s)),
+        (added, [], []) if !added.is_empty() => format!("Insert {} shapes", added.len()),
+        ([], [removed], []) => shape(before, *removed)
+            .map_or_else(String::new, |shape| format!("Delete {}", shape.name)),
+        ([], removed, []) if !removed.is_empty() => format!("Delete {} shapes", removed.len()),
+        ([], [], []) => "Change the order".to_owned(),
+        ([], [], altered) => {
+            let pairs = altered
+                .iter()
+                .filter_map(|&id| before.shape(id).zip(after.shape(id)));
+            let mut changes: Vec<Named> = pairs.map(|(was, is)| altered_shape(was, is)).collect();
+            let count = changes.len();
+            let alike = changes.windows(2).all(|pair| pair[0].0 == pair[1].0);
+            match changes.pop() {
+                Some((verb, object)) if count == 1 => format!("{verb} {object}"),
+                Some((verb, _)) if alike => format!("{verb} {count} shapes"),
+                _ => format!("Change {count} shapes"),
+            }
+        }
+        _ => "Change the scene".to_owned(),
+    }
+}
+
+fn inserted(shape: &Shape) -> String {
+    let is_file = |file: &str| !file.starts_with("builtin:");
+    let from_file = shape.source.as_ref().is_some_and(|s| is_file(&s.file));
+    let verb = if from_file { "Import" } else { "Insert" };
+    format!("{verb} {}", shape.name)
+}
+
+fn altered_shape(was: &Shape, is: &Shape) -> Named {
+    let name = &is.name;
+    let mut found = Vec::new();
+    if was.name != *name {
+        found.push(("Rename to", name.clone()));
+    }
+    if was.visible != is.visible {
+        found.push((if is.visible { "Show" } else { "Hide" }, name.clone()));
+    }
+    if was.locked != is.locked {
+        found.push((if is.locked { "Lock" } else { "Unlock" }, name.clone()));
+    }
+    if was.placement != is.placement {
+        found.push((placed(was, is), name.clone()));
+    }
+    match (&was.kind, &is.kind) {
+        (was, is) if was == is => {}
+        (ShapeKind::Character(was), ShapeKind::Character(is)) => {
+            found.push(altered_character(was, is, name));
+        }
+        (ShapeKind::Curve(was), ShapeKind::Curve(is)) => {
+            found.push(altered_curves(was, is, name));
+        }
+        _ => found.push(("Reload", name.clone())),
+    }
+    let is_reset = is.placement == is.start
+        && !matches!(&is.kind, ShapeKind::Character(c) if !c.pose().is_bind());
+    match found.len() {
+        1 => found.swap_remove(0),
+        2 if is_reset => ("Reset", name.clone()),
+        _ => ("Change", name.clone()),
+    }
+}
+
+fn placed(was: &Shape, is: &Shape) -> &'static str {
+    let (from, to) = (&was.placement, &is.placement);
+    let moved = from.transform.position != to.transform.position;
+    let turned = from.transform.rotation != to.transform.rotation;
+    let scaled =
+        from.transform.scale != to.transform.scale || from.uniform_scaling != to.uniform_scaling;
+    let colored = from.color != to.color;
+    match (moved, turned, scaled, colored) {
+        (true, false, false, false) => "Move",
+        (false, true, false, false) => "Rotate",
+        (false, false, true, false) => "Scale",
+        (false, false, false, true) => "Color",
+        _ if *to == is.start => "Reset",
+        _ => "Place",
+    }
+}
+
+fn altered_character(was: &CharacterShape, is: &CharacterShape, name: &str) -> Named {
+    let skeleton = is.character.skeleton();
+    let joint = |index: usize| {
+        let joint = skeleton.joints().get(index);
+        joint.map_or_else(|| name.to_owned(), |joint| joint.name.clone())
+    };
+    if !std::sync::Arc::ptr_eq(&was.character, &is.character) {
+        return ("Reload", name.to_owned());
+    }
+    if was.pose() != is.pose() {
+        return posed(skeleton, was.pose(), is.pose(), name);
+    }
+    if was.poses() != is.poses() {
+        let (long, short, verb) = if is.poses().len() < was.poses().len() {
+            (was, is, "Remove")
+        } else {
+            (is, was, "Keep")
+        };
+        let only = long
+            .poses()
+            .iter()
+            .find(|pose| !short.poses().contains(pose));
+        return (
+            verb,
+            only.map_or_else(|| name.to_owned(), |pose| pose.name.clone()),
+        );
+    }
+    if was.ik.pins != is.ik.pins {
+        let mut differ = was.ik.pins.symmetric_difference(&is.ik.pins);
+        let verb = if is.ik.pins.len() > was.ik.pins.len() {
+            "Pin"
+        } else {
+            "Unpin"
+        };
+        let one = differ.next().filter(|_| differ.next().is_none());
+        return (
+            verb,
+            one.map_or_else(|| name.to_owned(), |&index| joint(index)),
+        );
+    }
+    if was.ik != is.ik {
+        return ("Change the IK of", name.to_owned());
+    }
+    ("Change the display of", name.to_owned())
+}
+
+fn posed(skeleton: &SkeletalModel, was: &Pose, is: &Pose, name: &str) -> Named {
+    let joints = skeleton.joints();
+    let all = 0..joints.len();
+    let turned: Vec<usize> = all
+        .clone()
+        .filter(|&j| was.rotation(j) != is.rotation(j))
+        .collect();
+    let moved: Vec<usize> = all
+        .filter(|&j| was.root_offset(j) != is.root_offset(j))
+        .collect();
+    match (&*turned, &*moved) {
+        (&[joint], []) | ([], &[joint]) if !is.is_changed(joint) => {
+            ("Reset", joints[joint].name.clone())
+        }
+        (&[joint], []) => ("Rotate", joints[joint].name.clone()),
+        ([], &[joint]) => ("Move", joints[joint].name.clone()),
+        ([], _) => ("Move", name.to_owned()),
+        _ if is.is_bind() => ("Reset the pose of", name.to_owned()),
+        _ => ("Pose", name.to_owned()),
+    }
+}
+
+fn altered_curves(was: &CurveShape, is: &CurveShape, name: &str) -> Named {
+    let (before, after) = (was.curves().items(), is.curves().items());
+    if before.len() < after.len() {
+        let added = after.last().map_or(name, |item| &item.name);
+        return ("Add", added.to_owned());
+    }
+    if before.len() > after.len() {
+        let kept = |name: &str| after.iter().any(|item| item.name == name);
+        let gone = before.iter().find(|item| !kept(&item.name));
+        return ("Remove", gone.map_or(name, |item| &item.name).to_owned());
+    }
+    let changed = before.iter().zip(after).find(|(was, is)| was != is);
+    match changed {
+        Some((_, item)) => ("Edit", item.name.clone()),
+        None => ("Change the display of", name.to_owned()),
+    }
+}

@@ -1,0 +1,138 @@
+//! Taking steps back, and doing them again.
+
+use super::{Story, differing};
+use egui::{Event, Key, Modifiers, vec2};
+use glam::Vec3;
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+/// Steps since the document was opened, oldest first.
+fn steps(story: &Story) -> Vec<&str> {
+    story.session().steps().collect()
+}
+
+fn done(story: &Story) -> usize {
+    story.session().done_steps()
+}
+
+/// A strip whose elbow was turned by a slider, by 90°.
+fn with_bent_elbow() -> Story {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let field = story.place("Elbow Z");
+    story.drag(field, field + vec2(90.0, 0.0));
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0);
+    story
+}
+
+#[test]
+fn the_drag_of_a_slider_is_one_step_that_is_undone_and_done_again() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let first = story.scene_picture();
+    let field = story.place("Elbow Z");
+    story.drag(field, field + vec2(90.0, 0.0));
+    let bent = story.scene_picture();
+    assert_eq!(steps(&story), ["Rotate Elbow"]);
+
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    assert_eq!(differing(&first, &story.scene_picture()), 0);
+    story.key_with(CTRL | Modifiers::SHIFT, Key::Z);
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0);
+    assert_eq!(differing(&bent, &story.scene_picture()), 0);
+    story.key_with(CTRL, Key::Z);
+    story.key_with(CTRL, Key::Y);
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0);
+}
+
+#[test]
+fn the_edit_menu_names_the_step() {
+    let mut story = with_bent_elbow();
+    story.click("Edit");
+    // Names for assistive technology stay the same, whatever is undone.
+    story.click("Undo");
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    story.click("Edit");
+    story.click("Redo");
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0);
+}
+
+#[test]
+fn a_click_in_the_history_goes_to_that_step() {
+    let mut story = with_bent_elbow();
+    let field = story.place("Hip X");
+    story.drag(field, field + vec2(30.0, 0.0));
+    story.key_with(Modifiers::SHIFT, Key::C);
+    story.click("Edit");
+    story.click("History");
+    story.click("Rotate Elbow");
+    assert_eq!((done(&story), story.names()), (1, vec!["Strip"]));
+    assert_eq!(story.degrees("Hip"), Vec3::ZERO);
+    story.click("Insert Cube");
+    assert_eq!((done(&story), story.names()), (3, vec!["Strip", "Cube"]));
+    story.click("Document as it was opened");
+    assert_eq!((done(&story), story.degrees("Elbow")), (0, Vec3::ZERO));
+}
+
+#[test]
+fn ctrl_z_in_the_middle_of_a_drag_takes_back_that_drag_alone() {
+    let mut story = with_bent_elbow();
+    let field = story.place("Hip X");
+    story.press_and_drag(field, field + vec2(30.0, 0.0));
+    assert_eq!(story.degrees("Hip").x, 30.0);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.degrees("Hip"), Vec3::ZERO);
+    let further = field + vec2(50.0, 0.0);
+    story.point(further);
+    story.button(false);
+    story.settle();
+    assert_eq!(story.degrees("Hip"), Vec3::ZERO, "the rest of the drag");
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0);
+    assert_eq!(done(&story), 1);
+}
+
+#[test]
+fn an_arrow_key_that_is_held_is_one_step() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click("Elbow Z");
+    let arrow = |pressed, repeat| Event::Key {
+        key: Key::ArrowUp,
+        physical_key: None,
+        pressed,
+        repeat,
+        modifiers: Modifiers::NONE,
+    };
+    for repeat in [false, true, true, true, true] {
+        story.frame(vec![arrow(true, repeat)]);
+    }
+    story.frame(vec![arrow(false, false)]);
+    story.settle();
+    assert!(story.degrees("Elbow").abs_diff_eq(Vec3::Z * 5.0, 1e-4));
+    assert_eq!(steps(&story), ["Rotate Elbow"]);
+    story.frame(vec![arrow(true, false)]);
+    story.frame(vec![arrow(false, false)]);
+    story.settle();
+    assert_eq!(done(&story), 2, "pressed again, it is another");
+}
+
+#[test]
+fn delete_resets_the_selected_joint_with_the_pose_tool_and_deletes_the_shape_otherwise() {
+    let mut story = with_bent_elbow();
+    story.click("Elbow");
+    assert_eq!(story.session().selected_joint(), Some(2));
+    story.key(Key::B);
+    story.key(Key::Delete);
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    assert_eq!(story.names(), ["Strip"]);
+    story.key(Key::Delete);
+    assert_eq!(
+        story.names(),
+        ["Strip"],
+        "a joint at rest protects its shape, too"
+    );
+    story.key(Key::V);
+    story.key(Key::Delete);
+    assert!(story.names().is_empty());
+    story.key_with(CTRL, Key::Z);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0, "with its pose");
+}
