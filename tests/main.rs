@@ -21,5 +21,6 @@ mod pictures;
 mod posing;
 mod program;
 mod reference;
+mod scenes;
 mod stories;
 mod work;

@@ -1,6 +1,7 @@
 use super::IkSettings;
 use crate::character::{Character, Pose};
 use crate::revision::Revision;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Character in the scene, with its pose, its kept poses and its display options.
@@ -121,6 +122,14 @@ impl CharacterShape {
     /// Kept poses, in the order in which they were first kept.
     pub fn poses(&self) -> &[KeptPose] {
         &self.poses
+    }
+
+    /// Replaces all kept poses. Of several with one name the first is kept.
+    pub fn set_poses(&mut self, poses: Vec<KeptPose>) {
+        let mut names = HashSet::new();
+        let first = |kept: &KeptPose| names.insert(kept.name.clone());
+        self.poses = poses.into_iter().collect();
+        self.poses.retain(first);
     }
 
     /// Keeps the current pose under `name`, replacing the one of that name if there is one.
