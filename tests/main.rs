@@ -22,5 +22,6 @@ mod pictures;
 mod posing;
 mod program;
 mod reference;
+mod scenes;
 mod stories;
 mod work;

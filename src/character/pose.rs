@@ -82,7 +82,7 @@ impl Pose {
     }
 
     /// Index of the joint that a pose file calls `name_or_index`: a name first, then a sid, then an
-    /// index.
+    /// index, also with `#` before it.
     ///
     /// # Errors
     /// If the skeleton has no such joint.
@@ -95,6 +95,7 @@ impl Pose {
             .or_else(|| joints.iter().position(by_sid))
             .or_else(|| {
                 name_or_index
+                    .trim_start_matches('#')
                     .parse()
                     .ok()
                     .filter(|&index: &usize| index < joints.len())

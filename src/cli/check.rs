@@ -137,8 +137,8 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
     if is("json") {
         let pose = PoseFile::read(&file, &files.read(&file)?)?;
         let data = pose.data();
-        let entries = data.joints.0.iter().chain(&data.roots.0);
-        let joints: BTreeSet<&str> = entries.map(|(joint, _)| joint.as_str()).collect();
+        let keys = data.joints.keys().chain(data.roots.keys());
+        let joints: BTreeSet<&str> = keys.map(|joint| joint.as_str()).collect();
         return Ok(FileReport {
             posed_joints: Some(joints.len()),
             ..FileReport::new(path)

@@ -47,6 +47,11 @@ impl Files for Disk {
     fn exists(&self, path: &Path) -> bool {
         path.is_file()
     }
+
+    fn absolute(&self, path: &Path) -> PathBuf {
+        // Fails for an empty path, and where the current folder is gone.
+        std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+    }
 }
 
 /// Message of an error, in plain words.

@@ -166,4 +166,11 @@ impl<F: Files> Files for WithBuiltin<F> {
             Some(_) => resolve(path).is_ok(),
         }
     }
+
+    fn absolute(&self, path: &Path) -> PathBuf {
+        match builtin_name(path) {
+            None => self.0.absolute(path),
+            Some(_) => path.to_owned(),
+        }
+    }
 }

@@ -13,6 +13,12 @@ pub trait Files {
 
     /// Whether `path` is a file.
     fn exists(&self, path: &Path) -> bool;
+
+    /// The path that means the same file whatever the current folder is, for shapes to remember
+    /// where they came from.
+    fn absolute(&self, path: &Path) -> PathBuf {
+        path.to_owned()
+    }
 }
 
 /// Files in memory, by path.

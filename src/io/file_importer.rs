@@ -1,7 +1,9 @@
 use super::{
     Diagnostic, Files, Imported, builtin,
     dae::{DaeReport, DaeScene, read_dae},
-    file_access, is_character, read_character, read_shape_obj, read_swp, scene_file,
+    file_access, is_character, read_character, read_shape_obj, read_swp,
+    recorder::Recorder,
+    scene::{Missing, read_scene},
 };
 use crate::character::Character;
 use crate::geometry::SharedMesh;
@@ -38,6 +40,24 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     }
 }
 
+/// Imports the file at `path` with `importer`: what a [`Source`] refers to.
+///
+/// # Errors
+/// If it cannot be read, is not well formed, or is of a kind that `importer` does not read.
+pub(super) fn import_with(
+    files: &dyn Files,
+    path: &Path,
+    importer: Importer,
+) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    match importer {
+        // A scene's character may have become a shape since it was saved.
+        Importer::Character if file_access::extension(path) == "dae" => import_any(files, path),
+        Importer::Shape => import_shape(files, path),
+        Importer::Character => import_character(files, path),
+        Importer::Curve => import_curve(files, path),
+    }
+}
+
 /// Imports the Collada file at `path`, with a report about its other content.
 ///
 /// # Errors
@@ -46,7 +66,8 @@ pub fn import_collada(
     files: &dyn Files,
     path: &Path,
 ) -> Result<Imported<(Vec<NewShape>, DaeReport)>, Diagnostic> {
-    let read = read_dae(files, &to_open(path)?)?;
+    let files = Recorder::new(files);
+    let read = read_dae(&files, &to_open(path)?)?;
     Ok(read.map(|scene| {
         let report = scene.report.clone();
         // What has no skeleton is imported as shapes.
@@ -55,7 +76,8 @@ pub fn import_collada(
         } else {
             Importer::Character
         };
-        (shapes_of(path, importer, scene), report)
+        let source = source(&files, path, importer);
+        (shapes_of(source, scene), report)
     }))
 }
 
@@ -69,22 +91,22 @@ pub fn import_character(
     path: &Path,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
+    let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
             exists(files, &file)?;
-            let character = read_character(files, &file)?;
-            Ok(character.map(|character| {
-                let kind = posable(character);
-                vec![new_shape(path, Importer::Character, kind)]
-            }))
+            let character = read_character(&recorder, &file)?;
+            let source = source(&recorder, path, Importer::Character);
+            Ok(character.map(|character| vec![new_shape(source, posable(character))]))
         }
         "dae" => {
-            let read = read_dae(files, &file)?;
+            let read = read_dae(&recorder, &file)?;
             if read.value.characters.is_empty() {
                 let message = "expected a character, found only shapes: import it as a shape";
                 return Err(Diagnostic::new(path, message));
             }
-            Ok(read.map(|scene| shapes_of(path, Importer::Character, scene)))
+            let source = source(&recorder, path, Importer::Character);
+            Ok(read.map(|scene| shapes_of(source, scene)))
         }
         extension => Err(cannot_open(
             files,
@@ -103,14 +125,16 @@ pub fn import_character(
 /// If it cannot be read or is not well formed.
 pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
+    let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
-            let mesh = read_shape_obj(files, &file, &files.read(&file)?)?;
+            let mesh = read_shape_obj(&recorder, &file, &recorder.read(&file)?)?;
+            let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
-            Ok(mesh.map(|mesh| vec![new_shape(path, Importer::Shape, kind(mesh))]))
+            Ok(mesh.map(|mesh| vec![new_shape(source, kind(mesh))]))
         }
-        "dae" => Ok(read_dae(files, &file)?.map(|scene| {
-            let shapes = shapes_of(path, Importer::Shape, scene);
+        "dae" => Ok(read_dae(&recorder, &file)?.map(|scene| {
+            let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
             let rigid = shapes.into_iter().map(|shape| {
                 let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
                 NewShape {
@@ -134,9 +158,11 @@ pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     let file = to_open(path)?;
     match file_access::extension(&file).as_str() {
         "swp" => {
-            let curves = read_swp(&file, &files.read(&file)?)?;
+            let recorder = Recorder::new(files);
+            let curves = read_swp(&file, &recorder.read(&file)?)?;
+            let source = source(&recorder, path, Importer::Curve);
             let kind = |curves| ShapeKind::Curve(CurveShape::new(curves));
-            Ok(curves.map(|curves| vec![new_shape(path, Importer::Curve, kind(curves))]))
+            Ok(curves.map(|curves| vec![new_shape(source, kind(curves))]))
         }
         extension => Err(cannot_open(files, path, extension, "curves", &["swp"])),
     }
@@ -151,6 +177,8 @@ pub struct Loaded {
     pub view: Option<ViewSettings>,
     /// Warnings about them.
     pub warnings: Vec<Diagnostic>,
+    /// Treatment of files that scenes name and that cannot be read.
+    pub missing: Missing,
 }
 
 impl Loaded {
@@ -162,7 +190,7 @@ impl Loaded {
         let file = to_open(path)?;
         match file_access::extension(&file).as_str() {
             "scene" => {
-                let read = scene_file::read_scene(files, &file)?;
+                let read = read_scene(files, &file, self.missing)?;
                 self.warnings.extend(read.warnings);
                 self.view = Some(read.value.view);
                 self.shapes.extend(read.value.shapes);
@@ -212,19 +240,23 @@ fn exists(files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
     }
 }
 
-/// The first shape of a file.
-fn new_shape(path: &Path, importer: Importer, kind: ShapeKind) -> NewShape {
-    let path_text = path.to_string_lossy();
-    let stem = match path_text.strip_prefix(builtin::PREFIX) {
-        Some(name) => Path::new(name).file_stem(),
-        None => path.file_stem(),
-    };
-    let name = name_of_import(&stem.unwrap_or_default().to_string_lossy());
-    NewShape::new(name, kind).from_source(Source {
-        file: path_text.into_owned(),
+/// Source of the first shape of the file at `path`, after all of it was read through `recorder`.
+fn source(recorder: &Recorder, path: &Path, importer: Importer) -> Source {
+    let is_builtin = path.to_string_lossy().starts_with(builtin::PREFIX);
+    Source {
+        file: recorder.absolute(path).to_string_lossy().into_owned(),
         importer,
         part: 0,
-    })
+        fingerprint: (!is_builtin).then(|| recorder.fingerprint()),
+    }
+}
+
+/// A shape that is named after its file.
+fn new_shape(source: Source, kind: ShapeKind) -> NewShape {
+    let file = &source.file;
+    let path = Path::new(file.strip_prefix(builtin::PREFIX).unwrap_or(file));
+    let name = name_of_import(&path.file_stem().unwrap_or_default().to_string_lossy());
+    NewShape::new(name, kind).from_source(source)
 }
 
 fn posable(character: Character) -> ShapeKind {
@@ -233,7 +265,7 @@ fn posable(character: Character) -> ShapeKind {
 
 /// The characters of a Collada file, then its static meshes. The only one of a file has the
 /// file's name, others that of the file and their own.
-fn shapes_of(path: &Path, importer: Importer, scene: DaeScene) -> Vec<NewShape> {
+fn shapes_of(source: Source, scene: DaeScene) -> Vec<NewShape> {
     let characters = scene.characters.into_iter();
     let characters = characters.map(|found| (found.name, posable(found.character)));
     let meshes = scene.meshes.into_iter();
@@ -244,9 +276,9 @@ fn shapes_of(path: &Path, importer: Importer, scene: DaeScene) -> Vec<NewShape> 
         .into_iter()
         .enumerate()
         .map(|(part, (name, kind))| {
-            let shape = new_shape(path, importer, kind);
+            let source = source.clone();
+            let shape = new_shape(Source { part, ..source }, kind);
             NewShape {
-                source: shape.source.map(|source| Source { part, ..source }),
                 name: if is_alone {
                     shape.name
                 } else {

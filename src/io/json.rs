@@ -230,38 +230,49 @@ pub(super) fn vec3<'de, D: Deserializer<'de>>(
     deserializer: D,
     check: fn(f32) -> Result<(), String>,
 ) -> Result<Vec3, D::Error> {
-    deserializer.deserialize_tuple(3, Three { check })
+    three(deserializer, Checked(check)).map(Vec3::from)
 }
 
-struct Three {
-    check: fn(f32) -> Result<(), String>,
+/// Three values `[x, y, z]`, each read by `seed`.
+///
+/// # Errors
+/// If there are more or fewer; at the first that `seed` does not accept.
+pub(super) fn three<'de, D: Deserializer<'de>, S: DeserializeSeed<'de> + Copy>(
+    deserializer: D,
+    seed: S,
+) -> Result<[S::Value; 3], D::Error> {
+    deserializer.deserialize_tuple(3, Three { seed })
 }
 
-impl<'de> Visitor<'de> for Three {
-    type Value = Vec3;
+struct Three<S> {
+    seed: S,
+}
+
+impl<'de, S: DeserializeSeed<'de> + Copy> Visitor<'de> for Three<S> {
+    type Value = [S::Value; 3];
 
     fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str("three numbers [x, y, z]")
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut numbers: A) -> Result<Vec3, A::Error> {
-        let mut vector = Vec3::ZERO;
+    fn visit_seq<A: SeqAccess<'de>>(self, mut numbers: A) -> Result<Self::Value, A::Error> {
+        let mut values = Vec::with_capacity(3);
         let mut count = 0;
-        while let Some(number) = numbers.next_element_seed(Checked(self.check))? {
+        while let Some(value) = numbers.next_element_seed(self.seed)? {
             if count < 3 {
-                vector[count] = number;
+                values.push(value);
             }
             count += 1;
         }
-        if count == 3 {
-            Ok(vector)
-        } else {
-            Err(A::Error::invalid_length(count, &self))
+        match values.try_into() {
+            Ok(three) if count == 3 => Ok(three),
+            _ => Err(A::Error::invalid_length(count, &self)),
         }
     }
 }
 
 /// Reads a finite number that the check accepts; the check returns the message for others.
+#[derive(Clone, Copy)]
 struct Checked(fn(f32) -> Result<(), String>);
 
 impl<'de> DeserializeSeed<'de> for Checked {

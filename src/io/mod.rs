@@ -1,6 +1,7 @@
 //! Files: importers, exporters, scene files. Bytes in, values out; nothing here opens a file, a
 //! dialog or a window.
 
+mod angle;
 mod attach;
 pub mod builtin;
 pub mod dae;
@@ -13,13 +14,14 @@ mod import_character;
 mod import_shape;
 mod json;
 mod json_node;
+mod json_text;
 mod mtl;
 mod obj;
 mod pose_data;
 mod pose_file;
+mod recorder;
 mod scanner;
-mod scene_data;
-mod scene_file;
+mod scene;
 mod skel;
 mod swp;
 
@@ -35,6 +37,6 @@ pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
-pub use scene_file::{SceneFile, read_scene};
+pub use scene::{Missing, SceneError, SceneFile, read_scene, scene_text};
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};

@@ -1,6 +1,7 @@
 //! The content of pose files: joints by name or index with their angles, read and written.
 
-use super::json;
+use super::angle::{self, Angle, Degrees};
+use super::{json, json_text};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
 use glam::Vec3;
@@ -9,20 +10,26 @@ use serde::de::{Deserializer, MapAccess, Visitor};
 use serde_spanned::Spanned;
 use std::collections::HashMap;
 use std::fmt::{self, Write};
+use std::marker::PhantomData;
 
-/// A pose as files have it: joints by name or index, angles in degrees.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+/// A pose as files have it: joints by name or index.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct PoseData {
-    /// Name or index of a joint, and its angles about X, Y and Z in degrees.
-    pub joints: Entries,
+    /// Name or index of a joint, and its angles about X, Y and Z.
+    pub joints: Entries<Euler>,
     /// Name or index of a root, and how far it has moved, in the character's model space.
-    pub roots: Entries,
+    pub roots: Entries<Vec3>,
 }
 
 /// Joints with three numbers each, in the order of the file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Entries(pub Vec<(Key, Vec3)>);
+#[derive(Clone, Debug, PartialEq)]
+pub struct Entries<V>(pub Vec<(Key, V)>);
+
+impl<V> Default for Entries<V> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
 
 /// The name or the index of a joint, as a file has it.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -41,13 +48,14 @@ impl Key {
     }
 }
 
-impl Entries {
+impl<V> Entries<V> {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    pub(super) fn keys(&self) -> impl Iterator<Item = &Key> {
+    /// Names and indices, in the order of the file.
+    pub fn keys(&self) -> impl Iterator<Item = &Key> {
         self.0.iter().map(|(key, _)| key)
     }
 
@@ -61,31 +69,80 @@ impl Entries {
     }
 }
 
-impl<'de> Deserialize<'de> for Entries {
+impl<'de, V: Deserialize<'de>> Deserialize<'de> for Entries<V> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Numbers(Vec3);
-        impl<'de> Deserialize<'de> for Numbers {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                json::vec3(deserializer, |_| Ok(())).map(Self)
-            }
-        }
-        struct Pairs;
-        impl<'de> Visitor<'de> for Pairs {
-            type Value = Entries;
+        struct Pairs<V>(PhantomData<V>);
+        impl<'de, V: Deserialize<'de>> Visitor<'de> for Pairs<V> {
+            type Value = Entries<V>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
                 f.write_str("joints with three numbers each")
             }
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries, A::Error> {
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<V>, A::Error> {
                 let mut entries = Vec::new();
-                while let Some((key, Numbers(value))) = map.next_entry()? {
-                    entries.push((key, value));
+                while let Some(entry) = map.next_entry()? {
+                    entries.push(entry);
                 }
                 Ok(Entries(entries))
             }
         }
-        deserializer.deserialize_map(Pairs)
+        deserializer.deserialize_map(Pairs(PhantomData))
+    }
+}
+
+/// Three angles of a file.
+pub(super) struct Angles<A>(pub [A; 3]);
+
+impl<'de, A: Angle> Deserialize<'de> for Angles<A> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        json::three(deserializer, PhantomData::<A>).map(Self)
+    }
+}
+
+/// Three lengths of a file.
+struct Offset(Vec3);
+
+impl<'de> Deserialize<'de> for Offset {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        json::vec3(deserializer, |_| Ok(())).map(Self)
+    }
+}
+
+#[derive(Deserialize)]
+#[serde(default, deny_unknown_fields, bound = "A: Angle")]
+struct Fields<A> {
+    joints: Entries<Angles<A>>,
+    roots: Entries<Offset>,
+}
+
+impl<A> Default for Fields<A> {
+    fn default() -> Self {
+        Self {
+            joints: Entries::default(),
+            roots: Entries::default(),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for PoseData {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Self::with_angles::<D, Degrees>(deserializer)
+    }
+}
+
+impl PoseData {
+    /// A pose whose angles are read as `A`.
+    pub(super) fn with_angles<'de, D: Deserializer<'de>, A: Angle>(
+        deserializer: D,
+    ) -> Result<Self, D::Error> {
+        let Fields::<A> { joints, roots } = Fields::deserialize(deserializer)?;
+        let turned = |(key, Angles(angles))| (key, angle::euler(angles));
+        let moved = |(key, Offset(offset))| (key, offset);
+        Ok(Self {
+            joints: Entries(joints.0.into_iter().map(turned).collect()),
+            roots: Entries(roots.0.into_iter().map(moved).collect()),
+        })
     }
 }
 
@@ -96,7 +153,7 @@ impl PoseData {
         let joints = 0..skeleton.joints().len();
         let turned = joints.filter_map(|joint| {
             let rotation = pose.rotation(joint);
-            (rotation != Euler::ZERO).then(|| (key(skeleton, joint), degrees(rotation)))
+            (rotation != Euler::ZERO).then(|| (key(skeleton, joint), rotation))
         });
         let roots = skeleton.roots().iter().filter_map(|&root| {
             let offset = pose.root_offset(root);
@@ -111,43 +168,44 @@ impl PoseData {
     /// The text of a `POSE.json`, a joint a line. Numbers have as many digits as it takes to read
     /// the same ones back.
     pub fn to_json(&self) -> String {
-        let sections = [("joints", &self.joints), ("roots", &self.roots)];
-        let sections = sections
-            .iter()
-            .filter(|(name, entries)| *name == "joints" || !entries.is_empty());
-        let text: Vec<String> = sections
-            .map(|(name, entries)| format!("  \"{name}\": {}", object(entries)))
-            .collect();
-        format!("{{\n{}\n}}\n", text.join(",\n"))
+        let mut text = format!("{{\n  \"joints\": {}", object(&self.joints, degrees));
+        if !self.roots.is_empty() {
+            // Writing to a string cannot fail.
+            let _ = write!(text, ",\n  \"roots\": {}", object(&self.roots, |v| v));
+        }
+        text + "\n}\n"
     }
 }
 
-fn object(entries: &Entries) -> String {
+fn object<V: Copy>(entries: &Entries<V>, numbers: fn(V) -> Vec3) -> String {
     if entries.is_empty() {
         return "{}".to_owned();
     }
     let mut text = "{".to_owned();
     for (index, (key, value)) in entries.0.iter().enumerate() {
         let comma = if index == 0 { "" } else { "," };
-        // A key can only fail to be written where memory ends; writing to a string cannot fail.
-        let key = serde_json::to_string(key.as_str()).unwrap_or_default();
+        let key = json_text::string(key.as_str());
         // Adding 0 takes the sign from -0.
-        let [x, y, z] = (*value + Vec3::ZERO).to_array();
+        let [x, y, z] = (numbers(*value) + Vec3::ZERO).to_array();
         let _ = write!(text, "{comma}\n    {key}: [{x}, {y}, {z}]");
     }
     text + "\n  }"
 }
 
 /// The key under which a pose file finds `joint` again: its name, its sid or its index.
-fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
+pub(super) fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
     let described = &skeleton.joints()[joint];
     let names = [Some(&described.name), described.sid.as_ref()];
     let found = names.into_iter().flatten().find(|name| {
         let is_it = Pose::find_joint(skeleton, name) == Ok(joint);
         is_it && !name.is_empty()
     });
-    let name = found.cloned().unwrap_or_else(|| joint.to_string());
-    Key(Spanned::new(0..0, name))
+    // Where another joint is called by the number, `#` tells the two apart.
+    let mut index = joint.to_string();
+    while found.is_none() && Pose::find_joint(skeleton, &index) != Ok(joint) {
+        index.insert(0, '#');
+    }
+    Key(Spanned::new(0..0, found.cloned().unwrap_or(index)))
 }
 
 /// For each angle the number of degrees with the fewest digits that is read as the same angle;

@@ -2,7 +2,6 @@ use super::json::Json;
 use super::pose_data::{Key, PoseData};
 use super::{Diagnostic, Position, scanner};
 use crate::character::{Pose, PoseError, SkeletalModel};
-use crate::math::Euler;
 use crate::scene::{Scene, ShapeId, ShapeKind};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -133,12 +132,31 @@ impl PoseData {
             .collect())
     }
 
+    /// As much of this pose as `skeleton` has joints for; adds what it has not to `misfits`.
+    pub(super) fn fit(&self, skeleton: &SkeletalModel, misfits: &mut Vec<Misfit>) -> Pose {
+        misfits.extend(self.check_once(skeleton).err());
+        for key in self.joints.keys() {
+            misfits.extend(find_joint(skeleton, key).err());
+        }
+        for key in self.roots.keys() {
+            let at = key.at();
+            let not_a_root = |_| find_root(skeleton, key.as_str()).err();
+            let found = find_joint(skeleton, key).map(not_a_root);
+            let message = |error: PoseError| error.to_string();
+            misfits.extend(match found {
+                Ok(error) => error.map(message).map(|message| Misfit { at, message }),
+                Err(misfit) => Some(misfit),
+            });
+        }
+        self.pose_of(skeleton).unwrap_or_default()
+    }
+
     fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {
         let mut pose = Pose::new();
         let mut any = false;
-        for (key, degrees) in &self.joints.0 {
+        for (key, rotation) in &self.joints.0 {
             if let Ok(joint) = Pose::find_joint(skeleton, key.as_str()) {
-                pose.set_joint_transform(joint, Euler::from_degrees(*degrees));
+                pose.set_joint_transform(joint, *rotation);
                 any = true;
             }
         }
@@ -186,20 +204,32 @@ impl PoseData {
 
     /// Checks that no two entries mean one joint.
     fn check_once(&self, skeleton: &SkeletalModel) -> Result<(), Misfit> {
-        for entries in [&self.joints, &self.roots] {
-            if let Some((earlier, key)) = entries.same_joint(skeleton) {
+        let joints = self.joints.same_joint(skeleton);
+        match joints.or_else(|| self.roots.same_joint(skeleton)) {
+            None => Ok(()),
+            Some((earlier, key)) => {
                 let [found, earlier] = [key, earlier].map(|key| scanner::quoted(key.as_str()));
                 let message = format!(
                     "expected each joint once, found {found} and {earlier}, which are the same"
                 );
-                return Err(Misfit {
+                Err(Misfit {
                     at: key.at(),
                     message,
-                });
+                })
             }
         }
-        Ok(())
     }
+}
+
+/// Index of the joint of `skeleton` that `key` means.
+///
+/// # Errors
+/// If it has none; the message lists names like it.
+pub(super) fn find_joint(skeleton: &SkeletalModel, key: &Key) -> Result<usize, Misfit> {
+    Pose::find_joint(skeleton, key.as_str()).map_err(|_| Misfit {
+        at: key.at(),
+        message: no_such_joint(key.as_str(), &[skeleton]),
+    })
 }
 
 fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {

@@ -136,6 +136,14 @@ impl CharacterShape {
         &self.poses
     }
 
+    /// Replaces all kept poses. Of several with one name the first is kept.
+    pub fn set_poses(&mut self, poses: Vec<KeptPose>) {
+        let mut names = HashSet::new();
+        let first = |kept: &KeptPose| names.insert(kept.name.clone());
+        self.poses = poses.into_iter().collect();
+        self.poses.retain(first);
+    }
+
     /// Keeps the current pose under `name`, replacing the one of that name if there is one.
     pub fn keep_pose(&mut self, name: String) {
         let pose = self.pose.clone();

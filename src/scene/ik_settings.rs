@@ -33,7 +33,8 @@ impl Default for IkSettings {
 }
 
 /// Direction in which a chain bends, relative to the character at rest ([`Facing`]).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum IkPole {
     /// As it is bent already; a straight chain like a knee or an elbow.
     #[default]

@@ -25,6 +25,6 @@ pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use ik_settings::{IkPole, IkSettings};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
 pub use picking::{BoneHit, bones_in_world, pick_bone, pick_control_point, pick_shape};
-pub use shape::{Importer, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
+pub use shape::{Importer, MissingShape, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
 pub use shape_manager::{Scene, name_of_import};
 pub use view_settings::{Look, Shading, Skinning, ViewDirection, ViewSettings};

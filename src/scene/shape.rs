@@ -1,8 +1,9 @@
 use super::{CharacterShape, CurveShape, ShapeColor, custom};
-use crate::geometry::{self, Mesh, SharedMesh};
+use crate::geometry::{self, Material, MaterialGroup, Mesh, SharedMesh};
 use crate::math::Transform;
+use glam::Vec3;
 use std::collections::HashSet;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 /// Identifier of a shape while its scene is open; from 1, never reused.
 #[derive(
@@ -54,7 +55,8 @@ impl Shape {
             | ShapeKind::Pyramid
             | ShapeKind::Teapot
             | ShapeKind::Icosahedron
-            | ShapeKind::Custom => 0,
+            | ShapeKind::Custom
+            | ShapeKind::Missing(_) => 0,
         }
     }
 }
@@ -133,6 +135,9 @@ pub struct Source {
     pub importer: Importer,
     /// Index among the shapes that the importer made of the file.
     pub part: usize,
+    /// CRC-32 of the file and of those that were read with it, as they were when the shape was
+    /// imported; `None` for built-in files.
+    pub fingerprint: Option<u32>,
 }
 
 /// Way in which a file is read. One file may be read in several: an `.obj` beside a `.skel` as a
@@ -169,6 +174,18 @@ pub enum ShapeKind {
     Character(CharacterShape),
     /// Curves and surfaces, imported or drawn.
     Curve(CurveShape),
+    /// Stand-in for a shape whose file could not be read.
+    Missing(Arc<MissingShape>),
+}
+
+/// What is known of a shape whose file could not be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MissingShape {
+    /// Reason, in plain words.
+    pub reason: String,
+    /// Member of the scene file that only means something with the shape's file, such as its pose:
+    /// name, and value as JSON.
+    pub kept: Option<(String, String)>,
 }
 
 impl PartialEq for ShapeKind {
@@ -177,6 +194,7 @@ impl PartialEq for ShapeKind {
             (Self::Mesh(one), Self::Mesh(other)) => one.revision() == other.revision(),
             (Self::Character(one), Self::Character(other)) => one == other,
             (Self::Curve(one), Self::Curve(other)) => one == other,
+            (Self::Missing(one), Self::Missing(other)) => one == other,
             (
                 Self::Cube
                 | Self::Sphere
@@ -186,7 +204,8 @@ impl PartialEq for ShapeKind {
                 | Self::Custom
                 | Self::Mesh(_)
                 | Self::Character(_)
-                | Self::Curve(_),
+                | Self::Curve(_)
+                | Self::Missing(_),
                 _,
             ) => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
@@ -206,6 +225,7 @@ impl ShapeKind {
             Self::Mesh(_) => "Shape",
             Self::Character(_) => "Character",
             Self::Curve(_) => "Curve",
+            Self::Missing(_) => "Missing",
         }
     }
 
@@ -223,6 +243,8 @@ impl ShapeKind {
             Self::Character(shape) if !shape.character.bind_mesh().groups.is_empty() => 1,
             Self::Character(_) => 12,
             Self::Curve(_) => 30,
+            // Its material has a color.
+            Self::Missing(_) => 1,
         }
     }
 
@@ -240,6 +262,7 @@ impl ShapeKind {
         static CUSTOM: LazyLock<SharedMesh> =
             LazyLock::new(|| SharedMesh::new(custom::custom_shape()));
         static EMPTY: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(Mesh::default()));
+        static MISSING: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(stand_in()));
         match self {
             Self::Cube => CUBE.clone(),
             Self::Sphere => SPHERE.clone(),
@@ -250,6 +273,25 @@ impl ShapeKind {
             Self::Mesh(mesh) => mesh.clone(),
             Self::Character(shape) => shape.character.bind_mesh().clone(),
             Self::Curve(_) => EMPTY.clone(),
+            Self::Missing(_) => MISSING.clone(),
         }
+    }
+}
+
+/// Mesh of a shape whose file is missing: a cube in magenta.
+fn stand_in() -> Mesh {
+    let cube = geometry::cube();
+    let material = Material {
+        name: "missing".to_owned(),
+        color: Vec3::new(1.0, 0.0, 1.0),
+        texture: None,
+    };
+    let group = MaterialGroup {
+        triangles: 0..cube.triangles.len(),
+        material,
+    };
+    Mesh {
+        groups: vec![group],
+        ..cube
     }
 }

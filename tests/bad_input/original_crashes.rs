@@ -167,9 +167,9 @@ fn a_scene_file_is_held_to_its_schema() {
     for (good, bad, at, message) in [
         (
             "\"version\": 1",
-            "\"version\": 2",
+            "\"version\": 3",
             "2,",
-            "expected version 1, found 2: it needs a newer editor",
+            "expected version 1 or 2, found 3: it needs a newer editor",
         ),
         (
             "editor-scene",

@@ -1,0 +1,59 @@
+use super::{Diagnostic, Files};
+use std::cell::RefCell;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+
+/// Files that keep a record of what is read through them: of each file its path and the CRC-32 of
+/// its bytes.
+pub(super) struct Recorder<'a> {
+    files: &'a dyn Files,
+    /// Paths with their CRC-32, in the order in which they were first read.
+    read: RefCell<Vec<(PathBuf, u32)>>,
+    known: RefCell<HashSet<PathBuf>>,
+}
+
+impl<'a> Recorder<'a> {
+    /// A recorder of what is read from `files`.
+    pub fn new(files: &'a dyn Files) -> Self {
+        Self {
+            files,
+            read: RefCell::default(),
+            known: RefCell::default(),
+        }
+    }
+
+    /// Fingerprint of all files that were read so far: a CRC-32 that differs, but for chance, if
+    /// one of them does.
+    pub fn fingerprint(&self) -> u32 {
+        let mut all = crc32fast::Hasher::new();
+        for (_, one) in self.read.borrow().iter() {
+            all.update(&one.to_le_bytes());
+        }
+        all.finalize()
+    }
+
+    /// Paths of all files that were read so far, in the order in which they were first read.
+    pub fn into_paths(self) -> Vec<PathBuf> {
+        let read = self.read.into_inner();
+        read.into_iter().map(|(path, _)| path).collect()
+    }
+}
+
+impl Files for Recorder<'_> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        let bytes = self.files.read(path)?;
+        if self.known.borrow_mut().insert(path.to_owned()) {
+            let one = (path.to_owned(), crc32fast::hash(&bytes));
+            self.read.borrow_mut().push(one);
+        }
+        Ok(bytes)
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.files.exists(path)
+    }
+
+    fn absolute(&self, path: &Path) -> PathBuf {
+        self.files.absolute(path)
+    }
+}
