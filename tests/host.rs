@@ -2,7 +2,7 @@
 
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files};
-use editor_core::program::{FileRequest, Host, HostEvent, Job, Purpose, StorageKey};
+use editor_core::program::{FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey};
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -97,10 +97,16 @@ impl Host for MemoryHost {
         self.dialog_is_open
     }
 
-    fn write_file(&mut self, path: &Path, bytes: Vec<u8>) {
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous) {
         let result = match &self.write_fault {
             Some(fault) => Err(Diagnostic::new(path, fault.clone())),
             None => {
+                if let Some(old) = self.files.insert(path.to_owned(), bytes.clone())
+                    && previous == Previous::KeepBeside
+                {
+                    self.files
+                        .insert(format!("{}~", path.display()).into(), old);
+                }
                 self.written.insert(path.to_owned(), bytes);
                 Ok(())
             }
@@ -124,6 +130,10 @@ impl Host for MemoryHost {
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
         self.stored.insert(key, bytes);
+    }
+
+    fn remove(&mut self, key: StorageKey) {
+        self.stored.remove(&key);
     }
 
     fn start_job(&mut self, job: Job) {

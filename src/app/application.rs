@@ -1,7 +1,11 @@
+use super::rescue;
 use super::window_host::{Wake, WindowHost};
 use crate::gpu::{ContextError, GpuError, Rect, WindowContext};
+use crate::io::builtin;
 use crate::program::{FrameInput, Graphics, Options, Program, ProgramError, globals};
+use crate::revision::Revision;
 use crate::ui;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
 use winit::dpi::{LogicalSize, PhysicalSize};
@@ -32,6 +36,11 @@ pub enum AppError {
 /// When there is no display or OpenGL 3.3 to show it with; the message says what to do.
 #[doc(alias = "Application")]
 pub fn run(options: Options) -> Result<(), AppError> {
+    let options = Options {
+        // What is restored after a crash may be read from another folder.
+        files: options.files.into_iter().map(absolute).collect(),
+        ..options
+    };
     let event_loop = EventLoop::<Wake>::with_user_event()
         .build()
         .map_err(|error| ContextError::no_display(&error))?;
@@ -42,10 +51,20 @@ pub fn run(options: Options) -> Result<(), AppError> {
         redraw_at: None,
         failure: None,
     };
+    rescue::write_on_panic();
+    rescue::watch_signals(application.proxy.clone());
     event_loop
         .run_app(&mut application)
         .map_err(|error| AppError::EventLoop(error.to_string()))?;
     application.failure.map_or(Ok(()), Err)
+}
+
+/// The whole path of a file, if there is one.
+fn absolute(path: PathBuf) -> PathBuf {
+    if builtin::is_builtin(&path) {
+        return path;
+    }
+    std::path::absolute(&path).unwrap_or(path)
 }
 
 struct Application {
@@ -62,6 +81,8 @@ struct Running {
     program: Program,
     graphics: Graphics,
     host: WindowHost,
+    /// Unsaved document that is at hand for a panic.
+    remembered: Option<Revision>,
 }
 
 impl Running {
@@ -85,11 +106,22 @@ impl Running {
             program,
             graphics,
             host,
+            remembered: None,
         })
     }
 
     fn request_redraw(&self) {
         self.host.window().window().request_redraw();
+    }
+
+    /// Keeps unsaved work at hand for a panic.
+    fn remember_unsaved(&mut self) {
+        let document = self.program.session().document();
+        let now = self.program.is_modified().then_some(document);
+        if self.remembered != now {
+            self.remembered = now;
+            rescue::remember(self.program.unsaved().zip(self.host.autosave_path()));
+        }
     }
 
     /// Draws one frame and shows it. Returns how long no frame is needed unless an event comes.
@@ -106,6 +138,7 @@ impl Running {
         let wait = self
             .program
             .frame(&mut self.graphics, input, &mut self.host)?;
+        self.remember_unsaved();
         if let Some(picture) = self.graphics.window_picture() {
             let window = self.host.window();
             picture.blit_to_window(Rect {
@@ -169,7 +202,7 @@ impl ApplicationHandler<Wake> for Application {
         };
         match event {
             WindowEvent::RedrawRequested => return self.redraw(event_loop),
-            WindowEvent::CloseRequested => return self.finish(event_loop, Ok(())),
+            WindowEvent::CloseRequested => running.host.on_close_requested(),
             WindowEvent::Resized(size) => running.host.window().resize(size.width, size.height),
             _ => {}
         }
@@ -178,13 +211,19 @@ impl ApplicationHandler<Wake> for Application {
         }
     }
 
-    fn user_event(&mut self, _: &ActiveEventLoop, wake: Wake) {
-        if let Some(running) = &mut self.running {
-            if let Wake::Accessibility(event) = wake {
-                running.host.on_accessibility(event);
+    fn user_event(&mut self, event_loop: &ActiveEventLoop, wake: Wake) {
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        match wake {
+            Wake::Accessibility(event) => running.host.on_accessibility(event),
+            Wake::JobFinished => {}
+            Wake::Terminate => {
+                running.program.end(&mut running.host);
+                return self.finish(event_loop, Ok(()));
             }
-            running.request_redraw();
         }
+        running.request_redraw();
     }
 
     fn about_to_wait(&mut self, event_loop: &ActiveEventLoop) {

@@ -3,6 +3,8 @@
 
 mod application;
 mod file_dialog;
+mod rescue;
+mod storage;
 mod window_host;
 
 pub use application::{AppError, run};

@@ -1,8 +1,9 @@
 use super::file_dialog::WindowFileDialog;
+use super::storage::Storage;
 use crate::disk;
 use crate::gpu::WindowContext;
 use crate::io::Files;
-use crate::program::{FileRequest, Host, HostEvent, Job, JobResult, StorageKey};
+use crate::program::{FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey};
 use egui_winit::accesskit_winit;
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -19,6 +20,8 @@ pub(super) enum Wake {
     Accessibility(accesskit_winit::Event),
     /// A job has finished.
     JobFinished,
+    /// The system asks the program to end.
+    Terminate,
 }
 
 impl From<accesskit_winit::Event> for Wake {
@@ -37,6 +40,7 @@ pub(super) struct WindowHost {
     proxy: EventLoopProxy<Wake>,
     started: Instant,
     quits: bool,
+    storage: Storage,
     window: WindowContext,
 }
 
@@ -67,6 +71,7 @@ impl WindowHost {
             proxy: proxy.clone(),
             started: Instant::now(),
             quits: false,
+            storage: Storage::new(),
             window,
         }
     }
@@ -74,6 +79,11 @@ impl WindowHost {
     /// The window and its OpenGL.
     pub fn window(&self) -> &WindowContext {
         &self.window
+    }
+
+    /// Where unsaved work is kept; `None` if it cannot be.
+    pub fn autosave_path(&self) -> Option<PathBuf> {
+        self.storage.autosave_path()
     }
 
     /// Whether the program wants to end.
@@ -102,6 +112,11 @@ impl WindowHost {
         self.egui
             .on_window_event(self.window.window(), event)
             .repaint
+    }
+
+    /// Takes in that the user closes the window.
+    pub fn on_close_requested(&mut self) {
+        self.events.push_back(HostEvent::CloseRequested);
     }
 
     /// Takes in what an assistive technology asks for.
@@ -144,10 +159,14 @@ impl Host for WindowHost {
         self.dialog.is_open()
     }
 
-    fn write_file(&mut self, path: &Path, bytes: Vec<u8>) {
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous) {
+        let kept = match previous {
+            Previous::Replace => Ok(()),
+            Previous::KeepBeside => disk::keep_beside(path),
+        };
         self.events.push_back(HostEvent::Written {
             path: path.to_owned(),
-            result: disk::write_whole(path, &bytes),
+            result: kept.and_then(|()| disk::write_whole(path, &bytes)),
         });
     }
 
@@ -161,17 +180,15 @@ impl Host for WindowHost {
     }
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
-        std::fs::read(stored_at(key)?).ok()
+        self.storage.load(key)
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
-        if let Some(path) = stored_at(key)
-            && let Some(folder) = path.parent()
-            && std::fs::create_dir_all(folder).is_ok()
-        {
-            // Nothing that the user made is lost: see [`Host::store`].
-            let _ = disk::write_whole(&path, &bytes);
-        }
+        self.storage.store(key, bytes);
+    }
+
+    fn remove(&mut self, key: StorageKey) {
+        self.storage.remove(key);
     }
 
     fn start_job(&mut self, job: Job) {
@@ -204,12 +221,7 @@ impl Host for WindowHost {
 
     fn next_event(&mut self) -> Option<HostEvent> {
         let finished = || self.finished.try_recv().ok().map(HostEvent::Finished);
-        self.events.pop_front().or_else(finished)
+        let event = self.events.pop_front().or_else(finished);
+        event.or_else(|| self.storage.failure())
     }
-}
-
-/// The file in the user's configuration folder; `None` where there is no such folder.
-fn stored_at(key: StorageKey) -> Option<PathBuf> {
-    let folders = directories::ProjectDirs::from("", "", "skeleton-editor")?;
-    Some(folders.config_dir().join(key.name()))
 }

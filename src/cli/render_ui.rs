@@ -9,7 +9,8 @@ use crate::geometry::Picture;
 use crate::gpu::{Backend, Framebuffer, HeadlessContext};
 use crate::io::Files;
 use crate::program::{
-    FileRequest, FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Program, StorageKey,
+    FileRequest, FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Previous, Program,
+    StorageKey,
 };
 use crate::render::{OffscreenError, read_picture};
 use crate::scene::Skinning;
@@ -185,7 +186,7 @@ impl Host for StillHost {
 
     fn choose_file(&mut self, _: FileRequest, _: Option<&Path>, _: &str) {}
 
-    fn write_file(&mut self, _: &Path, _: Vec<u8>) {}
+    fn write_file(&mut self, _: &Path, _: Vec<u8>, _: Previous) {}
 
     fn copy_text(&mut self, _: String) {}
 
@@ -196,6 +197,8 @@ impl Host for StillHost {
     }
 
     fn store(&mut self, _: StorageKey, _: Vec<u8>) {}
+
+    fn remove(&mut self, _: StorageKey) {}
 
     fn start_job(&mut self, _: Job) {}
 

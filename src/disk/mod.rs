@@ -114,6 +114,23 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
     })
 }
 
+/// Keeps the file at `path` a second time as `NAME~` beside it, in the place of an older one: it
+/// stays there when `path` is replaced. Does nothing if there is no such file.
+///
+/// # Errors
+/// If the folder is not writable or the disk is full. The file at `path` is there in any case.
+pub fn keep_beside(path: &Path) -> Result<(), Diagnostic> {
+    let Some(target) = behind_links(path).filter(|target| target.is_file()) else {
+        // Whatever is wrong with the file, writing it says so.
+        return Ok(());
+    };
+    let mut name = target.clone().into_os_string();
+    name.push("~");
+    let beside = PathBuf::from(name);
+    let read = Disk.read(&target)?;
+    write_whole(&beside, &read)
+}
+
 /// Target of `path` after all symbolic links, which need not exist; `None` for links in a circle.
 fn behind_links(path: &Path) -> Option<PathBuf> {
     let mut target = path.to_owned();

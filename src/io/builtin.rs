@@ -136,6 +136,11 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
         })
 }
 
+/// Whether `path` is that of a built-in file.
+pub fn is_builtin(path: &Path) -> bool {
+    builtin_name(path).is_some()
+}
+
 fn builtin_name(path: &Path) -> Option<&str> {
     path.to_str()?.strip_prefix(PREFIX)
 }

@@ -1,15 +1,17 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::comparison::Comparison;
+use super::document::{DocumentFile, Next, is_scene};
 use super::running::Program;
-use super::{Host, Purpose};
+use super::{Host, Previous, Purpose};
 use crate::character::Pose;
 use crate::editor::{Edit, Session, Severity};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
-use crate::io::{self, Diagnostic, Files, Imported, Loaded, PoseData, PoseFile};
+use crate::io::{self, Diagnostic, Files, Imported, Loaded, Missing, PoseData, PoseFile};
 use crate::scene::{NewShape, ShapeId};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// What messages call the clipboard where they name a file.
 const CLIPBOARD: &str = "clipboard";
@@ -19,15 +21,22 @@ impl Program {
     /// opened becomes a message; the others are there.
     pub(super) fn open_at_start(&mut self, paths: &[PathBuf], host: &mut dyn Host) {
         let files = host.files();
-        let mut loaded = Loaded::default();
+        let mut loaded = Loaded {
+            missing: Missing::StandIn,
+            ..Loaded::default()
+        };
         let mut failed = Vec::new();
         let (pictures, paths): (Vec<_>, Vec<_>) = paths.iter().partition(|path| is_picture(path));
-        for path in paths {
+        for path in &paths {
             if let Err(error) = loaded.add(&*files, path) {
                 failed.push(error);
             }
         }
         self.session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+        self.document = match *paths {
+            [path] if failed.is_empty() => self.file_of(path, &*files),
+            _ => DocumentFile::untitled(self.session.document()),
+        };
         self.tell_all(Severity::Warning, loaded.warnings);
         self.tell_all(Severity::Error, failed);
         if let Some(picture) = pictures.last() {
@@ -35,32 +44,20 @@ impl Program {
         }
     }
 
-    /// Opens the scene of `path` in the place of the one that is open; one that cannot be read
-    /// leaves it untouched.
-    pub(super) fn open(&mut self, path: &Path, files: &dyn Files) {
-        let mut loaded = Loaded::default();
-        match loaded.add(files, path) {
-            Ok(()) => {
-                let view = loaded.view.unwrap_or(*self.session.view());
-                self.session.open(loaded.shapes, view);
-                self.tell_all(Severity::Warning, loaded.warnings);
-            }
-            Err(error) => self.tell(Severity::Error, error.to_string()),
-        }
-    }
-
-    /// Uses a file that was dropped on the window: a picture to compare the view with, a pose for
-    /// the selected character, all else as an import.
-    pub(super) fn use_dropped(&mut self, path: &Path, files: &dyn Files) {
+    /// Uses a file that was dropped on the window: a scene to open, a picture to compare the view
+    /// with, a pose for the selected character, all else as an import.
+    pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();
         let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
-        if is_picture(path) {
-            self.compare_with(path, files);
+        if is_scene(path) {
+            self.leave_for(Next::OpenFile(path.to_owned(), files), host);
+        } else if is_picture(path) {
+            self.compare_with(path, &*files);
         } else if let Some(shape) = posed {
-            self.load_pose(shape, path, files);
+            self.load_pose(shape, path, &*files);
         } else {
-            self.import_any(path, files);
+            self.import_any(path, &*files);
         }
     }
 
@@ -69,15 +66,18 @@ impl Program {
         &mut self,
         purpose: Purpose,
         path: PathBuf,
-        files: &dyn Files,
+        files: Arc<dyn Files>,
         host: &mut dyn Host,
     ) {
+        let reader = &*files;
         match purpose {
-            Purpose::ImportShape => self.insert(io::import_shape(files, &path)),
-            Purpose::ImportCurve => self.insert(io::import_curve(files, &path)),
-            Purpose::ImportCharacter => self.insert(io::import_character(files, &path)),
-            Purpose::LoadPose(shape) => self.load_pose(shape, &path, files),
-            Purpose::Compare => self.compare_with(&path, files),
+            Purpose::Open => self.leave_for(Next::OpenFile(path, files), host),
+            Purpose::SaveScene => self.save_to(path, host),
+            Purpose::ImportShape => self.insert(io::import_shape(reader, &path)),
+            Purpose::ImportCurve => self.insert(io::import_curve(reader, &path)),
+            Purpose::ImportCharacter => self.insert(io::import_character(reader, &path)),
+            Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
+            Purpose::Compare => self.compare_with(&path, reader),
             Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
             Purpose::ExportGeometry => {
                 let text = io::export_obj(self.session.scene(), self.session.evaluated());
@@ -230,7 +230,7 @@ impl Program {
     /// Writes a picture in the format of its name.
     pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture, host: &mut dyn Host) {
         match encode(path, picture) {
-            Ok(bytes) => host.write_file(path, bytes),
+            Ok(bytes) => host.write_file(path, bytes, Previous::Replace),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
@@ -240,7 +240,7 @@ impl Program {
     /// was typed.
     fn write(&mut self, path: &Path, extension: &str, text: String, host: &mut dyn Host) {
         match io::expect_extension(path, extension) {
-            Ok(()) => host.write_file(path, text.into_bytes()),
+            Ok(()) => host.write_file(path, text.into_bytes(), Previous::Replace),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
@@ -253,7 +253,7 @@ impl Program {
         }
     }
 
-    fn tell_all(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
+    pub(super) fn tell_all(&mut self, severity: Severity, diagnostics: Vec<Diagnostic>) {
         for diagnostic in diagnostics {
             self.tell(severity, diagnostic.to_string());
         }

@@ -133,18 +133,21 @@ impl Program {
         self.take_events(host)
     }
 
-    /// Ends a frame: writes the pictures that were asked for, and stores preferences that changed.
+    /// Ends a frame: writes the pictures that were asked for, and stores preferences that changed
+    /// and unsaved work.
     /// Returns how long no frame is needed for their sake. A host that calls [`Program::show`] and
     /// [`Program::draw`] itself calls this after.
     pub fn finish_frame(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> Duration {
         self.save_pictures(graphics, host);
         let answered = self.take_events(host);
         self.keep_preferences(host);
+        self.show_title(host);
+        let wait = self.autosave(host);
         let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
         if answered || pictures_due {
             Duration::ZERO
         } else {
-            Duration::MAX
+            wait
         }
     }
 

@@ -37,7 +37,7 @@ pub trait Host {
     }
 
     /// Writes a file whole or not at all. Answered by [`HostEvent::Written`].
-    fn write_file(&mut self, path: &Path, bytes: Vec<u8>);
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
     /// Puts text on the clipboard.
     fn copy_text(&mut self, text: String);
@@ -48,8 +48,11 @@ pub trait Host {
     /// Bytes that an earlier run stored under `key`, if it did.
     fn load(&self, key: StorageKey) -> Option<Vec<u8>>;
 
-    /// Stores `bytes` for later runs. A failure loses nothing that the user made, so it is ignored.
+    /// Stores `bytes` for later runs. May end in [`HostEvent::StoreFailed`].
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
+
+    /// Removes what is stored under `key`, if anything.
+    fn remove(&mut self, key: StorageKey);
 
     /// Runs `job` beside the program. Always answered by [`HostEvent::Finished`].
     fn start_job(&mut self, job: Job);
@@ -65,6 +68,15 @@ pub trait Host {
 
     /// The next answer or event, in the order in which they came.
     fn next_event(&mut self) -> Option<HostEvent>;
+}
+
+/// Fate of the file that another takes the place of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Previous {
+    /// It is gone.
+    Replace,
+    /// It stays beside the new one, where the host can do that: on a disk as `NAME~`.
+    KeepBeside,
 }
 
 /// Event of a host: the answer to a call, or something that happened there.
@@ -92,6 +104,10 @@ pub enum HostEvent {
         /// Outcome.
         result: Result<(), Diagnostic>,
     },
+    /// Unsaved work could not be stored.
+    StoreFailed(Diagnostic),
+    /// The user closes the window.
+    CloseRequested,
     /// The text on the clipboard; empty if there is none.
     Pasted(String),
     /// A job has finished.
@@ -103,6 +119,9 @@ pub enum HostEvent {
 pub enum StorageKey {
     /// Choices of the user that are not part of a document, as JSON.
     Preferences,
+    /// Unsaved work. Each running program has its own, and finds that of one earlier run that has
+    /// ended.
+    Autosave,
 }
 
 impl StorageKey {
@@ -110,6 +129,7 @@ impl StorageKey {
     pub fn name(self) -> &'static str {
         match self {
             Self::Preferences => "preferences.json",
+            Self::Autosave => "autosave.json",
         }
     }
 }
@@ -127,6 +147,10 @@ pub struct FileRequest {
 /// Purpose for which a file is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Purpose {
+    /// File ▸ Open.
+    Open,
+    /// File ▸ Save As, or Save for the first time.
+    SaveScene,
     /// Import ▸ Import Shape.
     ImportShape,
     /// Import ▸ Import Curve.
@@ -153,6 +177,8 @@ impl Purpose {
     /// Title of a dialog.
     pub fn title(self) -> &'static str {
         match self {
+            Self::Open => "Open",
+            Self::SaveScene => "Save As",
             Self::ImportShape => "Import Shape",
             Self::ImportCharacter => {
                 "Import Character (.dae, or .obj with .skel and .attach beside it)"
@@ -171,6 +197,8 @@ impl Purpose {
     /// Name of the kind of files, with their extensions.
     pub fn filter(self) -> &'static str {
         match self {
+            Self::Open => "Scenes and models (.scene, .obj, .dae, .swp)",
+            Self::SaveScene => "Scenes (.scene)",
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
@@ -186,13 +214,15 @@ impl Purpose {
     /// read.
     pub fn written(self) -> &'static [(&'static str, &'static str)] {
         match self {
+            Self::SaveScene => &[("Scenes", "scene")],
             Self::ExportCurve(_) => &[("Curves", "swp")],
             Self::ExportGeometry => &[("Geometry", "obj")],
             Self::SavePose(..) => &[("Poses", "json")],
             Self::SaveScreenshot(_) | Self::SaveComparison => {
                 &[("PNG", "png"), ("JPEG", "jpg"), ("GIF", "gif")]
             }
-            Self::ImportShape
+            Self::Open
+            | Self::ImportShape
             | Self::ImportCurve
             | Self::ImportCharacter
             | Self::Compare
@@ -204,7 +234,9 @@ impl Purpose {
     pub(super) fn shape(self) -> Option<ShapeId> {
         match self {
             Self::ExportCurve(id) | Self::SavePose(id, _) | Self::LoadPose(id) => Some(id),
-            Self::ImportShape
+            Self::Open
+            | Self::SaveScene
+            | Self::ImportShape
             | Self::ImportCurve
             | Self::ImportCharacter
             | Self::ExportGeometry
@@ -235,6 +267,8 @@ impl Purpose {
             .to_lowercase();
         let has = |other: &str| files.exists(&path.with_extension(other));
         match self {
+            Self::Open => ["scene", "obj", "dae", "swp"].contains(&&*extension),
+            Self::SaveScene => extension == "scene",
             Self::ImportShape => extension == "obj" || extension == "dae",
             Self::ImportCharacter => {
                 extension == "dae" || extension == "obj" && (has("skel") || has("attach"))

@@ -6,7 +6,9 @@
 //! [`Program::begin_frame`], [`Program::show`] within the pass of egui for each of the
 //! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
+mod autosave;
 mod comparison;
+mod document;
 mod files;
 mod frame;
 mod frame_rate;
@@ -18,9 +20,10 @@ mod job;
 mod preferences;
 mod running;
 
+pub use autosave::Unsaved;
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
-pub use host::{FileRequest, Host, HostEvent, Purpose, StorageKey};
+pub use host::{FileRequest, Host, HostEvent, Previous, Purpose, StorageKey};
 pub use input_parts::input_parts;
 pub use job::{Job, JobResult};
 pub use running::{Options, Program, Shown};

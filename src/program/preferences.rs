@@ -16,6 +16,8 @@ pub(super) struct Preferences {
     pub skinning: Option<Skinning>,
     /// How mouse and keys move the camera.
     pub navigation: Navigation,
+    /// Documents that were opened or saved last, the newest first.
+    pub recent: Vec<PathBuf>,
     /// Whether the program has been started before.
     pub started_before: bool,
 }
@@ -27,6 +29,7 @@ impl Default for Preferences {
             theme: ThemePreference::System,
             skinning: None,
             navigation: Navigation::default(),
+            recent: Vec::new(),
             started_before: false,
         }
     }

@@ -1,10 +1,12 @@
+use super::autosave::Autosave;
 use super::comparison::Comparison;
+use super::document::{Asked, DocumentFile, Next};
 use super::files::file_stem;
 use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::preferences::Preferences;
-use super::{FileRequest, Host, HostEvent, Purpose, globals};
+use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::revision::Revision;
@@ -46,7 +48,14 @@ pub struct Program {
     pub(super) hovered_shape: Option<ShapeId>,
     pub(super) frame_rate: FrameRate,
     pub(super) graphics: GraphicsInfo,
-    title: String,
+    /// Title of the window without the document.
+    pub(super) program_title: String,
+    /// Title that the window has.
+    shown_title: String,
+    pub(super) document: DocumentFile,
+    pub(super) autosave: Autosave,
+    /// Question that waits for its answer.
+    pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
     /// Way of skinning in the first frame.
@@ -56,6 +65,7 @@ pub struct Program {
 impl Program {
     /// A program that shows `session`, with the preferences of a first start and no title.
     pub fn showing(session: Session, graphics: GraphicsInfo) -> Self {
+        let document = DocumentFile::untitled(session.document());
         Self {
             session,
             ui: UiState::new(),
@@ -68,7 +78,11 @@ impl Program {
             hovered_shape: None,
             frame_rate: FrameRate::default(),
             graphics,
-            title: String::new(),
+            program_title: String::new(),
+            shown_title: String::new(),
+            document,
+            autosave: Autosave::default(),
+            asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             skinning_at_start: None,
@@ -81,8 +95,7 @@ impl Program {
     pub fn start(options: &Options, graphics: GraphicsInfo, host: &mut dyn Host) -> Self {
         let mut program = Self::showing(Session::new(), graphics);
         program.preferences = Preferences::load(host);
-        program.title = options.title.clone().unwrap_or_else(globals::title);
-        host.set_title(&program.title);
+        program.program_title = options.title.clone().unwrap_or_else(globals::title);
         program.ui.theme = program.preferences.theme;
         program.ui.set_navigation(program.preferences.navigation);
         program.ui.skinning = options.skinning.or(program.preferences.skinning);
@@ -97,7 +110,18 @@ impl Program {
         }
         program.preferences.started_before = true;
         program.keep_preferences(host);
+        program.offer_restoring(host);
+        program.show_title(host);
         program
+    }
+
+    /// Gives the window the title that it should have.
+    pub(super) fn show_title(&mut self, host: &mut dyn Host) {
+        let title = self.title();
+        if title != self.shown_title {
+            host.set_title(&title);
+            self.shown_title = title;
+        }
     }
 
     /// The session: document, selection, view and messages.
@@ -126,8 +150,13 @@ impl Program {
             comparison.load_textures(&context);
         }
         let compare = self.comparison.as_ref().and_then(Comparison::view);
+        let name = self.document_name();
+        let question = self.asked.as_ref().map(|asked| asked.question(&name));
+        let title = self.title();
         let input = ui::ViewInput {
-            title: &self.title,
+            title: &title,
+            recent: &self.preferences.recent,
+            question: question.as_ref(),
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
             hovered_shape: self.hovered_shape,
@@ -174,10 +203,12 @@ impl Program {
                     {
                         continue;
                     }
-                    self.use_chosen(request.purpose, path, &*files, host);
+                    self.use_chosen(request.purpose, path, files, host);
                 }
-                HostEvent::Dropped { path, files } => self.use_dropped(&path, &*files),
-                HostEvent::Written { path, result } => self.tell_written(&path, result),
+                HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
+                HostEvent::StoreFailed(error) => self.tell_store_failure(&error.to_string()),
+                HostEvent::CloseRequested => self.leave_for(Next::Quit, host),
+                HostEvent::Written { path, result } => self.written(&path, result, host),
                 HostEvent::Pasted(text) => self.paste(&text),
                 HostEvent::Finished(result) => {
                     if let Some(comparison) = &mut self.comparison {
@@ -252,56 +283,58 @@ impl Program {
     }
 
     fn answer(&mut self, ask: Ask, host: &mut dyn Host) {
-        let folder = self.preferences.last_folder.as_deref();
-        let opened = self.session.opened();
-        let mut choose = |purpose, name: &str| {
-            host.choose_file(FileRequest { purpose, opened }, folder, name);
-        };
         match ask {
-            Ask::ImportShape => choose(Purpose::ImportShape, ""),
-            Ask::ImportCharacter => choose(Purpose::ImportCharacter, ""),
-            Ask::ImportCurve => choose(Purpose::ImportCurve, ""),
+            Ask::ImportShape => self.choose_file(Purpose::ImportShape, "", host),
+            Ask::ImportCharacter => self.choose_file(Purpose::ImportCharacter, "", host),
+            Ask::ImportCurve => self.choose_file(Purpose::ImportCurve, "", host),
             Ask::ExportCurve(id) => {
                 let shape = self.session.scene().shape(id);
                 let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
-                choose(Purpose::ExportCurve(id), &format!("{stem}.swp"));
+                self.choose_file(Purpose::ExportCurve(id), &format!("{stem}.swp"), host);
             }
-            Ask::ExportGeometry => choose(Purpose::ExportGeometry, "scene.obj"),
-            Ask::Screenshot(shot) => choose(Purpose::SaveScreenshot(shot), "screenshot.png"),
+            Ask::ExportGeometry => self.choose_file(Purpose::ExportGeometry, "scene.obj", host),
+            Ask::Screenshot(shot) => {
+                self.choose_file(Purpose::SaveScreenshot(shot), "screenshot.png", host)
+            }
             Ask::SavePose(shape, kept) => {
                 let name = self.name_of_pose(shape, kept);
-                choose(Purpose::SavePose(shape, kept), &format!("{name}.json"));
+                self.choose_file(
+                    Purpose::SavePose(shape, kept),
+                    &format!("{name}.json"),
+                    host,
+                );
             }
-            Ask::LoadPose(shape) => choose(Purpose::LoadPose(shape), ""),
+            Ask::LoadPose(shape) => self.choose_file(Purpose::LoadPose(shape), "", host),
             Ask::InsertBuiltin(name) => {
                 self.import_any(Path::new(&format!("builtin:{name}")), &*host.files());
             }
-            Ask::OpenBuiltin(name) => {
-                self.open(Path::new(&format!("builtin:{name}")), &*host.files());
-            }
+            Ask::New => self.leave_for(Next::New, host),
+            Ask::Open => self.leave_for(Next::Open, host),
+            Ask::OpenRecent(path) => self.leave_for(Next::OpenFile(path, host.files()), host),
+            Ask::OpenBuiltin(name) => self.leave_for(Next::OpenBuiltin(name), host),
+            Ask::Save => self.save(None, host),
+            Ask::SaveAs => self.save_as(None, host),
+            Ask::Answer(answer) => self.take_answer(answer, host),
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {
                     host.copy_text(text);
                 }
             }
             Ask::PastePose(shape) => {
-                self.paste_into = Some((opened, shape));
+                self.paste_into = Some((self.session.opened(), shape));
                 host.request_paste();
             }
             Ask::Compare(action) => self.compare(action, host),
-            Ask::Quit => host.quit(),
+            Ask::Quit => self.leave_for(Next::Quit, host),
         }
     }
 
     fn compare(&mut self, action: CompareAction, host: &mut dyn Host) {
-        let folder = self.preferences.last_folder.as_deref();
-        let opened = self.session.opened();
-        let mut choose = |purpose, name: &str| {
-            host.choose_file(FileRequest { purpose, opened }, folder, name);
-        };
         match action {
-            CompareAction::Choose => choose(Purpose::Compare, ""),
-            CompareAction::Save => choose(Purpose::SaveComparison, "comparison.png"),
+            CompareAction::Choose => self.choose_file(Purpose::Compare, "", host),
+            CompareAction::Save => {
+                self.choose_file(Purpose::SaveComparison, "comparison.png", host)
+            }
             CompareAction::Close => self.comparison = None,
             CompareAction::Set(settings) => {
                 if let Some(comparison) = &mut self.comparison {

@@ -1,6 +1,7 @@
 use super::CompareAction;
 use crate::editor::{Edit, View};
 use crate::scene::ShapeId;
+use std::path::PathBuf;
 
 /// A request of a panel, a menu, a key or a gesture.
 #[derive(Clone, Debug)]
@@ -42,6 +43,18 @@ pub enum HistoryMove {
 /// A request that only the program around the panels can carry out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Ask {
+    /// Begin an empty document.
+    New,
+    /// Choose a document, and open it.
+    Open,
+    /// Open a document of the list of recent ones.
+    OpenRecent(PathBuf),
+    /// Save the document.
+    Save,
+    /// Choose a file, and save the document to it.
+    SaveAs,
+    /// Answer the question that is shown.
+    Answer(Answer),
     /// Choose a shape to import.
     ImportShape,
     /// Choose a character to import.
@@ -71,6 +84,51 @@ pub enum Ask {
     Compare(CompareAction),
     /// End the program.
     Quit,
+}
+
+/// Question that is answered before anything else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Question {
+    /// Title of the dialog.
+    pub title: String,
+    /// Text of the question, in plain words.
+    pub text: String,
+    /// Answers to choose from; Enter gives the first, and Esc cancels if that is an answer.
+    pub answers: Vec<Answer>,
+}
+
+/// Answer to a [`Question`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Save the document first.
+    Save,
+    /// Save the document to another file.
+    SaveAs,
+    /// Go on without saving.
+    Discard,
+    /// Replace the file.
+    Overwrite,
+    /// Restore what was not saved.
+    Restore,
+    /// Let go of what was not saved.
+    Forget,
+    /// Do nothing.
+    Cancel,
+}
+
+impl Answer {
+    /// Label of the button.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Save => "Save",
+            Self::SaveAs => "Save As…",
+            Self::Discard => "Don't Save",
+            Self::Overwrite => "Overwrite",
+            Self::Restore => "Restore",
+            Self::Forget => "Discard",
+            Self::Cancel => "Cancel",
+        }
+    }
 }
 
 /// Contents and size of a picture of the view.

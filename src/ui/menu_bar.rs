@@ -65,9 +65,31 @@ fn title(ui: &mut Ui, title: &str) {
 
 impl Items<'_> {
     fn file(&mut self, ui: &mut Ui) {
+        self.all(ui, Menu::Document);
+        ui.separator();
+        self.recent(ui);
         submenu(ui, "Built-in Scene", |ui| self.all(ui, Menu::Scenes));
         ui.separator();
         self.all(ui, Menu::File);
+    }
+
+    /// File ▸ Open Recent, if there are any.
+    fn recent(&mut self, ui: &mut Ui) {
+        if self.input.recent.is_empty() {
+            return;
+        }
+        submenu(ui, "Open Recent", |ui| {
+            for path in self.input.recent {
+                let name = path.file_name().unwrap_or(path.as_os_str());
+                let item = Button::new(name.to_string_lossy().into_owned())
+                    .wrap_mode(egui::TextWrapMode::Extend);
+                let item = ui.add(item).on_hover_text(path.to_string_lossy());
+                if item.clicked() {
+                    self.actions
+                        .push(Action::Ask(Ask::OpenRecent(path.clone())));
+                }
+            }
+        });
     }
 
     fn edit(&mut self, ui: &mut Ui) {

@@ -18,6 +18,7 @@ mod messages;
 mod navigation;
 mod number_field;
 mod posing;
+mod question;
 mod scene_places;
 mod shape_list;
 mod shape_panel;
@@ -28,7 +29,7 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
-pub use action::{Action, Ask, GestureStep, HistoryMove, Screenshot};
+pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot};
 pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use compare::{
     CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
@@ -44,12 +45,17 @@ pub use view_gestures::view_gestures;
 use crate::editor::{Session, Tool, View};
 use crate::scene::{Look, ShapeId};
 use egui::{Rect, Response, Ui};
+use std::path::PathBuf;
 
 /// Input to the panels besides the session and their own state.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ViewInput<'a> {
     /// The window's title.
     pub title: &'a str,
+    /// Documents for File ▸ Open Recent, the newest first.
+    pub recent: &'a [PathBuf],
+    /// Question that has to be answered before anything else.
+    pub question: Option<&'a Question>,
     /// Names for Insert ▸ Built-in Character; if empty, there is no such menu.
     pub builtin_characters: &'a [&'static str],
     /// Names for Insert ▸ Built-in Curve; if empty, there is no such menu.
@@ -112,10 +118,20 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let mut actions = Vec::new();
     let holding = is_holding(&ctx);
     let keys_taken = input.keys_are_taken
+        || input.question.is_some()
         || state.keys_were_taken
         || state.gesture_under_way()
         || takes_keys(&ctx);
 
+    let now = ctx.input(|input| input.time);
+    if keys_taken
+        || input.compare.is_some()
+        || state.windows.is_any_open()
+        || state.camera_before_drag.is_some()
+        || session.is_in_gesture()
+    {
+        state.busy_at = now;
+    }
     if !keys_taken {
         posing::roll_by_keys(&ctx, session, state, &mut actions);
     }
@@ -137,6 +153,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
+    if let Some(question) = input.question {
+        question::show(root, question, &mut actions);
+    }
     add_gestures_of_panels(&ctx, holding, session, state, &mut actions);
     state.view_rect = view_rect;
 
@@ -155,6 +174,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
                 state,
                 comparing,
                 aspect(view_rect),
+                now,
                 &mut actions,
             );
             ctx.request_repaint();
@@ -215,15 +235,20 @@ fn takes_keys(ctx: &egui::Context) -> bool {
     ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
 }
 
+/// Seconds for which Esc does not end the program after it, or anything else, has ended something:
+/// whoever presses it once too often must not lose the window.
+const ESC_RESTS: f64 = 1.0;
+
 /// Runs the command of a key. Esc closes the window opened last, or else ends a comparison,
-/// deselects the joint, or ends the program. While the screenshot dialog is open, no other key
-/// works.
+/// deselects the joint, deselects the shape, or ends the program. While the screenshot dialog is
+/// open, no other key works.
 fn press(
     command: Command,
     session: &Session,
     state: &mut UiState,
     comparing: bool,
     aspect: f32,
+    now: f64,
     actions: &mut Vec<Action>,
 ) {
     if command == Command::Quit && state.windows.close_last() {
@@ -233,9 +258,20 @@ fn press(
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
         return;
     }
-    if command == Command::Quit && session.selected_joint().is_some() {
-        actions.push(Action::View(View::SelectJoint(None)));
-        return;
+    if command == Command::Quit {
+        let deselect = if session.selected_joint().is_some() {
+            Some(View::SelectJoint(None))
+        } else {
+            session.selected().map(|_| View::Select(None))
+        };
+        if let Some(deselect) = deselect {
+            state.busy_at = now;
+            actions.push(Action::View(deselect));
+            return;
+        }
+        if now - state.busy_at < ESC_RESTS {
+            return;
+        }
     }
     if state.windows.is_open(windows::Dialog::Screenshot) {
         return;

@@ -37,6 +37,8 @@ pub struct UiState {
     /// Whether a text field or a popup had the keyboard focus at the end of the last frame. egui
     /// takes it away from them at the start of the frame in which Esc is pressed.
     pub(super) keys_were_taken: bool,
+    /// Time, in seconds of egui's clock, when something was open or under way last that Esc ends.
+    pub(super) busy_at: f64,
     /// Whether fonts, spacing and colors were set.
     pub(super) styled: bool,
     /// Rectangle of the view in the last frame, in points, for menus that are shown before it is
@@ -61,6 +63,7 @@ impl Default for UiState {
             notices: NoticeState::default(),
             camera_before_drag: None,
             keys_were_taken: false,
+            busy_at: f64::NEG_INFINITY,
             styled: false,
             view_rect: Rect::from_min_size(Pos2::ZERO, vec2(4.0, 3.0)),
         }

@@ -46,6 +46,10 @@ impl Windows {
         self.open.pop().is_some()
     }
 
+    pub(super) fn is_any_open(&self) -> bool {
+        !self.open.is_empty()
+    }
+
     pub(super) fn is_open(&self, dialog: Dialog) -> bool {
         self.open.contains(&dialog)
     }
@@ -153,7 +157,8 @@ fn table(id: &str) -> Grid {
 
 fn title(menu: Menu) -> &'static str {
     match menu {
-        Menu::File => "File",
+        Menu::Document => "File",
+        Menu::File => "File, other files",
         Menu::Scenes => "File ⏵ Built-in Scene",
         Menu::Edit => "Edit",
         Menu::Insert => "Insert",

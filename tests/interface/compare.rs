@@ -517,6 +517,7 @@ fn esc_ends_the_comparison_before_the_program_and_so_does_its_cross() {
     editor.key(Key::Escape);
     assert!(editor.harness.state().comparing.is_none());
     assert!(!editor.has("Stop comparing"));
+    editor.wait();
     editor.key(Key::Escape);
     let close = Ask::Compare(CompareAction::Close);
     assert_eq!(editor.asked(), [close.clone(), Ask::Quit]);

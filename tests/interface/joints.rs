@@ -193,12 +193,15 @@ fn a_joint_selected_in_the_view_is_listed_though_another_was_searched_for() {
 }
 
 #[test]
-fn esc_lets_go_of_the_selected_joint_before_it_ends_the_program() {
+fn esc_lets_go_of_the_selected_joint_and_then_of_its_shape_before_it_ends_the_program() {
     let mut editor = Editor::with_figure();
     editor.view(View::SelectJoint(Some(NECK)));
     editor.key(Key::Escape);
     assert_eq!(editor.session().selected_joint(), None);
+    editor.key(Key::Escape);
+    assert_eq!(editor.session().selected(), None);
     assert!(editor.asked().is_empty());
+    editor.wait();
     editor.key(Key::Escape);
     assert_eq!(editor.asked(), [Ask::Quit]);
 }

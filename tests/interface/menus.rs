@@ -133,7 +133,10 @@ fn esc_leaves_a_field_first_then_closes_windows_from_the_newest_then_quits() {
     assert_eq!(open(&editor), (true, false));
     editor.key(Key::Escape);
     assert_eq!(open(&editor), (false, false));
+    editor.key(Key::Escape);
+    assert_eq!(editor.session().selected(), None);
     assert!(editor.asked().is_empty());
+    editor.wait();
     editor.key(Key::Escape);
     assert_eq!(editor.asked(), [Ask::Quit]);
 }
@@ -155,6 +158,7 @@ fn esc_does_not_quit_while_a_button_is_held() {
     assert!(editor.asked().is_empty());
     editor.harness.drop_at(at);
     editor.settle();
+    editor.wait();
     editor.key(Key::Escape);
     assert_eq!(editor.asked(), [Ask::Quit]);
 }

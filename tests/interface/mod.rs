@@ -113,6 +113,13 @@ impl Editor {
     }
 
     /// Lets everything that was started finish.
+    /// Lets a second and a half pass.
+    fn wait(&mut self) {
+        for _ in 0..6 {
+            self.harness.step();
+        }
+    }
+
     fn settle(&mut self) {
         self.harness.run_steps(4);
     }

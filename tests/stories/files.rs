@@ -249,8 +249,9 @@ fn an_answer_that_comes_after_another_scene_was_opened_touches_none_of_its_shape
     story.click("Pose");
     story.click("Load Pose…");
     let view = *story.session().view();
-    let kind = story.shape().kind.clone();
-    let again = vec![editor_core::scene::NewShape::new("Other", kind)];
+    let (kind, source) = (story.shape().kind.clone(), story.shape().source.clone());
+    let other = editor_core::scene::NewShape::new("Other", kind);
+    let again = vec![other.from_source(source.expect("it was imported"))];
     story.program.session_mut().open(again, view);
     story.choose("bent.json");
     assert_eq!(story.shape().name, "Other");

@@ -30,10 +30,12 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
     program.carry_out(vec![Action::Ask(Ask::Screenshot(shot))], &mut host);
     host.choose("robot.png");
     let context = egui::Context::default();
+    let later = std::cell::Cell::new(0.0);
     let mut frame = |events: Vec<Event>| {
         let screen = Rect::from_min_size(pos2(0.0, 0.0), vec2(SIZE.0 as f32, SIZE.1 as f32));
         let raw = RawInput {
             screen_rect: Some(screen),
+            time: Some(later.get()),
             events,
             ..RawInput::default()
         };
@@ -70,6 +72,9 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
     let (after, quits) = frame(Vec::new());
     assert!(differing(&before, &after) > 1_000, "the camera moved");
     assert!(!quits);
+    // Esc deselects, then ends the program.
+    assert!(!frame(vec![key(Key::Escape, Modifiers::NONE)]).1);
+    later.set(2.0);
     assert!(frame(vec![key(Key::Escape, Modifiers::NONE)]).1);
     let saved = &host.written[std::path::Path::new("robot.png")];
     let saved = image::decode(std::path::Path::new("robot.png"), saved).unwrap();

@@ -1,7 +1,9 @@
 //! Stories of users, from the start to the end of the program, in a place of the test's own: real
 //! panels and real pictures, without a window, a disk or a clock that goes by itself.
 
+mod autosaving;
 mod comparing;
+mod documents;
 mod files;
 mod hosts;
 mod looking;
@@ -128,6 +130,12 @@ impl Story {
             }
         }
         panic!("frames are drawn without an end");
+    }
+
+    /// Lets `seconds` pass.
+    fn wait(&mut self, seconds: f64) {
+        self.host.time += Duration::from_secs_f64(seconds);
+        self.settle();
     }
 
     fn session(&self) -> &Session {

@@ -101,6 +101,7 @@ fn dialogs_open_where_a_file_was_chosen_last_at_the_next_start_too() {
         ..MemoryHost::default()
     };
     let mut next = Story::start_at(again, &[]);
+    next.click("Discard");
     next.key(Key::F8);
     let request = next.host.requests.last().unwrap();
     assert_eq!(request.folder.as_deref(), Some(Path::new("models")));
@@ -148,6 +149,9 @@ fn esc_ends_the_program_where_nothing_else_is_to_end() {
     assert!(story.has("Save…"), "the dialog shows");
     story.key(Key::Escape);
     assert!(!story.has("Save…") && !story.host.quits);
+    story.key(Key::Escape);
+    assert!(!story.host.quits, "once too often, within a second");
+    story.wait(1.1);
     story.key(Key::Escape);
     assert!(story.host.quits);
 }

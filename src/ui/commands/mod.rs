@@ -20,6 +20,14 @@ use egui::ThemePreference;
 /// Everything that a menu item or a key can start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
+    /// Begins an empty document.
+    New,
+    /// Opens a document.
+    Open,
+    /// Saves the document.
+    Save,
+    /// Saves the document to another file.
+    SaveAs,
     /// Opens the screenshot dialog.
     Screenshot,
     /// Exports the curves of the selected shape.

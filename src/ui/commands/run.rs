@@ -35,6 +35,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
     }
     let view = session.view();
     match command {
+        Command::New => return Some(Action::Ask(Ask::New)),
+        Command::Open => return Some(Action::Ask(Ask::Open)),
+        Command::Save => return Some(Action::Ask(Ask::Save)),
+        Command::SaveAs => return Some(Action::Ask(Ask::SaveAs)),
         Command::Screenshot => state.windows.open(Dialog::Screenshot),
         Command::Keys => state.windows.open(Dialog::Keys),
         Command::Messages => state.windows.open(Dialog::Messages),

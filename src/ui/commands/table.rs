@@ -9,7 +9,9 @@ use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 /// Menu of a command, or the part of a menu between two separators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Menu {
-    /// File.
+    /// File, the part about the document.
+    Document,
+    /// File, the part about other files.
     File,
     /// File ▸ Built-in Scene.
     Scenes,
@@ -50,6 +52,7 @@ pub enum Menu {
 impl Menu {
     /// All menus, in the order of Help ▸ Keys and Mouse.
     pub const ALL: &[Self] = &[
+        Self::Document,
         Self::File,
         Self::Scenes,
         Self::Edit,
@@ -125,6 +128,10 @@ const fn only_in(navigation: Navigation, entry: Entry) -> Entry {
 /// All commands: the one table behind key handling, menus, tooltips and Help ▸ Keys and Mouse.
 #[rustfmt::skip]
 pub const COMMANDS: &[Entry] = &[
+    entry(Command::New, Menu::Document, "New", "Begin an empty document", &[key(CTRL, Key::N)]),
+    entry(Command::Open, Menu::Document, "Open…", "Open a scene, or a model as a new document", &[key(CTRL, Key::O)]),
+    entry(Command::Save, Menu::Document, "Save", "Save the document; the version before stays beside it, as NAME~", &[key(CTRL, Key::S)]),
+    entry(Command::SaveAs, Menu::Document, "Save As…", "Save the document to another file", &[key(CTRL.plus(SHIFT), Key::S)]),
     entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as PNG, JPEG or GIF", &[key(NONE, Key::F12)]),
     entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]),
     entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of the whole scene, as posed, as .obj", &[key(CTRL.plus(SHIFT), Key::E)]),
@@ -137,7 +144,7 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-5"), Menu::Scenes, "Humanoid", "A man with all his fingers", &[key(NONE, Key::Num5)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
-    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else let go of the selected joint, else end the program", &[key(NONE, Key::Escape)]),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else deselect the joint or the shape, else end the program", &[key(NONE, Key::Escape)]),
 
     entry(Command::Undo, Menu::Edit, "Undo", "Take back the last step; in the middle of a drag, all of the drag", &[key(CTRL, Key::Z)]),
     entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]),

@@ -1,0 +1,76 @@
+//! Unsaved work when the program ends against its will: by a signal, or by a fault of its own.
+
+use super::window_host::Wake;
+use crate::disk;
+use crate::program::Unsaved;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::{Mutex, Once};
+use winit::event_loop::EventLoopProxy;
+
+/// Unsaved work as of the last frame, and where it is written to by the panic hook.
+static LATEST: Mutex<Option<(Unsaved, PathBuf)>> = Mutex::new(None);
+
+/// Remembers unsaved work for the panic hook; none if `latest` is `None`.
+pub(super) fn remember(latest: Option<(Unsaved, PathBuf)>) {
+    if let Ok(mut place) = LATEST.lock() {
+        *place = latest;
+    }
+}
+
+/// Has a panic write unsaved work and say where.
+pub(super) fn write_on_panic() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let report = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |panic| {
+            report(panic);
+            // Whoever does not listen need not be told.
+            let _ = writeln!(std::io::stderr(), "{}", write_latest());
+        }));
+    });
+}
+
+/// Writes what there is; what to tell the user.
+fn write_latest() -> String {
+    // Whoever holds the lock, or left it poisoned, is the one that panics.
+    let latest = LATEST.try_lock().ok().and_then(|latest| latest.clone());
+    let Some((unsaved, path)) = latest else {
+        return "The editor ended because of a fault of its own. Nothing was unsaved.".to_owned();
+    };
+    let bytes = unsaved.to_bytes().map_err(|error| error.to_string());
+    let write = |bytes: Vec<u8>| disk::write_whole(&path, &bytes).map_err(|e| e.to_string());
+    match bytes.and_then(write) {
+        Ok(()) => format!(
+            "The editor ended because of a fault of its own. Unsaved work is in {} and will be \
+             offered at the next start.",
+            path.display()
+        ),
+        Err(error) => format!(
+            "The editor ended because of a fault of its own, and unsaved work could not be \
+             kept: {error}"
+        ),
+    }
+}
+
+/// Wakes the event loop when the system asks the program to end. Where signals cannot be watched,
+/// the last autosave is what is left.
+#[cfg(unix)]
+pub(super) fn watch_signals(proxy: EventLoopProxy<Wake>) {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let Ok(mut signals) = signal_hook::iterator::Signals::new([SIGTERM, SIGINT, SIGHUP]) else {
+        return;
+    };
+    let thread = std::thread::Builder::new().name("signals".to_owned());
+    // Without a thread to spare, signals end the program as they always did.
+    let _ = thread.spawn(move || {
+        for _ in signals.forever() {
+            // A window that is gone needs no waking.
+            let _ = proxy.send_event(Wake::Terminate);
+        }
+    });
+}
+
+/// Does nothing: there are no such signals.
+#[cfg(not(unix))]
+pub(super) fn watch_signals(_: EventLoopProxy<Wake>) {}

@@ -1,0 +1,121 @@
+use crate::disk;
+use crate::io::Diagnostic;
+use crate::program::{HostEvent, StorageKey};
+use std::fs::File;
+use std::path::PathBuf;
+use std::thread::JoinHandle;
+
+/// Number of programs that can keep unsaved work at the same time.
+const SLOTS: usize = 64;
+
+/// The user's folder of configuration, where preferences and unsaved work are kept.
+///
+/// Each running program has a file of its own for unsaved work, and a lock on it that the system
+/// releases however the program ends: a file whose lock is free was left by one that has ended.
+pub(super) struct Storage {
+    folder: Option<PathBuf>,
+    autosave: Option<Slot>,
+    writing: Option<JoinHandle<Result<(), Diagnostic>>>,
+}
+
+struct Slot {
+    path: PathBuf,
+    _lock: File,
+}
+
+impl Storage {
+    pub fn new() -> Self {
+        let folder = directories::ProjectDirs::from("", "", "skeleton-editor")
+            .map(|folders| folders.config_dir().to_owned())
+            .filter(|folder| std::fs::create_dir_all(folder).is_ok());
+        let autosave = folder.as_ref().and_then(|folder| {
+            let slots = || (0..SLOTS).map(|slot| folder.join(format!("autosave-{slot}.json")));
+            // One that was left comes before one that is free.
+            let left = slots().filter(|path| path.exists()).find_map(Slot::take);
+            left.or_else(|| slots().find_map(Slot::take))
+        });
+        Self {
+            folder,
+            autosave,
+            writing: None,
+        }
+    }
+
+    /// Where unsaved work is kept; `None` if it cannot be.
+    pub fn autosave_path(&self) -> Option<PathBuf> {
+        self.autosave.as_ref().map(|slot| slot.path.clone())
+    }
+
+    pub fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        std::fs::read(self.path(key)?).ok()
+    }
+
+    /// Stores `bytes`, unsaved work in the background.
+    pub fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        let Some(path) = self.path(key) else {
+            return;
+        };
+        match key {
+            StorageKey::Preferences => {
+                // Nothing that the user made is lost.
+                let _ = disk::write_whole(&path, &bytes);
+            }
+            StorageKey::Autosave => {
+                self.wait();
+                let write = move || disk::write_whole(&path, &bytes);
+                let thread = std::thread::Builder::new().name("autosave".to_owned());
+                self.writing = thread.spawn(write).ok();
+            }
+        }
+    }
+
+    /// Removes an entry. Unsaved work stays for one more time under another name: who discarded it
+    /// by mistake can still find it.
+    pub fn remove(&mut self, key: StorageKey) {
+        self.wait();
+        if let Some(path) = self.path(key) {
+            // What does not exist need not be removed.
+            let _ = match key {
+                StorageKey::Preferences => std::fs::remove_file(path),
+                StorageKey::Autosave => std::fs::rename(&path, path.with_extension("json~")),
+            };
+        }
+    }
+
+    /// The outcome of the last writing in the background, once, if it failed.
+    pub fn failure(&mut self) -> Option<HostEvent> {
+        let finished = self.writing.take_if(|writing| writing.is_finished())?;
+        let failed = finished.join().ok()?.err()?;
+        Some(HostEvent::StoreFailed(failed))
+    }
+
+    /// Waits until nothing is being written.
+    pub fn wait(&mut self) {
+        if let Some(writing) = self.writing.take() {
+            let _ = writing.join();
+        }
+    }
+
+    fn path(&self, key: StorageKey) -> Option<PathBuf> {
+        match key {
+            StorageKey::Preferences => Some(self.folder.as_ref()?.join(key.name())),
+            StorageKey::Autosave => self.autosave_path(),
+        }
+    }
+}
+
+impl Drop for Storage {
+    fn drop(&mut self) {
+        self.wait();
+    }
+}
+
+impl Slot {
+    /// Takes the slot of `path`, unless a running program has it.
+    fn take(path: PathBuf) -> Option<Self> {
+        let options = File::options().create(true).append(true).clone();
+        let lock = options.open(path.with_extension("lock")).ok()?;
+        lock.try_lock().ok()?;
+        Some(Self { path, _lock: lock })
+    }
+}

@@ -1,0 +1,192 @@
+//! Unsaved work that outlives the program: kept while it runs, offered at the next start.
+
+use super::document::{Asked, DocumentFile};
+use super::running::Program;
+use super::{Host, StorageKey};
+use crate::editor::Severity;
+use crate::io::{self, Diagnostic, Files, Loaded, Missing, SceneError};
+use crate::revision::Revision;
+use crate::scene::{Scene, ViewSettings};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+/// Least time between two autosaves.
+const EVERY: Duration = Duration::from_secs(10);
+
+/// Name under which a document without a file is read again.
+const WITHOUT_FILE: &str = "restored.scene";
+
+/// State of the autosave.
+#[derive(Default)]
+pub(super) struct Autosave {
+    /// Document that is stored, and when that was.
+    stored: Option<(Revision, Duration)>,
+    /// Whether the user knows that nothing can be stored.
+    failure_told: bool,
+}
+
+/// Unsaved work, as it is at a moment. Cheap to make.
+#[derive(Clone, Debug)]
+pub struct Unsaved {
+    scene: Scene,
+    view: ViewSettings,
+    path: Option<PathBuf>,
+    digest: Option<u64>,
+}
+
+impl Unsaved {
+    /// Bytes to store under [`StorageKey::Autosave`].
+    ///
+    /// # Errors
+    /// If the document cannot be written as a file.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, SceneError> {
+        let folder = self.path.as_deref().and_then(Path::parent);
+        let kept = Kept {
+            path: self.path.clone(),
+            digest: self.digest,
+            scene: io::scene_text(&self.scene, &self.view, folder)?,
+        };
+        // Fails for paths alone that are no Unicode; without its path the work is worth as much.
+        Ok(serde_json::to_vec(&kept)
+            .or_else(|_| serde_json::to_vec(&Kept { path: None, ..kept }))
+            .unwrap_or_default())
+    }
+}
+
+/// Unsaved work that an earlier run left.
+#[derive(serde::Serialize, serde::Deserialize)]
+pub(super) struct Kept {
+    /// File of the document.
+    path: Option<PathBuf>,
+    /// Digest of that file's bytes as they were known to the earlier run.
+    digest: Option<u64>,
+    /// Text of a scene file.
+    scene: String,
+}
+
+impl Kept {
+    /// Name of the document, if it has a file.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+}
+
+/// Files with one more.
+struct WithText<'a> {
+    path: &'a Path,
+    text: &'a str,
+    rest: Arc<dyn Files>,
+}
+
+impl Files for WithText<'_> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        if path == self.path {
+            Ok(self.text.as_bytes().to_vec())
+        } else {
+            self.rest.read(path)
+        }
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        path == self.path || self.rest.exists(path)
+    }
+}
+
+impl Program {
+    /// Work that is not in the document's file; `None` if there is none.
+    pub fn unsaved(&self) -> Option<Unsaved> {
+        self.is_modified().then(|| Unsaved {
+            scene: self.session.scene().clone(),
+            view: *self.session.view(),
+            path: self.document.path().map(Path::to_owned),
+            digest: self.document.digest(),
+        })
+    }
+
+    /// Ends the program at once, because the system asks for it: unsaved work is stored.
+    pub fn end(&mut self, host: &mut dyn Host) {
+        self.session.commit_gesture();
+        self.store_unsaved(host);
+        host.quit();
+    }
+
+    /// Stores unsaved work after a gesture, at most every ten seconds, and removes it once it is
+    /// saved. Returns how long no frame is needed for its sake.
+    pub(super) fn autosave(&mut self, host: &mut dyn Host) -> Duration {
+        if !self.is_modified() {
+            self.forget_autosave(host);
+            return Duration::MAX;
+        }
+        let document = self.session.document();
+        if self.session.is_in_gesture() {
+            return Duration::MAX;
+        }
+        match self.autosave.stored {
+            Some((stored, _)) if stored == document => return Duration::MAX,
+            Some((_, at)) if host.now() < at + EVERY => return at + EVERY - host.now(),
+            _ => self.store_unsaved(host),
+        }
+        Duration::MAX
+    }
+
+    /// Removes what was stored by this run, if anything.
+    pub(super) fn forget_autosave(&mut self, host: &mut dyn Host) {
+        if self.autosave.stored.take().is_some() {
+            host.remove(StorageKey::Autosave);
+        }
+    }
+
+    fn store_unsaved(&mut self, host: &mut dyn Host) {
+        let Some(unsaved) = self.unsaved() else {
+            return;
+        };
+        self.autosave.stored = Some((self.session.document(), host.now()));
+        match unsaved.to_bytes() {
+            Ok(bytes) => host.store(StorageKey::Autosave, bytes),
+            Err(error) => self.tell_store_failure(&error.to_string()),
+        }
+    }
+
+    /// Says once that unsaved work cannot be stored.
+    pub(super) fn tell_store_failure(&mut self, error: &str) {
+        if !std::mem::replace(&mut self.autosave.failure_told, true) {
+            let text = format!("Unsaved work cannot be kept for the case of a crash: {error}");
+            self.tell(Severity::Warning, text);
+        }
+    }
+
+    /// Offers what an earlier run left that did not end in order.
+    pub(super) fn offer_restoring(&mut self, host: &dyn Host) {
+        let bytes = host.load(StorageKey::Autosave);
+        let kept = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+        self.asked = kept.map(Asked::Restore);
+    }
+
+    /// Restores what an earlier run left. It is unsaved as before.
+    pub(super) fn restore(&mut self, kept: &Kept, host: &mut dyn Host) {
+        let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE));
+        let files = WithText {
+            path,
+            text: &kept.scene,
+            rest: host.files(),
+        };
+        let mut loaded = Loaded {
+            missing: Missing::StandIn,
+            ..Loaded::default()
+        };
+        match loaded.add(&files, path) {
+            Ok(()) => {
+                self.session
+                    .open(loaded.shapes, loaded.view.unwrap_or_default());
+                self.document = DocumentFile::restored(kept.path.clone(), kept.digest);
+                self.autosave.stored = Some((self.session.document(), host.now()));
+                self.tell_all(Severity::Warning, loaded.warnings);
+            }
+            Err(error) => {
+                let text = format!("The unsaved changes cannot be restored: {error}");
+                self.tell(Severity::Error, text);
+            }
+        }
+    }
+}

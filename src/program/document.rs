@@ -1,0 +1,356 @@
+//! The document's file: opening and saving it, and asking before unsaved work is lost.
+
+use super::autosave::Kept;
+use super::running::Program;
+use super::{FileRequest, Host, Previous, Purpose, StorageKey};
+use crate::editor::Severity;
+use crate::io::{self, Diagnostic, Files, Loaded, Missing};
+use crate::revision::Revision;
+use crate::scene::ViewSettings;
+use crate::ui::{Answer, Question};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Name of a document that has no file yet.
+const UNTITLED: &str = "Untitled";
+
+/// Number of files in File ▸ Open Recent.
+const MOST_RECENT: usize = 10;
+
+/// File of the document, and how much of the document is in it.
+pub(super) struct DocumentFile {
+    /// File that Save writes; `None` until there is one.
+    path: Option<PathBuf>,
+    /// Revision of the document that is in the file, or that was opened.
+    saved: Revision,
+    /// Digest of the file's bytes as they were read or written last: other bytes are another
+    /// program's.
+    digest: Option<u64>,
+    /// Write under way.
+    writing: Option<Writing>,
+    /// Continuation of the next save, for which a file is being chosen.
+    then: Option<Next>,
+}
+
+struct Writing {
+    path: PathBuf,
+    document: Revision,
+    digest: u64,
+    then: Option<Next>,
+}
+
+/// Something that replaces the document or ends the program, and so waits until nothing is unsaved.
+#[derive(Clone)]
+pub(super) enum Next {
+    New,
+    /// Choose a file, and open it.
+    Open,
+    OpenFile(PathBuf, Arc<dyn Files>),
+    OpenBuiltin(&'static str),
+    Quit,
+}
+
+/// Question that waits for its answer.
+pub(super) enum Asked {
+    /// There are unsaved changes.
+    Unsaved(Next),
+    /// The file was changed by another program since it was read or written here.
+    Overwrite(PathBuf, Option<Next>),
+    /// An earlier run did not end in order, and left unsaved work.
+    Restore(Kept),
+}
+
+impl DocumentFile {
+    /// A document without a file, of which `saved` is no loss.
+    pub fn untitled(saved: Revision) -> Self {
+        Self {
+            path: None,
+            saved,
+            digest: None,
+            writing: None,
+            then: None,
+        }
+    }
+
+    /// A document that is not in its file, of which an earlier run knew `digest`.
+    pub fn restored(path: Option<PathBuf>, digest: Option<u64>) -> Self {
+        Self {
+            path,
+            digest,
+            ..Self::untitled(Revision::new())
+        }
+    }
+
+    /// File that Save writes; `None` until there is one.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Digest of the file's bytes as they were read or written last.
+    pub fn digest(&self) -> Option<u64> {
+        self.digest
+    }
+}
+
+impl Asked {
+    /// The question about a document called `name`.
+    pub fn question(&self, name: &str) -> Question {
+        match self {
+            Self::Unsaved(next) => Question {
+                title: "Save changes?".to_owned(),
+                text: format!(
+                    "“{name}” has changes that are not saved. They are lost if you {} without saving.",
+                    match next {
+                        Next::New => "begin another document",
+                        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) => {
+                            "open another document"
+                        }
+                        Next::Quit => "quit",
+                    }
+                ),
+                answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
+            },
+            Self::Overwrite(path, _) => Question {
+                title: "Overwrite the file?".to_owned(),
+                text: format!(
+                    "Another program or window has changed {} since it was opened here. \
+                     Overwriting replaces what it wrote.",
+                    path.display()
+                ),
+                answers: vec![Answer::SaveAs, Answer::Overwrite, Answer::Cancel],
+            },
+            Self::Restore(kept) => Question {
+                title: "Restore unsaved changes?".to_owned(),
+                text: match kept.path() {
+                    Some(path) => format!(
+                        "The editor ended before changes to {} were saved.",
+                        path.display()
+                    ),
+                    None => "The editor ended before a new document was saved.".to_owned(),
+                },
+                answers: vec![Answer::Restore, Answer::Forget],
+            },
+        }
+    }
+}
+
+impl Program {
+    /// Whether there are changes that are not in the document's file.
+    pub fn is_modified(&self) -> bool {
+        let nothing = self.document.path.is_none() && self.session.scene().shapes().is_empty();
+        self.session.document() != self.document.saved && !nothing
+    }
+
+    /// Name of the document: that of its file, if it has one.
+    pub(super) fn document_name(&self) -> String {
+        let name = self.document.path.as_deref().and_then(Path::file_name);
+        name.map_or_else(
+            || UNTITLED.to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        )
+    }
+
+    /// Title of the window: the document, with a mark if it is modified, and the program. A
+    /// document that is neither named nor modified is not mentioned.
+    pub(super) fn title(&self) -> String {
+        let mark = if self.is_modified() { "*" } else { "" };
+        if self.document.path.is_none() && mark.is_empty() {
+            return self.program_title.clone();
+        }
+        format!("{mark}{} — {}", self.document_name(), self.program_title)
+    }
+
+    /// Does `next`, after asking about changes that are not saved.
+    pub(super) fn leave_for(&mut self, next: Next, host: &mut dyn Host) {
+        if self.is_modified() {
+            self.asked = Some(Asked::Unsaved(next));
+        } else {
+            self.go_on(next, host);
+        }
+    }
+
+    fn go_on(&mut self, next: Next, host: &mut dyn Host) {
+        match next {
+            Next::New => {
+                let view = ViewSettings {
+                    look: self.session.view().look,
+                    ..ViewSettings::default()
+                };
+                self.session.open(Vec::new(), view);
+                self.document = DocumentFile::untitled(self.session.document());
+            }
+            Next::Open => self.choose_file(Purpose::Open, "", host),
+            Next::OpenFile(path, files) => self.open(&path, &*files),
+            Next::OpenBuiltin(name) => {
+                self.open(Path::new(&format!("builtin:{name}")), &*host.files());
+            }
+            Next::Quit => {
+                // What is not saved by now is not wanted.
+                self.document.saved = self.session.document();
+                self.forget_autosave(host);
+                host.quit();
+            }
+        }
+    }
+
+    /// Opens the scene or the model at `path` in the place of the document; one that cannot be read
+    /// leaves it untouched.
+    fn open(&mut self, path: &Path, files: &dyn Files) {
+        let mut loaded = Loaded {
+            missing: Missing::StandIn,
+            ..Loaded::default()
+        };
+        match loaded.add(files, path) {
+            Ok(()) => {
+                let view = loaded.view.unwrap_or(*self.session.view());
+                self.session.open(loaded.shapes, view);
+                self.document = self.file_of(path, files);
+                self.remember_recent(path);
+                self.tell_all(Severity::Warning, loaded.warnings);
+            }
+            Err(error) => {
+                self.preferences.recent.retain(|recent| recent != path);
+                self.tell(Severity::Error, error.to_string());
+            }
+        }
+    }
+
+    /// What is known of the file at `path`, from which the document has just been opened. Only
+    /// scenes on a disk can be saved to where they came from.
+    pub(super) fn file_of(&self, path: &Path, files: &dyn Files) -> DocumentFile {
+        let untitled = DocumentFile::untitled(self.session.document());
+        if !is_scene(path) || io::builtin::is_builtin(path) {
+            return untitled;
+        }
+        DocumentFile {
+            path: Some(path.to_owned()),
+            digest: digest_at(path, files),
+            ..untitled
+        }
+    }
+
+    /// Saves the document to its file, or lets one be chosen if it has none, and then does `then`.
+    pub(super) fn save(&mut self, then: Option<Next>, host: &mut dyn Host) {
+        let Some(path) = self.document.path.clone() else {
+            return self.save_as(then, host);
+        };
+        let found = digest_at(&path, &*host.files());
+        if found.is_some() && found != self.document.digest {
+            self.asked = Some(Asked::Overwrite(path, then));
+        } else {
+            self.write_document(path, then, host);
+        }
+    }
+
+    /// Lets a file be chosen for the document, saves it there, and then does `then`.
+    pub(super) fn save_as(&mut self, then: Option<Next>, host: &mut dyn Host) {
+        self.document.then = then;
+        let name = match &self.document.path {
+            Some(_) => self.document_name(),
+            None => "scene.scene".to_owned(),
+        };
+        self.choose_file(Purpose::SaveScene, &name, host);
+    }
+
+    /// Saves the document to the file that was chosen for it.
+    pub(super) fn save_to(&mut self, path: PathBuf, host: &mut dyn Host) {
+        let then = self.document.then.take();
+        match io::expect_extension(&path, "scene") {
+            Ok(()) => self.write_document(path, then, host),
+            Err(error) => self.tell_written(&path, Err(error)),
+        }
+    }
+
+    fn write_document(&mut self, path: PathBuf, then: Option<Next>, host: &mut dyn Host) {
+        let (scene, view) = (self.session.scene(), self.session.view());
+        let bytes = match io::scene_text(scene, view, path.parent()) {
+            Ok(text) => text.into_bytes(),
+            Err(error) => {
+                let error = Diagnostic::new(&path, error.to_string());
+                return self.tell_written(&path, Err(error));
+            }
+        };
+        self.document.writing = Some(Writing {
+            path: path.clone(),
+            document: self.session.document(),
+            digest: digest(&bytes),
+            then,
+        });
+        host.write_file(&path, bytes, Previous::KeepBeside);
+    }
+
+    /// Takes note that the file at `path` was written, or could not be; goes on with what waited
+    /// for it if it is the document's.
+    pub(super) fn written(
+        &mut self,
+        path: &Path,
+        result: Result<(), Diagnostic>,
+        host: &mut dyn Host,
+    ) {
+        let is_saved = result.is_ok();
+        self.tell_written(path, result);
+        let is_document = |writing: &mut Writing| writing.path == path;
+        let Some(writing) = self.document.writing.take_if(is_document) else {
+            return;
+        };
+        if is_saved {
+            self.document.path = Some(writing.path);
+            self.document.saved = writing.document;
+            self.document.digest = Some(writing.digest);
+            self.remember_recent(path);
+            if let Some(next) = writing.then {
+                self.leave_for(next, host);
+            }
+        }
+    }
+
+    /// Goes on as the user answered the question that was asked.
+    pub(super) fn take_answer(&mut self, answer: Answer, host: &mut dyn Host) {
+        match (self.asked.take(), answer) {
+            (Some(Asked::Unsaved(next)), Answer::Save) => self.save(Some(next), host),
+            (Some(Asked::Unsaved(next)), Answer::Discard) => self.go_on(next, host),
+            (Some(Asked::Overwrite(path, then)), Answer::Overwrite) => {
+                self.write_document(path, then, host);
+            }
+            (Some(Asked::Overwrite(_, then)), Answer::SaveAs) => self.save_as(then, host),
+            (Some(Asked::Restore(kept)), Answer::Restore) => self.restore(&kept, host),
+            (Some(Asked::Restore(_)), Answer::Forget) => host.remove(StorageKey::Autosave),
+            _ => {}
+        }
+    }
+
+    /// Lets a file be chosen in the folder of the last one.
+    pub(super) fn choose_file(&self, purpose: Purpose, name: &str, host: &mut dyn Host) {
+        let folder = self.preferences.last_folder.as_deref();
+        let opened = self.session.opened();
+        host.choose_file(FileRequest { purpose, opened }, folder, name);
+    }
+
+    /// Puts a file first in File ▸ Open Recent.
+    pub(super) fn remember_recent(&mut self, path: &Path) {
+        if io::builtin::is_builtin(path) {
+            return;
+        }
+        let recent = &mut self.preferences.recent;
+        recent.retain(|known| known != path);
+        recent.insert(0, path.to_owned());
+        recent.truncate(MOST_RECENT);
+    }
+}
+
+/// Whether the name of a file is that of a scene.
+pub(super) fn is_scene(path: &Path) -> bool {
+    io::expect_extension(path, "scene").is_ok()
+}
+
+fn digest(bytes: &[u8]) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    bytes.hash(&mut hasher);
+    hasher.finish()
+}
+
+/// Digest of a file; `None` if it cannot be read.
+fn digest_at(path: &Path, files: &dyn Files) -> Option<u64> {
+    files.read(path).ok().map(|bytes| digest(&bytes))
+}

@@ -1,0 +1,40 @@
+//! The dialog of a question that has to be answered before anything else.
+
+use super::{Action, Answer, Ask, Question};
+use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, Ui, vec2};
+
+/// Shows the question; Enter gives the first answer, Esc cancels.
+pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
+    let frame = Frame::popup(root.style()).inner_margin(16);
+    let modal = Modal::new(Id::new("question")).frame(frame);
+    let modal = modal.show(root.ctx(), |ui| {
+        ui.set_width(400.0);
+        ui.heading(&question.title);
+        ui.add_space(4.0);
+        ui.label(&question.text);
+        ui.add_space(12.0);
+        buttons(ui, &question.answers)
+    });
+    let cancel = Answer::Cancel;
+    let canceled = modal.should_close() && question.answers.contains(&cancel);
+    let answer = modal.inner.or(canceled.then_some(cancel));
+    actions.extend(answer.map(|answer| Action::Ask(Ask::Answer(answer))));
+}
+
+/// One button an answer, the first at the right, as in the file dialog; the answer that was given.
+fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
+    // A button that was reached by Tab is pressed by Enter itself.
+    let elsewhere = ui.memory(|memory| memory.focused().is_some());
+    let enter = !elsewhere && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+    let mut given = answers.first().copied().filter(|_| enter);
+    let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let layout = Layout::right_to_left(Align::Center);
+    ui.allocate_ui_with_layout(line, layout, |ui| {
+        for &answer in answers {
+            if ui.add(Button::new(answer.label())).clicked() {
+                given = Some(answer);
+            }
+        }
+    });
+    given
+}

@@ -1,0 +1,175 @@
+//! Unsaved work that outlives a crash.
+
+use super::Story;
+use crate::host::MemoryHost;
+use editor_core::editor::Severity;
+use editor_core::io::Diagnostic;
+use editor_core::program::{HostEvent, StorageKey};
+use egui::{Key, Modifiers, vec2};
+use std::path::Path;
+use std::time::Duration;
+
+const AUTOSAVE: StorageKey = StorageKey::Autosave;
+
+/// What is stored for the case of a crash, if anything.
+fn stored(story: &Story) -> Option<&Vec<u8>> {
+    story.host.stored.get(&AUTOSAVE)
+}
+
+/// A program that starts where another ended without a word.
+fn after_crash(crashed: Story) -> Story {
+    let host = MemoryHost {
+        files: crashed.host.files,
+        stored: crashed.host.stored,
+        ..MemoryHost::default()
+    };
+    Story::start_at(host, &[])
+}
+
+fn with_bent_elbow() -> Story {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "90");
+    story
+}
+
+#[test]
+fn work_is_kept_after_a_gesture_and_at_most_every_ten_seconds() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    assert!(stored(&story).is_none(), "nothing was done");
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(40.0, 0.0));
+    assert!(stored(&story).is_none(), "in the middle of a drag");
+    story.button(false);
+    story.settle();
+    let first = stored(&story).expect("it is stored").clone();
+
+    story.type_into("Elbow Z", "80");
+    assert_eq!(stored(&story), Some(&first), "too soon");
+    let wait = story.frame(Vec::new());
+    let most = Duration::from_secs(10);
+    assert!(wait > Duration::from_secs(5) && wait <= most, "{wait:?}");
+    story.wait(10.1);
+    assert_ne!(stored(&story), Some(&first));
+}
+
+#[test]
+fn what_a_crash_left_is_offered_and_restored() {
+    let mut story = after_crash(with_bent_elbow());
+    assert!(story.names().is_empty());
+    story.click("Restore");
+    assert_eq!(story.names(), ["Strip"]);
+    assert!((story.degrees("Elbow").z - 90.0).abs() < 1e-4);
+    assert_eq!(story.host.title, "*Untitled — Editor — Your Name");
+    assert!(stored(&story).is_some(), "it is still not saved");
+    story.key_with(Modifiers::COMMAND, Key::S);
+    story.choose("bent.scene");
+    assert!(stored(&story).is_none());
+    let again = after_crash(story);
+    assert!(!again.has("Restore"));
+}
+
+#[test]
+fn a_saved_document_that_was_changed_is_restored_with_its_file() {
+    let mut story = with_bent_elbow();
+    story.key_with(Modifiers::COMMAND, Key::S);
+    story.choose("work/bent.scene");
+    story.type_into("Elbow Z", "45");
+    story.wait(11.0);
+    let mut story = after_crash(story);
+    story.click("Restore");
+    assert_eq!(story.host.title, "*bent.scene — Editor — Your Name");
+    assert!((story.degrees("Elbow").z - 45.0).abs() < 1e-4);
+    story.key_with(Modifiers::COMMAND, Key::S);
+    assert!(!story.has("Overwrite"), "nobody else has written it");
+    assert_eq!(story.host.title, "bent.scene — Editor — Your Name");
+
+    // Had someone else written the file meanwhile, that would not be lost.
+    story.type_into("Elbow Z", "30");
+    story.wait(11.0);
+    let theirs = br#"{"format": "editor-scene", "version": 1}"#.to_vec();
+    story.host.files.insert("work/bent.scene".into(), theirs);
+    let mut story = after_crash(story);
+    story.click("Restore");
+    story.key_with(Modifiers::COMMAND, Key::S);
+    assert!(story.has("Overwrite"));
+}
+
+#[test]
+fn what_is_discarded_or_not_saved_on_purpose_is_not_offered_again() {
+    let mut story = after_crash(with_bent_elbow());
+    story.click("Discard");
+    assert!(story.names().is_empty() && stored(&story).is_none());
+
+    let mut story = with_bent_elbow();
+    assert!(stored(&story).is_some());
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    story.click("Don't Save");
+    assert!(story.host.quits && stored(&story).is_none());
+
+    let mut story = with_bent_elbow();
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(stored(&story).is_none(), "all was taken back");
+}
+
+#[test]
+fn the_question_cannot_be_passed_over() {
+    let mut story = after_crash(with_bent_elbow());
+    story.key(Key::Escape);
+    story.wait(2.0);
+    story.key(Key::Escape);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    assert!(story.has("Restore") && story.names().is_empty() && !story.host.quits);
+    assert!(stored(&story).is_some());
+}
+
+#[test]
+fn a_signal_keeps_unsaved_work_and_ends_the_program() {
+    let mut story = with_bent_elbow();
+    let first = stored(&story).expect("it is stored").clone();
+    story.type_into("Elbow Z", "80");
+    let field = story.place("Hip X");
+    story.press_and_drag(field, field + vec2(40.0, 0.0));
+    story.program.end(&mut story.host);
+    assert!(story.host.quits);
+    assert_ne!(stored(&story), Some(&first), "ten seconds or not");
+    let mut story = after_crash(story);
+    story.click("Restore");
+    assert!((story.degrees("Elbow").z - 80.0).abs() < 1e-4);
+    assert!(
+        (story.degrees("Hip").x - 40.0).abs() < 1e-4,
+        "what was dragged, too"
+    );
+
+    let mut saved = Story::start(&["models/strip.obj"]);
+    saved.program.end(&mut saved.host);
+    assert!(saved.host.quits && stored(&saved).is_none());
+}
+
+#[test]
+fn what_cannot_be_kept_is_said_once() {
+    let mut story = with_bent_elbow();
+    for _ in 0..2 {
+        let full = Diagnostic::new(Path::new("autosave.json"), "the disk is full");
+        story.host.events.push_back(HostEvent::StoreFailed(full));
+        story.settle();
+    }
+    let text = "Unsaved work cannot be kept for the case of a crash: \
+                autosave.json: the disk is full";
+    assert_eq!(story.messages(), [(Severity::Warning, text)]);
+}
+
+#[test]
+fn what_cannot_be_restored_is_said() {
+    let kept = br#"{"path": null, "digest": null, "scene": "{"}"#.to_vec();
+    let host = MemoryHost {
+        stored: [super::started_before(), (AUTOSAVE, kept)].into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &[]);
+    story.click("Restore");
+    let (severity, text) = story.messages()[0];
+    assert_eq!(severity, Severity::Error);
+    let start = "The unsaved changes cannot be restored: restored.scene:1:";
+    assert!(text.starts_with(start), "{text}");
+}

@@ -1,0 +1,261 @@
+//! Documents: begun, opened, saved, and never lost without a question.
+
+use super::Story;
+use editor_core::editor::Severity;
+use editor_core::program::{HostEvent, Purpose};
+use egui::{Key, Modifiers};
+use std::path::Path;
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+/// Whether the dialog asks about unsaved changes.
+fn is_asked(story: &Story) -> bool {
+    story.has("Don't Save")
+}
+
+fn title(story: &Story) -> &str {
+    &story.host.title
+}
+
+/// A document with a cube in it that is saved nowhere.
+fn with_unsaved_cube() -> Story {
+    let mut story = Story::start(&[]);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    assert_eq!(story.names(), ["Cube"]);
+    story
+}
+
+/// A document with a cube, saved as `work/a.scene`.
+fn with_saved_cube() -> Story {
+    let mut story = with_unsaved_cube();
+    story.key_with(CTRL, Key::S);
+    story.choose("work/a.scene");
+    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    story
+}
+
+fn file(story: &Story, path: &str) -> Vec<u8> {
+    story.host.files[Path::new(path)].clone()
+}
+
+#[test]
+fn the_title_tells_the_document_and_whether_it_is_saved() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    assert_eq!(
+        title(&story),
+        "Editor — Your Name",
+        "files at the start are no change"
+    );
+    story.type_into("Elbow Z", "90");
+    assert_eq!(title(&story), "*Untitled — Editor — Your Name");
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(
+        title(&story),
+        "Editor — Your Name",
+        "taken back, it is as it was"
+    );
+    story.key_with(CTRL, Key::Y);
+
+    story.key_with(CTRL, Key::S);
+    let request = story.host.requests.last().unwrap();
+    assert_eq!(request.purpose, Purpose::SaveScene);
+    story.choose("work/bent.scene");
+    assert_eq!(title(&story), "bent.scene — Editor — Your Name");
+    story.type_into("Elbow Z", "80");
+    assert_eq!(title(&story), "*bent.scene — Editor — Your Name");
+    story.key_with(CTRL, Key::S);
+    assert_eq!(title(&story), "bent.scene — Editor — Your Name");
+    assert_eq!(story.host.requests.len(), 1, "where to is known");
+}
+
+#[test]
+fn what_was_saved_is_opened_again_and_the_version_before_is_kept() {
+    let mut story = with_saved_cube();
+    let first = file(&story, "work/a.scene");
+    story.type_into("Position X", "2");
+    story.key_with(CTRL, Key::S);
+    assert_eq!(file(&story, "work/a.scene~"), first);
+    let second = file(&story, "work/a.scene");
+    assert_ne!(second, first);
+
+    story.key_with(CTRL, Key::N);
+    assert!(story.names().is_empty());
+    assert_eq!(title(&story), "Editor — Your Name");
+    story.key_with(CTRL, Key::O);
+    assert_eq!(story.host.requests.last().unwrap().purpose, Purpose::Open);
+    story.choose("work/a.scene");
+    assert_eq!(story.names(), ["Cube"]);
+    let cube = &story.session().scene().shapes()[0];
+    assert_eq!(cube.placement.transform.position.x, 2.0);
+    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+}
+
+#[test]
+fn everything_that_would_lose_unsaved_work_asks_first() {
+    type Deed = fn(&mut Story);
+    let deeds: [(&str, Deed); 6] = [
+        ("New", |story| story.key_with(CTRL, Key::N)),
+        ("Open", |story| story.key_with(CTRL, Key::O)),
+        ("a built-in scene", |story| {
+            story
+                .program
+                .ui_mut()
+                .set_navigation(editor_core::ui::Navigation::Mannequin);
+            story.key(Key::Num2);
+        }),
+        ("a dropped scene", |story| {
+            story.host.drop_file("builtin:scenes/turned.scene");
+            story.settle();
+        }),
+        ("closing the window", |story| {
+            story.host.events.push_back(HostEvent::CloseRequested);
+            story.settle();
+        }),
+        ("Esc", |story| {
+            if story.session().selected().is_some() {
+                story.key(Key::Escape);
+                story.wait(2.0);
+            }
+            story.key(Key::Escape);
+        }),
+    ];
+    for (name, deed) in deeds {
+        let mut story = with_unsaved_cube();
+        deed(&mut story);
+        assert!(is_asked(&story), "{name}");
+        assert!(
+            !story.host.quits && story.host.requests.is_empty(),
+            "{name}"
+        );
+        story.click("Cancel");
+        assert!(!is_asked(&story));
+        assert_eq!(story.names(), ["Cube"], "{name}");
+        story.wait(2.0);
+        deed(&mut story);
+        assert!(is_asked(&story), "{name}");
+        story.key(Key::Escape);
+        assert!(
+            !is_asked(&story) && !story.host.quits,
+            "{name}: Esc cancels"
+        );
+        assert_eq!(story.names(), ["Cube"], "{name}");
+        story.wait(2.0);
+        deed(&mut story);
+        story.click("Don't Save");
+        assert!(!is_asked(&story));
+        let gone = story.names() != ["Cube"] || story.host.quits;
+        assert!(gone || story.host.requests.len() == 1, "{name}");
+    }
+}
+
+#[test]
+fn save_in_the_question_saves_first_and_goes_on() {
+    let mut story = with_unsaved_cube();
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    // Enter gives the first answer.
+    story.key(Key::Enter);
+    assert!(!story.host.quits, "a file has to be chosen");
+    story.choose("work/a.scene");
+    assert!(story.host.quits);
+    assert!(story.host.files.contains_key(Path::new("work/a.scene")));
+}
+
+#[test]
+fn what_cannot_be_saved_is_said_and_nothing_is_lost() {
+    let mut story = with_saved_cube();
+    let saved = file(&story, "work/a.scene");
+    story.type_into("Position X", "2");
+    story.host.write_fault = Some("the disk is full".into());
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    story.click("Save");
+    assert!(!story.host.quits, "not without having saved");
+    let last = *story.messages().last().unwrap();
+    let expected = "Not saved: work/a.scene: the disk is full";
+    assert_eq!(last, (Severity::Error, expected));
+    assert_eq!(title(&story), "*a.scene — Editor — Your Name");
+    assert_eq!(file(&story, "work/a.scene"), saved);
+}
+
+#[test]
+fn a_file_that_another_window_has_written_is_not_overwritten_without_a_question() {
+    let mut story = with_saved_cube();
+    let theirs = br#"{"format": "editor-scene", "version": 1}"#.to_vec();
+    story
+        .host
+        .files
+        .insert("work/a.scene".into(), theirs.clone());
+    story.type_into("Position X", "2");
+    story.key_with(CTRL, Key::S);
+    assert!(story.has("Overwrite"));
+    story.click("Cancel");
+    assert_eq!(file(&story, "work/a.scene"), theirs);
+    story.key_with(CTRL, Key::S);
+    story.click("Overwrite");
+    assert_ne!(file(&story, "work/a.scene"), theirs);
+    assert_eq!(file(&story, "work/a.scene~"), theirs, "theirs is kept");
+    story.type_into("Position X", "3");
+    story.key_with(CTRL, Key::S);
+    assert!(!story.has("Overwrite"), "this one is ours");
+}
+
+#[test]
+fn a_file_that_is_gone_is_written_anew() {
+    let mut story = with_saved_cube();
+    story.host.files.remove(Path::new("work/a.scene"));
+    story.type_into("Position X", "2");
+    story.key_with(CTRL, Key::S);
+    assert!(story.host.files.contains_key(Path::new("work/a.scene")));
+    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+}
+
+#[test]
+fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
+    let mut story = with_saved_cube();
+    story.click("File");
+    story.click("Save As…");
+    story.choose("work/b.scene");
+    story.key_with(CTRL, Key::N);
+    story.click("File");
+    story.click("Open Recent");
+    story.click("a.scene");
+    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    let key = editor_core::program::StorageKey::Preferences;
+    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
+    assert_eq!(
+        kept["recent"],
+        serde_json::json!(["work/a.scene", "work/b.scene"])
+    );
+
+    // One that is gone is said, and leaves the list.
+    story.host.files.remove(Path::new("work/b.scene"));
+    story.click("File");
+    story.click("Open Recent");
+    story.click("b.scene");
+    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    let (severity, text) = *story.messages().last().unwrap();
+    assert!(
+        severity == Severity::Error && text.contains("b.scene"),
+        "{text}"
+    );
+    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
+    assert_eq!(kept["recent"], serde_json::json!(["work/a.scene"]));
+}
+
+#[test]
+fn a_model_opened_is_a_new_document_without_a_name() {
+    let mut story = with_saved_cube();
+    story.key_with(CTRL, Key::O);
+    story.choose("models/strip.obj");
+    assert_eq!(story.names(), ["Strip"]);
+    assert_eq!(title(&story), "Editor — Your Name");
+    story.type_into("Elbow Z", "5");
+    story.key_with(CTRL, Key::S);
+    let request = story.host.requests.last().unwrap();
+    assert_eq!(
+        request.purpose,
+        Purpose::SaveScene,
+        "the model itself is not written to"
+    );
+}
