@@ -173,9 +173,6 @@ impl Application {
             Ok(after) => {
                 // A delay too far away to be a time means never.
                 self.redraw_at = Instant::now().checked_add(after);
-                if after.is_zero() {
-                    running.request_redraw();
-                }
             }
             Err(error) => self.finish(event_loop, Err(error)),
         }

@@ -88,7 +88,7 @@ impl ControlPointDrag {
         }
         let distance = (self.plane.origin - ray.origin).dot(self.plane.normal) / towards;
         let world = ray.at(distance);
-        if distance <= 0.0 || !camera.is_in_depth(world) {
+        if !camera.is_in_depth(world) {
             return None;
         }
         let world_from_model = session.evaluated().shape(self.shape)?.world_from_model;

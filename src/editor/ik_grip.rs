@@ -133,7 +133,12 @@ fn wrist(skeleton: &SkeletalModel, bone: &JointBone) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::character::Joint;
+    use crate::character::{Attachments, Character, Joint};
+    use crate::editor::Edit;
+    use crate::geometry::Mesh;
+    use crate::scene::{Camera, CharacterShape, NewShape, ShapeKind};
+    use glam::Vec2;
+    use std::sync::Arc;
 
     fn skeleton(joints: &[(Option<usize>, [f32; 3])]) -> SkeletalModel {
         let joints = joints.iter().map(|&(parent, offset)| Joint {
@@ -192,5 +197,74 @@ mod tests {
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
+    }
+
+    /// Grip of the bone of `joint`, hit close to its end, where it is `pixels` long.
+    fn grip(skeleton: SkeletalModel, joint: usize, pixels: f32) -> IkGrip {
+        let mesh = Mesh::new(Vec::new(), Vec::new());
+        let character = Character::new(skeleton, Attachments::new(), mesh).unwrap();
+        let bones = character.bones();
+        let bone = bones.iter().position(|bone| bone.joint == joint).unwrap();
+        let mut session = Session::new();
+        let kind = ShapeKind::Character(CharacterShape::new(Arc::new(character)));
+        let insert = Edit::Insert(vec![NewShape::new("Figure", kind)]);
+        session.edit(insert).unwrap();
+        let shape = session.selected().unwrap();
+        let start = IkGrip::Joint(joint).place(&session, shape).unwrap();
+        let known = session.scene().character(shape).unwrap();
+        let tip = known.character.bones()[bone].tip;
+        // A picture 1000 pixels high shows 2 tan(45°/2) of a length at the distance 1.
+        let seen = 2.0 * 22.5_f32.to_radians().tan() / 1000.0;
+        let camera = Camera {
+            target: start,
+            radius: tip.length() / (pixels * seen),
+            ..Camera::default()
+        };
+        let hit = BoneHit {
+            shape,
+            joint,
+            bone,
+            distance: 1.0,
+            point: start + tip * 0.9,
+        };
+        let size = Vec2::splat(1000.0);
+        IkGrip::of(&session, &hit, &Screen { camera, size }).unwrap()
+    }
+
+    #[test]
+    fn a_palm_is_grabbed_from_40_pixels_on_and_a_finger_from_20_and_else_the_wrist() {
+        for (pixels, found) in [(15.0, 4), (30.0, 4), (38.0, 4), (42.0, 5)] {
+            assert_eq!(grip(body(), 4, pixels), IkGrip::Joint(found), "{pixels}");
+        }
+        for (pixels, found) in [(15.0, 4), (18.0, 4), (22.0, 6), (30.0, 6)] {
+            assert_eq!(grip(body(), 5, pixels), IkGrip::Joint(found), "{pixels}");
+        }
+        // No wrist is above an arm, however small it is.
+        assert_eq!(grip(body(), 2, 5.0), IkGrip::Joint(3));
+    }
+
+    #[test]
+    fn the_end_of_a_bone_is_a_joint_only_where_a_child_is() {
+        let tip = Vec3::new(0.0, 2.0, 0.0);
+        for (child, found) in [
+            ([0.0, 1.0, 0.0], IkGrip::Tip { joint: 0, tip }),
+            ([0.5, 2.0, 0.0], IkGrip::Tip { joint: 0, tip }),
+            // A twentieth of the bone's length is 0.1.
+            ([0.0, 1.92, 0.0], IkGrip::Joint(2)),
+            ([0.0, 2.0, 0.0], IkGrip::Joint(2)),
+        ] {
+            let root = Joint {
+                tip: Some(tip),
+                ..Joint::default()
+            };
+            let below = |offset: [f32; 3]| Joint {
+                parent: Some(0),
+                offset: offset.into(),
+                ..Joint::default()
+            };
+            let joints = vec![root, below([1.0, 0.0, 0.0]), below(child)];
+            let skeleton = SkeletalModel::new(joints).unwrap();
+            assert_eq!(grip(skeleton, 0, 500.0), found, "{child:?}");
+        }
     }
 }

@@ -218,4 +218,11 @@ mod tests {
             "{shown}"
         );
     }
+
+    #[test]
+    fn an_angle_just_below_a_whole_turn_is_shown_as_0_and_not_as_360() {
+        let shown = Euler::from_degrees(Vec3::new(-1e-5, -1e-6, -0.01)).wrapped_degrees();
+        let expected = Vec3::new(0.0, 0.0, 359.99);
+        assert!(shown.abs_diff_eq(expected, 1e-3), "{shown}");
+    }
 }

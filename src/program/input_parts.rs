@@ -72,6 +72,31 @@ mod tests {
         assert_eq!(joined, events);
     }
 
+    #[derive(Debug)]
+    struct Nothing;
+
+    impl egui::DroppedFile for Nothing {
+        fn path(&self) -> &std::path::Path {
+            std::path::Path::new("nothing.obj")
+        }
+
+        fn bytes(&self) -> Result<Vec<u8>, String> {
+            Ok(Vec::new())
+        }
+    }
+
+    #[test]
+    fn files_are_dropped_once() {
+        let input = RawInput {
+            events: vec![button(true), button(false)],
+            dropped_files: vec![std::sync::Arc::new(Nothing)],
+            ..RawInput::default()
+        };
+        let parts = input_parts(input);
+        let files: Vec<usize> = parts.iter().map(|part| part.dropped_files.len()).collect();
+        assert_eq!(files, [1, 0]);
+    }
+
     #[test]
     fn a_frame_without_events_is_one_part() {
         assert_eq!(input_parts(RawInput::default()).len(), 1);

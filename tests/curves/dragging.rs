@@ -144,6 +144,79 @@ fn a_flat_curve_seen_from_its_edge_stays_where_it_is() {
 }
 
 #[test]
+fn a_plane_seen_at_less_than_a_degree_is_out_of_reach_and_at_two_degrees_it_is_not() {
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE];
+    for (degrees, moves) in [(0.5_f32, false), (2.0, true), (-0.5, false), (-2.0, true)] {
+        // At 0° the eye is on the x axis.
+        let camera = Camera {
+            theta: degrees.to_radians(),
+            ..Camera::default()
+        };
+        let session = session(camera, Transform::IDENTITY, true, points);
+        let drag = ControlPointDrag::begin(&session, SIZE * 0.5, SIZE).unwrap();
+        let edit = drag.moved_to(&session, SIZE * 0.5 + Vec2::Y, SIZE);
+        assert_eq!(edit.is_some(), moves, "{degrees}°: {edit:?}");
+    }
+}
+
+#[test]
+fn a_plane_that_the_pointer_meets_behind_the_eye_is_out_of_reach() {
+    // From a little above a ground at y = -1, the horizon is in the middle of the picture.
+    let ground = Transform {
+        position: Vec3::NEG_Y,
+        rotation: Euler::from_degrees(Vec3::new(90.0, 0.0, 0.0)),
+        ..Transform::IDENTITY
+    };
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE];
+    let session = session(Camera::default(), ground, true, points);
+    let at = pixel(&session, 0).unwrap();
+    assert!(at.y > 280.0, "{at}");
+    let drag = ControlPointDrag::begin(&session, at, SIZE).unwrap();
+    for (y, moves) in [(400.0, true), (160.0, false), (20.0, false)] {
+        let edit = drag.moved_to(&session, Vec2::new(260.0, y), SIZE);
+        assert_eq!(edit.is_some(), moves, "{y}: {edit:?}");
+    }
+}
+
+#[test]
+fn the_points_of_a_profile_stay_in_its_plane_and_others_move_across_the_view() {
+    // Half-way between the directions x and z.
+    let camera = Camera {
+        theta: 45.0_f32.to_radians(),
+        ..Camera::default()
+    };
+    let points = [Vec3::X, Vec3::ONE.with_z(0.0), Vec3::Y, Vec3::ZERO];
+    let curve = Curve::spline(Basis::Bezier, false, 4, points.to_vec()).unwrap();
+    for is_profile in [false, true] {
+        let mut set = CurveSet::new();
+        set.push("curve", CurveItemKind::Curve(curve.clone()))
+            .unwrap();
+        if is_profile {
+            let (steps, profile) = (8, 0);
+            set.push("vase", CurveItemKind::Revolution { steps, profile })
+                .unwrap();
+        }
+        let mut session = Session::new();
+        let shape = ShapeKind::Curve(CurveShape::new(set));
+        let insert = Edit::Insert(vec![NewShape::new("Curve", shape)]);
+        session.edit(insert).unwrap();
+        session.look(View::SetCamera(camera));
+        let drag = ControlPointDrag::begin(&session, SIZE * 0.5, SIZE).unwrap();
+        let edit = drag.moved_to(&session, SIZE * 0.5 + Vec2::X * 50.0, SIZE);
+        let Some(Edit::SetControlPoint { position, .. }) = edit else {
+            panic!("{edit:?}")
+        };
+        // To the right is towards +x and -z.
+        assert!(position.x > 0.1, "{position}");
+        if is_profile {
+            assert_eq!(position.z, 0.0);
+        } else {
+            assert!((position.x + position.z).abs() < 1e-5, "{position}");
+        }
+    }
+}
+
+#[test]
 fn a_shape_flattened_to_nothing_does_not_lose_its_points() {
     let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::ONE];
     for flat in [false, true] {
@@ -169,5 +242,27 @@ fn a_curve_drawn_in_a_straight_view_stays_flat_to_the_last_bit() {
         let edit = drag.moved_to(&session, pointer, SIZE).unwrap();
         session.edit(edit).unwrap();
         assert_eq!(world(&session, 3).z, 0.0);
+    }
+}
+
+#[test]
+fn along_the_view_a_point_keeps_every_bit_in_a_shape_that_is_moved_and_scaled_too() {
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(0.4, 0.3, 0.123)];
+    let placed = Transform {
+        position: Vec3::new(0.31, -0.17, 0.73),
+        scale: Vec3::new(0.7, 1.3, 1.1),
+        ..Transform::IDENTITY
+    };
+    let session = session(Camera::default(), placed, false, points);
+    let at = pixel(&session, 3).unwrap();
+    let drag = ControlPointDrag::begin(&session, at, SIZE).unwrap();
+    for step in 1..100 {
+        let pointer = at + Vec2::new(-1.3, 0.7) * step as f32;
+        let edit = drag.moved_to(&session, pointer, SIZE);
+        let Some(Edit::SetControlPoint { position, .. }) = edit else {
+            panic!("{edit:?}")
+        };
+        assert_eq!(position.z, 0.123, "step {step}");
+        assert!(position.x < 0.4 && position.y < 0.3, "{position}");
     }
 }

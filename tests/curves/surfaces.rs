@@ -1,6 +1,7 @@
 use crate::curves::support::{Merged, evaluate, flat, half_circle, read, spline, volume};
 use editor_core::geometry::{
-    Basis, Curve, Mesh, Normals, generalized_cylinder, surface_of_revolution, wireframe,
+    Basis, Curve, CurveFrame, CurvePoint, Mesh, Normals, generalized_cylinder,
+    surface_of_revolution, wireframe,
 };
 use glam::Vec3;
 
@@ -209,4 +210,24 @@ fn bounds_are_around_curves_and_surfaces_but_not_around_control_points() {
     );
     let bounds = evaluate(read("circ a 8 1 srev s 8 a").unwrap(), true).bounds();
     assert!(bounds.min.distance(-Vec3::ONE) < 1e-6 && bounds.max.distance(Vec3::ONE) < 1e-6);
+}
+
+#[test]
+fn a_profile_that_ends_on_the_axis_but_for_rounding_ends_in_one_point() {
+    let point = |x, y| CurvePoint {
+        position: Vec3::new(x, y, 0.0),
+        frame: CurveFrame {
+            tangent: Vec3::Y,
+            normal: Vec3::NEG_X,
+            binormal: Vec3::Z,
+        },
+    };
+    // A cone 2 high with three sides; a ten-millionth of its size is 2e-7.
+    for (beside, triangles) in [(0.0, 3), (1.9e-7, 3), (-1.9e-7, 3), (1e-5, 6)] {
+        let cone = surface_of_revolution(&[point(0.1, -1.0), point(beside, 1.0)], 3);
+        assert_eq!(cone.triangles.len(), triangles, "{beside}");
+        let mut tips = cone.positions.iter().filter(|position| position.y > 0.0);
+        let is_one = tips.all(|&tip| tip == Vec3::Y);
+        assert_eq!(is_one, triangles == 3, "{beside}");
+    }
 }

@@ -4,6 +4,7 @@ use crate::posing::support::{
     SIZE, cameras, pixel, poses, session, transforms, vector, world_from_joint,
 };
 use editor_core::editor::{BoneDrag, Edit, RingDrag, Session, roll};
+use editor_core::math::Ray;
 use editor_core::scene::{Camera, ShapeId, bones_in_world};
 use glam::{DMat4, DVec2, DVec3, Mat3, Vec2, Vec3};
 use proptest::prelude::*;
@@ -144,6 +145,42 @@ proptest! {
         session.edit(edit).unwrap();
         let steps = drag.angle().to_degrees() / 15.0;
         prop_assert!((steps - steps.round()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_ring_seen_edge_on_turns_the_way_in_which_it_is_pulled() {
+    // Joint 1 is at (0.2, 0.3, 0), on a level with the eye before it.
+    let center = Vec3::new(0.2, 0.3, 0.0);
+    let camera = Camera {
+        target: center,
+        ..Camera::default()
+    };
+    let (session, id) = session(camera, Default::default(), &Default::default());
+    let through = |point: Vec3| Ray {
+        origin: camera.eye(),
+        direction: point - camera.eye(),
+    };
+    // About y a turn to the left brings z to x: its front goes to the right, its back to the left.
+    for (side, pulled, angle) in [
+        (Vec3::Z, Vec3::X, 0.5),
+        (Vec3::Z, Vec3::NEG_X, -0.5),
+        (Vec3::NEG_Z, Vec3::X, -0.5),
+    ] {
+        let grabbed = center + side * 0.2;
+        let (from, to) = (through(grabbed), through(grabbed + pulled * 0.1));
+        let mut drag = RingDrag::begin(&session, id, 1, Vec3::Y, grabbed, &from).unwrap();
+        let edit = drag.update(&session, &to, false).unwrap();
+        assert!((drag.angle() - angle).abs() < 1e-5, "{}", drag.angle());
+        let Edit::SetJointTransform { rotation, .. } = edit else {
+            panic!("{edit:?}")
+        };
+        let about_y = Vec3::Y * angle as f32;
+        assert!(
+            rotation.radians.abs_diff_eq(about_y, 1e-5),
+            "{side} pulled to {pulled}: {}",
+            rotation.radians
+        );
     }
 }
 

@@ -2,6 +2,8 @@
 
 use crate::posing::support::{SIZE, cameras, pixel, poses, session, transforms};
 use editor_core::editor::{MoveAlong, MoveDrag, MoveTarget};
+use editor_core::math::Ray;
+use editor_core::scene::Camera;
 use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 
@@ -62,5 +64,27 @@ proptest! {
         session.edit(edit).unwrap();
         let steps = drag.moved().dot(along) / 0.1;
         prop_assert!((steps - steps.round()).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn along_an_oblique_line_the_length_snaps_and_not_each_coordinate() {
+    let (session, id) = session(Camera::default(), Default::default(), &Default::default());
+    // A line in the plane z = 0, seen straight from the front.
+    let along = Vec3::new(3.0, 4.0, 0.0);
+    let over = |length: f32| Ray {
+        origin: along / 5.0 * length + Vec3::Z * 5.0,
+        direction: Vec3::NEG_Z,
+    };
+    let target = MoveTarget::Shape(id);
+    let mut drag = MoveDrag::begin(&session, target, MoveAlong::Line(along), &over(0.0)).unwrap();
+    for (length, snapped) in [
+        (0.27, [0.18, 0.24, 0.0]),
+        (0.04, [0.0; 3]),
+        (-0.46, [-0.3, -0.4, 0.0]),
+    ] {
+        drag.update(&over(length), true);
+        let (moved, snapped) = (drag.moved(), Vec3::from(snapped));
+        assert!(moved.abs_diff_eq(snapped, 1e-6), "{length}: {moved}");
     }
 }

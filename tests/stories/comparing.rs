@@ -47,6 +47,8 @@ fn the_same_scene_compared_with_its_own_picture_differs_in_no_pixel() {
     // Counting first, and the judgment once the view has stood still for a while.
     while measure(&mut story) > 0 {}
     assert!(has_text(&story, "0 of 60000"), "{:?}", texts(&story));
+    let wait = story.frame(Vec::new());
+    assert!(wait <= Duration::from_millis(150), "{wait:?}");
     story.host.time += Duration::from_millis(200);
     story.settle();
     assert_eq!(measure(&mut story), 1, "the judgment");
@@ -71,6 +73,35 @@ fn moving_a_joint_is_measured_again_and_only_the_newest_state_is_judged() {
     story.button(false);
     while measure(&mut story) > 0 {}
     assert!(!has_text(&story, "0 of 60000"), "{:?}", texts(&story));
+}
+
+#[test]
+fn where_everything_is_left_out_no_number_is_told() {
+    let mut story = comparing();
+    // Structural similarity and visible difference of equal pictures.
+    const EQUAL: &str = "1.00000, 0.00000";
+    while measure(&mut story) > 0 {}
+    story.host.time += Duration::from_millis(200);
+    story.settle();
+    while measure(&mut story) > 0 {}
+    assert!(has_text(&story, EQUAL), "{:?}", texts(&story));
+    let all = Area {
+        x: 0,
+        y: 0,
+        width: 300,
+        height: 200,
+    };
+    let settings = CompareSettings {
+        masks: vec![all],
+        smooth_edges: true,
+        ..CompareSettings::default()
+    };
+    let set = Action::Ask(Ask::Compare(CompareAction::Set(settings)));
+    story.program.carry_out(vec![set], &mut story.host);
+    story.settle();
+    while measure(&mut story) > 0 {}
+    assert!(has_text(&story, "no pixel is left"), "{:?}", texts(&story));
+    assert!(!has_text(&story, EQUAL), "{:?}", texts(&story));
 }
 
 #[test]

@@ -8,6 +8,7 @@ use editor_core::io::image;
 use editor_core::program::{Graphics, Options, Pass, Program};
 use editor_core::ui::{Action, Ask, Screenshot};
 use egui::{Event, Key, Modifiers, RawInput, Rect, pos2, vec2};
+use std::time::Duration;
 
 #[test]
 fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene_after_it() {
@@ -47,7 +48,7 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
         output.textures_delta.clear();
         let size = (view.width() as u32, view.height() as u32);
         program.draw(&mut graphics, size, None, &mut host).unwrap();
-        program.finish_frame(&mut graphics, &mut host);
+        let wait = program.finish_frame(&mut graphics, &mut host);
         let picture = graphics.scene_picture().unwrap();
         assert_eq!((picture.width(), picture.height()), size);
         assert!(
@@ -57,10 +58,13 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
         (
             editor_core::render::read_picture(picture).unwrap(),
             host.quits,
+            wait,
         )
     };
-    frame(Vec::new());
-    let (before, _) = frame(Vec::new());
+    // The picture is saved in the frame after its name came, and told in the one after that.
+    let (.., named) = frame(Vec::new());
+    let (before, _, saved) = frame(Vec::new());
+    assert_eq!((named, saved), (Duration::ZERO, Duration::ZERO));
     let key = |key, modifiers| Event::Key {
         key,
         physical_key: None,
@@ -69,7 +73,8 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
         modifiers,
     };
     frame(vec![key(Key::Num3, Modifiers::NONE)]);
-    let (after, quits) = frame(Vec::new());
+    let (after, quits, wait) = frame(Vec::new());
+    assert_eq!(wait, Duration::MAX, "nothing is left to do");
     assert!(differing(&before, &after) > 1_000, "the camera moved");
     assert!(!quits);
     // Esc deselects, then ends the program.

@@ -3,10 +3,10 @@
 use super::{Story, differing};
 use crate::host::MemoryHost;
 use editor_core::editor::Severity;
-use editor_core::program::{Options, StorageKey};
+use editor_core::program::{FrameInput, Options, StorageKey};
 use editor_core::scene::{Look, Skinning, ViewDirection};
 use editor_core::ui::Navigation;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, RawInput};
 use std::path::Path;
 
 fn preferences(story: &Story) -> serde_json::Value {
@@ -20,6 +20,7 @@ fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() 
     assert_eq!(first.host.title, "Editor — Your Name");
     assert_eq!(first.names(), ["Robot", "Dog", "Plant", "Adult"]);
     assert_eq!(first.session().view().look, Look::Studio);
+    assert!(first.has("Close help"));
     assert_eq!(preferences(&first)["started_before"], true);
 
     let again = MemoryHost {
@@ -28,6 +29,7 @@ fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() 
     };
     let second = Story::start_at(again, &[]);
     assert!(second.names().is_empty());
+    assert!(!second.has("Close help"));
     assert!(differing(&first.picture(), &second.picture()) > 10_000);
 }
 
@@ -164,4 +166,36 @@ fn nothing_is_drawn_and_nothing_waits_while_nothing_changes() {
     assert!(wait.as_secs() > 1_000, "{wait:?}");
     assert!(story.host.jobs.is_empty() && story.host.events.is_empty());
     assert_eq!(differing(&before, &story.scene_picture()), 0);
+}
+
+#[test]
+fn keys_belong_to_the_dialog_of_the_host_while_it_is_open() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let start = story.session().view().camera;
+    for (is_open, direction) in [(true, None), (false, Some(ViewDirection::MinusX))] {
+        story.host.dialog_is_open = is_open;
+        story.key_with(Modifiers::COMMAND, Key::Num3);
+        let expected = direction.map_or(start, editor_core::scene::Camera::preset);
+        assert_eq!(story.session().view().camera, expected, "{is_open}");
+    }
+}
+
+#[test]
+fn a_window_too_large_to_be_drawn_is_one_message_however_its_size_changes() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    // No driver draws a hundred thousand pixels in a row.
+    for width in [100_000, 100_001, 100_002] {
+        let input = FrameInput {
+            context: story.context.clone(),
+            raw: RawInput::default(),
+            size: (width, 640),
+        };
+        story
+            .program
+            .frame(&mut story.graphics, input, &mut story.host)
+            .expect("the program goes on");
+    }
+    let messages = story.messages();
+    assert_eq!(messages.len(), 1, "{messages:?}");
+    assert!(messages[0].1.contains("100000"), "{messages:?}");
 }

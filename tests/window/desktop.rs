@@ -78,7 +78,7 @@ impl Drop for Desktop {
 pub struct Program<'a> {
     desktop: &'a Desktop,
     child: Child,
-    window: String,
+    pub window: String,
 }
 
 impl<'a> Program<'a> {
@@ -137,6 +137,12 @@ impl<'a> Program<'a> {
         }
     }
 
+    /// Types text as it stands.
+    pub fn write(&self, text: &str) {
+        self.desktop.xdotool(&["type", "--delay", "40", text]);
+        pause();
+    }
+
     /// Drags with button `button` in steps, as a hand does.
     pub fn drag(&self, button: &str, from: (f32, f32), to: (f32, f32)) {
         const STEPS: i32 = 10;
@@ -161,7 +167,8 @@ impl<'a> Program<'a> {
         pause();
     }
 
-    fn point(&self, (x, y): (f32, f32)) {
+    /// Moves the pointer there.
+    pub fn point(&self, (x, y): (f32, f32)) {
         let (x, y) = (x.round().to_string(), y.round().to_string());
         self.desktop.xdotool(&["mousemove", &x, &y]);
         std::thread::sleep(Duration::from_millis(30));

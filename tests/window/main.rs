@@ -1,7 +1,10 @@
 //! The real window under Xvfb, used as a person uses it.
 
 mod desktop;
+mod dialogs;
 mod places;
+mod window;
+mod x_client;
 
 use desktop::{Desktop, Program, command};
 use std::path::{Path, PathBuf};
@@ -35,7 +38,7 @@ fn home_with_character(folder: &Path) -> PathBuf {
 fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_quits() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
-    home_with_character(home.path());
+    let models = home_with_character(home.path());
     let program = Program::start(&desktop, home.path(), &["--title", "My homework"]);
     assert_eq!(program.title(), "Editor — My homework");
     let empty = program.picture();
@@ -54,6 +57,14 @@ fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_
     program.drag("1", field, (field.0 + 60.0, field.1));
     let posed = program.picture();
     assert!(posed != imported, "the slider does nothing");
+    program.keys(&["ctrl+p"]);
+    program.picture();
+    program.keys(&["Return"]);
+    program.picture();
+    let pose = std::fs::read(models.join("pose.json")).expect("a saved pose");
+    let pose: serde_json::Value = serde_json::from_slice(&pose).expect("JSON");
+    let turned = pose["joints"]["Torso"][1].as_f64().expect("an angle");
+    assert!((20.0..90.0).contains(&turned), "{pose}");
 
     program.keys(&["Escape"]);
     let (status, told) = program.end();
