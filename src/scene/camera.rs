@@ -300,6 +300,15 @@ mod tests {
     }
 
     #[test]
+    fn what_is_small_is_fitted_with_a_near_plane_half_way_to_it() {
+        let bounds = Aabb::from_points([Vec3::splat(-0.01), Vec3::splat(0.01)]);
+        let mut camera = Camera::preset(ViewDirection::PlusZ);
+        camera.fit(&bounds, 1.0);
+        let nearest = camera.eye().z - 0.01;
+        assert!((camera.near - 0.5 * nearest).abs() < 1e-6, "{camera:?}");
+    }
+
+    #[test]
     fn orbiting_turns_the_near_side_with_the_pointer() {
         let size = Vec2::new(800.0, 600.0);
         let mut camera = Camera::default();

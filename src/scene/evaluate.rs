@@ -281,6 +281,8 @@ mod tests {
         assert!(!deformation.is_worked_out());
         assert_eq!(geometry.bounds().max, Vec3::new(2.0, 1.0, 0.0));
         assert!(deformation.is_worked_out());
+        // The joint has moved to (0, 1, 0), and belongs to what is seen.
+        assert_eq!(geometry.bounds().min, Vec3::new(0.0, 1.0, 0.0));
     }
 
     #[test]
