@@ -25,6 +25,8 @@ pub struct Change {
     pub removed: Vec<ShapeId>,
     /// Shapes that existed before and differ now, in the order of the scene.
     pub altered: Vec<ShapeId>,
+    /// Whether those that were there before come in another order.
+    pub reordered: bool,
 }
 
 impl Change {
@@ -50,6 +52,12 @@ impl Change {
         let gone = |id: &ShapeId| after.shape(*id).is_none();
         let shapes = before.shapes().iter();
         change.removed = shapes.map(|shape| shape.id).filter(gone).collect();
+        let common = |scene: &Scene, other: &Scene| {
+            let ids = scene.shapes().iter().map(|shape| shape.id);
+            ids.filter(|&id| other.shape(id).is_some())
+                .collect::<Vec<_>>()
+        };
+        change.reordered = common(before, after) != common(after, before);
         change
     }
 
@@ -116,6 +124,7 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         Edit::KeepPose { shape, name } => on_character(scene, shape, |c| c.keep_pose(name)),
         Edit::ForgetPose(id, index) => on_character(scene, id, |c| c.forget_pose(index)),
         Edit::SetIk(id, ik) => on_character(scene, id, |c| c.ik = ik),
+        Edit::MoveInList(id, index) => scene.move_in_list(id, index),
         Edit::Rename(id, name) => on_shape(scene, id, |s| s.name = name),
         Edit::SetControlPoint {
             shape,

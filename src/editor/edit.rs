@@ -93,6 +93,8 @@ pub enum Edit {
     SetIk(ShapeId, IkSettings),
     /// Renames a shape.
     Rename(ShapeId, String),
+    /// Moves a shape in the list to this index.
+    MoveInList(ShapeId, usize),
     /// Adds a control point, or a whole piece of a Bézier curve (see [`Curve::with_point_after`]).
     AddControlPoint {
         /// The shape made of curves.

@@ -18,7 +18,7 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
         ([], [removed], []) => shape(before, *removed)
             .map_or_else(String::new, |shape| format!("Delete {}", shape.name)),
         ([], removed, []) if !removed.is_empty() => format!("Delete {} shapes", removed.len()),
-        ([], [], []) => "Change the order".to_owned(),
+        ([], [], []) => "Reorder shapes".to_owned(),
         ([], [], altered) => {
             let pairs = altered
                 .iter()

@@ -1,7 +1,7 @@
 use super::{CharacterShape, CurveShape, NewShape, Shape, ShapeId, ShapeKind};
 use std::collections::HashSet;
 
-/// Scene: the list of shapes, in the order in which they were added.
+/// Scene: the list of shapes, in the order in which they are drawn, listed and written.
 #[derive(Clone, Debug)]
 #[doc(alias = "ShapeManager")]
 pub struct Scene {
@@ -31,7 +31,7 @@ impl Scene {
         Self::default()
     }
 
-    /// Shapes, in the order in which they were added.
+    /// Shapes, in the order of the list.
     pub fn shapes(&self) -> &[Shape] {
         &self.shapes
     }
@@ -99,6 +99,14 @@ impl Scene {
     pub fn delete(&mut self, id: ShapeId) -> Option<Shape> {
         let index = self.shapes.iter().position(|shape| shape.id == id)?;
         Some(self.shapes.remove(index))
+    }
+
+    /// Moves a shape in the list to `index`, or to its end if that is beyond it.
+    pub fn move_in_list(&mut self, id: ShapeId, index: usize) {
+        if let Some(from) = self.shapes.iter().position(|shape| shape.id == id) {
+            let shape = self.shapes.remove(from);
+            self.shapes.insert(index.min(self.shapes.len()), shape);
+        }
     }
 
     /// Returns to an earlier or later state of this scene. Identifiers that were in use since are

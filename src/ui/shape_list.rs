@@ -1,25 +1,46 @@
 use super::commands::Command;
 use super::theme::Palette;
-use super::widgets::{list_move, moved, named, section};
+use super::widgets::{list_move, moved, named, section, select_all};
 use super::{Action, commands};
 use crate::editor::{Edit, Session, View};
 use crate::scene::{Shape, ShapeId};
 use egui::{
-    Align, Button, Color32, Layout, Painter, Pos2, Rect, Response, RichText, ScrollArea, Sense,
-    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, WidgetType, pos2, vec2,
+    Align, Button, Color32, Key, Layout, Painter, Pos2, Rect, Response, RichText, ScrollArea,
+    Sense, Stroke, StrokeKind, TextEdit, Ui, UiBuilder, WidgetInfo, WidgetType, pos2, vec2,
 };
 use std::f32::consts::PI;
 
 /// Greatest height of the list, in points; longer lists scroll.
 const TALLEST: f32 = 150.0;
 
-/// The shapes, as `[i] Name (ID: n)`: a click or ↑ and ↓ select one. Icons at the end of its row
-/// hide it and lock it. If the selected shape was just selected, here or elsewhere
-/// (`newly_selected`), it is scrolled into view.
+/// Name that is being typed for a shape in the list.
+#[derive(Clone, Debug)]
+pub(super) struct Renaming {
+    shape: ShapeId,
+    text: String,
+    /// Whether the field has the keyboard focus yet.
+    begun: bool,
+}
+
+impl Renaming {
+    /// Begins with the present name.
+    pub(super) fn of(shape: &Shape) -> Self {
+        Self {
+            shape: shape.id,
+            text: shape.name.clone(),
+            begun: false,
+        }
+    }
+}
+
+/// The shapes, as `[i] Name (ID: n)`: a click or ↑ and ↓ select one, a double click renames it, a
+/// drag moves it in the list. Icons at the end of its row hide it and lock it. If the selected
+/// shape was just selected, here or elsewhere (`newly_selected`), it is scrolled into view.
 pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
     newly_selected: bool,
+    renaming: &mut Option<Renaming>,
     actions: &mut Vec<Action>,
 ) {
     section(ui, "Shape Selector");
@@ -34,17 +55,35 @@ pub(super) fn show(
         .show(ui, |ui| {
             ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                rows(ui, session, newly_selected, actions);
+                rows(ui, session, newly_selected, renaming, actions);
             });
         });
 }
 
-fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<Action>) {
+fn rows(
+    ui: &mut Ui,
+    session: &Session,
+    newly_selected: bool,
+    renaming: &mut Option<Renaming>,
+    actions: &mut Vec<Action>,
+) {
     let shapes = session.scene().shapes();
+    if renaming
+        .as_ref()
+        .is_some_and(|r| session.scene().shape(r.shape).is_none())
+    {
+        *renaming = None;
+    }
     let mut chosen: Option<ShapeId> = None;
     let mut responses = Vec::with_capacity(shapes.len());
     let mut movement = None;
     for (index, shape) in shapes.iter().enumerate() {
+        if let Some(typed) = renaming.as_mut().filter(|r| r.shape == shape.id) {
+            if rename(ui, shape, typed, actions) {
+                *renaming = None;
+            }
+            continue;
+        }
         let selected = session.selected() == Some(shape.id);
         let row = ui
             .push_id(shape.id, |ui| row(ui, index, shape, selected, actions))
@@ -55,6 +94,12 @@ fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<
         if row.clicked() {
             row.request_focus();
             chosen = Some(shape.id);
+        }
+        if row.double_clicked() {
+            *renaming = Some(Renaming::of(shape));
+        }
+        if let Some(place) = dropped_at(ui, &row, index) {
+            actions.push(Action::Edit(Edit::MoveInList(place.0, place.1)));
         }
         if let Some(pressed) = list_move(ui, &row) {
             movement = moved(pressed, index, shapes.len());
@@ -70,6 +115,48 @@ fn rows(ui: &mut Ui, session: &Session, newly_selected: bool, actions: &mut Vec<
     if chosen.is_some() && chosen != session.selected() {
         actions.push(Action::View(View::Select(chosen)));
     }
+}
+
+/// The field for a new name; whether it is done with. Esc leaves the name as it was, and so does
+/// an empty one.
+fn rename(ui: &mut Ui, shape: &Shape, typed: &mut Renaming, actions: &mut Vec<Action>) -> bool {
+    let height = ui.spacing().interact_size.y;
+    let edit = TextEdit::singleline(&mut typed.text).min_size(vec2(0.0, height));
+    let field = named(ui.add(edit), &format!("Name of {}", shape.name));
+    if !typed.begun {
+        field.request_focus();
+        select_all(ui, field.id, &typed.text);
+        typed.begun = true;
+        return false;
+    }
+    if !field.lost_focus() {
+        return false;
+    }
+    let name = typed.text.trim();
+    let escaped = ui.input(|input| input.key_pressed(Key::Escape));
+    if !escaped && !name.is_empty() && name != shape.name {
+        actions.push(Action::Edit(Edit::Rename(shape.id, name.to_owned())));
+    }
+    true
+}
+
+/// The shape that is dropped on `row`, and the place in the list that it gets; shows the place
+/// while one is dragged over it.
+fn dropped_at(ui: &Ui, row: &Response, index: usize) -> Option<(ShapeId, usize)> {
+    let dragged = *row.dnd_hover_payload::<(ShapeId, usize)>()?;
+    let below = row.hover_pos()?.y > row.rect.center().y;
+    let y = if below {
+        row.rect.bottom()
+    } else {
+        row.rect.top()
+    };
+    let stroke = Stroke::new(2.0, Palette::of(ui.visuals()).accent);
+    ui.painter().hline(row.rect.x_range(), y, stroke);
+    row.dnd_release_payload::<(ShapeId, usize)>()?;
+    let (shape, from) = dragged;
+    let before = index + usize::from(below);
+    // Places count without the shape that moves.
+    Some((shape, before - usize::from(from < before)))
 }
 
 /// One row; the widget that selects the shape.
@@ -98,11 +185,13 @@ fn row(
     // Its frame would leave out the icons.
     let button = Button::selectable(selected, RichText::new(&label).color(color))
         .frame_when_inactive(false)
+        .sense(Sense::click_and_drag())
         .truncate();
     let row = ui
         .scope_builder(place, |ui| ui.add(button))
         .inner
         .on_hover_text(&label);
+    row.dnd_set_drag_payload((shape.id, index));
     eye_and_lock(ui, icons, shape, selected, actions);
     row
 }

@@ -37,7 +37,7 @@ pub(super) fn show(
             ui.separator();
             let newly_selected = session.selected() != state.selected;
             state.selected = session.selected();
-            shape_list::show(ui, session, newly_selected, actions);
+            shape_list::show(ui, session, newly_selected, &mut state.renaming, actions);
             ui.separator();
             ScrollArea::vertical()
                 .id_salt("properties")

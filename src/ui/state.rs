@@ -3,6 +3,7 @@ use super::curve_panel::CurveState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
 use super::posing::PoseState;
+use super::shape_list::Renaming;
 use super::windows::Windows;
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
@@ -29,6 +30,8 @@ pub struct UiState {
     pub(super) joints: JointListState,
     /// Name typed for a pose to keep.
     pub(super) pose_name: String,
+    /// Name typed for a shape.
+    pub(super) renaming: Option<Renaming>,
     pub(super) curves: CurveState,
     pub(super) pose: PoseState,
     pub(super) notices: NoticeState,
@@ -58,6 +61,7 @@ impl Default for UiState {
             selected: None,
             joints: JointListState::default(),
             pose_name: String::new(),
+            renaming: None,
             curves: CurveState::default(),
             pose: PoseState::default(),
             notices: NoticeState::default(),
@@ -101,6 +105,7 @@ impl UiState {
         self.selected = None;
         self.joints = JointListState::default();
         self.pose_name.clear();
+        self.renaming = None;
         self.curves = CurveState::default();
         self.pose.forget_shapes();
         self.camera_before_drag = None;

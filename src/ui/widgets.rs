@@ -1,8 +1,10 @@
 //! Widgets and helpers shared by several panels.
 
 use super::theme::Palette;
+use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Button, EventFilter, Key, Label, Layout, Modifiers, Response, RichText, Ui, Vec2, vec2,
+    Align, Button, EventFilter, Id, Key, Label, Layout, Modifiers, Response, RichText, TextEdit,
+    Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -17,6 +19,16 @@ pub(super) fn spoken(sign: Response, word: &str) -> Response {
     let ctx = sign.ctx.clone();
     ctx.accesskit_node_builder(sign.id, |node| node.set_value(word));
     sign
+}
+
+/// Selects the whole text of a field, so that typing replaces it.
+pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
+    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    let end = CCursor::new(text.chars().count());
+    state
+        .cursor
+        .set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
+    state.store(ui.ctx(), id);
 }
 
 /// A title above a group of widgets.

@@ -136,3 +136,47 @@ fn delete_resets_the_selected_joint_with_the_pose_tool_and_deletes_the_shape_oth
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.degrees("Elbow"), Vec3::Z * 90.0, "with its pose");
 }
+
+#[test]
+fn a_shape_is_renamed_in_the_list_by_a_double_click_or_by_the_menu() {
+    let mut story = with_bent_elbow();
+    let row = story.place("[1] Strip (ID: 1)");
+    story.point(row);
+    for _ in 0..2 {
+        story.button(true);
+        story.button(false);
+    }
+    story.settle();
+    story.frame(vec![Event::Text("Arm".into())]);
+    story.key(Key::Enter);
+    assert_eq!(story.names(), ["Arm"]);
+    assert_eq!(steps(&story), ["Rotate Elbow", "Rename to Arm"]);
+
+    story.click("Edit");
+    story.click("Rename");
+    story.frame(vec![Event::Text("Leg".into())]);
+    story.key(Key::Escape);
+    assert_eq!(story.names(), ["Arm"], "Esc leaves it");
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names(), ["Strip"]);
+}
+
+#[test]
+fn a_shape_is_dragged_to_another_place_in_the_list() {
+    let mut story = Story::start(&[]);
+    for key in [Key::C, Key::S, Key::P] {
+        story.key_with(Modifiers::SHIFT, key);
+    }
+    assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
+    let first = story.place("[1] Cube (ID: 1)");
+    let last = story.place("[3] Pyramid (ID: 3)");
+    story.drag(first, last + vec2(0.0, 4.0));
+    assert_eq!(story.names(), ["Sphere", "Pyramid", "Cube"]);
+    assert_eq!(steps(&story).last(), Some(&"Reorder shapes"));
+    let top = story.place("[1] Sphere (ID: 2)");
+    let last = story.place("[3] Cube (ID: 1)");
+    story.drag(last, top - vec2(0.0, 4.0));
+    assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names(), ["Sphere", "Pyramid", "Cube"]);
+}

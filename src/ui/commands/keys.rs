@@ -49,6 +49,8 @@ pub const GESTURES: &[Gesture] = &[
     ),
     gesture("Click a number", "Type a value or a sum such as 45/2"),
     gesture("Right click a number", "Put it back to where it started"),
+    gesture("Double click in the list", "Type a new name for the shape"),
+    gesture("Drag in the list", "Move the shape to another place in it"),
     gesture("Up, Down in a list", "Choose the row above or below"),
     gesture("Left, Right in the joint list", "Fold or unfold a joint"),
     gesture("Ctrl and +, −, 0", "Larger, smaller, normal text"),

@@ -58,6 +58,8 @@ pub enum Command {
     Delete,
     /// Resets the selected shape to how it was inserted.
     Reset,
+    /// Begins to rename the selected shape.
+    Rename,
     /// Hides the selected shape in the view, or shows it.
     ToggleVisible,
     /// Locks the selected shape in the view, or unlocks it.

@@ -6,6 +6,7 @@ use crate::character::{Mirror, Pose};
 use crate::editor::{Edit, GizmoAxes, Session, Tool, View};
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
+use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
 use crate::ui::{Action, Ask, CompareAction, HistoryMove, posing};
@@ -82,6 +83,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
         Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
         Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
+        Command::Rename => {
+            let shape = session.selected().and_then(|id| session.scene().shape(id));
+            state.renaming = shape.map(Renaming::of);
+        }
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
         Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
@@ -159,7 +164,11 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         Command::PinJoint if posing::joint_to_pin(session).is_none() => {
             Some("No joint is selected or under the pointer")
         }
-        Command::Delete | Command::Reset | Command::ToggleVisible | Command::ToggleLocked
+        Command::Delete
+        | Command::Reset
+        | Command::Rename
+        | Command::ToggleVisible
+        | Command::ToggleLocked
             if session.selected().is_none() =>
         {
             Some("No shape is selected")

@@ -167,6 +167,7 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::Delete, Menu::Shape, "Delete", "Delete the selected shape", &[key(NONE, Key::Delete)]),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
+    entry(Command::Rename, Menu::Shape, "Rename", "Type a new name for the selected shape in the list; a double click there does it, too", &[]),
     entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]),
     entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or unlock it", &[key(SHIFT, Key::L)]),
 

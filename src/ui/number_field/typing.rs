@@ -3,7 +3,7 @@
 use super::decimals::precise;
 use super::{NumberField, clean};
 use crate::ui::theme::{Palette, number_font};
-use egui::text::{CCursor, CCursorRange};
+use crate::ui::widgets::select_all;
 use egui::{Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
 
 /// Least width of a field while a number is typed into it, in points.
@@ -102,15 +102,6 @@ impl NumberField<'_> {
         *typed = Typed::beginning_with(precise(value));
         Some(value)
     }
-}
-
-fn select_all(ui: &Ui, id: Id, text: &str) {
-    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-    let end = CCursor::new(text.chars().count());
-    state
-        .cursor
-        .set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
-    state.store(ui.ctx(), id);
 }
 
 /// Deepest nesting of parentheses and signs, so that no text can exhaust the stack.
