@@ -2,13 +2,14 @@
 # make run    installs what a window needs, builds, and opens the showcase
 #             (without a display: draws it to showcase.png)
 # make test   installs what the tests need and runs everything
+# make test-long  runs of minutes: ten thousand random commands, a thousand kills while saving
 # make pictures  draws the pictures of README.md
 # make check-assets  makes the characters, rigs, shapes, curves and poses in assets/ anew and compares
 # make lint   what must be clean before a change lands: format, clippy, documentation
 
 CARGO ?= cargo
 
-.PHONY: all editor run test check-assets lint pictures clean packages-run packages-test
+.PHONY: all editor run test test-long check-assets lint pictures clean packages-run packages-test
 
 all: editor
 
@@ -27,6 +28,9 @@ run: packages-run editor
 
 test: packages-test
 	$(CARGO) test --locked --quiet
+
+test-long: packages-test
+	$(CARGO) test --locked --quiet --test all -- --ignored long:: --nocapture
 
 check-assets:
 	$(CARGO) test --locked --quiet --package make_assets

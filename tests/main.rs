@@ -17,6 +17,7 @@ mod editing;
 mod history;
 mod ik;
 mod interface;
+mod long;
 mod offscreen;
 mod pictures;
 mod posing;

@@ -198,7 +198,11 @@ impl Drop for Program {
     fn drop(&mut self) {
         if let Some(glow) = self.gl.current() {
             // SAFETY: current context; deleted once.
-            unsafe { glow.delete_program(self.raw) }
+            unsafe {
+                // A program in use would stay until another one is.
+                glow.use_program(None);
+                glow.delete_program(self.raw);
+            }
         }
     }
 }

@@ -27,7 +27,7 @@ use std::time::Duration;
 const SIZE: (u32, u32) = (1000, 640);
 
 /// A strip that an elbow bends in its middle. Joint 2 is the elbow.
-const STRIP: [(&str, &str); 3] = [
+pub const STRIP: [(&str, &str); 3] = [
     (
         "models/strip.obj",
         "v -0.2 0 0\nv 0.2 0 0\nv 0.2 1 0\nv -0.2 1 0\nv 0.2 2 0\nv -0.2 2 0\n\
@@ -52,12 +52,12 @@ pub struct Story {
     pointer: Pos2,
     /// Widgets of the last frame, as assistive technologies see them.
     widgets: Option<TreeUpdate>,
-    _headless: HeadlessContext,
+    pub headless: HeadlessContext,
 }
 
 impl Story {
     /// The program started with `files` at a place where it has been started before.
-    fn start(files: &[&str]) -> Self {
+    pub fn start(files: &[&str]) -> Self {
         let host = MemoryHost {
             stored: [crate::stories::started_before()].into(),
             ..MemoryHost::default()
@@ -89,14 +89,14 @@ impl Story {
             context,
             pointer: pos2(-10.0, -10.0),
             widgets: None,
-            _headless: headless,
+            headless,
         };
         story.settle();
         story
     }
 
     /// Draws one frame in which `events` happen. Returns how long no other is needed.
-    fn frame(&mut self, events: Vec<Event>) -> Duration {
+    pub fn frame(&mut self, events: Vec<Event>) -> Duration {
         let (width, height) = SIZE;
         let screen = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
         let raw = RawInput {
