@@ -234,15 +234,18 @@ fn the_examples_of_the_documentation_work() {
         .skip(1)
         .filter_map(|rest| rest.split("```").next())
         .collect();
-    let [pose, scene] = examples[..] else {
+    let [pose, scenes @ ..] = &examples[..] else {
         panic!("{examples:?}");
     };
-    let path = PathBuf::from("example.scene");
-    let table = HashMap::from([(path.clone(), scene.as_bytes().to_vec())]);
-    let mut loaded = Loaded::default();
-    loaded.add(&WithBuiltin(table), &path).unwrap();
-    assert_eq!(loaded.shapes.len(), 2);
-    let pose = PoseFile::read(Path::new("example.json"), pose.as_bytes()).unwrap();
-    let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
-    assert!(!pose.poses_for(session.scene()).unwrap().is_empty());
+    assert_eq!(scenes.len(), 2);
+    for scene in scenes {
+        let path = PathBuf::from("example.scene");
+        let table = HashMap::from([(path.clone(), scene.as_bytes().to_vec())]);
+        let mut loaded = Loaded::default();
+        loaded.add(&WithBuiltin(table), &path).unwrap();
+        assert_eq!(loaded.shapes.len(), 2);
+        let pose = PoseFile::read(Path::new("example.json"), pose.as_bytes()).unwrap();
+        let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+        assert!(!pose.poses_for(session.scene()).unwrap().is_empty());
+    }
 }

@@ -20,8 +20,8 @@ use std::path::{Path, PathBuf};
 /// null if it is about the file as a whole.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
-    /// .dae), curves (.swp), poses (.json), or builtin:NAME
+    /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
+    /// (.obj, .dae), curves (.swp), poses (.json), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print one JSON object instead of text

@@ -14,8 +14,8 @@ use std::path::PathBuf;
 /// surfaces; curves become lines.
 #[derive(Debug, clap::Args)]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
-    /// .dae), curves (.swp), or builtin:NAME
+    /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
+    /// (.obj, .dae), curves (.swp), or builtin:NAME
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The .obj file to write

@@ -38,7 +38,7 @@ struct Cli {
 /// Arguments of the window.
 #[derive(Clone, Debug, Default, clap::Args)]
 pub struct WindowArgs {
-    /// Scenes to open (.scene), files to import (.obj, .dae, .swp), or builtin:NAME
+    /// Scenes to open (.scene, .zip), files to import (.obj, .dae, .swp), or builtin:NAME
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
     /// Text in the window's title after the program's name, such as your name

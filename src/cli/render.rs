@@ -20,8 +20,8 @@ use std::path::PathBuf;
     editor render builtin:showcase --samples 4 -o showcase.png\n  \
     editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png")]
 pub struct Args {
-    /// Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), shapes (.obj,
-    /// .dae), curves (.swp), or builtin:NAME.
+    /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
+    /// (.obj, .dae), curves (.swp), or builtin:NAME.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The picture to write; its extension is .png, .jpg or .gif.

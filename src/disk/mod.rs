@@ -2,14 +2,14 @@
 //! and the commands, which pass it to the layers below as [`crate::io::Files`].
 
 use crate::io::builtin::WithBuiltin;
-use crate::io::{Diagnostic, Files};
+use crate::io::{Diagnostic, Files, WithArchives};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Files that the program can read: those on disk, and those built in.
-pub fn files() -> WithBuiltin<Disk> {
-    WithBuiltin(Disk)
+/// Files that the program can read: those on disk, also inside archives, and those built in.
+pub fn files() -> WithBuiltin<WithArchives<Disk>> {
+    WithBuiltin(WithArchives::new(Disk))
 }
 
 /// Size of the largest file that is read, in bytes.
@@ -186,6 +186,16 @@ mod tests {
         assert_eq!(Disk.read(&missing), Ok(b"v".to_vec()));
         let error = Disk.read(&missing.join("b")).unwrap_err();
         assert_eq!(error.message, "a part of its path is a file, not a folder");
+    }
+
+    #[test]
+    fn a_path_on_disk_is_made_absolute_and_a_built_in_one_stays() {
+        let here = std::env::current_dir().unwrap();
+        let files = files();
+        assert_eq!(files.absolute(Path::new("a/b.obj")), here.join("a/b.obj"));
+        assert_eq!(files.absolute(Path::new("./b.obj")), here.join("b.obj"));
+        let built_in = Path::new("builtin:adult");
+        assert_eq!(files.absolute(built_in), built_in);
     }
 
     #[test]

@@ -91,3 +91,39 @@ pub(super) fn exact_degrees(radians: f32) -> String {
 pub(super) fn euler<A: Angle>([x, y, z]: [A; 3]) -> Euler {
     Euler::from_radians(Vec3::new(x.radians(), y.radians(), z.radians()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> f32 {
+        exact_radians(text.parse().unwrap())
+    }
+
+    #[test]
+    fn every_angle_has_a_number_of_degrees_that_means_it() {
+        // A step that is no power of two meets every exponent and all kinds of fractions.
+        for bits in (0..f32::INFINITY.to_bits()).step_by(40_009) {
+            for radians in [f32::from_bits(bits), -f32::from_bits(bits)] {
+                let text = exact_degrees(radians);
+                assert_eq!(read(&text), radians, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_people_type_is_written_as_they_typed_it() {
+        for hundredths in -72_000..=72_000_i32 {
+            let text = format!("{}", f64::from(hundredths) / 100.0);
+            let radians = read(&text);
+            let single: f32 = text.parse().unwrap();
+            assert_eq!(radians, Euler::from_degrees(Vec3::splat(single)).radians.x);
+            let written = exact_degrees(radians);
+            assert!(written.len() <= text.len(), "{text} {written}");
+            assert_eq!(read(&written), radians, "{text} {written}");
+        }
+        for text in ["30", "12.34", "-400", "0.1", "359.99", "1e-30"] {
+            assert_eq!(exact_degrees(read(text)), text);
+        }
+    }
+}

@@ -1,21 +1,27 @@
-use crate::scene::{Evaluated, EvaluatedShape, Scene};
+use crate::scene::{Evaluated, EvaluatedShape, Scene, ShapeKind};
 use glam::{Mat4, Vec3};
 use std::fmt::Write;
 
 /// The current geometry of a scene in the world, as an `.obj` file: an `o` for each shape, its
 /// vertices in the order of their file and under its pose, its triangles; of curves all surfaces,
 /// displayed or not, then an `l` element for each curve in the order of the file. Shapes that
-/// are hidden in the view are no less there. Numbers have as many digits as it takes to read the
-/// same ones back.
+/// are hidden in the view are no less there. A stand-in for a shape whose file is missing is left
+/// out, with a comment. Numbers have as many digits as it takes to read the same ones back.
 ///
 /// `evaluated` must be the evaluation of `scene`.
 pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
     let mut out = String::new();
     let mut first_vertex = 1;
+    // A line ends where a name does, whatever is in it.
+    let on_one_line = |text: &str| text.replace(char::is_control, " ");
     for shape in &evaluated.shapes {
-        let name = scene.shape(shape.id).map_or("Shape", |shape| &shape.name);
-        // A line ends where the name does, whatever is in it.
-        let name = name.replace(char::is_control, " ");
+        let known = scene.shape(shape.id);
+        let name = on_one_line(known.map_or("Shape", |shape| &shape.name));
+        if let Some(ShapeKind::Missing(missing)) = known.map(|shape| &shape.kind) {
+            let reason = on_one_line(&missing.reason);
+            out.push_str(&format!("# {name} is left out: {reason}\n"));
+            continue;
+        }
         out.push_str(&format!("o {name}\n"));
         first_vertex += write_mesh(&mut out, shape, first_vertex);
     }
@@ -66,8 +72,9 @@ mod tests {
     use super::*;
     use crate::io::read_character_obj;
     use crate::scene::NewShape;
-    use crate::scene::{Evaluator, ShapeKind};
+    use crate::scene::{Evaluator, MissingShape};
     use std::path::Path;
+    use std::sync::Arc;
 
     #[test]
     fn what_is_written_is_read_back_in_the_world_and_the_right_side_out() {
@@ -107,6 +114,24 @@ mod tests {
         scene.shape_mut(id).unwrap().visible = false;
         let hidden = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
         assert_eq!(shown, hidden);
+    }
+
+    #[test]
+    fn a_stand_in_is_left_out_with_a_comment() {
+        let missing = MissingShape {
+            reason: "man.obj: there is no\nsuch file".to_owned(),
+            kept: None,
+        };
+        let missing = ShapeKind::Missing(Arc::new(missing));
+        let mut scene = Scene::from_iter([
+            NewShape::new("Man", missing),
+            NewShape::new("Cube", ShapeKind::Cube),
+        ]);
+        let text = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
+        scene.delete(scene.shapes()[0].id);
+        let cube = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
+        let comment = "# Man is left out: man.obj: there is no such file\n";
+        assert_eq!(text, format!("{comment}{cube}"));
     }
 
     fn transform_center(evaluated: &Evaluated) -> Vec3 {

@@ -41,6 +41,17 @@ pub(super) fn extension(path: &Path) -> String {
         .unwrap_or_default()
 }
 
+/// Whether a file of this name holds what macOS notes about the file of the same name without `._`.
+pub(super) fn is_note_of_macos(name: &std::ffi::OsStr) -> bool {
+    name.to_string_lossy().starts_with("._")
+}
+
+/// A relative path with forward slashes.
+pub(super) fn with_slashes(path: &Path) -> String {
+    let parts = path.iter().map(|part| part.to_string_lossy());
+    parts.collect::<Vec<_>>().join("/")
+}
+
 /// Checks that the name of a file to write ends in `.extension`, so that it can be read again.
 ///
 /// # Errors

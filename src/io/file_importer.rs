@@ -1,5 +1,7 @@
 use super::{
-    Diagnostic, Files, Imported, builtin,
+    Diagnostic, Files, Imported,
+    archive::only_scene,
+    builtin,
     dae::{DaeReport, DaeScene, read_dae},
     file_access, is_character, read_character, read_shape_obj, read_swp,
     recorder::Recorder,
@@ -182,21 +184,18 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Adds the content of the file at `path`: the shapes of a scene with its view, or an import.
+    /// Adds the content of the file at `path`: the shapes of a scene with its view, those of the one
+    /// scene in an archive, or an import.
     ///
     /// # Errors
     /// If it cannot be read or is not well formed; then nothing is added.
     pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
         let file = to_open(path)?;
         match file_access::extension(&file).as_str() {
-            "scene" => {
-                let read = read_scene(files, &file, self.missing)?;
-                self.warnings.extend(read.warnings);
-                self.view = Some(read.value.view);
-                self.shapes.extend(read.value.shapes);
-            }
+            "scene" => self.add_scene(files, &file)?,
+            "zip" => self.add_scene(files, &only_scene(files, &file)?)?,
             extension if !IMPORTABLE.contains(&extension) => {
-                let openable = [&["scene"], IMPORTABLE].concat();
+                let openable = [&["scene", "zip"], IMPORTABLE].concat();
                 return Err(cannot_open(
                     files,
                     path,
@@ -207,6 +206,14 @@ impl Loaded {
             }
             _ => self.add_imported(import_any(files, path)?),
         }
+        Ok(())
+    }
+
+    fn add_scene(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
+        let read = read_scene(files, path, self.missing)?;
+        self.warnings.extend(read.warnings);
+        self.view = Some(read.value.view);
+        self.shapes.extend(read.value.shapes);
         Ok(())
     }
 
@@ -222,8 +229,7 @@ impl Loaded {
 /// # Errors
 /// For a built-in name that does not exist, and for the companions that macOS writes.
 fn to_open(path: &Path) -> Result<std::path::PathBuf, Diagnostic> {
-    let name = path.file_name().map(|name| name.to_string_lossy());
-    if name.is_some_and(|name| name.starts_with("._")) {
+    if path.file_name().is_some_and(file_access::is_note_of_macos) {
         let message = "expected a file with content, found notes of macOS about the file of \
                        the same name without “._”";
         return Err(Diagnostic::new(path, message));

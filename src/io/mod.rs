@@ -2,6 +2,7 @@
 //! dialog or a window.
 
 mod angle;
+mod archive;
 mod attach;
 pub mod builtin;
 pub mod dae;
@@ -25,6 +26,7 @@ mod scene;
 mod skel;
 mod swp;
 
+pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::export_obj;
@@ -37,6 +39,8 @@ pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
-pub use scene::{Missing, SceneError, SceneFile, read_scene, scene_text};
+pub use scene::{
+    Missing, Reimported, SceneError, SceneFile, package, read_scene, reimport, scene_text,
+};
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};

@@ -153,6 +153,17 @@ pub enum Importer {
     Curve,
 }
 
+impl Importer {
+    /// Index of the color preset of a new shape without materials.
+    pub fn start_color(self) -> usize {
+        match self {
+            Self::Shape => 1,
+            Self::Character => 12,
+            Self::Curve => 30,
+        }
+    }
+}
+
 /// Kind of a shape, with its data.
 #[derive(Clone, Debug)]
 pub enum ShapeKind {
@@ -238,11 +249,11 @@ impl ShapeKind {
             Self::Teapot => 4,
             Self::Icosahedron => 6,
             Self::Custom => 11,
-            Self::Mesh(_) => 1,
+            Self::Mesh(_) => Importer::Shape.start_color(),
             // Its materials have colors, which another one would tint.
             Self::Character(shape) if !shape.character.bind_mesh().groups.is_empty() => 1,
-            Self::Character(_) => 12,
-            Self::Curve(_) => 30,
+            Self::Character(_) => Importer::Character.start_color(),
+            Self::Curve(_) => Importer::Curve.start_color(),
             // Its material has a color.
             Self::Missing(_) => 1,
         }

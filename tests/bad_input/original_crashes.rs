@@ -150,7 +150,7 @@ fn files_that_cannot_be_opened_say_which_can() {
     assert!(
         error
             .to_string()
-            .contains("(.scene, .obj, .swp, .dae), found .blend"),
+            .contains("(.scene, .zip, .obj, .swp, .dae), found .blend"),
         "{error}"
     );
 }
@@ -168,7 +168,7 @@ fn a_scene_file_is_held_to_its_schema() {
         (
             "\"version\": 1",
             "\"version\": 3",
-            "2,",
+            "3,",
             "expected version 1 or 2, found 3: it needs a newer editor",
         ),
         (

@@ -2,7 +2,9 @@
 
 use crate::program::{editor_in, folder};
 use crate::reference_data::course;
+use editor_core::io::to_zip;
 use serde_json::{Value, json};
+use std::path::Path;
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
@@ -116,6 +118,50 @@ error: .: expected a file, found a folder
 ";
     assert_eq!(ran.err, told);
     assert!(ran.out.starts_with("box.obj\n"), "{}", ran.out);
+}
+
+#[test]
+fn commands_read_scenes_in_archives_and_refuse_those_that_miss_a_file() {
+    let folder = folder();
+    let entries = ["a.scene", "man.obj", "man.skel", "man.attach", "box.obj"].map(|name| {
+        let bytes = std::fs::read(folder.path().join(name)).unwrap();
+        (Path::new("inner").join(name), bytes)
+    });
+    let other = tempfile::tempdir().unwrap();
+    std::fs::write(other.path().join("a.zip"), to_zip(&entries).unwrap()).unwrap();
+    let ran = editor_in(other.path(), &["check", "a.zip"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    assert!(ran.out.contains("character        Man"), "{}", ran.out);
+    let ran = editor_in(other.path(), &["export", "a.zip", "-o", "out.obj"]);
+    let weights =
+        "warning: a.zip/inner/man.attach:2:1: 1 vertex with weights that do not sum up to 1\n";
+    assert_eq!((ran.code, &*ran.err), (Some(0), weights));
+    let written = std::fs::read_to_string(other.path().join("out.obj")).unwrap();
+    assert!(written.starts_with("o Man\nv 0 0 0\n"), "{written}");
+
+    let scene = r#"{"format": "editor-scene", "version": 2, "shapes": [
+        {"name": "Ada", "source": {"file": "a.zip/inner/man.obj", "importer": "character",
+         "fingerprint": "00000000"}},
+        {"name": "Box", "source": {"file": "crate.obj", "importer": "shape"}}]}"#;
+    std::fs::write(other.path().join("b.scene"), scene).unwrap();
+    for command in [
+        &["check", "b.scene"][..],
+        &["export", "b.scene", "-o", "b.obj"],
+    ] {
+        let ran = editor_in(other.path(), command);
+        assert_eq!(ran.code, Some(1));
+        let told = "error: crate.obj: there is no such file (shape 2 of b.scene:4:9)\n";
+        assert_eq!(ran.err, told);
+    }
+    std::fs::copy(
+        folder.path().join("box.obj"),
+        other.path().join("crate.obj"),
+    )
+    .unwrap();
+    let ran = editor_in(other.path(), &["check", "b.scene"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    let told = "a.zip/inner/man.obj: this file has changed since the scene was saved";
+    assert!(ran.out.contains(told), "{}", ran.out);
 }
 
 #[test]

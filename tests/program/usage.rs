@@ -60,7 +60,7 @@ fn the_help_of_what_reads_files_names_every_kind_of_them() {
     for command in ["check", "export", "render"] {
         let help = editor_in(folder.path(), &[command, "--help"]).out;
         let words = help.split_whitespace().collect::<Vec<_>>().join(" ");
-        let kinds = "Scenes (.scene), characters (.obj with .skel and .attach beside it, .dae), \
+        let kinds = "Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), \
                      shapes (.obj, .dae), curves (.swp)";
         assert!(words.contains(kinds), "{help}");
     }

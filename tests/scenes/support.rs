@@ -14,6 +14,8 @@ pub type Table = WithBuiltin<HashMap<PathBuf, Vec<u8>>>;
 /// Folder of the scenes, and the scene that tests write.
 pub const FOLDER: &str = "/home/ada/scenes";
 pub const SCENE: &str = "/home/ada/scenes/a.scene";
+/// Place of the scene of version 1.
+pub const OLD_SCENE: &str = "/home/ada/old.scene";
 
 /// A character whose joints have names that are hard to tell apart.
 pub const MAN: &str = "/home/ada/rigs/man.obj";

@@ -3,12 +3,16 @@
 mod character_data;
 mod curves;
 mod data;
+mod package;
 mod paths;
 mod reading;
+mod reimport;
 mod text;
 mod version_1;
 mod version_2;
 
+pub use package::package;
+pub use reimport::{Reimported, reimport};
 pub use text::{SceneError, scene_text};
 
 use super::json::Json;

@@ -79,8 +79,8 @@ fn scale<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
 }
 
 impl ShapeData {
-    /// Where the shape stands, in the color of `kind` if it names none.
-    fn placement(&self, kind: &ShapeKind) -> Placement {
+    /// Where the shape stands, in the color of a preset if it names none.
+    fn placement(&self, preset: usize) -> Placement {
         let uniform = self.scale == Vec3::splat(self.scale.x);
         let color = self.color.map(|color| color.0);
         Placement {
@@ -90,13 +90,17 @@ impl ShapeData {
                 scale: self.scale,
             },
             uniform_scaling: self.uniform_scaling.unwrap_or(uniform),
-            color: color.unwrap_or(ShapeColor::Preset(kind.start_color())),
+            color: color.unwrap_or(ShapeColor::Preset(preset)),
         }
     }
 
     /// The shape in its place.
     fn placed(&self, (kind, name, source): Named) -> NewShape {
-        let placement = self.placement(&kind);
+        let preset = match (&kind, &source) {
+            (ShapeKind::Missing(_), Some(source)) => source.importer.start_color(),
+            _ => kind.start_color(),
+        };
+        let placement = self.placement(preset);
         NewShape {
             name: self.name.clone().unwrap_or(name),
             kind,
