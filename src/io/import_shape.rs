@@ -365,7 +365,10 @@ mod tests {
         let libraries = ["mtllib a.mtl\n", "mtllib gone.mtl\n"].map(|line| line.repeat(100));
         let obj = libraries.concat() + SQUARE + "usemtl red\nf 1 2 3\n";
         let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
-        assert_eq!(files.1.into_inner(), ["a.mtl", "gone.mtl"].map(PathBuf::from));
+        assert_eq!(
+            files.1.into_inner(),
+            ["a.mtl", "gone.mtl"].map(PathBuf::from)
+        );
         assert_eq!(read.value.groups[0].material.color, Vec3::X);
         let gone = "a.obj:101:8: materials left out: gone.mtl: there is no such file";
         assert_eq!(told(&read.warnings), [gone]);
@@ -415,6 +418,7 @@ mod tests {
             );
         }
         let faces = read(SQUARE).unwrap_err();
-        assert_eq!(faces, "a.obj: expected faces (lines `f a b c`), found none");
+        let message = "a.obj:4:8: expected faces (lines `f a b c`), found none";
+        assert_eq!(faces, message);
     }
 }
