@@ -12,6 +12,9 @@ use std::time::{Duration, Instant};
 use winit::event::WindowEvent;
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
 
+/// Size of the largest file of the program's own that is read, in bytes.
+const MOST_STORED: u64 = 16 << 20;
+
 /// Event that wakes the event loop from outside.
 #[derive(Debug)]
 pub(super) enum Wake {
@@ -161,7 +164,7 @@ impl Host for WindowHost {
     }
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
-        std::fs::read(stored_at(key)?).ok()
+        disk::read_at_most(&stored_at(key)?, MOST_STORED).ok()
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
