@@ -4,7 +4,7 @@
 //! Graphics and Interactive Techniques 3 (2), 2020. Section numbers below are the paper's.
 //! Written anew: the binding to the authors' code needs a C++ compiler.
 
-use super::filters::{Plane, gaussian, normalized};
+use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
 use glam::{Mat3, Vec2, Vec3};
 use std::f32::consts::{FRAC_1_SQRT_2, PI};
@@ -59,16 +59,15 @@ impl Pair<'_> {
 
     /// The same for another distance and screen.
     fn flip_at(&self, pixels_per_degree: f32) -> Flip {
-        let spaces = ColorSpaces::new();
-        let opponent_a = self.opponent_planes(&spaces, self.a());
-        let opponent_b = self.opponent_planes(&spaces, self.b());
-        let features = feature_errors([&opponent_a[0], &opponent_b[0]], pixels_per_degree);
-        let colors = color_errors(&spaces, [opponent_a, opponent_b], pixels_per_degree);
-        let mut map: Vec<f32> = colors
-            .into_iter()
-            .zip(features)
-            .map(|(color, feature)| color.powf(1.0 - feature))
-            .collect();
+        let filters = Filters::new(pixels_per_degree);
+        let (width, height) = (self.width() as usize, self.height() as usize);
+        let mut map = vec![0.0; width * height];
+        let mut planes = Planes::default();
+        let mut errors = Vec::new();
+        for tile in Tile::of(width, height) {
+            self.flip_of(&tile, &filters, &mut planes, &mut errors);
+            tile.put(&errors, &mut map, width);
+        }
         let (mut sum, mut count) = (0.0, 0_u64);
         for (error, &kept) in map.iter_mut().zip(self.kept()) {
             if kept {
@@ -82,20 +81,143 @@ impl Pair<'_> {
         Flip { mean, map }
     }
 
-    /// The planes Y, Cx and Cz (section 4.1) of a picture.
-    fn opponent_planes(&self, spaces: &ColorSpaces, pixels: &[Pixel]) -> [Plane; 3] {
-        let linear: [f32; 256] = std::array::from_fn(|step| linear(step as f32 / 255.0));
-        let colors: Vec<Vec3> = pixels
-            .iter()
-            .map(|[r, g, b, _]| {
-                let rgb = [r, g, b].map(|&channel| linear[usize::from(channel)]);
-                spaces.opponent_from_linear(Vec3::from_array(rgb))
-            })
-            .collect();
-        std::array::from_fn(|channel| Plane {
-            width: self.width() as usize,
-            values: colors.iter().map(|color| color[channel]).collect(),
-        })
+    /// The differences in one tile.
+    fn flip_of(&self, tile: &Tile, filters: &Filters, planes: &mut Planes, errors: &mut Vec<f32>) {
+        for (index, pixels) in [self.a(), self.b()].into_iter().enumerate() {
+            let width = self.width() as usize;
+            tile.with_rim(pixels, width, filters.reach, &mut planes.pixels);
+            filters.opponent_planes(tile.columns.len(), planes);
+            filters.features(index, planes);
+            filters.seen_colors(index, planes);
+        }
+        let [a, b] = &planes.seen;
+        let features = feature_errors(&a.features, &b.features);
+        let colors = color_errors(&filters.spaces, &a.colors, &b.colors);
+        errors.clear();
+        errors.extend(
+            colors
+                .zip(features)
+                .map(|(color, feature)| color.powf(1.0 - feature)),
+        );
+    }
+}
+
+/// What is worked out for one tile after the other.
+#[derive(Default)]
+struct Planes {
+    /// Of one picture, with a rim.
+    pixels: Vec<Pixel>,
+    /// Their Y, Cx and Cz.
+    opponent: [Plane; 3],
+    /// Results on the way.
+    steps: [Plane; 5],
+    /// Of A and of B.
+    seen: [Seen; 2],
+}
+
+/// A tile of a picture as it is seen.
+#[derive(Default)]
+struct Seen {
+    /// How strong an edge, and a point, there is at each pixel.
+    features: [Plane; 2],
+    /// CIELab with the Hunt effect, channel by channel.
+    colors: [Plane; 3],
+}
+
+/// What is worked out once for a picture seen from some distance.
+struct Filters {
+    spaces: ColorSpaces,
+    /// Linear value of each step of a channel.
+    linear: [f32; 256],
+    /// Gaussians by which each opponent channel is blurred.
+    blurs: [Blur; 3],
+    /// Gaussian, slope and bend that find edges and points.
+    bell: Vec<f32>,
+    slope: Vec<f32>,
+    bend: Vec<f32>,
+    /// The most pixels that a filter reaches to a side.
+    reach: usize,
+}
+
+impl Filters {
+    fn new(pixels_per_degree: f32) -> Self {
+        let blurs = SENSITIVITY.map(|parts| Blur::new(&parts, pixels_per_degree));
+        let sigma = 0.5 * WIDTH * pixels_per_degree;
+        let reach_of_bell = (3.0 * sigma).ceil() as usize;
+        let bell = gaussian(sigma, reach_of_bell);
+        let taps = |factor: &dyn Fn(f32) -> f32| -> Vec<f32> {
+            let places = (0..bell.len()).map(|i| i as f32 - reach_of_bell as f32);
+            places
+                .zip(&bell)
+                .map(|(x, bell)| factor(x) * bell)
+                .collect()
+        };
+        Self {
+            spaces: ColorSpaces::new(),
+            linear: std::array::from_fn(|step| linear(step as f32 / 255.0)),
+            reach: blurs
+                .iter()
+                .fold(reach_of_bell, |most, blur| most.max(blur.reach)),
+            blurs,
+            slope: signs_normalized(taps(&|x| -x)),
+            bend: signs_normalized(taps(&|x| x * x / (sigma * sigma) - 1.0)),
+            bell: normalized(bell),
+        }
+    }
+
+    /// The planes Y, Cx and Cz (section 4.1) of the pixels of a tile of `columns`, with its rim.
+    fn opponent_planes(&self, columns: usize, planes: &mut Planes) {
+        let Planes {
+            pixels, opponent, ..
+        } = planes;
+        for plane in &mut *opponent {
+            let width = columns + 2 * self.reach;
+            plane.resize(width, pixels.len() / width);
+        }
+        let [y, cx, cz] = opponent.each_mut().map(|plane| plane.values.iter_mut());
+        for (((y, cx), cz), [r, g, b, _]) in y.zip(cx).zip(cz).zip(&*pixels) {
+            let rgb = [*r, *g, *b].map(|channel| self.linear[usize::from(channel)]);
+            let color = self.spaces.opponent_from_linear(Vec3::from_array(rgb));
+            [*y, *cx, *cz] = color.to_array();
+        }
+    }
+
+    /// Finds how strong an edge and a point there is at each pixel of a tile, in its Y plane.
+    fn features(&self, picture: usize, planes: &mut Planes) {
+        let [lightness, across, down, x, y] = &mut planes.steps;
+        let rim = self.reach - self.bell.len() / 2;
+        planes.opponent[0].inner(rim, |y| (y + 16.0) / 116.0, lightness);
+        lightness.along_columns(&self.bell, across);
+        lightness.along_rows(&self.bell, down);
+        let features = planes.seen[picture].features.iter_mut();
+        for (feature, taps) in features.zip([&self.slope, &self.bend]) {
+            across.along_rows(taps, x);
+            down.along_columns(taps, y);
+            let places = x.values.iter().zip(&y.values);
+            feature.set(x.width, places.map(|(&x, &y)| length(x, y)));
+        }
+    }
+
+    /// Works out the colors of a tile as the eye sees them at this distance.
+    fn seen_colors(&self, picture: usize, planes: &mut Planes) {
+        let colors = &mut planes.seen[picture].colors;
+        let [inner, rows, part, ..] = &mut planes.steps;
+        for ((opponent, blur), seen) in planes.opponent.iter().zip(&self.blurs).zip(&mut *colors) {
+            opponent.inner(self.reach - blur.reach, |value| value, inner);
+            seen.set(0, std::iter::empty());
+            for (weight, taps) in &blur.parts {
+                inner.along_rows(taps, rows);
+                rows.along_columns(taps, part);
+                seen.resize(part.width, part.values.len() / part.width);
+                for (value, part) in seen.values.iter_mut().zip(&part.values) {
+                    *value += weight * part;
+                }
+            }
+            for value in &mut seen.values {
+                *value /= blur.total;
+            }
+        }
+        self.spaces.hunt_lab_from_opponent(colors);
     }
 }
 
@@ -137,12 +259,23 @@ impl ColorSpaces {
     /// CIELab with the Hunt effect: chroma counts the more the lighter the color is (section
     /// 4.1.2).
     fn hunt_lab_from_linear(&self, linear: Vec3) -> Vec3 {
-        let [x, y, z] = (self.relative_xyz_from_linear * linear)
-            .to_array()
-            .map(lab_root);
-        let lightness = 116.0 * y - 16.0;
-        let chroma = 0.01 * lightness * Vec2::new(500.0 * (x - y), 200.0 * (y - z));
-        Vec3::new(lightness, chroma.x, chroma.y)
+        let relative_xyz = self.relative_xyz_from_linear * linear;
+        hunt_lab(Vec3::from_array(relative_xyz.to_array().map(lab_root)))
+    }
+
+    /// The same of colors in YCxCz, channel by channel, as far as they can be shown. Step by step:
+    /// the processor takes many colors at once.
+    fn hunt_lab_from_opponent(&self, channels: &mut [Plane; 3]) {
+        each_color(channels, |opponent| {
+            let linear = self.linear_from_opponent(opponent);
+            self.relative_xyz_from_linear * linear.clamp(Vec3::ZERO, Vec3::ONE)
+        });
+        for channel in &mut *channels {
+            for value in &mut channel.values {
+                *value = lab_root(*value);
+            }
+        }
+        each_color(channels, hunt_lab);
     }
 }
 
@@ -155,38 +288,63 @@ fn linear(encoded: f32) -> f32 {
     }
 }
 
-/// CIELab's cube root, linear near zero.
-fn lab_root(value: f32) -> f32 {
-    const DELTA: f32 = 6.0 / 29.0;
-    if value > DELTA * DELTA * DELTA {
-        value.cbrt()
-    } else {
-        value / (3.0 * DELTA * DELTA) + 4.0 / 29.0
+/// Changes each of the colors that `channels` hold.
+fn each_color(channels: &mut [Plane; 3], change: impl Fn(Vec3) -> Vec3) {
+    let [first, second, third] = channels.each_mut().map(|plane| plane.values.iter_mut());
+    for ((first, second), third) in first.zip(second).zip(third) {
+        [*first, *second, *third] = change(Vec3::new(*first, *second, *third)).to_array();
     }
 }
 
-/// The color differences 0..=1 (section 4.1) from the YCxCz planes of two pictures.
-fn color_errors(
+/// CIELab with the Hunt effect from the roots of relative X, Y and Z.
+fn hunt_lab(Vec3 { x, y, z }: Vec3) -> Vec3 {
+    let lightness = 116.0 * y - 16.0;
+    let chroma = 0.01 * lightness * Vec2::new(500.0 * (x - y), 200.0 * (y - z));
+    Vec3::new(lightness, chroma.x, chroma.y)
+}
+
+/// CIELab's cube root, linear near zero.
+fn lab_root(value: f32) -> f32 {
+    const DELTA: f32 = 6.0 / 29.0;
+    let (root, line) = (cube_root(value), value / (3.0 * DELTA * DELTA) + 4.0 / 29.0);
+    if value > DELTA * DELTA * DELTA {
+        root
+    } else {
+        line
+    }
+}
+
+/// The cube root of a positive number, rounded to the nearest as [`f32::cbrt`] is, but without a
+/// call, so that the processor takes many at once: two of Halley's steps from a guess whose
+/// exponent is a third, the second with more digits.
+#[inline]
+fn cube_root(value: f32) -> f32 {
+    /// The division takes two thirds of the exponent's bias away, but for what makes the largest
+    /// error of the guess small.
+    const BIAS: u32 = 709_958_130;
+    let root = f32::from_bits(value.to_bits() / 3 + BIAS);
+    let cube = root * root * root;
+    let root = root * (value + value + cube) / (value + cube + cube);
+    let (root, value) = (f64::from(root), f64::from(value));
+    let cube = root * root * root;
+    (root * (value + value + cube) / (value + cube + cube)) as f32
+}
+
+/// The color differences 0..=1 (section 4.1) of seen colors, channel by channel.
+fn color_errors<'a>(
     spaces: &ColorSpaces,
-    opponent: [[Plane; 3]; 2],
-    pixels_per_degree: f32,
-) -> Vec<f32> {
-    let [a, b] = opponent.map(|planes| {
-        let [y, cx, cz] = see(planes, pixels_per_degree);
-        let colors = y.values.iter().zip(cx.values).zip(cz.values);
-        colors
-            .map(|((&y, cx), cz)| {
-                let linear = spaces.linear_from_opponent(Vec3::new(y, cx, cz));
-                spaces.hunt_lab_from_linear(linear.clamp(Vec3::ZERO, Vec3::ONE))
-            })
-            .collect::<Vec<Vec3>>()
-    });
+    a: &'a [Plane; 3],
+    b: &'a [Plane; 3],
+) -> impl Iterator<Item = f32> + use<'a> {
     let [green, blue] = [Vec3::Y, Vec3::Z].map(|color| spaces.hunt_lab_from_linear(color));
     let largest = hyab(green, blue).powf(COMPRESSION);
-    a.into_iter()
-        .zip(b)
-        .map(|(a, b)| spread(hyab(a, b).powf(COMPRESSION), largest))
-        .collect()
+    let colors = |planes: &'a [Plane; 3]| {
+        let [x, y, z] = planes.each_ref().map(|plane| plane.values.iter());
+        x.zip(y).zip(z).map(|((&x, &y), &z)| Vec3::new(x, y, z))
+    };
+    colors(a)
+        .zip(colors(b))
+        .map(move |(a, b)| spread(hyab(a, b).powf(COMPRESSION), largest))
 }
 
 /// Distance of two Lab colors that holds for large differences too (section 4.1.3).
@@ -205,86 +363,53 @@ fn spread(difference: f32, largest: f32) -> f32 {
     }
 }
 
-/// Blurs each opponent channel as the eye does at this distance.
-fn see(planes: [Plane; 3], pixels_per_degree: f32) -> [Plane; 3] {
-    let reach = (3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as usize;
-    let mut sensitivities = SENSITIVITY.iter();
-    planes.map(|plane| {
-        let parts = sensitivities.next().into_iter().flatten();
-        blur(
-            &plane,
-            parts.filter(|(a, _)| *a > 0.0),
-            reach,
-            pixels_per_degree,
-        )
-    })
+/// A sum of Gaussians, together of weight one. The sum itself does not part into rows and columns,
+/// but each Gaussian does.
+struct Blur {
+    /// Weight and taps of each Gaussian.
+    parts: Vec<(f32, Vec<f32>)>,
+    /// Weight of all taps together.
+    total: f32,
+    /// Pixels to a side that they reach.
+    reach: usize,
 }
 
-/// Blurs by a sum of Gaussians, together of weight one. The sum itself does not part into rows
-/// and columns, but each Gaussian does.
-fn blur<'a>(
-    plane: &Plane,
-    parts: impl Iterator<Item = &'a (f32, f32)>,
-    reach: usize,
-    pixels_per_degree: f32,
-) -> Plane {
-    let mut blurred = plane.map(|_| 0.0);
-    let mut total = 0.0;
-    for &(a, b) in parts {
-        // exp(-π² (x / ppd)² / b) = exp(-x² / 2σ²)
-        let sigma = pixels_per_degree * (b / 2.0).sqrt() / PI;
-        let taps = gaussian(sigma, reach);
-        let weight = a * (PI / b).sqrt();
-        let sum: f32 = taps.iter().sum();
-        total += weight * sum * sum;
-        let part = plane.along_rows(&taps).along_columns(&taps);
-        for (value, part) in blurred.values.iter_mut().zip(part.values) {
-            *value += weight * part;
+impl Blur {
+    /// Of Gaussians as in [`SENSITIVITY`].
+    fn new(parts: &[(f32, f32)], pixels_per_degree: f32) -> Self {
+        let reach = (3.0 * (WIDEST / (2.0 * PI * PI)).sqrt() * pixels_per_degree).ceil() as usize;
+        let mut total = 0.0;
+        let parts = parts.iter().filter(|(a, _)| *a > 0.0).map(|&(a, b)| {
+            // exp(-π² (x / ppd)² / b) = exp(-x² / 2σ²)
+            let sigma = pixels_per_degree * (b / 2.0).sqrt() / PI;
+            let taps = gaussian(sigma, reach);
+            let weight = a * (PI / b).sqrt();
+            let sum: f32 = taps.iter().sum();
+            total += weight * sum * sum;
+            (weight, taps)
+        });
+        Self {
+            parts: parts.collect(),
+            total,
+            reach,
         }
     }
-    blurred.map(|value| value / total)
 }
 
-/// Differences 0..=1 of edges and points (section 4.2) from the Y planes of two pictures.
-fn feature_errors(lightness: [&Plane; 2], pixels_per_degree: f32) -> Vec<f32> {
-    let [a, b] = lightness.map(|plane| features(plane, pixels_per_degree));
-    a.into_iter()
-        .zip(b)
-        .map(|([edge_a, point_a], [edge_b, point_b])| {
-            let difference = (edge_a - edge_b).abs().max((point_a - point_b).abs());
-            (FRAC_1_SQRT_2 * difference).powf(RAISE)
-        })
-        .collect()
-}
-
-/// How strong an edge and a point there is at each pixel.
-fn features(lightness: &Plane, pixels_per_degree: f32) -> Vec<[f32; 2]> {
-    let sigma = 0.5 * WIDTH * pixels_per_degree;
-    let reach = (3.0 * sigma).ceil() as usize;
-    let bell = gaussian(sigma, reach);
-    let taps = |factor: &dyn Fn(f32) -> f32| -> Vec<f32> {
-        let places = (0..bell.len()).map(|i| i as f32 - reach as f32);
-        places
-            .zip(&bell)
-            .map(|(x, bell)| factor(x) * bell)
-            .collect()
+/// Differences 0..=1 of edges and points (section 4.2) of two pictures.
+fn feature_errors<'a>(a: &'a [Plane; 2], b: &'a [Plane; 2]) -> impl Iterator<Item = f32> + use<'a> {
+    let apart = |kind: usize| {
+        let places = a[kind].values.iter().zip(&b[kind].values);
+        places.map(|(a, b)| (a - b).abs())
     };
-    let slope = signs_normalized(taps(&|x| -x));
-    let bend = signs_normalized(taps(&|x| x * x / (sigma * sigma) - 1.0));
-    let bell = normalized(bell);
-    let lightness = lightness.map(|y| (y + 16.0) / 116.0);
-    let across = lightness.along_columns(&bell);
-    let down = lightness.along_rows(&bell);
-    let edges = lengths(across.along_rows(&slope), down.along_columns(&slope));
-    let points = lengths(across.along_rows(&bend), down.along_columns(&bend));
-    edges
-        .zip(points)
-        .map(|(edge, point)| [edge, point])
-        .collect()
+    let places = apart(0).zip(apart(1));
+    places.map(|(edge, point)| (FRAC_1_SQRT_2 * edge.max(point)).powf(RAISE))
 }
 
-fn lengths(x: Plane, y: Plane) -> impl Iterator<Item = f32> {
-    x.values.into_iter().zip(y.values).map(|(x, y)| x.hypot(y))
+/// As [`f32::hypot`], without a call.
+fn length(x: f32, y: f32) -> f32 {
+    let (x, y) = (f64::from(x), f64::from(y));
+    (x * x + y * y).sqrt() as f32
 }
 
 /// Scales positive and negative taps so that each kind sums up to one.
@@ -299,7 +424,7 @@ fn signs_normalized(taps: Vec<f32>) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::test_pictures::{alike, filled, painted};
+    use crate::compare::test_pictures::{alike, correlated, filled, noise, painted};
     use crate::geometry::Picture;
 
     fn flip(a: &Picture, b: &Picture) -> Flip {
@@ -365,6 +490,96 @@ mod tests {
         assert_near(flip(&black, &dot).map[12 * 32 + 18], 0.480_560_7);
         let edge = |at| painted(32, 24, move |x, _| gray(if x < at { 0 } else { 200 }));
         assert_near(flip(&edge(16), &edge(17)).mean, 0.083_439_596);
+    }
+
+    /// The same formulas on the pictures as a whole, with every sum in the same order and the
+    /// standard library's roots and lengths.
+    fn by_whole_planes(pair: &Pair) -> Vec<f32> {
+        let (spaces, filters) = (ColorSpaces::new(), Filters::new(PIXELS_PER_DEGREE));
+        let width = pair.width() as usize;
+        let [a, b] = [pair.a(), pair.b()].map(|pixels| {
+            let opponent = pixels.iter().map(|&[r, g, b, _]| {
+                let rgb = [r, g, b].map(|channel| linear(f32::from(channel) / 255.0));
+                spaces.opponent_from_linear(Vec3::from_array(rgb))
+            });
+            let opponent: Vec<Vec3> = opponent.collect();
+            let plane = |channel: usize| opponent.iter().map(move |color| color[channel]);
+            let lightness: Vec<f32> = plane(0).map(|y| (y + 16.0) / 116.0).collect();
+            let across = correlated(&lightness, width, &filters.bell, false);
+            let down = correlated(&lightness, width, &filters.bell, true);
+            let features = [&filters.slope, &filters.bend].map(|taps| {
+                let x = correlated(&across, width, taps, true);
+                let y = correlated(&down, width, taps, false);
+                x.iter()
+                    .zip(y)
+                    .map(|(x, y)| x.hypot(y))
+                    .collect::<Vec<f32>>()
+            });
+            let seen = [0, 1, 2].map(|channel| {
+                let blur = &filters.blurs[channel];
+                let values: Vec<f32> = plane(channel).collect();
+                let mut sum = vec![0.0; values.len()];
+                for (weight, taps) in &blur.parts {
+                    let rows = correlated(&values, width, taps, true);
+                    let part = correlated(&rows, width, taps, false);
+                    sum.iter_mut()
+                        .zip(part)
+                        .for_each(|(sum, part)| *sum += weight * part);
+                }
+                sum.iter().map(|sum| sum / blur.total).collect::<Vec<f32>>()
+            });
+            let colors = (0..seen[0].len()).map(|i| {
+                let linear =
+                    spaces.linear_from_opponent(Vec3::new(seen[0][i], seen[1][i], seen[2][i]));
+                let shown = linear.clamp(Vec3::ZERO, Vec3::ONE);
+                let xyz = (spaces.relative_xyz_from_linear * shown).to_array();
+                let delta: f32 = 6.0 / 29.0;
+                hunt_lab(Vec3::from_array(xyz.map(|value| match value {
+                    value if value > delta * delta * delta => value.cbrt(),
+                    value => value / (3.0 * delta * delta) + 4.0 / 29.0,
+                })))
+            });
+            (features, colors.collect::<Vec<Vec3>>())
+        });
+        let [green, blue] = [Vec3::Y, Vec3::Z].map(|color| spaces.hunt_lab_from_linear(color));
+        let largest = hyab(green, blue).powf(COMPRESSION);
+        let error = |i: usize| {
+            let apart = |kind: usize| (a.0[kind][i] - b.0[kind][i]).abs();
+            let feature = (FRAC_1_SQRT_2 * apart(0).max(apart(1))).powf(RAISE);
+            let color = spread(hyab(a.1[i], b.1[i]).powf(COMPRESSION), largest);
+            color.powf(1.0 - feature)
+        };
+        (0..a.1.len()).map(error).collect()
+    }
+
+    #[test]
+    fn tile_by_tile_every_pixel_has_exactly_the_value_of_the_whole() {
+        let noise = |seed| noise(530, 200, 0..=255, seed);
+        let [flat, _] = alike(40, 30);
+        for [a, b] in [
+            [noise(1), noise(2)],
+            alike(300, 110),
+            [flat, filled(40, 30, [9; 4])],
+        ] {
+            let pair = Pair::new(&a, &b, &[]).unwrap();
+            assert!(pair.flip().map == by_whole_planes(&pair), "{}", a.width);
+        }
+    }
+
+    #[test]
+    fn roots_and_lengths_are_those_of_the_standard_library_to_the_last_bit() {
+        for bits in (0.008_f32.to_bits()..1.1_f32.to_bits()).step_by(101) {
+            let value = f32::from_bits(bits);
+            assert_eq!(cube_root(value), value.cbrt(), "{value}");
+        }
+        let values = (0..3000).map(|i| (i as f32 * 0.37).sin() * 10_f32.powi(-(i % 7)));
+        let values: Vec<f32> = values.collect();
+        for (x, y) in values
+            .iter()
+            .flat_map(|x| values.iter().step_by(7).map(move |y| (x, y)))
+        {
+            assert_eq!(length(*x, *y), x.hypot(*y), "{x} {y}");
+        }
     }
 
     #[test]

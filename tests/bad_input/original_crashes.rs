@@ -330,7 +330,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
         "a.scene",
         SCENE.replacen("box.obj", "builtin:none", 1),
     ));
-    let start = "a.scene:4:110: shape 3: builtin:none: expected one of ";
+    let start = "a.scene:4:48: shape 3: builtin:none: expected one of ";
     assert!(told.starts_with(start), "{told}");
     let told = error(&with(
         "a.scene",
