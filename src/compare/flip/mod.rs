@@ -4,21 +4,17 @@
 //! Graphics and Interactive Techniques 3 (2), 2020. Section numbers below are the paper's.
 //! Written anew: the binding to the authors' code needs a C++ compiler.
 
+mod color;
+
 use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
-use glam::{Mat3, Vec2, Vec3};
+use color::{COMPRESSION, ColorSpaces, hyab, linear, spread};
+use glam::Vec3;
 use std::f32::consts::{FRAC_1_SQRT_2, PI};
 
 /// Pixels in a degree of the eye's field, seen as the paper assumes: from 0.7 m, on a screen
 /// 0.7 m wide with 3840 columns.
 pub const PIXELS_PER_DEGREE: f32 = 67.020_64;
-
-/// Exponent that compresses large color differences (section 4.1.4, q_c).
-const COMPRESSION: f32 = 0.7;
-/// Differences below this share of the largest one ... (p_c)
-const SMALL_SHARE: f32 = 0.4;
-/// ... fill this share of the result's range (p_t).
-const SMALL_RANGE: f32 = 0.95;
 
 /// Sensitivity of the eye to contrast in each opponent channel (section 4.1.1): two Gaussians
 /// `a sqrt(π / b) exp(-π² x² / b)`, `x` in degrees, each as `(a, b)`.
@@ -221,115 +217,6 @@ impl Filters {
     }
 }
 
-/// Linear sRGB and the spaces that ꟻLIP works in.
-struct ColorSpaces {
-    /// CIE XYZ relative to the white point, so that white is (1, 1, 1).
-    relative_xyz_from_linear: Mat3,
-    linear_from_relative_xyz: Mat3,
-}
-
-impl ColorSpaces {
-    /// From the chromaticities of sRGB's primaries and of its white, D65.
-    fn new() -> Self {
-        let xyz = |x: f32, y: f32| Vec3::new(x / y, 1.0, (1.0 - x - y) / y);
-        let primaries = Mat3::from_cols(xyz(0.64, 0.33), xyz(0.30, 0.60), xyz(0.15, 0.06));
-        let white = xyz(0.3127, 0.3290);
-        let intensities = primaries.inverse() * white;
-        let xyz_from_linear = primaries * Mat3::from_diagonal(intensities);
-        let relative_xyz_from_linear = Mat3::from_diagonal(white.recip()) * xyz_from_linear;
-        Self {
-            relative_xyz_from_linear,
-            linear_from_relative_xyz: relative_xyz_from_linear.inverse(),
-        }
-    }
-
-    /// YCxCz, a linear form of CIELab.
-    fn opponent_from_linear(&self, linear: Vec3) -> Vec3 {
-        let Vec3 { x, y, z } = self.relative_xyz_from_linear * linear;
-        Vec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
-    }
-
-    fn linear_from_opponent(&self, opponent: Vec3) -> Vec3 {
-        let y = (opponent.x + 16.0) / 116.0;
-        let x = y + opponent.y / 500.0;
-        let z = y - opponent.z / 200.0;
-        self.linear_from_relative_xyz * Vec3::new(x, y, z)
-    }
-
-    /// CIELab with the Hunt effect: chroma counts the more the lighter the color is (section
-    /// 4.1.2).
-    fn hunt_lab_from_linear(&self, linear: Vec3) -> Vec3 {
-        let relative_xyz = self.relative_xyz_from_linear * linear;
-        hunt_lab(Vec3::from_array(relative_xyz.to_array().map(lab_root)))
-    }
-
-    /// The same of colors in YCxCz, channel by channel, as far as they can be shown. Step by step:
-    /// the processor takes many colors at once.
-    fn hunt_lab_from_opponent(&self, channels: &mut [Plane; 3]) {
-        each_color(channels, |opponent| {
-            let linear = self.linear_from_opponent(opponent);
-            self.relative_xyz_from_linear * linear.clamp(Vec3::ZERO, Vec3::ONE)
-        });
-        for channel in &mut *channels {
-            for value in &mut channel.values {
-                *value = lab_root(*value);
-            }
-        }
-        each_color(channels, hunt_lab);
-    }
-}
-
-/// The linear value of an sRGB-encoded one (IEC 61966-2-1), both 0..=1.
-fn linear(encoded: f32) -> f32 {
-    if encoded <= 0.04045 {
-        encoded / 12.92
-    } else {
-        ((encoded + 0.055) / 1.055).powf(2.4)
-    }
-}
-
-/// Changes each of the colors that `channels` hold.
-fn each_color(channels: &mut [Plane; 3], change: impl Fn(Vec3) -> Vec3) {
-    let [first, second, third] = channels.each_mut().map(|plane| plane.values.iter_mut());
-    for ((first, second), third) in first.zip(second).zip(third) {
-        [*first, *second, *third] = change(Vec3::new(*first, *second, *third)).to_array();
-    }
-}
-
-/// CIELab with the Hunt effect from the roots of relative X, Y and Z.
-fn hunt_lab(Vec3 { x, y, z }: Vec3) -> Vec3 {
-    let lightness = 116.0 * y - 16.0;
-    let chroma = 0.01 * lightness * Vec2::new(500.0 * (x - y), 200.0 * (y - z));
-    Vec3::new(lightness, chroma.x, chroma.y)
-}
-
-/// CIELab's cube root, linear near zero.
-fn lab_root(value: f32) -> f32 {
-    const DELTA: f32 = 6.0 / 29.0;
-    let (root, line) = (cube_root(value), value / (3.0 * DELTA * DELTA) + 4.0 / 29.0);
-    if value > DELTA * DELTA * DELTA {
-        root
-    } else {
-        line
-    }
-}
-
-/// The cube root of a positive number, rounded to the nearest as [`f32::cbrt`] is, but without a
-/// call, so that the processor takes many at once: two of Halley's steps from a guess whose
-/// exponent is a third, the second with more digits.
-#[inline]
-fn cube_root(value: f32) -> f32 {
-    /// The division takes two thirds of the exponent's bias away, but for what makes the largest
-    /// error of the guess small.
-    const BIAS: u32 = 709_958_130;
-    let root = f32::from_bits(value.to_bits() / 3 + BIAS);
-    let cube = root * root * root;
-    let root = root * (value + value + cube) / (value + cube + cube);
-    let (root, value) = (f64::from(root), f64::from(value));
-    let cube = root * root * root;
-    (root * (value + value + cube) / (value + cube + cube)) as f32
-}
-
 /// The color differences 0..=1 (section 4.1) of seen colors, channel by channel.
 fn color_errors<'a>(
     spaces: &ColorSpaces,
@@ -345,22 +232,6 @@ fn color_errors<'a>(
     colors(a)
         .zip(colors(b))
         .map(move |(a, b)| spread(hyab(a, b).powf(COMPRESSION), largest))
-}
-
-/// Distance of two Lab colors that holds for large differences too (section 4.1.3).
-fn hyab(a: Vec3, b: Vec3) -> f32 {
-    let difference = a - b;
-    difference.x.abs() + Vec2::new(difference.y, difference.z).length()
-}
-
-/// Spreads compressed differences over 0..=1, most of it for the small ones (section 4.1.4).
-fn spread(difference: f32, largest: f32) -> f32 {
-    let small = SMALL_SHARE * largest;
-    if difference < small {
-        SMALL_RANGE * difference / small
-    } else {
-        SMALL_RANGE + (1.0 - SMALL_RANGE) * (difference - small) / (largest - small)
-    }
 }
 
 /// A sum of Gaussians, together of weight one. The sum itself does not part into rows and columns,
@@ -423,6 +294,7 @@ fn signs_normalized(taps: Vec<f32>) -> Vec<f32> {
 
 #[cfg(test)]
 mod tests {
+    use super::color::hunt_lab;
     use super::*;
     use crate::compare::test_pictures::{alike, correlated, filled, noise, painted};
     use crate::geometry::Picture;
@@ -567,22 +439,6 @@ mod tests {
     }
 
     #[test]
-    fn roots_and_lengths_are_those_of_the_standard_library_to_the_last_bit() {
-        for bits in (0.008_f32.to_bits()..1.1_f32.to_bits()).step_by(101) {
-            let value = f32::from_bits(bits);
-            assert_eq!(cube_root(value), value.cbrt(), "{value}");
-        }
-        let values = (0..3000).map(|i| (i as f32 * 0.37).sin() * 10_f32.powi(-(i % 7)));
-        let values: Vec<f32> = values.collect();
-        for (x, y) in values
-            .iter()
-            .flat_map(|x| values.iter().step_by(7).map(move |y| (x, y)))
-        {
-            assert_eq!(length(*x, *y), x.hypot(*y), "{x} {y}");
-        }
-    }
-
-    #[test]
     fn the_order_of_the_pictures_does_not_matter() {
         let [a, b] = alike(40, 30);
         assert_eq!(flip(&a, &b), flip(&b, &a));
@@ -607,31 +463,14 @@ mod tests {
     }
 
     #[test]
-    fn white_has_lightness_100_and_no_chroma() {
-        let spaces = ColorSpaces::new();
-        let white = spaces.hunt_lab_from_linear(Vec3::ONE);
-        assert!(
-            white.abs_diff_eq(Vec3::new(100.0, 0.0, 0.0), 1e-3),
-            "{white}"
-        );
-        let black = spaces.hunt_lab_from_linear(Vec3::ZERO);
-        assert!(black.abs_diff_eq(Vec3::ZERO, 1e-4), "{black}");
-    }
-
-    #[test]
-    fn opponent_colors_turn_back_into_the_same() {
-        let spaces = ColorSpaces::new();
-        for color in [Vec3::X, Vec3::Y, Vec3::new(0.2, 0.5, 0.9)] {
-            let back = spaces.linear_from_opponent(spaces.opponent_from_linear(color));
-            assert!(back.abs_diff_eq(color, 1e-5), "{back}");
+    fn lengths_are_those_of_the_standard_library_to_the_last_bit() {
+        let values = (0..3000).map(|i| (i as f32 * 0.37).sin() * 10_f32.powi(-(i % 7)));
+        let values: Vec<f32> = values.collect();
+        for (x, y) in values
+            .iter()
+            .flat_map(|x| values.iter().step_by(7).map(move |y| (x, y)))
+        {
+            assert_eq!(length(*x, *y), x.hypot(*y), "{x} {y}");
         }
-    }
-
-    #[test]
-    fn the_parts_of_the_range_meet() {
-        assert_eq!(spread(0.0, 10.0), 0.0);
-        assert!((spread(3.999_999, 10.0) - 0.95).abs() < 1e-5);
-        assert!((spread(4.0, 10.0) - 0.95).abs() < 1e-6);
-        assert!((spread(10.0, 10.0) - 1.0).abs() < 1e-6);
     }
 }
