@@ -108,6 +108,7 @@ struct Planes {
 }
 
 /// Luma of ITU-R BT.601, 0..=255.
+#[inline]
 pub(super) fn luma([r, g, b, _]: Pixel) -> f32 {
     0.299 * f32::from(r) + 0.587 * f32::from(g) + 0.114 * f32::from(b)
 }

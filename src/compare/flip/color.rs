@@ -33,11 +33,13 @@ impl ColorSpaces {
     }
 
     /// YCxCz, a linear form of CIELab.
+    #[inline]
     pub(super) fn opponent_from_linear(&self, linear: Vec3) -> Vec3 {
         let Vec3 { x, y, z } = self.relative_xyz_from_linear * linear;
         Vec3::new(116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z))
     }
 
+    #[inline]
     pub(super) fn linear_from_opponent(&self, opponent: Vec3) -> Vec3 {
         let y = (opponent.x + 16.0) / 116.0;
         let x = y + opponent.y / 500.0;
@@ -86,6 +88,7 @@ fn each_color(channels: &mut [Plane; 3], change: impl Fn(Vec3) -> Vec3) {
 }
 
 /// CIELab with the Hunt effect from the roots of relative X, Y and Z.
+#[inline]
 pub(super) fn hunt_lab(Vec3 { x, y, z }: Vec3) -> Vec3 {
     let lightness = 116.0 * y - 16.0;
     let chroma = 0.01 * lightness * Vec2::new(500.0 * (x - y), 200.0 * (y - z));
@@ -93,6 +96,7 @@ pub(super) fn hunt_lab(Vec3 { x, y, z }: Vec3) -> Vec3 {
 }
 
 /// CIELab's cube root, linear near zero.
+#[inline]
 fn lab_root(value: f32) -> f32 {
     const DELTA: f32 = 6.0 / 29.0;
     let (root, line) = (cube_root(value), value / (3.0 * DELTA * DELTA) + 4.0 / 29.0);
@@ -120,12 +124,14 @@ fn cube_root(value: f32) -> f32 {
 }
 
 /// Distance of two Lab colors that holds for large differences too (section 4.1.3).
+#[inline]
 pub(super) fn hyab(a: Vec3, b: Vec3) -> f32 {
     let difference = a - b;
     difference.x.abs() + Vec2::new(difference.y, difference.z).length()
 }
 
 /// Spreads compressed differences over 0..=1, most of it for the small ones (section 4.1.4).
+#[inline]
 pub(super) fn spread(difference: f32, largest: f32) -> f32 {
     let small = SMALL_SHARE * largest;
     if difference < small {

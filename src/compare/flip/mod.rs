@@ -278,6 +278,7 @@ fn feature_errors<'a>(a: &'a [Plane; 2], b: &'a [Plane; 2]) -> impl Iterator<Ite
 }
 
 /// As [`f32::hypot`], without a call.
+#[inline]
 fn length(x: f32, y: f32) -> f32 {
     let (x, y) = (f64::from(x), f64::from(y));
     (x * x + y * y).sqrt() as f32
