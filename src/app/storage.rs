@@ -5,6 +5,9 @@ use std::fs::File;
 use std::path::PathBuf;
 use std::thread::JoinHandle;
 
+/// Size of the largest file of the program's own that is read, in bytes.
+const MOST_STORED: u64 = 256 << 20;
+
 /// Number of programs that can keep unsaved work at the same time.
 const SLOTS: usize = 64;
 
@@ -47,7 +50,7 @@ impl Storage {
     }
 
     pub fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
-        std::fs::read(self.path(key)?).ok()
+        disk::read_at_most(&self.path(key)?, MOST_STORED).ok()
     }
 
     /// Stores `bytes`, unsaved work in the background.

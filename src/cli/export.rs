@@ -42,6 +42,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let mut edits = args.influences.edits(&session);
     edits.extend(args.curves.edits(&session));
     edit(&mut session, edits)?;
-    let text = io::export_obj(session.scene(), session.evaluated());
+    let text = io::export_obj(session.scene(), session.evaluated())
+        .map_err(|error| io::Diagnostic::new(&args.output, error.to_string()))?;
     Ok(disk::write_whole(&args.output, text.as_bytes())?)
 }

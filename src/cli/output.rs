@@ -129,7 +129,8 @@ pub fn print(text: &str) -> Result<(), CliError> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(CliError::Other(format!(
-            "the result cannot be printed: {error}"
+            "the result cannot be printed: {}",
+            disk::in_words(&error)
         ))),
         _ => Ok(()),
     }

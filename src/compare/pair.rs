@@ -205,11 +205,13 @@ impl Pair<'_> {
 }
 
 /// Whether a pixel shows something else than `background`; everything does if there is none.
+#[inline]
 pub(super) fn is_drawn(pixel: Pixel, background: Option<[u8; 3]>) -> bool {
     background.is_none_or(|color| distance(pixel, color) > DRAWN_THRESHOLD)
 }
 
 /// The largest difference of a channel of color.
+#[inline]
 fn distance(pixel: Pixel, color: [u8; 3]) -> u8 {
     let [r, g, b] = std::array::from_fn(|channel| pixel[channel].abs_diff(color[channel]));
     r.max(g).max(b)

@@ -1,4 +1,4 @@
-use super::filters::{Plane, gaussian, normalized};
+use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
 
 /// Side of the window in pixels.
@@ -44,38 +44,71 @@ impl Pair<'_> {
 
     /// Equations (13) to (16) of the paper at each pixel.
     fn ssim_map(&self) -> Vec<f32> {
-        let taps = normalized(gaussian(SIGMA, WINDOW / 2));
-        let blur = |plane: &Plane| plane.along_rows(&taps).along_columns(&taps).values;
-        let width = self.width() as usize;
-        let luma = |pixels: &[Pixel]| Plane {
-            width,
-            values: pixels.iter().map(|&pixel| luma(pixel)).collect(),
+        let (width, height) = (self.width() as usize, self.height() as usize);
+        let mut map = vec![0.0; width * height];
+        let mut planes = Planes::default();
+        let mut values = Vec::new();
+        for tile in Tile::of(width, height) {
+            self.ssim_of(&tile, &mut planes, &mut values);
+            tile.put(&values, &mut map, width);
+        }
+        map
+    }
+
+    /// The same for the pixels of one tile.
+    fn ssim_of(&self, tile: &Tile, planes: &mut Planes, values: &mut Vec<f32>) {
+        let reach = WINDOW / 2;
+        let taps = normalized(gaussian(SIGMA, reach));
+        let width = tile.columns.len() + 2 * reach;
+        let Planes {
+            pixels,
+            lumas: [a, b],
+            products,
+            blurred,
+            means: [mean_a, mean_b, mean_aa, mean_bb, mean_ab],
+        } = planes;
+        for (from, luma_of) in [(self.a(), &mut *a), (self.b(), &mut *b)] {
+            tile.with_rim(from, self.width() as usize, reach, pixels);
+            luma_of.set(width, pixels.iter().map(|&pixel| luma(pixel)));
+        }
+        let mut blur = |plane: &Plane, into: &mut Plane| {
+            plane.along_rows(&taps, blurred);
+            blurred.along_columns(&taps, into);
         };
-        let (a, b) = (luma(self.a()), luma(self.b()));
-        let product = Plane {
-            width,
-            values: a.values.iter().zip(&b.values).map(|(a, b)| a * b).collect(),
-        };
-        let mean_a = blur(&a);
-        let mean_b = blur(&b);
-        let mean_aa = blur(&a.map(|value| value * value));
-        let mean_bb = blur(&b.map(|value| value * value));
-        let mean_ab = blur(&product);
+        blur(a, mean_a);
+        blur(b, mean_b);
+        for (one, other, mean) in [(&*a, &*a, &mut *mean_aa), (b, b, mean_bb), (a, b, mean_ab)] {
+            let pairs = one.values.iter().zip(&other.values);
+            products.set(width, pairs.map(|(one, other)| one * other));
+            blur(products, mean);
+        }
         let (c1, c2) = ((0.01_f32 * 255.0).powi(2), (0.03_f32 * 255.0).powi(2));
-        (0..mean_a.len())
-            .map(|i| {
-                let (a, b) = (mean_a[i], mean_b[i]);
-                let (aa, bb, ab) = (a * a, b * b, a * b);
-                let variances = (mean_aa[i] - aa) + (mean_bb[i] - bb);
-                let covariance = mean_ab[i] - ab;
-                (ab + ab + c1) * (covariance + covariance + c2)
-                    / ((aa + bb + c1) * (variances + c2))
-            })
-            .collect()
+        let means = mean_a.values.iter().zip(&mean_b.values);
+        let squares = mean_aa.values.iter().zip(&mean_bb.values);
+        let all = means.zip(squares).zip(&mean_ab.values);
+        values.clear();
+        values.extend(all.map(|(((a, b), (mean_aa, mean_bb)), mean_ab)| {
+            let (aa, bb, ab) = (a * a, b * b, a * b);
+            let variances = (mean_aa - aa) + (mean_bb - bb);
+            let covariance = mean_ab - ab;
+            (ab + ab + c1) * (covariance + covariance + c2) / ((aa + bb + c1) * (variances + c2))
+        }));
     }
 }
 
+/// What is worked out for one tile after the other.
+#[derive(Default)]
+struct Planes {
+    pixels: Vec<Pixel>,
+    lumas: [Plane; 2],
+    products: Plane,
+    blurred: Plane,
+    /// Of A, B, A², B² and AB.
+    means: [Plane; 5],
+}
+
 /// Luma of ITU-R BT.601, 0..=255.
+#[inline]
 pub(super) fn luma([r, g, b, _]: Pixel) -> f32 {
     0.299 * f32::from(r) + 0.587 * f32::from(g) + 0.114 * f32::from(b)
 }
@@ -83,7 +116,7 @@ pub(super) fn luma([r, g, b, _]: Pixel) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::test_pictures::{alike, filled, painted};
+    use crate::compare::test_pictures::{alike, correlated, filled, noise, painted};
 
     #[test]
     fn equal_pictures_are_alike_by_exactly_one() {
@@ -92,6 +125,34 @@ mod tests {
         assert_eq!(pair.ssim(), Some(1.0));
         let by_the_formulas = pair.ssim_map();
         assert!(by_the_formulas.iter().all(|&value| value == 1.0));
+    }
+
+    /// The same formulas on the pictures as a whole, with every sum in the same order.
+    #[test]
+    fn tile_by_tile_every_pixel_has_exactly_the_value_of_the_whole() {
+        let [a, b] = [1, 2].map(|seed| noise(530, 200, 0..=255, seed));
+        let pair = Pair::new(&a, &b, &[]).unwrap();
+        let taps = normalized(gaussian(SIGMA, WINDOW / 2));
+        let blur = |values: Vec<f32>| {
+            let rows = correlated(&values, 530, &taps, true);
+            correlated(&rows, 530, &taps, false)
+        };
+        let [a, b] = [pair.a(), pair.b()].map(|pixels| {
+            let lumas = pixels.iter().map(|&pixel| luma(pixel));
+            lumas.collect::<Vec<f32>>()
+        });
+        let product = |a: &[f32], b: &[f32]| blur(a.iter().zip(b).map(|(a, b)| a * b).collect());
+        let (aa, bb, ab) = (product(&a, &a), product(&b, &b), product(&a, &b));
+        let (a, b) = (blur(a), blur(b));
+        let (c1, c2) = ((0.01_f32 * 255.0).powi(2), (0.03_f32 * 255.0).powi(2));
+        let expected = (0..a.len()).map(|i| {
+            let squares = [a[i] * a[i], b[i] * b[i], a[i] * b[i]];
+            let variances = (aa[i] - squares[0]) + (bb[i] - squares[1]);
+            let covariance = ab[i] - squares[2];
+            (squares[2] + squares[2] + c1) * (covariance + covariance + c2)
+                / ((squares[0] + squares[1] + c1) * (variances + c2))
+        });
+        assert!(pair.ssim_map() == expected.collect::<Vec<f32>>());
     }
 
     /// scikit-image 0.26 with the paper's Gaussian window on the same lumas.

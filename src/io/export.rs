@@ -9,7 +9,11 @@ use std::fmt::Write;
 /// out, with a comment. Numbers have as many digits as it takes to read the same ones back.
 ///
 /// `evaluated` must be the evaluation of `scene`.
-pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
+///
+/// # Errors
+/// At the first shape with a vertex that lies too far out for its coordinates to be numbers: no
+/// program could read the file.
+pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> Result<String, TooFarOut> {
     let mut out = String::new();
     let mut first_vertex = 1;
     // A line ends where a name does, whatever is in it.
@@ -23,16 +27,30 @@ pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> String {
             continue;
         }
         out.push_str(&format!("o {name}\n"));
-        first_vertex += write_mesh(&mut out, shape, first_vertex);
+        match write_mesh(&mut out, shape, first_vertex) {
+            Some(written) => first_vertex += written,
+            None => return Err(TooFarOut { shape: name }),
+        }
     }
-    out
+    Ok(out)
 }
 
-/// Writes one shape, and returns how many vertices it wrote.
-fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> usize {
+/// Error of an export: a shape with a vertex whose coordinates are not finite.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "expected shapes whose coordinates are numbers, found the shape “{shape}” with a vertex too \
+     far out: make it smaller or move it nearer"
+)]
+pub struct TooFarOut {
+    /// Name of the shape.
+    pub shape: String,
+}
+
+/// Writes one shape, and returns how many vertices it wrote; `None` if one is not finite.
+fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> Option<usize> {
     let geometry = &shape.geometry;
     let positions = geometry.positions();
-    write_vertices(out, shape, positions.iter().copied());
+    write_vertices(out, shape, positions.iter().copied())?;
     // A mirrored shape would be inside out if its triangles kept their order.
     let mirrored = shape.world_from_model.determinant() < 0.0;
     for &[a, b, c] in &geometry.mesh.triangles {
@@ -42,7 +60,7 @@ fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> 
     }
     let mut written = positions.len();
     for curve in geometry.curves.iter().flat_map(|all| &all.curves) {
-        write_vertices(out, shape, curve.positions());
+        write_vertices(out, shape, curve.positions())?;
         out.push('l');
         for _ in curve.positions() {
             // Writing to a string cannot fail.
@@ -51,20 +69,29 @@ fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> 
         }
         out.push('\n');
     }
-    written
+    Some(written)
 }
 
-/// Writes `positions`, in the shape's model space, as they stand in the world.
-fn write_vertices(out: &mut String, shape: &EvaluatedShape, positions: impl Iterator<Item = Vec3>) {
+/// Writes `positions`, in the shape's model space, as they stand in the world; `None` if one is
+/// not finite there.
+fn write_vertices(
+    out: &mut String,
+    shape: &EvaluatedShape,
+    positions: impl Iterator<Item = Vec3>,
+) -> Option<()> {
     for position in positions {
         let world = if shape.world_from_model == Mat4::IDENTITY {
             position
         } else {
             shape.world_from_model.transform_point3(position)
         };
+        if !world.is_finite() {
+            return None;
+        }
         // Writing to a string cannot fail.
         let _ = writeln!(out, "v {} {} {}", world.x, world.y, world.z);
     }
+    Some(())
 }
 
 #[cfg(test)]
@@ -86,7 +113,7 @@ mod tests {
         transform.scale = Vec3::new(-1.0, 2.0, 1.0);
         let evaluated = Evaluator::new().evaluate(&scene, 0.0);
 
-        let text = export_obj(&scene, &evaluated);
+        let text = export_obj(&scene, &evaluated).unwrap();
         assert!(text.starts_with("o A cube\nv "));
         let mesh = read_character_obj(Path::new("a"), text.as_bytes())
             .unwrap()
@@ -127,11 +154,31 @@ mod tests {
             NewShape::new("Man", missing),
             NewShape::new("Cube", ShapeKind::Cube),
         ]);
-        let text = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
+        let text = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0)).unwrap();
         scene.delete(scene.shapes()[0].id);
-        let cube = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0));
+        let cube = export_obj(&scene, &Evaluator::new().evaluate(&scene, 0.0)).unwrap();
         let comment = "# Man is left out: man.obj: there is no such file\n";
         assert_eq!(text, format!("{comment}{cube}"));
+    }
+
+    #[test]
+    fn a_shape_that_is_too_far_out_to_be_read_back_is_refused_by_name() {
+        let mut scene = Scene::new();
+        scene.add(NewShape::new("Near", ShapeKind::Cube));
+        let far = scene.add(NewShape::new("Far", ShapeKind::Cube));
+        let exported = |scene: &Scene| export_obj(scene, &Evaluator::new().evaluate(scene, 0.0));
+        let place = |scene: &mut Scene, x: f32, scale: f32| {
+            let transform = &mut scene.shape_mut(far).unwrap().placement.transform;
+            transform.position = Vec3::X * x;
+            transform.scale = Vec3::splat(scale);
+        };
+        place(&mut scene, 3e38, 1.0);
+        let written = exported(&scene).unwrap();
+        read_character_obj(Path::new("a"), written.as_bytes()).unwrap();
+        place(&mut scene, 3e38, 3e38);
+        let message = "expected shapes whose coordinates are numbers, found the shape “Far” with a \
+                       vertex too far out: make it smaller or move it nearer";
+        assert_eq!(exported(&scene).unwrap_err().to_string(), message);
     }
 
     fn transform_center(evaluated: &Evaluated) -> Vec3 {

@@ -5,7 +5,11 @@ use crate::geometry::Picture;
 use ::image::codecs::gif::GifEncoder;
 use ::image::codecs::jpeg::JpegEncoder;
 use ::image::codecs::png::PngEncoder;
-use ::image::{ExtendedColorType, ImageEncoder, ImageError, ImageFormat, ImageReader};
+use ::image::error::LimitErrorKind;
+use ::image::{
+    ColorType, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader,
+    Limits,
+};
 use std::collections::HashMap;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -92,39 +96,118 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
     Ok(bytes)
 }
 
-/// Reads a PNG, JPEG or GIF by its content, not its name; of several frames the first.
+/// The most pixels that a picture may have that is read: as many as one of 8192×8192.
+const MOST_PIXELS: u64 = 1 << 26;
+/// The most pixels that it may have a side.
+const MOST_A_SIDE: u32 = 65_535;
+/// The most memory that a decoder may take beside the picture, in bytes.
+const MOST_ALLOC: u64 = 1 << 28;
+/// Bytes a pixel that the decoder of JPEG takes beside the picture, if the picture is stored in
+/// several passes: a coefficient of two bytes for each of three colors.
+const JPEG_COEFFICIENTS: usize = 6;
+
+/// Reads a PNG, JPEG or GIF by its content, not its name; of several frames the first. It takes as
+/// much memory as the [`Picture`], or as its pixels as they are stored if these are more.
 ///
 /// # Errors
-/// If it is none of these, is damaged, or would take an unreasonable amount of memory.
+/// If it is none of these, is damaged, has too many pixels, or there is not enough memory for it.
 pub fn decode(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
-    let (name, reader) = open(path, bytes)?;
-    let rgba = reader
-        .decode()
-        .map_err(|error| damaged(path, name, &error))?
-        .into_rgba8();
+    let Opened {
+        format,
+        decoder,
+        pixels,
+    } = open(path, bytes)?;
+    let (width, height) = decoder.dimensions();
+    let color = decoder.color_type();
+    let stored = usize::from(color.bytes_per_pixel());
+    let mut rgba = memory(path, pixels * stored.max(4))?;
+    if format == "JPEG" {
+        // The decoder ends the program if it gets no memory: better asked before.
+        drop(memory(path, pixels * JPEG_COEFFICIENTS)?);
+    }
+    rgba.resize(pixels * stored.max(4), 0);
+    let start = rgba.len() - pixels * stored;
+    let read = decoder.read_image(&mut rgba[start..]);
+    read.map_err(|error| damaged(path, format, &error))?;
+    if !to_rgba(&mut rgba, pixels, color) {
+        let message = format!("expected 8 or 16 bits a color, found {color:?}");
+        return Err(Diagnostic::new(path, message));
+    }
+    rgba.truncate(4 * pixels);
+    rgba.shrink_to_fit();
     Ok(Picture {
-        width: rgba.width(),
-        height: rgba.height(),
-        rgba: rgba.into_raw(),
+        width,
+        height,
+        rgba,
     })
 }
 
-/// How many bytes the [`Picture`] of [`decode`] would have, by its head.
-///
-/// # Errors
-/// If it is no picture, or its head is damaged.
-fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
-    let (name, reader) = open(path, bytes)?;
-    let size = reader.into_dimensions();
-    let (width, height) = size.map_err(|error| damaged(path, name, &error))?;
-    let pixels = u64::from(width) * u64::from(height);
-    Ok(usize::try_from(pixels.saturating_mul(4)).unwrap_or(usize::MAX))
+/// Room for so many bytes.
+fn memory(path: &Path, bytes: usize) -> Result<Vec<u8>, Diagnostic> {
+    let mut room = Vec::new();
+    match room.try_reserve_exact(bytes) {
+        Ok(()) => Ok(room),
+        Err(_) => Err(Diagnostic::new(path, NO_MEMORY)),
+    }
 }
 
-/// The name of a picture's format, and the reader of the picture.
-type Opened<'a> = (&'static str, ImageReader<Cursor<&'a [u8]>>);
+/// Makes `pixels` pixels of the kind `color`, which lie at the end of `bytes`, into RGBA at its
+/// start. A pixel is never written over one that is still to be read. False for colors that PNG,
+/// JPEG and GIF do not have.
+fn to_rgba(bytes: &mut [u8], pixels: usize, color: ColorType) -> bool {
+    match color {
+        ColorType::L8 => each_pixel(bytes, pixels, |[l]| [l, l, l, 255]),
+        ColorType::La8 => each_pixel(bytes, pixels, |[l, a]| [l, l, l, a]),
+        ColorType::Rgb8 => each_pixel(bytes, pixels, |[r, g, b]| [r, g, b, 255]),
+        ColorType::Rgba8 => {}
+        ColorType::L16 => each_pixel(bytes, pixels, |pixel: [u8; 2]| {
+            let [l] = of_16_bits(pixel);
+            [l, l, l, 255]
+        }),
+        ColorType::La16 => each_pixel(bytes, pixels, |pixel: [u8; 4]| {
+            let [l, a] = of_16_bits(pixel);
+            [l, l, l, a]
+        }),
+        ColorType::Rgb16 => each_pixel(bytes, pixels, |pixel: [u8; 6]| {
+            let [r, g, b] = of_16_bits(pixel);
+            [r, g, b, 255]
+        }),
+        ColorType::Rgba16 => each_pixel(bytes, pixels, |pixel: [u8; 8]| of_16_bits(pixel)),
+        _ => return false,
+    }
+    true
+}
 
-fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
+fn each_pixel<const N: usize>(bytes: &mut [u8], pixels: usize, rgba: impl Fn([u8; N]) -> [u8; 4]) {
+    let start = bytes.len() - pixels * N;
+    for pixel in 0..pixels {
+        let from = start + pixel * N;
+        let stored = std::array::from_fn(|byte| bytes[from + byte]);
+        bytes[4 * pixel..4 * pixel + 4].copy_from_slice(&rgba(stored));
+    }
+}
+
+/// The nearest values of 8 bits to `N` of 16 bits, in the machine's order of bytes.
+fn of_16_bits<const N: usize, const BYTES: usize>(pixel: [u8; BYTES]) -> [u8; N] {
+    std::array::from_fn(|channel| {
+        let value = u16::from_ne_bytes([pixel[2 * channel], pixel[2 * channel + 1]]);
+        ((u32::from(value) + 128) / 257) as u8
+    })
+}
+
+/// A picture of which only the head has been read.
+struct Opened<D> {
+    /// Name of its format.
+    format: &'static str,
+    decoder: D,
+    /// How many it has, within the limits.
+    pixels: usize,
+}
+
+fn open<'a>(
+    path: &Path,
+    bytes: &'a [u8],
+) -> Result<Opened<impl ImageDecoder + use<'a>>, Diagnostic> {
     let (name, format) = match ::image::guess_format(bytes) {
         Ok(format @ ImageFormat::Png) => ("PNG", format),
         Ok(format @ ImageFormat::Jpeg) => ("JPEG", format),
@@ -139,14 +222,40 @@ fn open<'a>(path: &Path, bytes: &'a [u8]) -> Result<Opened<'a>, Diagnostic> {
             return Err(Diagnostic::new(path, message));
         }
     };
-    Ok((name, ImageReader::with_format(Cursor::new(bytes), format)))
+    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+    let mut limits = Limits::default();
+    limits.max_image_width = Some(MOST_A_SIDE);
+    limits.max_image_height = Some(MOST_A_SIDE);
+    limits.max_alloc = Some(MOST_ALLOC);
+    reader.limits(limits);
+    let decoder = reader.into_decoder();
+    let decoder = decoder.map_err(|error| damaged(path, name, &error))?;
+    let (width, height) = decoder.dimensions();
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > MOST_PIXELS {
+        let message = format!(
+            "expected a picture of at most {MOST_PIXELS} pixels, as of 8192×8192, found \
+             {width}×{height}"
+        );
+        return Err(Diagnostic::new(path, message));
+    }
+    Ok(Opened {
+        format: name,
+        decoder,
+        pixels: pixels as usize,
+    })
 }
+
+const NO_MEMORY: &str = "expected a smaller picture, found one too large for the memory";
 
 fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
     let message = match error {
-        ImageError::Limits(_) => {
-            "expected a smaller picture, found one too large for the memory".to_owned()
-        }
+        ImageError::Limits(limit) => match limit.kind() {
+            LimitErrorKind::DimensionError => {
+                format!("expected a picture of at most {MOST_A_SIDE} pixels a side, found more")
+            }
+            _ => NO_MEMORY.to_owned(),
+        },
         error => format!(
             "expected a whole {name} picture, found one that is damaged or cut short ({error})"
         ),
@@ -197,7 +306,7 @@ impl<'a> Pictures<'a> {
     fn read(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
         let bytes = self.files.read(path)?;
         // Asked before it is decoded, which takes time and that much memory.
-        let size = decoded_size(path, &bytes)?;
+        let size = 4 * open(path, &bytes)?.pixels;
         let Some(left) = self.left.checked_sub(size) else {
             let message = format!(
                 "expected at most {MOST_BYTES} bytes of pictures, found more: this one is left out"
@@ -251,6 +360,51 @@ mod tests {
             let told = told(&bytes[..bytes.len() / 3]);
             assert!(told.starts_with(&start), "{told}");
         }
+    }
+
+    /// A PNG of these pixels.
+    fn png_of(width: u32, height: u32, color: ExtendedColorType, bytes: &[u8]) -> Vec<u8> {
+        let mut png = Vec::new();
+        let encoder = PngEncoder::new(&mut png);
+        encoder.write_image(bytes, width, height, color).unwrap();
+        png
+    }
+
+    #[test]
+    fn a_picture_of_any_kind_of_colors_comes_out_as_the_decoders_own_library_has_it() {
+        use ExtendedColorType::{L8, L16, La8, La16, Rgb8, Rgb16, Rgba8, Rgba16};
+        let values = (0..1_u64 << 19).map(|i| (i.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 56) as u8);
+        let values: Vec<u8> = values.collect();
+        for color in [L8, La8, Rgb8, Rgba8, L16, La16, Rgb16, Rgba16] {
+            let a_row = 251 * usize::from(color.bits_per_pixel() / 8);
+            let png = png_of(251, 257, color, &values[..257 * a_row]);
+            let expected = ::image::load_from_memory(&png).unwrap().into_rgba8();
+            let picture = decode(Path::new("a.png"), &png).unwrap();
+            assert_eq!((picture.width, picture.height), (251, 257), "{color:?}");
+            assert!(picture.rgba == expected.into_raw(), "{color:?}");
+        }
+    }
+
+    #[test]
+    fn a_picture_of_too_many_pixels_is_refused_by_its_head() {
+        // The size of a GIF has no checksum.
+        let gif = |width: u16, height: u16| {
+            let mut gif = encode(&gradient(), PictureFormat::Gif).unwrap();
+            gif[6..8].copy_from_slice(&width.to_le_bytes());
+            gif[8..10].copy_from_slice(&height.to_le_bytes());
+            gif
+        };
+        let told = |bytes: &[u8]| decode(Path::new("a"), bytes).unwrap_err().message;
+        let most = "expected a picture of at most 67108864 pixels, as of 8192×8192, found";
+        assert_eq!(told(&gif(10_000, 10_000)), format!("{most} 10000×10000"));
+        assert_eq!(told(&gif(8193, 8192)), format!("{most} 8193×8192"));
+        let wide = png_of(70_000, 1, ExtendedColorType::L8, &[0; 70_000]);
+        let a_side = "expected a picture of at most 65535 pixels a side, found more";
+        assert_eq!(told(&wide), a_side);
+        assert_eq!(
+            decode(Path::new("a"), &gif(8192, 1024)).unwrap().width,
+            8192
+        );
     }
 
     #[test]

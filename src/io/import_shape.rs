@@ -1,7 +1,8 @@
 use super::diagnostic::Warnings;
+use super::mtl::{self, Libraries};
 use super::obj::{self, Corner, FaceReader, Faces};
 use super::scanner::{Scanner, Word, finite};
-use super::{Diagnostic, Files, Imported, Position, mtl};
+use super::{Diagnostic, Files, Imported, Position};
 use crate::geometry::{self, Material, MaterialGroup, Mesh, MeshBuilder, Triangulator};
 use glam::{Vec2, Vec3};
 use std::collections::{BTreeMap, HashMap};
@@ -27,7 +28,7 @@ pub fn read_shape_obj(
         scanner: Scanner::new(path, bytes)?,
         data: Data::default(),
         faces: FaceReader::default(),
-        materials: Vec::new(),
+        libraries: Libraries::default(),
         materials_missing: false,
         uses: Vec::new(),
         warnings: Warnings::default(),
@@ -47,7 +48,7 @@ struct ShapeReader<'a> {
     scanner: Scanner<'a>,
     data: Data,
     faces: FaceReader,
-    materials: Vec<tobj::Material>,
+    libraries: Libraries,
     materials_missing: bool,
     uses: Vec<Use<'a>>,
     warnings: Warnings,
@@ -101,12 +102,8 @@ impl<'a> ShapeReader<'a> {
             return;
         };
         let path = mtl::beside(self.folder, word.text);
-        let read = self.files.read(&path);
-        match read.and_then(|bytes| mtl::read_mtl(&path, &bytes)) {
-            Ok(read) => {
-                self.materials.extend(read.materials);
-                self.warnings.append(read.warnings);
-            }
+        match self.libraries.add(self.files, &path) {
+            Ok(warnings) => self.warnings.append(warnings),
             Err(error) => {
                 let scanner = &self.scanner;
                 self.warnings.push_with(|| {
@@ -133,7 +130,7 @@ impl<'a> ShapeReader<'a> {
     fn finish(mut self) -> Result<Imported<Mesh>, Diagnostic> {
         let (faces, face_warnings) = self.faces.finish(&self.scanner)?;
         let (materials, material_warnings) =
-            mtl::with_pictures(self.files, self.folder, self.materials);
+            mtl::with_pictures(self.files, self.folder, self.libraries.into_materials());
         let mesh = self.data.mesh(&faces, &self.uses, &materials);
         // If a library is missing, which has a warning of its own, so may the material be.
         if !self.materials_missing {
@@ -347,6 +344,58 @@ mod tests {
         );
     }
 
+    /// Files in memory, with a record of those that were read.
+    struct Counted(HashMap<PathBuf, Vec<u8>>, std::cell::RefCell<Vec<PathBuf>>);
+
+    impl Files for Counted {
+        fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+            self.1.borrow_mut().push(path.to_owned());
+            self.0.read(path)
+        }
+
+        fn exists(&self, path: &Path) -> bool {
+            self.0.exists(path)
+        }
+    }
+
+    #[test]
+    fn a_library_that_is_named_a_hundred_times_is_read_once_and_told_about_once() {
+        let table = HashMap::from([(PathBuf::from("a.mtl"), MTL.as_bytes().to_vec())]);
+        let files = Counted(table, Default::default());
+        let libraries = ["mtllib a.mtl\n", "mtllib gone.mtl\n"].map(|line| line.repeat(100));
+        let obj = libraries.concat() + SQUARE + "usemtl red\nf 1 2 3\n";
+        let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
+        assert_eq!(
+            files.1.into_inner(),
+            ["a.mtl", "gone.mtl"].map(PathBuf::from)
+        );
+        assert_eq!(read.value.groups[0].material.color, Vec3::X);
+        let gone = "a.obj:101:8: materials left out: gone.mtl: there is no such file";
+        assert_eq!(told(&read.warnings), [gone]);
+    }
+
+    #[test]
+    fn of_libraries_with_one_material_the_last_that_is_named_counts_though_named_before() {
+        let color = |color: &str| format!("newmtl a\nKd {color}\nKd oops\n").into_bytes();
+        let files = [("a.mtl", color("1 0 0")), ("b.mtl", color("0 1 0"))];
+        let copy = ("copy.mtl", color("1 0 0"));
+        let files = files.into_iter().chain([copy]);
+        let files = HashMap::from_iter(files.map(|(name, text)| (PathBuf::from(name), text)));
+        for (names, expected) in [
+            (&["a", "b"][..], Vec3::Y),
+            (&["b", "a"], Vec3::X),
+            (&["a", "b", "a"], Vec3::X),
+            (&["a", "b", "copy"], Vec3::X),
+            (&["a", "copy", "a", "b", "b"], Vec3::Y),
+        ] {
+            let lines = names.iter().map(|name| format!("mtllib {name}.mtl\n"));
+            let obj = lines.collect::<String>() + SQUARE + "usemtl a\nf 1 2 3\n";
+            let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
+            assert_eq!(read.value.groups[0].material.color, expected, "{names:?}");
+            assert_eq!(read.warnings.len(), 2, "one for each content: {names:?}");
+        }
+    }
+
     #[test]
     fn each_fault_is_told_where_it_is() {
         for (line, error) in [
@@ -369,6 +418,7 @@ mod tests {
             );
         }
         let faces = read(SQUARE).unwrap_err();
-        assert_eq!(faces, "a.obj: expected faces (lines `f a b c`), found none");
+        let message = "a.obj:4:8: expected faces (lines `f a b c`), found none";
+        assert_eq!(faces, message);
     }
 }

@@ -29,7 +29,7 @@ mod swp;
 pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
-pub use export::export_obj;
+pub use export::{TooFarOut, export_obj};
 pub use file_access::{Files, expect_extension};
 pub use file_importer::{
     IMPORTABLE, Loaded, import_any, import_character, import_collada, import_curve, import_shape,

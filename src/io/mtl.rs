@@ -7,6 +7,7 @@ use super::{Diagnostic, Files};
 use crate::geometry::Material;
 use glam::Vec3;
 use std::collections::{HashMap, HashSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 
 /// The diffuse color of a material that has none.
@@ -18,7 +19,7 @@ const DEFAULT_COLOR: Vec3 = Vec3::splat(0.8);
 ///
 /// # Errors
 /// If the file is no text, or a material has no name.
-pub(super) fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic> {
+fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic> {
     let mut scanner = Scanner::new(path, bytes)?;
     let mut lines = String::new();
     let mut warnings = Warnings::default();
@@ -60,11 +61,63 @@ pub(super) fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic>
 }
 
 /// Content of an `.mtl` file.
-pub(super) struct ReadMtl {
+struct ReadMtl {
     /// In the order of the file.
-    pub materials: Vec<tobj::Material>,
+    materials: Vec<tobj::Material>,
     /// About lines that were left out.
-    pub warnings: Warnings,
+    warnings: Warnings,
+}
+
+/// The material libraries of an `.obj` file, each read once however often it is named, and kept
+/// once under however many names.
+#[derive(Default)]
+pub(super) struct Libraries {
+    /// Hash of the content of each path; `None` for one that cannot be read.
+    paths: HashMap<PathBuf, Option<u64>>,
+    /// Materials by that hash, with the number of `mtllib` lines before the last that names them.
+    read: HashMap<u64, (usize, Vec<tobj::Material>)>,
+    lines: usize,
+}
+
+impl Libraries {
+    /// Adds the library at `path`, after all others, and returns the warnings about its lines;
+    /// none if it was read before.
+    ///
+    /// # Errors
+    /// If it cannot be read, the first time that it is named.
+    pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<Warnings, Diagnostic> {
+        self.lines += 1;
+        let mut warnings = Warnings::default();
+        let content = match self.paths.get(path) {
+            Some(known) => *known,
+            None => {
+                // Stays where reading fails.
+                self.paths.insert(path.to_owned(), None);
+                let bytes = files.read(path)?;
+                let mut hasher = DefaultHasher::new();
+                bytes.hash(&mut hasher);
+                let content = hasher.finish();
+                if !self.read.contains_key(&content) {
+                    let library = read_mtl(path, &bytes)?;
+                    self.read.insert(content, (self.lines, library.materials));
+                    warnings = library.warnings;
+                }
+                self.paths.insert(path.to_owned(), Some(content));
+                Some(content)
+            }
+        };
+        if let Some(library) = content.and_then(|content| self.read.get_mut(&content)) {
+            library.0 = self.lines;
+        }
+        Ok(warnings)
+    }
+
+    /// All materials, in the order in which their libraries were named last.
+    pub fn into_materials(self) -> Vec<tobj::Material> {
+        let mut libraries: Vec<_> = self.read.into_values().collect();
+        libraries.sort_unstable_by_key(|(line, _)| *line);
+        libraries.into_iter().flat_map(|(_, all)| all).collect()
+    }
 }
 
 fn check_color(scanner: &mut Scanner) -> Result<(), Diagnostic> {

@@ -262,7 +262,7 @@ impl FaceReader {
         };
         if let Some(nothing) = nothing {
             let message = format!("expected {nothing}, found none");
-            return Err(Diagnostic::new(scanner.path(), message));
+            return Err(scanner.error(scanner.end(), message));
         }
         if let Some(first) = self.first_zero {
             let (zeros, plural) = (self.zeros, if self.zeros == 1 { "" } else { "s" });
@@ -342,10 +342,13 @@ mod tests {
     #[test]
     fn each_fault_is_told_where_it_is() {
         for (text, error) in [
-            ("", "a.obj: expected vertices (lines `v x y z`), found none"),
+            (
+                "",
+                "a.obj:1:1: expected vertices (lines `v x y z`), found none",
+            ),
             (
                 "v 0 0 0\n",
-                "a.obj: expected faces (lines `f a b c`), found none",
+                "a.obj:1:8: expected faces (lines `f a b c`), found none",
             ),
             (
                 "v 0 0\n",

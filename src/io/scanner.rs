@@ -132,6 +132,11 @@ impl<'a> Scanner<'a> {
         }
     }
 
+    /// Where the file's last word ends.
+    pub fn end(&self) -> Position {
+        Position::in_text(self.text, self.text.trim_end().len())
+    }
+
     /// The error that at `word`, of this line, something else was expected.
     pub fn expected(&self, what: &str, word: Option<Word>) -> Diagnostic {
         let found = word.map_or_else(|| "the end of the line".to_owned(), |w| quoted(w.text));

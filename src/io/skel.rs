@@ -51,7 +51,7 @@ pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, D
         let at = error.joint().and_then(|joint| rows.get(joint));
         match at {
             Some(row) => scanner.error(row.at, explain(&error)),
-            None => Diagnostic::new(path, explain(&error)),
+            None => scanner.error(scanner.end(), explain(&error)),
         }
     })?;
     let far = skeleton
@@ -166,11 +166,11 @@ mod tests {
         for (text, error) in [
             (
                 "",
-                "a.skel: expected a line `x y z parent` for each joint, found none",
+                "a.skel:1:1: expected a line `x y z parent` for each joint, found none",
             ),
             (
                 "\n \n# nothing\n",
-                "a.skel: expected a line `x y z parent` for each joint, found none",
+                "a.skel:3:10: expected a line `x y z parent` for each joint, found none",
             ),
             (
                 "0 0 0 -1\n0 0 one 0\n",

@@ -33,7 +33,8 @@ pub fn read_swp(path: &Path, bytes: &[u8]) -> Result<Imported<CurveSet>, Diagnos
         reader.item(keyword)?;
     }
     if reader.set.items().is_empty() {
-        return Err(Diagnostic::new(path, "expected a curve, found none"));
+        let message = "expected a curve, found none".to_owned();
+        return Err(reader.words.error(reader.words.end(), message));
     }
     Ok(Imported {
         value: reader.set,
@@ -255,15 +256,19 @@ impl<'a> Words<'a> {
     }
 
     fn expected(&self, what: &str, word: Option<Word>) -> Diagnostic {
-        let end = Word {
-            text: "",
-            start: self.text.trim_end().len(),
-        };
         let found = word.map_or_else(|| "the end of the file".to_owned(), |w| quoted(w.text));
         self.error(
-            word.unwrap_or(end),
+            word.unwrap_or_else(|| self.end()),
             format!("expected {what}, found {found}"),
         )
+    }
+
+    /// The empty word where the last one ends.
+    fn end(&self) -> Word<'a> {
+        Word {
+            text: "",
+            start: self.text.trim_end().len(),
+        }
     }
 
     fn error(&self, word: Word, message: String) -> Diagnostic {

@@ -80,8 +80,13 @@ impl Program {
             Purpose::Compare => self.compare_with(&path, reader),
             Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
             Purpose::ExportGeometry => {
-                let text = io::export_obj(self.session.scene(), self.session.evaluated());
-                self.write(&path, "obj", text, host);
+                match io::export_obj(self.session.scene(), self.session.evaluated()) {
+                    Ok(text) => self.write(&path, "obj", text, host),
+                    Err(error) => {
+                        let error = Diagnostic::new(&path, error.to_string());
+                        self.tell_written(&path, Err(error));
+                    }
+                }
             }
             Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),
             Purpose::SaveScreenshot(shot) => {

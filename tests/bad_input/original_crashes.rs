@@ -24,9 +24,8 @@ fn a_blank_line_at_the_end_of_a_skel_is_none() {
 
 #[test]
 fn an_empty_skel_is_told() {
-    let message = "man.skel: expected a line `x y z parent` for each joint, found none";
-    let told = error(&with("man.skel", ""));
-    assert_eq!(told, format!("{message} (shape 2 of a.scene:3:19)"));
+    let message = "man.skel:1:1: expected a line `x y z parent` for each joint, found none";
+    assert_eq!(error(&with("man.skel", "")), message);
 }
 
 #[test]
@@ -312,7 +311,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
     for (missing, told) in [
         (
             "a.scene",
-            "a.scene: expected a file that can be imported (.obj, .swp, .dae), found .scene (shape 2 of a.scene:3:19)",
+            "a.scene:3:19: shape 2: a.scene: expected a file that can be imported (.obj, .swp, .dae), found .scene",
         ),
         (
             "",
@@ -320,7 +319,7 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
         ),
         (
             "none.obj",
-            "none.obj: there is no such file (shape 2 of a.scene:3:19)",
+            "a.scene:3:19: shape 2: none.obj: there is no such file",
         ),
     ] {
         let text = SCENE.replacen("man.obj", missing, 1);
@@ -331,5 +330,12 @@ fn what_does_not_fit_together_in_a_scene_is_told_by_shape_and_place() {
         "a.scene",
         SCENE.replacen("box.obj", "builtin:none", 1),
     ));
-    assert!(told.starts_with("builtin:none: expected one of "), "{told}");
+    let start = "a.scene:4:48: shape 3: builtin:none: expected one of ";
+    assert!(told.starts_with(start), "{told}");
+    let told = error(&with(
+        "a.scene",
+        SCENE.replacen("{\"joints\": {\"Tip\": [0, 0, 30]}}", "\"gone.json\"", 1),
+    ));
+    let expected = "a.scene:3:19: shape 2: gone.json: there is no such file";
+    assert_eq!(told, expected, "the file of a pose");
 }

@@ -86,7 +86,7 @@ fn errors_name_line_and_column() {
     }
     says(
         empty,
-        "error a.dae: expected meshes or joints in the scene, found none",
+        "error a.dae:5:26: expected meshes or joints in the scene, found none",
     );
 }
 

@@ -1,4 +1,5 @@
 use crate::compare::painter::{HEIGHT, SCENE, Scene, WIDTH, rearranged, recolored};
+use crate::work::work;
 use editor_core::compare::{Finding, HighlightChange, Pair, PictureOptions, Which};
 use editor_core::geometry::Picture;
 use glam::Vec3;
@@ -1073,4 +1074,32 @@ fn shares_of_what_is_drawn_leave_out_the_masks() {
     assert_eq!(share(&[]), 0.25);
     assert_eq!(share(&["32,32,32,64"]), 0.5);
     assert_eq!(share(&["64,32,32,16"]), 512.0 / 3584.0);
+}
+
+/// A picture of noise, another for each `seed`.
+fn noise(side: u32, seed: u64) -> Picture {
+    let mut state = seed;
+    let mut channel = move || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 56) as u8
+    };
+    let pixels = (0..side * side).flat_map(|_| [channel(), channel(), channel(), 255]);
+    Picture {
+        width: side,
+        height: side,
+        rgba: pixels.collect(),
+    }
+}
+
+#[test]
+fn the_causes_of_noise_are_sought_in_few_times_the_work_of_counting_pixels() {
+    let [a, b] = [1, 2].map(|seed| noise(800, seed));
+    let pair = Pair::new(&a, &b, &[]).unwrap();
+    let least = |run: &dyn Fn()| (0..3).map(|_| work(run).1).min().unwrap();
+    let counting = least(&|| assert!(pair.differences(0).differing_pixels > 600_000));
+    let seeking = least(&|| assert_eq!(pair.findings(), []));
+    let times = seeking.as_secs_f64() / counting.as_secs_f64();
+    assert!(times < 40.0, "{times} times: {counting:?} and {seeking:?}");
 }

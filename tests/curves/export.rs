@@ -42,7 +42,7 @@ fn an_obj_file_has_the_triangles_then_a_line_for_each_curve_whatever_is_displaye
         shape.placement.transform.position = Vec3::X;
     }
     let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-    let text = export_obj(&scene, &evaluated);
+    let text = export_obj(&scene, &evaluated).unwrap();
 
     let lines = |key: &str| {
         text.lines()

@@ -62,7 +62,8 @@ fn of_several_curves_with_one_name_a_surface_takes_the_latest_before_it() {
 #[test]
 fn each_fault_is_told_where_it_is() {
     for (text, error) in [
-        ("", "a.swp: expected a curve, found none"),
+        ("", "a.swp:1:1: expected a curve, found none"),
+        ("\n \n", "a.swp:1:1: expected a curve, found none"),
         (
             "circ a 5 1\n  disc b",
             "a.swp:2:3: expected bez2, bez3, bsp2, bsp3, circ, srev or gcyl, found “disc”",

@@ -124,6 +124,20 @@ fn a_failed_export_leaves_no_file() {
 }
 
 #[test]
+fn what_could_not_be_read_again_is_not_written_and_the_shape_is_named() {
+    let folder = folder();
+    let scene = "{\"format\": \"editor-scene\", \"version\": 1, \"shapes\": [{\"kind\": \"cube\",
+        \"name\": \"Huge\", \"position\": [3e38, 0, 0], \"scale\": [3e38, 1, 1]}]}";
+    fs::write(folder.path().join("far.scene"), scene).unwrap();
+    let before = files_in(folder.path());
+    let ran = editor_in(folder.path(), &["export", "far.scene", "-o", "out.obj"]);
+    let error = "error: out.obj: expected shapes whose coordinates are numbers, found the shape \
+                 “Huge” with a vertex too far out: make it smaller or move it nearer\n";
+    assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(1), "", error));
+    assert_eq!(files_in(folder.path()), before);
+}
+
+#[test]
 fn exported_vertices_agree_with_the_course_editor() {
     let folder = folder();
     for name in ["walk", "twist"] {

@@ -2,6 +2,8 @@
 
 mod check;
 mod export;
+#[cfg(unix)]
+mod memory;
 mod render;
 mod usage;
 

@@ -244,6 +244,20 @@ fn the_first_start_opens_the_showcase_and_later_ones_do_not() {
 }
 
 #[test]
+fn preferences_that_are_a_pipe_do_not_keep_the_window_from_opening() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let config = home.path().join(".config/skeleton-editor");
+    std::fs::create_dir_all(&config).expect("a folder for preferences");
+    let pipe = config.join("preferences.json");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("mkfifo runs").success());
+    let program = Program::start(&desktop, home.path(), &[]);
+    program.keys(&["Escape"]);
+    assert!(program.end().0.success());
+}
+
+#[test]
 fn a_file_that_cannot_be_opened_is_told_in_the_window_which_stays() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");

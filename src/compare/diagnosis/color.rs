@@ -1,11 +1,8 @@
-use super::evidence::{
-    Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINED_ONE_IN, drawn_in_both,
-    drawn_in_either,
-};
+use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, UNEXPLAINED_ONE_IN};
 use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
-use crate::compare::pair::Pixel;
+use crate::compare::pair::{Pixel, is_drawn};
 
 /// Factors nearer to one than this are not worth mentioning.
 const LEAST_CHANGE: f64 = 0.03;
@@ -137,28 +134,34 @@ pub(super) fn brightness(evidence: &Evidence) -> Option<Finding> {
 /// For each channel the factor that best takes A to B where both are drawn and neither is
 /// saturated; 1 for a channel that is black there. `None` without enough such pixels.
 fn factors(pair: &Pair) -> Option<[f64; 3]> {
-    let (mut products, mut squares, mut pixels) = ([0.0; 3], [0.0; 3], 0);
-    for (a, b) in drawn_in_both(pair) {
-        if a[..3]
-            .iter()
-            .chain(&b[..3])
-            .any(|&channel| channel >= SATURATED)
-        {
-            continue;
+    let [background_a, background_b] = pair.backgrounds();
+    let (mut products, mut squares, mut pixels) = ([0_u64; 3], [0_u64; 3], 0);
+    for ((a, b), kept) in in_blocks(pair) {
+        let (mut products_here, mut squares_here, mut pixels_here) = ([0_u32; 3], [0_u32; 3], 0);
+        for ((&a, &b), &kept) in a.iter().zip(b).zip(kept) {
+            let drawn = is_drawn(a, background_a) & is_drawn(b, background_b);
+            let most = (0..3).fold(0, |most, channel| a[channel].max(b[channel]).max(most));
+            // A factor instead of a branch, which would often be guessed wrong.
+            let counts = u32::from(kept & drawn & (most < SATURATED));
+            pixels_here += counts;
+            for channel in 0..3 {
+                let (a, b) = (counts * u32::from(a[channel]), u32::from(b[channel]));
+                products_here[channel] += a * b;
+                squares_here[channel] += a * a;
+            }
         }
-        pixels += 1;
+        pixels += u64::from(pixels_here);
         for channel in 0..3 {
-            let (a, b) = (f64::from(a[channel]), f64::from(b[channel]));
-            products[channel] += a * b;
-            squares[channel] += a * a;
+            products[channel] += u64::from(products_here[channel]);
+            squares[channel] += u64::from(squares_here[channel]);
         }
     }
     if pixels < FEWEST_PIXELS {
         return None;
     }
     Some(std::array::from_fn(|channel| {
-        if squares[channel] > 0.0 {
-            products[channel] / squares[channel]
+        if squares[channel] > 0 {
+            products[channel] as f64 / squares[channel] as f64
         } else {
             1.0
         }
@@ -168,12 +171,18 @@ fn factors(pair: &Pair) -> Option<[f64; 3]> {
 /// Whether `change` makes A into B, which it is not without.
 fn turns_into(pair: &Pair, change: impl Fn(Pixel) -> Pixel) -> bool {
     let (mut direct, mut unexplained) = (0_u64, 0_u64);
-    let pixels = pair.a().iter().zip(pair.b()).zip(pair.kept());
-    for ((&a, &b), _) in pixels.filter(|(_, kept)| **kept) {
-        direct += u64::from(difference(a, b) > OTHER_COLOR);
-        unexplained += u64::from(difference(change(a), b) > ROUNDING);
+    let mut left = pair.kept().len() as u64;
+    for ((a, b), kept) in in_blocks(pair) {
+        for ((&a, &b), _) in a.iter().zip(b).zip(kept).filter(|(_, kept)| **kept) {
+            direct += u64::from(difference(a, b) > OTHER_COLOR);
+            unexplained += u64::from(difference(change(a), b) > ROUNDING);
+        }
+        left -= a.len() as u64;
+        if !explains_most(unexplained, direct + left) {
+            return false;
+        }
     }
-    direct >= FEWEST_PIXELS && unexplained <= direct / UNEXPLAINED_ONE_IN
+    direct >= FEWEST_PIXELS
 }
 
 /// Whether A and B, each changed, agree where something is drawn, though most of it differs
@@ -183,13 +192,38 @@ fn drawn_turns_into(
     change_a: impl Fn(Pixel) -> Pixel,
     change_b: impl Fn(Pixel) -> Pixel,
 ) -> bool {
+    let [background_a, background_b] = pair.backgrounds();
     let (mut drawn, mut direct, mut unexplained) = (0_u64, 0_u64, 0_u64);
-    for (a, b) in drawn_in_either(pair) {
-        drawn += 1;
-        direct += u64::from(difference(a, b) > ROUNDING);
-        unexplained += u64::from(difference(change_a(a), change_b(b)) > ROUNDING);
+    let mut left = pair.kept().len() as u64;
+    for ((a, b), kept) in in_blocks(pair) {
+        for ((&a, &b), _) in a.iter().zip(b).zip(kept).filter(|(_, kept)| **kept) {
+            if is_drawn(a, background_a) || is_drawn(b, background_b) {
+                drawn += 1;
+                direct += u64::from(difference(a, b) > ROUNDING);
+                unexplained += u64::from(difference(change_a(a), change_b(b)) > ROUNDING);
+            }
+        }
+        left -= a.len() as u64;
+        if !explains_most(unexplained, direct + left) {
+            return false;
+        }
     }
-    drawn >= FEWEST_PIXELS && 2 * direct > drawn && unexplained <= direct / UNEXPLAINED_ONE_IN
+    drawn >= FEWEST_PIXELS && 2 * direct > drawn
+}
+
+/// Whether so few of `direct` pixels are unexplained that the rest tells the cause.
+fn explains_most(unexplained: u64, direct: u64) -> bool {
+    unexplained <= direct / UNEXPLAINED_ONE_IN
+}
+
+/// Pixels between two looks at whether too many are unexplained already, and whose sums of
+/// products fit into 32 bits.
+const BLOCK: usize = 4096;
+
+/// A, B and whether each pixel counts, a block at a time.
+fn in_blocks<'a>(pair: &'a Pair) -> impl Iterator<Item = ((&'a [Pixel], &'a [Pixel]), &'a [bool])> {
+    let pixels = pair.a().chunks(BLOCK).zip(pair.b().chunks(BLOCK));
+    pixels.zip(pair.kept().chunks(BLOCK))
 }
 
 /// The sRGB encoding of a linear value, both 0..=255.
@@ -201,4 +235,76 @@ fn encode(linear: u8) -> u8 {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
     };
     (255.0 * encoded).round() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::diagnosis::evidence::{drawn_in_both, drawn_in_either};
+    use crate::compare::test_pictures::{filled, noise};
+
+    #[test]
+    fn an_early_end_and_sums_of_blocks_change_no_answer() {
+        let even = filled(100, 90, [40, 50, 60, 255]);
+        let picture = |values, seed| noise(100, 90, values, seed);
+        let pictures = [
+            [picture(0..=255, 1), picture(0..=255, 2)],
+            [picture(50..=70, 1), picture(50..=70, 2)],
+            [picture(50..=52, 1), even.clone()],
+            [even.clone(), even],
+        ];
+        let half = |[r, g, b, alpha]: Pixel| [r / 2, g / 2, b / 2, alpha];
+        let mut answers = Vec::new();
+        for [a, mut b] in pictures {
+            for halved in [0, 8_600, 9_000] {
+                let pixels = a.rgba.as_chunks::<4>().0;
+                for (at, pixel) in pixels.iter().enumerate().take(halved) {
+                    b.rgba[4 * at..][..4].copy_from_slice(&half(*pixel));
+                }
+                let pair = Pair::new(&a, &b, &["5,5,20,20".parse().unwrap()]).unwrap();
+                let sums = drawn_in_both(&pair).filter(|(a, b)| {
+                    let mut channels = a[..3].iter().chain(&b[..3]);
+                    channels.all(|&channel| channel < SATURATED)
+                });
+                let mut expected = [[0.0; 2]; 3];
+                for (a, b) in sums {
+                    for channel in 0..3 {
+                        let [a, b] = [a, b].map(|pixel| f64::from(pixel[channel]));
+                        expected[channel][0] += a * b;
+                        expected[channel][1] += a * a;
+                    }
+                }
+                let expected = expected.map(|[products, squares]| products / squares);
+                let is_drawn = expected[0].is_finite();
+                assert_eq!(factors(&pair), is_drawn.then_some(expected));
+
+                let count = |is: &dyn Fn(Pixel, Pixel) -> bool| {
+                    drawn_in_either(&pair).filter(|&(a, b)| is(a, b)).count() as u64
+                };
+                let direct = count(&|a, b| difference(a, b) > ROUNDING);
+                let unexplained = count(&|a, b| difference(half(a), b) > ROUNDING);
+                let (drawn, few) = (
+                    count(&|_, _| true),
+                    unexplained <= direct / UNEXPLAINED_ONE_IN,
+                );
+                let expected = drawn >= FEWEST_PIXELS && 2 * direct > drawn && few;
+                assert_eq!(drawn_turns_into(&pair, half, |b| b), expected);
+
+                let compared = || {
+                    let pixels = pair.a().iter().zip(pair.b()).zip(pair.kept());
+                    pixels
+                        .filter(|(_, kept)| **kept)
+                        .map(|((&a, &b), _)| (a, b))
+                };
+                let direct = compared()
+                    .filter(|&(a, b)| difference(a, b) > OTHER_COLOR)
+                    .count() as u64;
+                let unexplained = compared().filter(|&(a, b)| difference(half(a), b) > ROUNDING);
+                let few = unexplained.count() as u64 <= direct / UNEXPLAINED_ONE_IN;
+                assert_eq!(turns_into(&pair, half), direct >= FEWEST_PIXELS && few);
+                answers.push((expected, few));
+            }
+        }
+        assert!(answers.contains(&(true, true)) && answers.contains(&(false, false)));
+    }
 }

@@ -37,13 +37,17 @@ struct Block {
 
 /// Pictures that agree but for rounding and a few single pixels.
 pub(super) fn nearly_same(evidence: &Evidence) -> Option<Finding> {
+    let other_color = evidence.pixels_of_other_color();
+    if other_color >= FEWEST_PIXELS {
+        return None;
+    }
     let pair = evidence.pair();
     let pixels = pair.a().iter().zip(pair.b());
     let differences: Vec<u8> = pixels.map(|(&a, &b)| difference(a, b)).collect();
     let is_other: Vec<bool> = differences.iter().map(|&by| by > ROUNDING).collect();
-    let (others, other_color) = (count(&is_other), evidence.pixels_of_other_color());
+    let others = count(&is_other);
     let drawn = drawn_in_either(pair).count() as u64;
-    if other_color >= FEWEST_PIXELS || others > drawn / OTHERS_ONE_IN {
+    if others > drawn / OTHERS_ONE_IN {
         return None;
     }
     let rounding = differences.into_iter().filter(|&by| by <= ROUNDING).max();
@@ -63,14 +67,15 @@ pub(super) fn edges(evidence: &Evidence) -> Option<Finding> {
     let pair = evidence.pair();
     let differs = evidence.other_colors();
     let differing = evidence.pixels_of_other_color();
-    let between = (0..differs.len()).filter(|&index| {
-        let (a, b) = (pair.a()[index], pair.b()[index]);
-        differs[index]
-            && fits_among(pair, a, pair.b(), index, OTHER_COLOR)
-            && fits_among(pair, b, pair.a(), index, OTHER_COLOR)
-    });
+    if differing < FEWEST_PIXELS {
+        return None;
+    }
+    let between = [(pair.a(), pair.b()), (pair.b(), pair.a())]
+        .map(|(pixels, others)| fits_among(pair, pixels, others, OTHER_COLOR));
+    let between = differs.iter().zip(between[0].iter().zip(&between[1]));
+    let between = between.filter(|&(&differs, (&a, &b))| differs & a & b);
     let share = between.count() as f64 / differing as f64;
-    if differing < FEWEST_PIXELS || share < ALONG_EDGES {
+    if share < ALONG_EDGES {
         return None;
     }
     let area = evidence.area_of(differs)?;
@@ -86,9 +91,8 @@ pub(super) fn detail(evidence: &Evidence) -> Option<Finding> {
     if differing < FEWEST_PIXELS || !means_agree(pair) {
         return None;
     }
-    let near = (0..differs.len()).filter(|&index| {
-        differs[index] && fits_among(pair, pair.b()[index], pair.a(), index, OVERSHOOT)
-    });
+    let near = fits_among(pair, pair.b(), pair.a(), OVERSHOOT);
+    let near = differs.iter().zip(&near).filter(|&(a, b)| a & b);
     let share = near.count() as f64 / differing as f64;
     let sizes = pair.a().iter().zip(pair.b());
     let max = sizes.map(|(&a, &b)| difference(a, b)).max()?;
@@ -96,21 +100,47 @@ pub(super) fn detail(evidence: &Evidence) -> Option<Finding> {
     (share >= NEARLY_ALL).then_some(Finding::Detail { max, area })
 }
 
-/// Whether each channel of `pixel` lies within the range of the 3×3 pixels around `index`, or
-/// no more than `slack` beyond.
-fn fits_among(pair: &Pair, pixel: Pixel, pixels: &[Pixel], index: usize, slack: u8) -> bool {
-    let mut least = [u8::MAX; 4];
-    let mut most = [0; 4];
-    for near in pair.around(index) {
-        for channel in 0..4 {
-            least[channel] = least[channel].min(pixels[near][channel]);
-            most[channel] = most[channel].max(pixels[near][channel]);
+/// Whether each channel of each of `pixels` lies within the range of the 3×3 of `others` around
+/// it, or no more than `slack` beyond.
+fn fits_among(pair: &Pair, pixels: &[Pixel], others: &[Pixel], slack: u8) -> Vec<bool> {
+    let width = pair.width() as usize;
+    let rows = others.chunks_exact(width).collect::<Vec<_>>();
+    let mut fits = Vec::with_capacity(pixels.len());
+    // The range of each column of three pixels, then of three columns beside one another; outer
+    // ones are repeated. Channel by channel, of which the processor takes many at once.
+    let (mut least, mut most) = (vec![0_u8; 4 * width + 8], vec![0_u8; 4 * width + 8]);
+    let mut channels = vec![[0_u8; 4]; width];
+    for (y, row) in pixels.chunks_exact(width).enumerate() {
+        let above = rows[y.saturating_sub(1)].as_flattened();
+        let below = rows[(y + 1).min(rows.len() - 1)].as_flattened();
+        let column = above.iter().zip(rows[y].as_flattened()).zip(below);
+        let ends = least[4..].iter_mut().zip(&mut most[4..]);
+        for ((least, most), ((&above, &here), &below)) in ends.zip(column) {
+            *least = above.min(here).min(below);
+            *most = above.max(here).max(below);
         }
+        for ends in [&mut least, &mut most] {
+            ends.copy_within(4..8, 0);
+            ends.copy_within(4 * width..4 * width + 4, 4 * width + 4);
+        }
+        let [left, middle, right] = [0, 4, 8].map(|from| {
+            let columns = from..from + 4 * width;
+            (&least[columns.clone()], &most[columns])
+        });
+        let outside = channels.as_flattened_mut().iter_mut();
+        for (at, (outside, &value)) in outside.zip(row.as_flattened()).enumerate() {
+            let least = left.0[at].min(middle.0[at]).min(right.0[at]);
+            let most = left.1[at].max(middle.1[at]).max(right.1[at]);
+            let is_below = value < least.saturating_sub(slack);
+            *outside = u8::from(is_below | (value > most.saturating_add(slack)));
+        }
+        fits.extend(
+            channels
+                .iter()
+                .map(|&channels| u32::from_ne_bytes(channels) == 0),
+        );
     }
-    (0..4).all(|channel| {
-        pixel[channel] >= least[channel].saturating_sub(slack)
-            && pixel[channel] <= most[channel].saturating_add(slack)
-    })
+    fits
 }
 
 /// Whether the blocks that differ have nearly the same mean colors in A and B.
@@ -149,4 +179,29 @@ fn blocks(pair: &Pair) -> Vec<Block> {
         block.differs |= size > OTHER_COLOR;
     }
     blocks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compare::test_pictures::noise;
+
+    #[test]
+    fn a_pixel_fits_among_those_around_it_as_each_alone_says() {
+        for (width, height) in [(1, 1), (1, 5), (5, 1), (2, 2), (17, 9)] {
+            let [a, b] = [1, 2].map(|seed| noise(width, height, 0..=90, seed));
+            let pair = Pair::new(&a, &b, &[]).unwrap();
+            let alone = (0..pair.a().len()).map(|index| {
+                (0..4).all(|channel| {
+                    let near = || pair.around(index).map(|near| pair.b()[near][channel]);
+                    let (least, most) = (near().min().unwrap(), near().max().unwrap());
+                    let slack = OTHER_COLOR;
+                    let range = least.saturating_sub(slack)..=most.saturating_add(slack);
+                    range.contains(&pair.a()[index][channel])
+                })
+            });
+            let found = fits_among(&pair, pair.a(), pair.b(), OTHER_COLOR);
+            assert_eq!(found, alone.collect::<Vec<bool>>(), "{width}×{height}");
+        }
+    }
 }

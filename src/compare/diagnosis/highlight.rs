@@ -1,11 +1,11 @@
-use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR};
+use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR, count};
 use super::{Finding, HighlightChange, Which};
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 use crate::compare::ssim::luma;
 
 /// A highlight covers no more than one in this many drawn pixels.
-const ONE_IN: usize = 3;
+const ONE_IN: u64 = 3;
 /// Where things are gray, less light looks the same as less white light: there its pixels must be
 /// among the brightest, this many times as many as they are.
 const BRIGHTEST_TIMES: usize = 3;
@@ -51,21 +51,22 @@ pub(super) fn highlight(evidence: &Evidence) -> Option<Finding> {
 fn less_in(less_in: Which, evidence: &Evidence, lit: &[Pixel], unlit: &[Pixel]) -> Option<Finding> {
     let [drawn_a, _] = evidence.drawn_masks()?;
     let differs = evidence.other_colors();
+    let few = evidence.pixels_of_other_color() < FEWEST_PIXELS;
+    if few || evidence.pixels_of_other_color() * ONE_IN > count(drawn_a) {
+        return None;
+    }
     let differing: Vec<(Pixel, Pixel)> = pixels_in(lit, unlit, differs).collect();
     let mut lumas: Vec<f32> = pixels_in(lit, unlit, drawn_a)
         .map(|(lit, _)| luma(lit))
         .collect();
-    let count = differing.len();
-    if (count as u64) < FEWEST_PIXELS || count * ONE_IN > lumas.len() {
-        return None;
-    }
-    let place = lumas.len() - (count * BRIGHTEST_TIMES).min(lumas.len());
+    let differing_pixels = differing.len();
+    let place = lumas.len() - (differing_pixels * BRIGHTEST_TIMES).min(lumas.len());
     let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
     let signs = differing.iter().filter(|&&(lit, unlit)| {
         let telling = is_colored(unlit) || luma(lit) >= least_bright;
         telling && added_light(lit, unlit).is_some()
     });
-    let enough = signs.count() as f64 >= NEARLY_ALL * count as f64;
+    let enough = signs.count() as f64 >= NEARLY_ALL * differing_pixels as f64;
     if !enough || !fades(&differing) {
         return None;
     }

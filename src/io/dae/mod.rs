@@ -74,12 +74,16 @@ pub fn read_dae(files: &dyn Files, path: &Path) -> Result<Imported<DaeScene>, Di
     let xml = parse_xml(path, &text)?;
     let dae = Dae::new(path, &text, &xml)?;
     let mut scene = read_scene(&dae, files)?;
-    let (warnings, ignored) = dae.into_notes();
-    scene.report.ignored = ignored;
+    let mut empty = None;
     if scene.characters.is_empty() && scene.meshes.is_empty() {
-        let empty = || Diagnostic::new(path, "expected meshes or joints in the scene, found none");
-        return Err(warnings.into_iter().next().unwrap_or_else(empty));
+        let message = "expected meshes or joints in the scene, found none";
+        empty = Some(dae.error(visual_scene::find(&dae)?, message));
     }
+    let (warnings, ignored) = dae.into_notes();
+    if let Some(empty) = empty {
+        return Err(warnings.into_iter().next().unwrap_or(empty));
+    }
+    scene.report.ignored = ignored;
     Ok(Imported {
         value: scene,
         warnings,

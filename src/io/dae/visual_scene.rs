@@ -33,7 +33,7 @@ impl<'a> SceneNode<'a> {
 /// # Errors
 /// If there is no scene, or it or its nodes have too much in them.
 pub(super) fn flatten<'a>(dae: &Dae<'a>) -> Result<Vec<SceneNode<'a>>, Diagnostic> {
-    let scene = visual_scene(dae)?;
+    let scene = find(dae)?;
     let mut nodes: Vec<SceneNode> = Vec::new();
     // What is still to visit, next last, with the place of the parent in `nodes`.
     let mut open: Vec<(Node, Option<usize>)> = Vec::new();
@@ -96,7 +96,11 @@ pub(super) fn ancestors<'n>(
     std::iter::successors(node, |&node| nodes[node].parent)
 }
 
-fn visual_scene<'a>(dae: &Dae<'a>) -> Result<Node<'a>, Diagnostic> {
+/// The scene that the file shows.
+///
+/// # Errors
+/// If there is none.
+pub(super) fn find<'a>(dae: &Dae<'a>) -> Result<Node<'a>, Diagnostic> {
     let instance = child(dae.root, "scene").and_then(|s| child(s, "instance_visual_scene"));
     if let Some(instance) = instance
         && let Some(scene) = dae.or_warn(dae.target_called(instance, "url", "visual_scene"))

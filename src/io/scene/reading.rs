@@ -38,18 +38,12 @@ impl Reading<'_> {
         }
     }
 
-    /// `error` about a file as a whole, with the shape that named the file.
+    /// `error` at its place in a file; one about a file as a whole where the scene names the file.
     pub fn named_by(&self, entry: Entry, error: Diagnostic) -> Diagnostic {
         if error.position.is_some() {
             return error;
         }
-        let Position { line, column } = Position::in_text(self.text, entry.at);
-        let (scene, number) = (self.path.display(), entry.number);
-        let message = format!(
-            "{} (shape {number} of {scene}:{line}:{column})",
-            error.message
-        );
-        Diagnostic { message, ..error }
+        self.wrong(entry, &error.to_string())
     }
 
     /// A stand-in for a shape whose file could not be read because of `error`, which becomes a

@@ -1,0 +1,260 @@
+//! Writing whole files.
+
+use super::{Disk, in_words};
+use crate::io::{Diagnostic, Files};
+use std::fs::File;
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// Number of symbolic links that are followed, as in Linux.
+const MOST_LINKS: usize = 40;
+
+/// Writes `bytes` to `path` atomically, so that the file has either its old contents or all of the
+/// new: to a temporary file in the same folder, which is then renamed. A symbolic link stays a
+/// link, even to a file that does not exist yet, and an existing file keeps its permissions.
+///
+/// # Errors
+/// If the folder does not exist or is not writable, the disk is full, or `path` is a folder, a
+/// device or a pipe. Then nothing is left behind.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    let Some(target) = behind_links(path) else {
+        let message = "expected a file to write, found a link that leads to itself";
+        return Err(Diagnostic::new(path, message));
+    };
+    let folder = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    if let Ok(found) = std::fs::metadata(&target) {
+        let wrong = if found.is_dir() {
+            Some("expected a file to write, found a folder")
+        } else if !found.is_file() {
+            Some("expected an ordinary file to write, found a device or a pipe")
+        } else if found.permissions().readonly() {
+            Some("this file is write-protected")
+        } else {
+            None
+        };
+        if let Some(wrong) = wrong {
+            return Err(Diagnostic::new(path, wrong));
+        }
+    }
+    if !folder.is_dir() {
+        let message = format!("there is no folder {}", folder.display());
+        return Err(Diagnostic::new(path, message));
+    }
+    write_beside(&target, folder, bytes).map_err(|error| {
+        let message = match error.kind() {
+            ErrorKind::PermissionDenied => {
+                format!("there is no permission to write in {}", folder.display())
+            }
+            _ => in_words(&error),
+        };
+        Diagnostic::new(path, message)
+    })
+}
+
+/// Keeps the file at `path` a second time as `NAME~` beside it, in the place of an older one: it
+/// stays there when `path` is replaced. Does nothing if there is no such file.
+///
+/// # Errors
+/// If the folder is not writable or the disk is full. The file at `path` is there in any case.
+pub fn keep_beside(path: &Path) -> Result<(), Diagnostic> {
+    let Some(target) = behind_links(path).filter(|target| target.is_file()) else {
+        // Whatever is wrong with the file, writing it says so.
+        return Ok(());
+    };
+    let mut name = target.clone().into_os_string();
+    name.push("~");
+    let beside = PathBuf::from(name);
+    let read = Disk.read(&target)?;
+    write_whole(&beside, &read)
+}
+
+/// Target of `path` after all symbolic links, which need not exist; `None` for links in a circle.
+fn behind_links(path: &Path) -> Option<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        // Fails for what is no link, or does not exist.
+        let Ok(next) = std::fs::read_link(&target) else {
+            return Some(target);
+        };
+        target = target.parent().unwrap_or(Path::new("")).join(next);
+    }
+    None
+}
+
+/// Name of a temporary file: this, some random letters, and [`SUFFIX`].
+const PREFIX: &str = ".editor-";
+const SUFFIX: &str = ".part";
+
+/// Writes `bytes` to a temporary file in `folder`, which is then renamed to `target`.
+fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<()> {
+    remove_abandoned(folder);
+    let mut file = temporary_file(folder)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    if let Ok(before) = std::fs::metadata(target) {
+        file.as_file().set_permissions(before.permissions())?;
+    }
+    file.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// A new temporary file in `folder`, locked for as long as it is open: the lock says that someone
+/// is still writing to it.
+fn temporary_file(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX).suffix(SUFFIX);
+    // By default only the owner may read a temporary file; the process's mask applies.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    loop {
+        let file = builder.tempfile_in(folder)?;
+        // Where the file system knows no locks, nobody takes the file for abandoned either.
+        let locked = file.as_file().lock();
+        // Another process may have taken it for abandoned before it was locked.
+        if locked.is_err() || file.path().exists() {
+            return Ok(file);
+        }
+    }
+}
+
+/// Removes the temporary files in `folder` of processes that were ended while they wrote. Their
+/// locks ended with them.
+fn remove_abandoned(folder: &Path) {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    for entry in entries {
+        let name = entry.file_name();
+        let name = name.as_encoded_bytes();
+        let is_temporary = name.starts_with(PREFIX.as_bytes()) && name.ends_with(SUFFIX.as_bytes());
+        // Opening a pipe waits, and a link leads to someone else's file.
+        if is_temporary && entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            let file = File::options().write(true).open(entry.path());
+            if file.is_ok_and(|file| file.try_lock().is_ok()) {
+                // What cannot be removed stays; that keeps nobody from writing.
+                let _ = std::fs::remove_file(entry.path());
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn entries(folder: &Path) -> usize {
+        fs::read_dir(folder).unwrap().count()
+    }
+
+    #[test]
+    fn a_file_is_written_and_replaced_and_nothing_else_is_left() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        write_whole(&path, b"one").unwrap();
+        write_whole(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(entries(folder.path()), 1);
+    }
+
+    #[test]
+    fn what_an_ended_process_left_behind_goes_with_the_next_write_and_nothing_else_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        // As a process leaves it that is ended while it writes.
+        let (_, left) = temporary_file(folder.path()).unwrap().keep().unwrap();
+        let writing = temporary_file(folder.path()).unwrap();
+        for name in ["editor-a.part", ".editor-a.parts", ".part"] {
+            fs::write(path(name), "mine").unwrap();
+        }
+        fs::create_dir(path(".editor-b.part")).unwrap();
+        write_whole(&path("a.obj"), b"one").unwrap();
+        assert!(!left.exists());
+        assert!(writing.path().exists(), "its writer is still there");
+        assert_eq!(entries(folder.path()), 6);
+    }
+
+    #[test]
+    fn a_failed_write_leaves_nothing_behind_and_says_why() {
+        let folder = tempfile::tempdir().unwrap();
+        let missing = folder.path().join("none").join("a.obj");
+        let error = write_whole(&missing, b"one").unwrap_err();
+        assert!(error.message.starts_with("there is no folder "), "{error}");
+        let error = write_whole(folder.path(), b"one").unwrap_err();
+        assert_eq!(error.message, "expected a file to write, found a folder");
+        assert_eq!(entries(folder.path()), 0);
+    }
+
+    #[test]
+    fn a_write_protected_file_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        fs::write(&path, "one").unwrap();
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        let error = write_whole(&path, b"two").unwrap_err();
+        assert_eq!(error.message, "this file is write-protected");
+        assert_eq!(fs::read(&path).unwrap(), b"one");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn others_may_read_a_new_file_and_an_old_one_keeps_its_permissions_and_its_link() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (path, link) = (folder.path().join("a"), folder.path().join("b"));
+        let mode = |path: &Path| fs::metadata(path).unwrap().permissions().mode() & 0o777;
+        write_whole(&path, b"one").unwrap();
+        let plain = folder.path().join("plain");
+        fs::write(&plain, "").unwrap();
+        assert_eq!(mode(&path), mode(&plain));
+
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o640)).unwrap();
+        symlink(&path, &link).unwrap();
+        write_whole(&link, b"two").unwrap();
+        assert_eq!(mode(&path), 0o640);
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn what_is_no_ordinary_file_is_left_as_it_is() {
+        use std::os::unix::fs::{FileTypeExt, symlink};
+        let folder = tempfile::tempdir().unwrap();
+        let (socket, link) = (folder.path().join("a.obj"), folder.path().join("b.obj"));
+        let _listener = std::os::unix::net::UnixListener::bind(&socket).unwrap();
+        symlink(&socket, &link).unwrap();
+        for path in [&socket, &link] {
+            let error = write_whole(path, b"one").unwrap_err();
+            let message = "expected an ordinary file to write, found a device or a pipe";
+            assert_eq!((&error.path, error.message.as_str()), (path, message));
+        }
+        let kept = fs::symlink_metadata(&socket).unwrap().file_type();
+        assert!(kept.is_socket());
+        assert_eq!(entries(folder.path()), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_a_file_that_is_still_to_come_stays_a_link() {
+        use std::os::unix::fs::symlink;
+        let folder = tempfile::tempdir().unwrap();
+        let inner = folder.path().join("inner");
+        fs::create_dir(&inner).unwrap();
+        let (link, round) = (inner.join("link.obj"), inner.join("round.obj"));
+        symlink("../over", &link).unwrap();
+        symlink("new.obj", folder.path().join("over")).unwrap();
+        write_whole(&link, b"one").unwrap();
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(fs::read(folder.path().join("new.obj")).unwrap(), b"one");
+
+        symlink("round.obj", &round).unwrap();
+        let error = write_whole(&round, b"one").unwrap_err();
+        let message = "expected a file to write, found a link that leads to itself";
+        assert_eq!(error.message, message);
+    }
+}
