@@ -1,7 +1,7 @@
 //! The program in a place of the test's own: files in memory, a clock that the test turns.
 
 use editor_core::io::builtin::WithBuiltin;
-use editor_core::io::{Diagnostic, Files};
+use editor_core::io::{Diagnostic, Files, WithArchives};
 use editor_core::program::{FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey};
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::path::{Path, PathBuf};
@@ -27,6 +27,7 @@ pub struct MemoryHost {
     pub written: BTreeMap<PathBuf, Vec<u8>>,
     /// Why nothing can be written, if so.
     pub write_fault: Option<String>,
+    pub watched: Vec<PathBuf>,
     pub clipboard: String,
     pub stored: HashMap<StorageKey, Vec<u8>>,
     pub time: Duration,
@@ -81,7 +82,7 @@ impl Host for MemoryHost {
     }
 
     fn files(&self) -> Arc<dyn Files> {
-        Arc::new(WithBuiltin(self.files.clone()))
+        Arc::new(WithBuiltin(WithArchives::new(self.files.clone())))
     }
 
     fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
@@ -113,6 +114,22 @@ impl Host for MemoryHost {
         };
         let path = path.to_owned();
         self.events.push_back(HostEvent::Written { path, result });
+    }
+
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
+        let result = match &self.write_fault {
+            Some(fault) => Err(Diagnostic::new(path, fault.clone())),
+            None => {
+                self.files.extend(files);
+                Ok(())
+            }
+        };
+        let path = path.to_owned();
+        self.events.push_back(HostEvent::Written { path, result });
+    }
+
+    fn watch(&mut self, files: Vec<PathBuf>) {
+        self.watched = files;
     }
 
     fn copy_text(&mut self, text: String) {

@@ -215,6 +215,7 @@ impl ApplicationHandler<Wake> for Application {
         match wake {
             Wake::Accessibility(event) => running.host.on_accessibility(event),
             Wake::JobFinished => {}
+            Wake::FileChanged(path) => running.host.on_file_changed(path),
             Wake::Terminate => {
                 running.program.end(&mut running.host);
                 return self.finish(event_loop, Ok(()));

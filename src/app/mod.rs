@@ -5,6 +5,7 @@ mod application;
 mod file_dialog;
 mod rescue;
 mod storage;
+mod watcher;
 mod window_host;
 
 pub use application::{AppError, run};

@@ -1,5 +1,6 @@
 use super::file_dialog::WindowFileDialog;
 use super::storage::Storage;
+use super::watcher::Watcher;
 use crate::disk;
 use crate::gpu::WindowContext;
 use crate::io::Files;
@@ -20,6 +21,8 @@ pub(super) enum Wake {
     Accessibility(accesskit_winit::Event),
     /// A job has finished.
     JobFinished,
+    /// A watched file has changed.
+    FileChanged(PathBuf),
     /// The system asks the program to end.
     Terminate,
 }
@@ -41,6 +44,7 @@ pub(super) struct WindowHost {
     started: Instant,
     quits: bool,
     storage: Storage,
+    watcher: Watcher,
     window: WindowContext,
 }
 
@@ -72,6 +76,7 @@ impl WindowHost {
             started: Instant::now(),
             quits: false,
             storage: Storage::new(),
+            watcher: Watcher::new(proxy.clone()),
             window,
         }
     }
@@ -112,6 +117,11 @@ impl WindowHost {
         self.egui
             .on_window_event(self.window.window(), event)
             .repaint
+    }
+
+    /// Takes in that another program has changed a watched file.
+    pub fn on_file_changed(&mut self, path: PathBuf) {
+        self.events.push_back(HostEvent::Changed(path));
     }
 
     /// Takes in that the user closes the window.
@@ -168,6 +178,18 @@ impl Host for WindowHost {
             path: path.to_owned(),
             result: kept.and_then(|()| disk::write_whole(path, &bytes)),
         });
+    }
+
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
+        let result = files
+            .iter()
+            .try_for_each(|(path, bytes)| disk::write_with_folders(path, bytes));
+        let path = path.to_owned();
+        self.events.push_back(HostEvent::Written { path, result });
+    }
+
+    fn watch(&mut self, files: Vec<PathBuf>) {
+        self.watcher.watch(files);
     }
 
     fn copy_text(&mut self, text: String) {

@@ -16,7 +16,7 @@ use crate::render::{OffscreenError, read_picture};
 use crate::scene::Skinning;
 use crate::ui::{self, COMMANDS, Command, Entry};
 use egui::{Event, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -187,6 +187,10 @@ impl Host for StillHost {
     fn choose_file(&mut self, _: FileRequest, _: Option<&Path>, _: &str) {}
 
     fn write_file(&mut self, _: &Path, _: Vec<u8>, _: Previous) {}
+
+    fn write_files(&mut self, _: &Path, _: Vec<(PathBuf, Vec<u8>)>) {}
+
+    fn watch(&mut self, _: Vec<PathBuf>) {}
 
     fn copy_text(&mut self, _: String) {}
 

@@ -3,7 +3,7 @@
 
 mod write;
 
-pub use write::{keep_beside, write_whole};
+pub use write::{keep_beside, write_whole, write_with_folders};
 
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, WithArchives};

@@ -72,6 +72,16 @@ pub fn keep_beside(path: &Path) -> Result<(), Diagnostic> {
     write_whole(&beside, &read)
 }
 
+/// Writes `bytes` to `path` as [`write_whole`] does, and makes the folders above it first.
+///
+/// # Errors
+/// As [`write_whole`], and if a folder cannot be made.
+pub fn write_with_folders(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    std::fs::create_dir_all(folder).map_err(|error| Diagnostic::new(folder, in_words(&error)))?;
+    write_whole(path, bytes)
+}
+
 /// Target of `path` after all symbolic links, which need not exist; `None` for links in a circle.
 fn behind_links(path: &Path) -> Option<PathBuf> {
     let mut target = path.to_owned();

@@ -125,6 +125,10 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         Edit::ForgetPose(id, index) => on_character(scene, id, |c| c.forget_pose(index)),
         Edit::SetIk(id, ik) => on_character(scene, id, |c| c.ik = ik),
         Edit::MoveInList(id, index) => scene.move_in_list(id, index),
+        Edit::Replace(id, kind, source) => on_shape(scene, id, |s| {
+            s.kind = kind;
+            s.source = Some(source);
+        }),
         Edit::Rename(id, name) => on_shape(scene, id, |s| s.name = name),
         Edit::SetControlPoint {
             shape,

@@ -3,7 +3,7 @@ use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
     Camera, CharacterDisplay, CurveDisplay, IkSettings, Look, NewShape, Shading, ShapeColor,
-    ShapeId, ViewDirection,
+    ShapeId, ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -91,6 +91,8 @@ pub enum Edit {
     },
     /// Sets the settings of inverse kinematics of a character, with its pins.
     SetIk(ShapeId, IkSettings),
+    /// Replaces geometry and file of a shape; its place, color and name stay.
+    Replace(ShapeId, ShapeKind, Source),
     /// Renames a shape.
     Rename(ShapeId, String),
     /// Moves a shape in the list to this index.

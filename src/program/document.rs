@@ -87,6 +87,12 @@ impl DocumentFile {
         self.path.as_deref()
     }
 
+    /// Whether the file is as it was read or written last; so is one that is gone.
+    pub fn is_on_disk(&self, files: &dyn Files) -> bool {
+        let found = self.path.as_deref().and_then(|path| digest_at(path, files));
+        found.is_none() || found == self.digest
+    }
+
     /// Digest of the file's bytes as they were read or written last.
     pub fn digest(&self) -> Option<u64> {
         self.digest
@@ -148,6 +154,15 @@ impl Program {
         name.map_or_else(
             || UNTITLED.to_owned(),
             |name| name.to_string_lossy().into_owned(),
+        )
+    }
+
+    /// Name of the document without its extension, for files that are made from it.
+    pub(super) fn document_stem(&self) -> String {
+        let stem = self.document.path.as_deref().and_then(Path::file_stem);
+        stem.map_or_else(
+            || "scene".to_owned(),
+            |stem| stem.to_string_lossy().into_owned(),
         )
     }
 
@@ -235,11 +250,10 @@ impl Program {
         let Some(path) = self.document.path.clone() else {
             return self.save_as(then, host);
         };
-        let found = digest_at(&path, &*host.files());
-        if found.is_some() && found != self.document.digest {
-            self.asked = Some(Asked::Overwrite(path, then));
-        } else {
+        if self.document.is_on_disk(&*host.files()) {
             self.write_document(path, then, host);
+        } else {
+            self.asked = Some(Asked::Overwrite(path, then));
         }
     }
 

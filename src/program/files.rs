@@ -73,6 +73,8 @@ impl Program {
         match purpose {
             Purpose::Open => self.leave_for(Next::OpenFile(path, files), host),
             Purpose::SaveScene => self.save_to(path, host),
+            Purpose::SaveWithFiles => self.save_with_files(&path, host),
+            Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
             Purpose::ImportShape => self.insert(io::import_shape(reader, &path)),
             Purpose::ImportCurve => self.insert(io::import_curve(reader, &path)),
             Purpose::ImportCharacter => self.insert(io::import_character(reader, &path)),

@@ -143,6 +143,7 @@ impl Program {
         self.keep_preferences(host);
         self.show_title(host);
         let wait = self.autosave(host);
+        self.watch_files(host);
         let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
         if answered || pictures_due {
             Duration::ZERO

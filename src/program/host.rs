@@ -39,6 +39,15 @@ pub trait Host {
     /// Writes a file whole or not at all. Answered by [`HostEvent::Written`].
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
+    /// Writes several files, in order, each whole or not at all, and makes the folders that they
+    /// need. Ends with the first that cannot be written. Answered by one [`HostEvent::Written`]
+    /// about `path`.
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
+
+    /// Watches these files, and no others, for changes by other programs, which are
+    /// [`HostEvent::Changed`].
+    fn watch(&mut self, files: Vec<PathBuf>);
+
     /// Puts text on the clipboard.
     fn copy_text(&mut self, text: String);
 
@@ -104,6 +113,8 @@ pub enum HostEvent {
         /// Outcome.
         result: Result<(), Diagnostic>,
     },
+    /// A watched file has changed, appeared or gone.
+    Changed(PathBuf),
     /// Unsaved work could not be stored.
     StoreFailed(Diagnostic),
     /// The user closes the window.
@@ -151,6 +162,10 @@ pub enum Purpose {
     Open,
     /// File ▸ Save As, or Save for the first time.
     SaveScene,
+    /// File ▸ Save with Files.
+    SaveWithFiles,
+    /// Finding the file that a shape came from.
+    FindSource(ShapeId),
     /// Import ▸ Import Shape.
     ImportShape,
     /// Import ▸ Import Curve.
@@ -179,6 +194,8 @@ impl Purpose {
         match self {
             Self::Open => "Open",
             Self::SaveScene => "Save As",
+            Self::SaveWithFiles => "Save with Files",
+            Self::FindSource(_) => "Find the File of a Shape",
             Self::ImportShape => "Import Shape",
             Self::ImportCharacter => {
                 "Import Character (.dae, or .obj with .skel and .attach beside it)"
@@ -197,7 +214,9 @@ impl Purpose {
     /// Name of the kind of files, with their extensions.
     pub fn filter(self) -> &'static str {
         match self {
-            Self::Open => "Scenes and models (.scene, .obj, .dae, .swp)",
+            Self::Open => "Scenes and models (.scene, .zip, .obj, .dae, .swp)",
+            Self::SaveWithFiles => "Archives and scenes (.zip, .scene)",
+            Self::FindSource(_) => "Models (.obj, .dae, .swp)",
             Self::SaveScene => "Scenes (.scene)",
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
@@ -215,6 +234,7 @@ impl Purpose {
     pub fn written(self) -> &'static [(&'static str, &'static str)] {
         match self {
             Self::SaveScene => &[("Scenes", "scene")],
+            Self::SaveWithFiles => &[("Archives", "zip"), ("Scene with a folder", "scene")],
             Self::ExportCurve(_) => &[("Curves", "swp")],
             Self::ExportGeometry => &[("Geometry", "obj")],
             Self::SavePose(..) => &[("Poses", "json")],
@@ -222,6 +242,7 @@ impl Purpose {
                 &[("PNG", "png"), ("JPEG", "jpg"), ("GIF", "gif")]
             }
             Self::Open
+            | Self::FindSource(_)
             | Self::ImportShape
             | Self::ImportCurve
             | Self::ImportCharacter
@@ -233,9 +254,13 @@ impl Purpose {
     /// The shape that the file is about, if it is about one.
     pub(super) fn shape(self) -> Option<ShapeId> {
         match self {
-            Self::ExportCurve(id) | Self::SavePose(id, _) | Self::LoadPose(id) => Some(id),
+            Self::ExportCurve(id)
+            | Self::SavePose(id, _)
+            | Self::LoadPose(id)
+            | Self::FindSource(id) => Some(id),
             Self::Open
             | Self::SaveScene
+            | Self::SaveWithFiles
             | Self::ImportShape
             | Self::ImportCurve
             | Self::ImportCharacter
@@ -267,7 +292,9 @@ impl Purpose {
             .to_lowercase();
         let has = |other: &str| files.exists(&path.with_extension(other));
         match self {
-            Self::Open => ["scene", "obj", "dae", "swp"].contains(&&*extension),
+            Self::Open => ["scene", "zip", "obj", "dae", "swp"].contains(&&*extension),
+            Self::SaveWithFiles => ["zip", "scene"].contains(&&*extension),
+            Self::FindSource(_) => ["obj", "dae", "swp"].contains(&&*extension),
             Self::SaveScene => extension == "scene",
             Self::ImportShape => extension == "obj" || extension == "dae",
             Self::ImportCharacter => {

@@ -19,6 +19,7 @@ mod input_parts;
 mod job;
 mod preferences;
 mod running;
+mod sources;
 
 pub use autosave::Unsaved;
 pub use frame::{FrameInput, Pass, ProgramError};

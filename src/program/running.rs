@@ -16,6 +16,7 @@ use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
 };
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Options that the program is started with.
@@ -54,6 +55,8 @@ pub struct Program {
     shown_title: String,
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
+    /// Files that the host watches.
+    pub(super) watched: BTreeSet<PathBuf>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
@@ -82,6 +85,7 @@ impl Program {
             shown_title: String::new(),
             document,
             autosave: Autosave::default(),
+            watched: BTreeSet::new(),
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
@@ -207,6 +211,7 @@ impl Program {
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
                 HostEvent::StoreFailed(error) => self.tell_store_failure(&error.to_string()),
+                HostEvent::Changed(path) => self.notice_change(&path, host),
                 HostEvent::CloseRequested => self.leave_for(Next::Quit, host),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
                 HostEvent::Pasted(text) => self.paste(&text),
@@ -314,6 +319,13 @@ impl Program {
             Ask::OpenBuiltin(name) => self.leave_for(Next::OpenBuiltin(name), host),
             Ask::Save => self.save(None, host),
             Ask::SaveAs => self.save_as(None, host),
+            Ask::SaveWithFiles => {
+                let name = format!("{}.zip", self.document_stem());
+                self.choose_file(Purpose::SaveWithFiles, &name, host);
+            }
+            Ask::Revert => self.revert(host),
+            Ask::Reload => self.reload(host),
+            Ask::FindSource(shape) => self.find_source(shape, host),
             Ask::Answer(answer) => self.take_answer(answer, host),
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {

@@ -53,6 +53,14 @@ pub enum Ask {
     Save,
     /// Choose a file, and save the document to it.
     SaveAs,
+    /// Choose a file, and write the document with all files that it needs.
+    SaveWithFiles,
+    /// Open the document's file as it is now.
+    Revert,
+    /// Read the files of all shapes again.
+    Reload,
+    /// Choose the file that a shape came from, where it is now.
+    FindSource(ShapeId),
     /// Answer the question that is shown.
     Answer(Answer),
     /// Choose a shape to import.

@@ -3,7 +3,7 @@ use super::number_field::NumberField;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{labelled, named};
-use super::{Action, character_panel, commands, curve_panel, joint_list, shape_list};
+use super::{Action, Ask, character_panel, commands, curve_panel, joint_list, shape_list};
 use crate::editor::{Edit, Session, View};
 use crate::math::Transform;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
@@ -69,6 +69,10 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         } else {
             leave_joints(state, actions);
         }
+        if let ShapeKind::Missing(missing) = &shape.kind {
+            ui.separator();
+            missing_file(ui, shape, &missing.reason, actions);
+        }
         if let ShapeKind::Curve(curve) = &shape.kind {
             ui.separator();
             curve_panel::display(ui, shape.id, curve, actions);
@@ -76,6 +80,16 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
             curve_panel::list(ui, session, shape.id, &mut state.curves, actions);
         }
     });
+}
+
+/// Says why the box stands in for a shape, and lets its file be found.
+fn missing_file(ui: &mut Ui, shape: &Shape, reason: &str, actions: &mut Vec<Action>) {
+    ui.label("The file of this shape cannot be read. A box stands in for it.");
+    ui.label(RichText::new(reason).weak());
+    let tip = "Choose where the file is now. Others that are missing are found beside it, too.";
+    if ui.button("Find…").on_hover_text(tip).clicked() {
+        actions.push(Action::Ask(Ask::FindSource(shape.id)));
+    }
 }
 
 /// Ends hovering over a joint of the list, where no list is shown.

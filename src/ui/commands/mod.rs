@@ -28,6 +28,12 @@ pub enum Command {
     Save,
     /// Saves the document to another file.
     SaveAs,
+    /// Saves the document with all files that it needs.
+    SaveWithFiles,
+    /// Opens the document's file as it is now.
+    Revert,
+    /// Reads the files of all shapes again.
+    Reload,
     /// Opens the screenshot dialog.
     Screenshot,
     /// Exports the curves of the selected shape.

@@ -1,0 +1,197 @@
+//! The files that shapes came from: found again, read again when another program has changed them,
+//! and saved together with the scene.
+
+use super::document::Next;
+use super::running::Program;
+use super::{Host, Purpose};
+use crate::editor::{Edit, Severity};
+use crate::io::{self, Diagnostic, Files, Reimported, builtin};
+use crate::scene::{Shape, ShapeId, ShapeKind};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+impl Program {
+    /// Has the host watch the files of the document, if they are others than before.
+    pub(super) fn watch_files(&mut self, host: &mut dyn Host) {
+        if self.session.is_in_gesture() {
+            return;
+        }
+        let shapes = self.session.scene().shapes().iter();
+        let files = shapes.filter_map(file_on_disk).flat_map(with_companions);
+        let document = self.document.path().map(Path::to_owned);
+        let files: BTreeSet<PathBuf> = files.chain(document).collect();
+        if files != self.watched {
+            host.watch(files.iter().cloned().collect());
+            self.watched = files;
+        }
+    }
+
+    /// Says that a file of the document was changed by another program, if it was.
+    pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
+        let text = if self.document.path() == Some(path) {
+            if self.document.is_on_disk(&*host.files()) {
+                return;
+            }
+            "File ⏵ Revert opens it as it is now"
+        } else if self.changed_shapes(path, &*host.files()).is_empty() {
+            return;
+        } else {
+            "File ⏵ Reload Models reads it again; poses and places stay"
+        };
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let name = name.to_string_lossy();
+        self.tell(
+            Severity::Warning,
+            format!("{name} was changed by another program. {text}"),
+        );
+    }
+
+    /// Opens the document's file as it is now, after asking about changes that are not saved.
+    pub(super) fn revert(&mut self, host: &mut dyn Host) {
+        match self.document.path() {
+            Some(path) => self.leave_for(Next::OpenFile(path.to_owned(), host.files()), host),
+            None => self.tell(Severity::Info, "This document has not been saved yet"),
+        }
+    }
+
+    /// Reads the files of all shapes again, and replaces what has changed, as one step. Poses,
+    /// places and all else stay.
+    pub(super) fn reload(&mut self, host: &mut dyn Host) {
+        let shapes = self.session.scene().shapes().iter();
+        let ids: Vec<ShapeId> = shapes
+            .filter(|shape| file_on_disk(shape).is_some())
+            .map(|shape| shape.id)
+            .collect();
+        let count = self.replace(&ids, None, &*host.files());
+        let text = match count {
+            0 => "No model has changed since it was read".to_owned(),
+            1 => "1 shape was read again".to_owned(),
+            count => format!("{count} shapes were read again"),
+        };
+        self.tell(Severity::Info, text);
+    }
+
+    /// Lets the file of a shape be chosen, where it is now.
+    pub(super) fn find_source(&mut self, shape: ShapeId, host: &mut dyn Host) {
+        self.choose_file(Purpose::FindSource(shape), "", host);
+    }
+
+    /// Reads the file of a shape from `path` from now on; and those of other shapes that are
+    /// missing, too, where they lie beside it.
+    pub(super) fn use_found(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        self.replace(&[shape], Some(&|_: &Shape| Some(path.to_owned())), files);
+        let is_there = |shape: &Shape| {
+            let name = Path::new(&shape.source.as_ref()?.file).file_name()?;
+            Some(folder.join(name)).filter(|path| files.exists(path))
+        };
+        let shapes = self.session.scene().shapes().iter();
+        let missing = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Missing(_)));
+        let others: Vec<ShapeId> = missing
+            .filter(|shape| is_there(shape).is_some())
+            .map(|shape| shape.id)
+            .collect();
+        self.replace(&others, Some(&is_there), files);
+    }
+
+    /// Writes the document and the files that it needs: an archive, or a scene with a folder beside
+    /// it.
+    pub(super) fn save_with_files(&mut self, path: &Path, host: &mut dyn Host) {
+        let is_archive = io::expect_extension(path, "zip").is_ok();
+        if !is_archive && let Err(error) = io::expect_extension(path, "scene") {
+            return self.tell_written(path, Err(error));
+        }
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let (scene, view) = (self.session.scene(), self.session.view());
+        let packed = io::package(&*host.files(), scene, view, &stem);
+        let written = packed.and_then(|files| {
+            if is_archive {
+                Ok(vec![(path.to_owned(), io::to_zip(&files)?)])
+            } else {
+                let folder = path.parent().unwrap_or(Path::new(""));
+                let placed = files
+                    .into_iter()
+                    .map(|(name, bytes)| (folder.join(name), bytes));
+                // The scene comes last: it must not be there without its files.
+                Ok(placed.rev().collect())
+            }
+        });
+        match written {
+            Ok(files) => host.write_files(path, files),
+            Err(error) => self.tell_written(path, Err(error)),
+        }
+    }
+
+    /// Imports the parts of files that shapes came from again, from where `at` says, and replaces
+    /// the shapes of which that is something new, in one step. Returns how many these are.
+    fn replace(
+        &mut self,
+        shapes: &[ShapeId],
+        at: Option<&dyn Fn(&Shape) -> Option<PathBuf>>,
+        files: &dyn Files,
+    ) -> usize {
+        let mut edits = Vec::new();
+        for &id in shapes {
+            let shape = self.session.scene().shape(id);
+            let path = shape.zip(at).and_then(|(shape, at)| at(shape));
+            match io::reimport(files, self.session.scene(), id, path.as_deref()) {
+                Ok(read) => {
+                    let Reimported { kind, source } = read.value;
+                    if shape.is_some_and(|shape| is_new(shape, source.fingerprint)) {
+                        edits.push(Edit::Replace(id, kind, source));
+                        self.tell_all(Severity::Warning, read.warnings);
+                    }
+                }
+                Err(error) => self.tell_kept(&error),
+            }
+        }
+        let count = edits.len();
+        if count > 0 {
+            self.edit(Edit::Together(edits));
+        }
+        count
+    }
+
+    /// Says that a file could not be read again, and that nothing is lost.
+    fn tell_kept(&mut self, error: &Diagnostic) {
+        let text = format!("{error}. The shape stays as it was");
+        self.tell(Severity::Error, text);
+    }
+
+    /// Shapes that come from `path` or a file that belongs to it, and would be others by now.
+    fn changed_shapes(&self, path: &Path, files: &dyn Files) -> Vec<ShapeId> {
+        let scene = self.session.scene();
+        let from_it = scene.shapes().iter().filter(|shape| {
+            let file = file_on_disk(shape);
+            file.is_some_and(|file| with_companions(file).any(|file| file == path))
+        });
+        from_it
+            .filter(|shape| match io::reimport(files, scene, shape.id, None) {
+                Ok(read) => is_new(shape, read.value.source.fingerprint),
+                // What cannot be read any more is something new, too.
+                Err(_) => !matches!(shape.kind, ShapeKind::Missing(_)),
+            })
+            .map(|shape| shape.id)
+            .collect()
+    }
+}
+
+/// Whether a file with this fingerprint is another than the one that `shape` was read from.
+fn is_new(shape: &Shape, fingerprint: Option<u32>) -> bool {
+    let known = shape.source.as_ref().and_then(|source| source.fingerprint);
+    matches!(shape.kind, ShapeKind::Missing(_)) || known != fingerprint
+}
+
+/// File that a shape came from, if that is not built in.
+fn file_on_disk(shape: &Shape) -> Option<PathBuf> {
+    let path = PathBuf::from(&shape.source.as_ref()?.file);
+    (!builtin::is_builtin(&path)).then_some(path)
+}
+
+/// A file, and those that belong to it by their names.
+fn with_companions(file: PathBuf) -> impl Iterator<Item = PathBuf> {
+    let is_obj = io::expect_extension(&file, "obj").is_ok();
+    let companions = ["skel", "attach", "mtl"].map(|extension| file.with_extension(extension));
+    let companions = companions.into_iter().filter(move |_| is_obj);
+    std::iter::once(file.clone()).chain(companions)
+}

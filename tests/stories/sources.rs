@@ -1,0 +1,263 @@
+//! The files that shapes came from: missing, found, changed by others, and taken along.
+
+use super::{STRIP, Story};
+use crate::host::MemoryHost;
+use editor_core::editor::Severity;
+use editor_core::program::{HostEvent, Purpose};
+use editor_core::scene::ShapeKind;
+use egui::{Key, Modifiers};
+use glam::Vec3;
+use std::path::{Path, PathBuf};
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+/// A strip with a bent elbow that was moved and saved, as `work/bent.scene`.
+fn with_saved_strip() -> Story {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "90");
+    story.type_into("Position X", "3");
+    story.key_with(CTRL, Key::S);
+    story.choose("work/bent.scene");
+    story
+}
+
+/// Takes the files of the strip away, or to another folder.
+fn move_strip(story: &mut Story, folder: Option<&str>) {
+    for (path, _) in STRIP {
+        let bytes = story.host.files.remove(Path::new(path)).expect("a file");
+        if let Some(folder) = folder {
+            let name = Path::new(path).file_name().expect("a name");
+            story.host.files.insert(Path::new(folder).join(name), bytes);
+        }
+    }
+}
+
+/// Files of a machine that has these and nothing else.
+fn elsewhere(files: &[(&str, Vec<u8>)]) -> Story {
+    let files = files
+        .iter()
+        .map(|(path, bytes)| (PathBuf::from(path), bytes.clone()));
+    let host = MemoryHost {
+        files: files.collect(),
+        stored: [super::started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &[]);
+    for (path, _) in STRIP {
+        story.host.files.remove(Path::new(path));
+    }
+    story
+}
+
+fn file(story: &Story, path: &str) -> Vec<u8> {
+    story.host.files[Path::new(path)].clone()
+}
+
+fn open(story: &mut Story, path: &str) {
+    story.key_with(CTRL, Key::O);
+    story.choose(path);
+}
+
+fn is_bent(story: &Story) -> bool {
+    (story.degrees("Elbow").z - 90.0).abs() < 1e-4
+        && story.shape().placement.transform.position == Vec3::X * 3.0
+}
+
+#[test]
+fn a_file_that_is_missing_is_named_shown_as_a_box_and_kept_by_the_next_save() {
+    let mut story = with_saved_strip();
+    let saved = file(&story, "work/bent.scene");
+    move_strip(&mut story, None);
+    story.key_with(CTRL, Key::N);
+    open(&mut story, "work/bent.scene");
+    assert_eq!(story.names(), ["Strip"]);
+    assert!(matches!(story.shape().kind, ShapeKind::Missing(_)));
+    let (severity, text) = *story.messages().last().unwrap();
+    assert_eq!(severity, Severity::Warning);
+    assert!(
+        text.contains("strip.obj") && text.contains("there is no such file"),
+        "{text}"
+    );
+    story.type_into("Position X", "4");
+    story.key_with(CTRL, Key::S);
+    let text = String::from_utf8(file(&story, "work/bent.scene")).unwrap();
+    let before = String::from_utf8(saved).unwrap();
+    let other = before
+        .lines()
+        .zip(text.lines())
+        .filter(|(was, is)| was != is);
+    let other: Vec<(&str, &str)> = other.collect();
+    assert_eq!(other.len(), 1, "the position alone: {other:?}");
+}
+
+#[test]
+fn a_missing_file_is_found_elsewhere_with_pose_and_place() {
+    let mut story = with_saved_strip();
+    move_strip(&mut story, Some("moved"));
+    story.key_with(CTRL, Key::N);
+    open(&mut story, "work/bent.scene");
+    story.click("Find…");
+    let request = story.host.requests.last().unwrap();
+    assert!(matches!(request.purpose, Purpose::FindSource(_)));
+    story.choose("moved/strip.obj");
+    assert!(is_bent(&story));
+    let source = story.shape().source.as_ref().expect("a source");
+    assert_eq!(source.file, "moved/strip.obj");
+    story.key_with(CTRL, Key::Z);
+    assert!(
+        matches!(story.shape().kind, ShapeKind::Missing(_)),
+        "it is a step"
+    );
+}
+
+#[test]
+fn one_that_is_found_brings_the_others_that_lie_beside_it() {
+    let mut story = Story::start(&["models/strip.obj", "models/strip.obj"]);
+    story.key_with(CTRL, Key::S);
+    story.choose("work/two.scene");
+    move_strip(&mut story, Some("moved"));
+    story.key_with(CTRL, Key::N);
+    open(&mut story, "work/two.scene");
+    story.click("Find…");
+    story.choose("moved/strip.obj");
+    let shapes = story.session().scene().shapes();
+    assert_eq!(shapes.len(), 2);
+    let found = shapes
+        .iter()
+        .all(|shape| matches!(shape.kind, ShapeKind::Character(_)));
+    assert!(found, "{shapes:?}");
+}
+
+#[test]
+fn a_model_that_another_program_changes_is_noticed_and_reloaded_with_pose_and_place() {
+    let mut story = with_saved_strip();
+    let watched = story.host.watched.clone();
+    for path in ["models/strip.obj", "models/strip.skel", "work/bent.scene"] {
+        assert!(watched.contains(&PathBuf::from(path)), "{watched:?}");
+    }
+    let told = story.messages().len();
+    let same = HostEvent::Changed("models/strip.obj".into());
+    story.host.events.push_back(same);
+    story.settle();
+    assert_eq!(
+        story.messages().len(),
+        told,
+        "it was written with the same content"
+    );
+
+    // The upper edge is higher now.
+    let higher = STRIP[0].1.replace("v 0.2 2 0", "v 0.2 5 0");
+    story
+        .host
+        .files
+        .insert("models/strip.obj".into(), higher.into());
+    let changed = HostEvent::Changed("models/strip.obj".into());
+    story.host.events.push_back(changed);
+    story.settle();
+    let text = "strip.obj was changed by another program. \
+                File ⏵ Reload Models reads it again; poses and places stay";
+    assert_eq!(*story.messages().last().unwrap(), (Severity::Warning, text));
+    let corner = |story: &Story| {
+        let shape = story.session().evaluated().shape(story.shape().id).unwrap();
+        shape.geometry.positions()[4]
+    };
+    assert!((corner(&story).x + 1.0).abs() < 1e-5);
+    story.key_with(CTRL, Key::R);
+    assert!((corner(&story).x + 4.0).abs() < 1e-5, "{}", corner(&story));
+    assert!(is_bent(&story));
+    story.key_with(CTRL, Key::R);
+    let text = "No model has changed since it was read";
+    assert_eq!(*story.messages().last().unwrap(), (Severity::Info, text));
+    story.key_with(CTRL, Key::Z);
+    assert!((corner(&story).x + 1.0).abs() < 1e-5, "it is a step");
+}
+
+#[test]
+fn a_model_that_is_broken_now_stays_as_it_was() {
+    let mut story = with_saved_strip();
+    let broken = b"v 0 0 0\nf 1 2 3\n".to_vec();
+    story.host.files.insert("models/strip.obj".into(), broken);
+    story.key_with(CTRL, Key::R);
+    let messages = story.messages();
+    let (severity, text) = messages[messages.len() - 2];
+    assert_eq!(severity, Severity::Error);
+    assert!(text.starts_with("models/strip.obj:2:5: expected"), "{text}");
+    assert!(text.ends_with(". The shape stays as it was"), "{text}");
+    assert!(is_bent(&story));
+}
+
+#[test]
+fn a_document_that_another_window_changes_is_noticed_and_opened_as_it_is_now() {
+    let mut story = with_saved_strip();
+    let told = story.messages().len();
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed("work/bent.scene".into()));
+    story.settle();
+    assert_eq!(story.messages().len(), told, "it was this window");
+    let text = String::from_utf8(file(&story, "work/bent.scene")).unwrap();
+    let theirs = text.replace("\"name\": \"Strip\"", "\"name\": \"Theirs\"");
+    assert_ne!(theirs, text);
+    story
+        .host
+        .files
+        .insert("work/bent.scene".into(), theirs.into());
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed("work/bent.scene".into()));
+    story.settle();
+    let text = "bent.scene was changed by another program. \
+                File ⏵ Revert opens it as it is now";
+    assert_eq!(*story.messages().last().unwrap(), (Severity::Warning, text));
+    assert_eq!(story.names(), ["Strip"], "nothing happens by itself");
+    story.click("File");
+    story.click("Revert");
+    assert_eq!(story.names(), ["Theirs"]);
+}
+
+#[test]
+fn an_archive_with_all_files_opens_where_nothing_else_is() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    let request = story.host.requests.last().unwrap();
+    assert_eq!(
+        (request.purpose, &*request.name),
+        (Purpose::SaveWithFiles, "bent.zip")
+    );
+    story.choose("out/bent.zip");
+    assert_eq!(
+        story.messages().last(),
+        Some(&(Severity::Info, "Saved out/bent.zip"))
+    );
+    let archive = file(&story, "out/bent.zip");
+    let mut other = elsewhere(&[("mail/bent.zip", archive)]);
+    open(&mut other, "mail/bent.zip");
+    assert!(is_bent(&other));
+    assert!(other.messages().is_empty(), "{:?}", other.messages());
+}
+
+#[test]
+fn a_scene_with_a_folder_opens_where_nothing_else_is() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/taken.scene");
+    let taken: Vec<(String, Vec<u8>)> = story
+        .host
+        .files
+        .iter()
+        .filter_map(|(path, bytes)| {
+            let path = path.to_str()?.strip_prefix("out/")?;
+            Some((format!("usb/{path}"), bytes.clone()))
+        })
+        .collect();
+    assert_eq!(taken.len(), 4, "a scene and three files");
+    let taken: Vec<(&str, Vec<u8>)> = taken.iter().map(|(p, b)| (&**p, b.clone())).collect();
+    let mut other = elsewhere(&taken);
+    open(&mut other, "usb/taken.scene");
+    assert!(is_bent(&other));
+    assert_eq!(other.host.title, "taken.scene — Editor — Your Name");
+}
