@@ -74,3 +74,45 @@ pub(super) fn watch_signals(proxy: EventLoopProxy<Wake>) {
 /// Does nothing: there are no such signals.
 #[cfg(not(unix))]
 pub(super) fn watch_signals(_: EventLoopProxy<Wake>) {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::{Edit, Session};
+    use crate::program::{GraphicsInfo, Program};
+    use crate::scene::{NewShape, ShapeKind};
+
+    #[test]
+    fn a_panic_writes_unsaved_work_and_says_where() {
+        let folder = format!("editor-rescue-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir(&folder).unwrap();
+        let path = folder.join("autosave-0.json");
+        let mut program = Program::showing(
+            Session::new(),
+            GraphicsInfo {
+                description: String::new(),
+                max_texture_side: 4096,
+            },
+        );
+        assert!(program.unsaved().is_none());
+        let cube = NewShape::new("My cube", ShapeKind::Cube);
+        let edit = Edit::Insert(vec![cube]);
+        program.session_mut().edit(edit).unwrap();
+        remember(program.unsaved().map(|unsaved| (unsaved, path.clone())));
+        let told = write_latest();
+        assert!(told.contains(&path.display().to_string()), "{told}");
+        let written = std::fs::read_to_string(&path).unwrap();
+        assert!(written.contains("My cube"), "{written}");
+
+        remember(
+            program
+                .unsaved()
+                .map(|unsaved| (unsaved, folder.join("no/where"))),
+        );
+        assert!(write_latest().contains("could not be kept"));
+        std::fs::remove_dir_all(&folder).unwrap();
+        remember(None);
+        assert!(write_latest().contains("Nothing was unsaved"));
+    }
+}

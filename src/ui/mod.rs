@@ -166,7 +166,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         if camera != session.view().camera {
             actions.push(Action::View(View::SetCamera(camera)));
         }
-        for command in commands::pressed(&ctx, state.navigation) {
+        for (command, key) in commands::pressed(&ctx, state.navigation) {
+            let key = KeyPress { key, at: now };
             let comparing = input.compare.is_some();
             press(
                 command,
@@ -174,7 +175,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
                 state,
                 comparing,
                 aspect(view_rect),
-                now,
+                key,
                 &mut actions,
             );
             ctx.request_repaint();
@@ -239,6 +240,13 @@ fn takes_keys(ctx: &egui::Context) -> bool {
 /// whoever presses it once too often must not lose the window.
 const ESC_RESTS: f64 = 1.0;
 
+/// A key that was pressed, and when, in seconds of egui's clock.
+#[derive(Clone, Copy)]
+struct KeyPress {
+    key: egui::Key,
+    at: f64,
+}
+
 /// Runs the command of a key. Esc closes the window opened last, or else ends a comparison,
 /// deselects the joint, deselects the shape, or ends the program. While the screenshot dialog is
 /// open, no other key works.
@@ -248,28 +256,29 @@ fn press(
     state: &mut UiState,
     comparing: bool,
     aspect: f32,
-    now: f64,
+    pressed: KeyPress,
     actions: &mut Vec<Action>,
 ) {
-    if command == Command::Quit && state.windows.close_last() {
+    let is_esc = pressed.key == egui::Key::Escape;
+    if is_esc && state.windows.close_last() {
         return;
     }
-    if matches!(command, Command::Quit | Command::Compare) && comparing {
+    if (is_esc || command == Command::Compare) && comparing {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
         return;
     }
-    if command == Command::Quit {
+    if is_esc {
         let deselect = if session.selected_joint().is_some() {
             Some(View::SelectJoint(None))
         } else {
             session.selected().map(|_| View::Select(None))
         };
         if let Some(deselect) = deselect {
-            state.busy_at = now;
+            state.busy_at = pressed.at;
             actions.push(Action::View(deselect));
             return;
         }
-        if now - state.busy_at < ESC_RESTS {
+        if pressed.at - state.busy_at < ESC_RESTS {
             return;
         }
     }

@@ -133,7 +133,7 @@ fn dragging_a_bone_keeps_the_grabbed_point_in_line_with_the_pointer_and_the_slid
     let degrees: f32 = shown.trim_end_matches('°').parse().expect("a number");
     let turned = editor.joint(LEFT_ELBOW);
     assert!(
-        turned.length() > 1.0 && (degrees - turned.z).abs() < 0.06,
+        turned.length() > 1.0 && (degrees.rem_euclid(360.0) - turned.z).abs() < 0.06,
         "{shown} {turned}"
     );
 }

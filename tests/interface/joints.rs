@@ -27,21 +27,29 @@ fn dragging_a_joints_number_turns_the_joint_and_the_mesh_follows() {
 }
 
 #[test]
-fn minus_30_shows_330() {
+fn angles_are_shown_from_minus_180_to_180() {
     let mut editor = Editor::with_figure();
-    editor.type_into("Neck Y", "-30");
-    assert_eq!(editor.value("Neck Y"), "330°");
-    assert!((editor.joint(NECK).y - 330.0).abs() < 1e-3);
+    for (typed, shown) in [
+        ("-30", "-30°"),
+        ("330", "-30°"),
+        ("180", "180°"),
+        ("-180", "180°"),
+        ("181", "-179°"),
+        ("360+45", "45°"),
+    ] {
+        editor.type_into("Neck Y", typed);
+        assert_eq!(editor.value("Neck Y"), shown, "{typed}");
+    }
 }
 
 #[test]
-fn a_drag_past_360_starts_again_at_0() {
+fn a_drag_past_180_goes_on_from_minus_180() {
     let mut editor = Editor::with_figure();
-    editor.type_into("Neck Y", "350");
+    editor.type_into("Neck Y", "170");
     editor.drag("Neck Y", 25.0);
-    assert_eq!(editor.value("Neck Y"), "15°");
+    assert_eq!(editor.value("Neck Y"), "-165°");
     editor.drag("Neck Y", -20.0);
-    assert_eq!(editor.value("Neck Y"), "355°");
+    assert_eq!(editor.value("Neck Y"), "175°");
 }
 
 #[test]
@@ -322,12 +330,12 @@ fn angles_have_one_decimal_at_most_and_their_sign_at_every_width_of_the_panel() 
             ];
             let shown = fields.map(|field| shown(&editor, field));
             let bare = shown.each_ref().map(|text| text.trim_end_matches('°'));
-            let expected = ["354.7", "350.7", "8.1", "0", "0", "300"];
+            let expected = ["-5.3", "-9.3", "8.1", "0", "0", "-60"];
             assert_eq!(bare, expected, "{width} {wider}");
             let all = shown.iter().all(|text| text.ends_with('°'));
             assert!(all, "{width} {wider}: {shown:?}");
             let whole = editor.value("Neck X");
-            assert!(whole.starts_with("354.74"), "{whole}: all of it is kept");
+            assert!(whole.starts_with("-5.25"), "{whole}: all of it is kept");
         }
     }
 }

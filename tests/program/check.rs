@@ -150,7 +150,7 @@ fn commands_read_scenes_in_archives_and_refuse_those_that_miss_a_file() {
     ] {
         let ran = editor_in(other.path(), command);
         assert_eq!(ran.code, Some(1));
-        let told = "error: crate.obj: there is no such file (shape 2 of b.scene:4:9)\n";
+        let told = "error: b.scene:4:9: shape 2: crate.obj: there is no such file\n";
         assert_eq!(ran.err, told);
     }
     std::fs::copy(

@@ -149,17 +149,17 @@ fn what_a_scene_names_and_is_not_there_is_told_with_the_place_that_names_it() {
         (
             "\"../rigs/man.obj\"",
             "\"../rigs/woman.obj\"",
-            "/home/ada/rigs/woman.obj: there is no such file (shape 2 of /home/ada/scenes/a.scene:31:5)",
+            "/home/ada/scenes/a.scene:31:5: shape 2: /home/ada/rigs/woman.obj: there is no such file",
         ),
         (
             "\"box.obj\"",
             "\"crate.obj\"",
-            "/home/ada/scenes/crate.obj: there is no such file (shape 3 of /home/ada/scenes/a.scene:82:5)",
+            "/home/ada/scenes/a.scene:82:5: shape 3: /home/ada/scenes/crate.obj: there is no such file",
         ),
         (
             "\"box.obj\",",
             "\"box.obj\", \"part\": 2,",
-            "/home/ada/scenes/box.obj: expected a shape 3 in it, found 1 shape (shape 3 of /home/ada/scenes/a.scene:82:5)",
+            "/home/ada/scenes/a.scene:82:5: shape 3: /home/ada/scenes/box.obj: expected a shape 3 in it, found 1 shape",
         ),
     ] {
         assert_eq!(fault(good, bad), message);

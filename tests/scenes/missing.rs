@@ -32,9 +32,7 @@ fn a_missing_file_is_told_stood_in_for_and_saved_as_it_was() {
     let (scene, view, warnings) = lenient(&files);
     assert_eq!(
         warnings,
-        [
-            "/home/ada/rigs/man.obj: there is no such file (shape 2 of /home/ada/scenes/a.scene:31:5)"
-        ]
+        ["/home/ada/scenes/a.scene:31:5: shape 2: /home/ada/rigs/man.obj: there is no such file"]
     );
     let man = &scene.shapes()[1];
     let ShapeKind::Missing(missing) = &man.kind else {

@@ -257,6 +257,21 @@ impl<'a> Program<'a> {
         }
     }
 
+    /// Asks the program to end, as the system does when it shuts down, and waits for it. Unsaved
+    /// work is kept and no question asked.
+    pub fn terminate(self) -> (ExitStatus, String) {
+        let pid = self.child.id().to_string();
+        let sent = Command::new("kill").args(["-TERM", &pid]).status();
+        assert!(sent.expect("kill runs").success());
+        self.end()
+    }
+
+    /// Ends the program as the system does to one that does not answer.
+    pub fn kill(mut self) {
+        self.child.kill().expect("it was killed");
+        self.child.wait().expect("it ended");
+    }
+
     /// Waits for the program's end.
     pub fn end(mut self) -> (ExitStatus, String) {
         let since = Instant::now();

@@ -112,7 +112,7 @@ fn esc_closes_the_dialog_first_and_then_the_program() {
     // Keys are the program's again.
     press(&program, &["ctrl+p", "Return"]);
     assert_eq!(poses_in(&models), ["pose.json"]);
-    press(&program, &["ctrl+shift+i", "Escape", "Escape"]);
+    press(&program, &["ctrl+shift+i", "Escape", "ctrl+q"]);
     let (status, told) = program.end();
     assert!(status.success(), "{status}: {told}");
 }

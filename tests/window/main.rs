@@ -2,6 +2,7 @@
 
 mod desktop;
 mod dialogs;
+mod documents;
 mod places;
 mod window;
 mod x_client;
@@ -66,8 +67,7 @@ fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_
     let turned = pose["joints"]["Torso"][1].as_f64().expect("an angle");
     assert!((20.0..90.0).contains(&turned), "{pose}");
 
-    program.keys(&["Escape"]);
-    let (status, told) = program.end();
+    let (status, told) = program.terminate();
     assert!(status.success(), "{status}: {told}");
     let kept = home.path().join(".config/skeleton-editor/preferences.json");
     let kept = std::fs::read_to_string(kept).expect("kept preferences");
@@ -109,11 +109,7 @@ fn a_bone_is_dragged_and_rolled_by_hand_and_its_pose_goes_over_the_clipboard() {
         let differ = |other: &[u8]| bytes.clone().zip(other).filter(|(a, b)| a != b).count();
         (differ(&rolled) * 10 < differ(&reset)).then_some(())
     });
-    // Esc lets go of the joint first.
-    program.keys(&["Escape"]);
-    program.picture();
-    program.keys(&["Escape"]);
-    let (status, told) = program.end();
+    let (status, told) = program.terminate();
     assert!(status.success(), "{status}: {told}");
 }
 
@@ -145,7 +141,7 @@ fn the_mouse_moves_the_camera_and_the_window_stays_still_when_left_alone() {
         program.picture() != last,
         "the screenshot's dialog does not show"
     );
-    program.keys(&["Escape", "Escape"]);
+    program.keys(&["Escape", "ctrl+q"]);
     let (status, told) = program.end();
     assert!(status.success(), "{status}: {told}");
 }
@@ -180,7 +176,7 @@ fn a_screenshot_with_panels_shows_the_window_without_the_dialogs_that_asked_for_
     // The pointer is elsewhere, so another button and status line show.
     assert!(differ * 50 < plain.len(), "{differ} pixels differ");
 
-    program.keys(&["Escape"]);
+    program.keys(&["ctrl+q"]);
     let (status, told) = program.end();
     assert!(status.success(), "{status}: {told}");
 }
@@ -224,7 +220,7 @@ fn a_picture_of_the_same_scene_is_compared_and_not_a_pixel_differs() {
     // Esc leaves the comparison first.
     program.keys(&["Escape"]);
     program.picture();
-    program.keys(&["Escape"]);
+    program.keys(&["ctrl+q"]);
     let (status, told) = program.end();
     assert!(status.success(), "{status}: {told}");
 }
@@ -235,11 +231,11 @@ fn the_first_start_opens_the_showcase_and_later_ones_do_not() {
     let home = tempfile::tempdir().expect("a folder");
     let first = Program::start(&desktop, home.path(), &[]);
     let showcase = first.picture();
-    first.keys(&["Escape"]);
+    first.keys(&["ctrl+q"]);
     assert!(first.end().0.success());
     let second = Program::start(&desktop, home.path(), &[]);
     assert!(second.picture() != showcase, "the showcase comes back");
-    second.keys(&["Escape"]);
+    second.keys(&["ctrl+q"]);
     assert!(second.end().0.success());
 }
 
@@ -253,7 +249,7 @@ fn preferences_that_are_a_pipe_do_not_keep_the_window_from_opening() {
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
     assert!(made.expect("mkfifo runs").success());
     let program = Program::start(&desktop, home.path(), &[]);
-    program.keys(&["Escape"]);
+    program.keys(&["ctrl+q"]);
     assert!(program.end().0.success());
 }
 
@@ -264,11 +260,11 @@ fn a_file_that_cannot_be_opened_is_told_in_the_window_which_stays() {
     home_with_character(home.path());
     let good = Program::start(&desktop, home.path(), &[]);
     let plain = good.picture();
-    good.keys(&["Escape"]);
+    good.keys(&["ctrl+q"]);
     assert!(good.end().0.success());
     let program = Program::start(&desktop, home.path(), &["no/such/file.obj"]);
     assert!(program.picture() != plain, "no message shows");
-    program.keys(&["Escape"]);
+    program.keys(&["ctrl+q"]);
     assert!(program.end().0.success());
 }
 
@@ -289,8 +285,7 @@ fn a_window_larger_than_the_driver_draws_ends_nothing_and_is_told() {
     );
     program.keys(&["shift+c"]);
     assert!(program.picture() != after, "it does not draw any more");
-    program.keys(&["Escape"]);
-    let (status, told) = program.end();
+    let (status, told) = program.terminate();
     assert!(status.success(), "{status}: {told}");
 }
 

@@ -117,8 +117,8 @@ pub(in crate::ui) fn with_key(ctx: &Context, command: Command, words: &str) -> S
     entry.map_or(String::new(), |entry| entry.with_key(ctx, words))
 }
 
-/// Commands whose shortcuts were pressed in this frame; their events are consumed.
-pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Command> {
+/// Commands whose shortcuts were pressed in this frame, with the keys; their events are consumed.
+pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Command, Key)> {
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         let held = input.pointer.any_down();
@@ -137,7 +137,8 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<Comma
             };
             let hit = command_of(modifiers, key, navigation)
                 // Esc while a button is down cancels that drag, and ends nothing else.
-                .filter(|&command| !(held && command == Command::Quit));
+                .filter(|&command| !(held && command == Command::Quit))
+                .map(|command| (command, key));
             commands.extend(hit);
             hit.is_none()
         });

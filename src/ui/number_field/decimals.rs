@@ -8,9 +8,8 @@ pub(super) fn precise(value: f64) -> String {
 }
 
 /// `value` with as many of `decimals` as fit, and with `unit` if it fits without dropping a
-/// decimal; if nothing fits, without decimals. A value that would round up to a whole `turn` is
-/// written as 0, and angles have their unit only if every angle has room for it, so that rows look
-/// alike.
+/// decimal; if nothing fits, without decimals. Angles, between half a `turn` either way, have their
+/// unit only if every whole one has room for it, so that rows look alike.
 pub(super) fn fitted(
     value: f64,
     unit: &str,
@@ -19,18 +18,13 @@ pub(super) fn fitted(
     fits: impl Fn(&str) -> bool,
 ) -> String {
     let (least, most) = (*decimals.start(), *decimals.end());
-    let widest = turn.map(|turn| rounded(turn - 0.1_f64.powi(most as i32), most, most));
+    let widest = turn.map(|turn| rounded(1.0 - turn / 2.0, 0, 0));
     let unit = match widest {
         Some(widest) if !fits(&format!("{widest}{unit}")) => "",
         _ => unit,
     };
     let mut number = String::new();
     for places in (0..=most).rev() {
-        let half = 0.5 / 10_f64.powi(places as i32);
-        let value = match turn {
-            Some(turn) if value + half >= turn => 0.0,
-            _ => value,
-        };
         number = rounded(value, least.min(places), places);
         let with_unit = format!("{number}{unit}");
         if fits(&with_unit) {
@@ -85,19 +79,16 @@ mod tests {
     }
 
     #[test]
-    fn an_angle_that_rounds_up_to_360_is_shown_as_0() {
-        let short = |text: &str| text.chars().count() <= 4;
-        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), short), "0");
-        assert_eq!(fitted(359.97, "°", 0..=3, Some(360.0), |_| true), "359.97°");
-    }
-
-    #[test]
     fn an_angle_has_its_unit_where_every_angle_has_room_for_it() {
         let up_to = |letters: usize| move |text: &str| text.chars().count() <= letters;
-        for (angle, shown) in [(7.0, "7"), (354.744, "354.7"), (350.66, "350.7")] {
-            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(5)), shown);
-            let with_unit = format!("{shown}°");
-            assert_eq!(fitted(angle, "°", 0..=1, Some(360.0), up_to(6)), with_unit);
+        for (angle, narrow, middle, wide) in [
+            (7.0, "7", "7°", "7°"),
+            (-30.0, "-30", "-30°", "-30°"),
+            (-154.744, "-155", "-155°", "-154.7°"),
+            (7.25, "7.2", "7.2°", "7.2°"),
+        ] {
+            let fitted = |letters| fitted(angle, "°", 0..=1, Some(360.0), up_to(letters));
+            assert_eq!([fitted(4), fitted(5), fitted(7)], [narrow, middle, wide]);
         }
     }
 }

@@ -25,7 +25,7 @@ const GESTURES: &str = "gestures of number fields";
 const FARTHEST: f64 = MAX_COORDINATE as f64;
 /// Width in points below which a field shows its axis as a line instead of a letter.
 const ROOM_FOR_LETTER: f32 = 44.0;
-/// The same for angles: `359.9°` and a letter need more room.
+/// The same for angles: `-179°` and a letter need more room.
 pub(super) const ROOM_FOR_LETTER_AND_ANGLE: f32 = 51.0;
 /// Margin between a number and the edges of its field, in points.
 const EDGE: f32 = 2.0;
@@ -75,8 +75,8 @@ impl<'a> NumberField<'a> {
         }
     }
 
-    /// A field for an angle in degrees, shown from 0 to 360 with at most one decimal. The value
-    /// itself keeps its turns: -30 is shown as 330, and a step makes it -29.
+    /// A field for an angle in degrees, shown from -180 to 180 with at most one decimal. The value
+    /// itself keeps its turns: 330 is shown as -30, and a step makes it 331.
     pub(super) fn degrees(name: &'a str, value: f32) -> Self {
         Self {
             unit: "°",
@@ -145,12 +145,16 @@ impl<'a> NumberField<'a> {
         value.clamp(*self.range.start(), *self.range.end())
     }
 
-    /// The value as shown: an angle without whole turns, and 0 if it would round to a whole turn.
+    /// The value as shown: an angle within half a turn either way.
     fn shown(&self) -> f64 {
         match self.wrap {
             Some(turn) => {
                 let wrapped = self.value.rem_euclid(turn);
-                if wrapped > turn - 5e-5 { 0.0 } else { wrapped }
+                if wrapped > turn / 2.0 {
+                    wrapped - turn
+                } else {
+                    wrapped
+                }
             }
             None => self.value,
         }

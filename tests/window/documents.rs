@@ -1,0 +1,61 @@
+//! Documents of the real window: saved, reopened, and kept through a kill.
+
+use super::desktop::{Desktop, Program};
+use super::home_with_character;
+use std::path::Path;
+
+fn title_is(program: &mut Program, expected: &str) {
+    program.wait_for(expected, |program| {
+        (program.title() == expected).then_some(())
+    });
+}
+
+/// What is kept of unsaved work, if anything.
+fn autosave(home: &Path) -> Option<String> {
+    let kept = home.join(".config/skeleton-editor/autosave-0.json");
+    std::fs::read_to_string(kept).ok()
+}
+
+#[test]
+fn unsaved_work_outlives_a_kill_is_restored_saved_and_opened_again() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let models = home_with_character(home.path());
+    let mut program = Program::start(&desktop, home.path(), &[]);
+    program.keys(&["shift+c"]);
+    title_is(&mut program, "*Untitled — Editor — Your Name");
+    program.wait_for("an autosave", |_| autosave(home.path()));
+    program.kill();
+
+    let mut program = Program::start(&desktop, home.path(), &[]);
+    assert_eq!(program.title(), "Editor — Your Name");
+    // Restore is the first answer.
+    program.keys(&["Return"]);
+    title_is(&mut program, "*Untitled — Editor — Your Name");
+    program.keys(&["ctrl+s", "Return"]);
+    title_is(&mut program, "scene.scene — Editor — Your Name");
+    let saved = models.join("scene.scene");
+    let text = std::fs::read_to_string(&saved).expect("a saved scene");
+    assert!(text.contains("\"kind\": \"cube\""), "{text}");
+    program.wait_for("the autosave to go", |_| {
+        autosave(home.path()).is_none().then_some(())
+    });
+
+    program.keys(&["shift+s"]);
+    title_is(&mut program, "*scene.scene — Editor — Your Name");
+    let (status, told) = program.terminate();
+    assert!(status.success(), "{status}: {told}");
+    assert!(
+        autosave(home.path()).is_some(),
+        "a signal keeps unsaved work"
+    );
+    assert_eq!(std::fs::read_to_string(&saved).expect("it is there"), text);
+
+    let path = saved.to_str().expect("a path");
+    let mut program = Program::start(&desktop, home.path(), &[path]);
+    // Discard is the other answer.
+    program.keys(&["Tab", "Tab", "space"]);
+    title_is(&mut program, "scene.scene — Editor — Your Name");
+    program.keys(&["ctrl+q"]);
+    assert!(program.end().0.success());
+}
