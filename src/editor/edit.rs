@@ -190,8 +190,14 @@ pub enum View {
     SetLook(Look),
     /// Sets the normals that surfaces are shaded with.
     SetShading(Shading),
-    /// Selects a shape, or none.
+    /// Selects a shape alone, or none.
     Select(Option<ShapeId>),
+    /// Adds a shape to those that are selected, as the active one, or takes it out.
+    ToggleSelected(ShapeId),
+    /// Selects all shapes of the list from the active one to this.
+    SelectTo(ShapeId),
+    /// Selects all shapes.
+    SelectAll,
     /// Selects a joint of the selected shape, or none.
     SelectJoint(Option<usize>),
     /// Highlights the joint of the selected shape that the pointer is over, or none.

@@ -1,5 +1,6 @@
+use super::selection::Selection;
 use crate::revision::Revision;
-use crate::scene::{Scene, ShapeId};
+use crate::scene::Scene;
 use std::collections::{HashSet, VecDeque};
 
 /// Steps that can be undone, at most.
@@ -8,13 +9,6 @@ pub(super) const MOST_STEPS: usize = 200;
 /// Memory of all kept states together, in bytes. Meshes are shared between states, so this is
 /// reached only by what was deleted or replaced.
 const MOST_BYTES: usize = 512 << 20;
-
-/// Selected shape, and the joint of it that is selected.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Selection {
-    pub shape: Option<ShapeId>,
-    pub joint: Option<usize>,
-}
 
 /// Document at a moment. A scene is cheap to clone, since its heavy data is shared.
 #[derive(Clone, Debug)]
@@ -83,9 +77,9 @@ impl History {
             return None;
         }
         let selection = if done < self.done {
-            self.steps[done].before
+            self.steps[done].before.clone()
         } else {
-            self.steps[done - 1].after
+            self.steps[done - 1].after.clone()
         };
         self.done = done;
         let state = match done.checked_sub(1) {
@@ -132,7 +126,7 @@ mod tests {
 
     fn push(history: &mut History, state: &State) {
         let none = Selection::default();
-        history.push("A step".into(), none, none, state.clone());
+        history.push("A step".into(), none.clone(), none, state.clone());
     }
 
     #[test]

@@ -11,6 +11,7 @@ mod ik_grip;
 mod ik_tool;
 mod move_tool;
 mod rotate_tool;
+mod selection;
 mod session;
 mod step_name;
 
@@ -22,6 +23,7 @@ pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
+pub use selection::{duplicates, for_all_selected, scene_of_selected};
 pub use session::{Message, Messages, Session, Severity};
 
 /// Tool of the view: what a left drag does.

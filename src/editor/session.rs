@@ -1,10 +1,11 @@
 use super::apply::{EditError, apply};
-use super::history::{History, Selection, State};
+use super::history::{History, State};
+use super::selection::Selection;
 use super::step_name::step_name;
 use super::{Change, Edit, View};
 use crate::math::Aabb;
 use crate::revision::Revision;
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeId, ViewSettings};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, Shape, ShapeId, ViewSettings};
 
 /// Displayed time of playback, in seconds: there is no timeline yet.
 const SHOWN_TIME: f64 = 0.0;
@@ -95,7 +96,7 @@ impl Session {
     pub fn edit(&mut self, edit: Edit) -> Result<Change, EditError> {
         let place = self.selected().and_then(|id| self.index_of(id));
         let before = self.present();
-        let selection = self.selection;
+        let selection = self.selection.clone();
         let change = apply(&mut self.scene, edit)?;
         if change.is_nothing() {
             return Ok(change);
@@ -132,7 +133,7 @@ impl Session {
         self.commit_gesture();
         self.gesture = Some(Gesture {
             state: self.present(),
-            selection: self.selection,
+            selection: self.selection.clone(),
         });
     }
 
@@ -224,9 +225,15 @@ impl Session {
             View::SetLook(look) => self.view.look = look,
             View::SetShading(shading) => self.view.shading = shading,
             View::Select(selected) => {
-                if selected != self.selected() {
+                if selected != self.selected() || !self.selection.others.is_empty() {
                     self.select(selected);
                 }
+            }
+            View::ToggleSelected(shape) => self.selection.toggle(shape),
+            View::SelectTo(shape) => self.select_to(shape),
+            View::SelectAll => {
+                let all = self.scene.shapes().iter().map(|shape| shape.id);
+                self.selection = Selection::all(all, self.selected());
             }
             View::SelectJoint(joint) => self.selection.joint = joint,
             View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
@@ -250,9 +257,21 @@ impl Session {
         self.document
     }
 
-    /// Selected shape; always one that exists.
+    /// Active shape: the selected one, or of several the one that was selected last, whose
+    /// properties are shown. Always one that exists.
     pub fn selected(&self) -> Option<ShapeId> {
         self.selection.shape
+    }
+
+    /// All selected shapes, the one of [`Session::selected`] among them, in the order of the scene.
+    pub fn selected_shapes(&self) -> impl Iterator<Item = &Shape> {
+        let shapes = self.scene.shapes().iter();
+        shapes.filter(|shape| self.selection.has(shape.id))
+    }
+
+    /// Whether a shape is among those that are selected.
+    pub fn is_selected(&self, shape: ShapeId) -> bool {
+        self.selection.has(shape)
     }
 
     /// Selected joint of the selected shape; always one that exists.
@@ -307,10 +326,7 @@ impl Session {
 
     /// Selects a shape, or none, and no part of it.
     fn select(&mut self, selected: Option<ShapeId>) {
-        self.selection = Selection {
-            shape: selected,
-            joint: None,
-        };
+        self.selection = Selection::only(selected);
         self.hovered_bone = None;
         self.hovered_control_point = None;
     }
@@ -332,7 +348,19 @@ impl Session {
     fn record(&mut self, before: State, selection: Selection) {
         let name = step_name(&before.scene, &self.scene);
         let present = self.present();
-        self.history.push(name, selection, self.selection, present);
+        let after = self.selection.clone();
+        self.history.push(name, selection, after, present);
+    }
+
+    /// Selects the shapes of the list from the active one to `shape`, which becomes active.
+    fn select_to(&mut self, shape: ShapeId) {
+        let from = self.selected().and_then(|id| self.index_of(id));
+        let (Some(from), Some(to)) = (from, self.index_of(shape)) else {
+            return self.select(Some(shape));
+        };
+        let range = from.min(to)..=from.max(to);
+        let between = self.scene.shapes()[range].iter().map(|shape| shape.id);
+        self.selection = Selection::all(between, Some(shape));
     }
 
     fn evaluate(&mut self) {
@@ -343,7 +371,9 @@ impl Session {
     /// Clears the parts of the selection and of what the pointer is over that do not exist.
     fn forget_what_is_gone(&mut self) {
         let exists = |&id: &ShapeId| self.scene.shape(id).is_some();
-        self.selection.shape = self.selection.shape.filter(exists);
+        self.selection.others.retain(exists);
+        let active = self.selection.shape.filter(exists);
+        self.selection.shape = active.or_else(|| self.selection.others.pop());
         let scene = &self.scene;
         let has = |shape: ShapeId, joint: usize| {
             scene

@@ -73,10 +73,10 @@ impl Kept {
 }
 
 /// Files with one more.
-struct WithText<'a> {
-    path: &'a Path,
-    text: &'a str,
-    rest: Arc<dyn Files>,
+pub(super) struct WithText<'a> {
+    pub path: &'a Path,
+    pub text: &'a str,
+    pub rest: Arc<dyn Files>,
 }
 
 impl Files for WithText<'_> {

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// What messages call the clipboard where they name a file.
-const CLIPBOARD: &str = "clipboard";
+pub(super) const CLIPBOARD: &str = "clipboard";
 
 impl Program {
     /// Starts with `paths` in one scene, compared with the last that is a picture. What cannot be
@@ -189,22 +189,6 @@ impl Program {
         Some(PoseData::new(character.character.skeleton(), pose).to_json())
     }
 
-    /// Gives the pose that was asked for from the clipboard to its character.
-    pub(super) fn paste(&mut self, text: &str) {
-        let Some((opened, shape)) = self.paste_into.take() else {
-            return;
-        };
-        if self.is_from_another_scene(opened) {
-            return;
-        }
-        if text.trim().is_empty() {
-            let text = "There is no pose on the clipboard: Copy Pose puts one there";
-            self.tell(Severity::Warning, text);
-            return;
-        }
-        self.take_pose(shape, Path::new(CLIPBOARD), text.as_bytes());
-    }
-
     fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         match files.read(path) {
             Ok(bytes) => self.take_pose(shape, path, &bytes),
@@ -212,7 +196,7 @@ impl Program {
         }
     }
 
-    fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8]) {
+    pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8]) {
         let Some(character) = self.session.scene().character(shape) else {
             let text = format!("{}: there is no character any more to pose", path.display());
             return self.tell(Severity::Error, text);

@@ -223,6 +223,12 @@ impl Program {
         }
         let marks = Marks {
             selected: self.session.selected(),
+            also_selected: self
+                .session
+                .selected_shapes()
+                .map(|shape| shape.id)
+                .filter(|&id| Some(id) != self.session.selected())
+                .collect(),
             hovered: self.hovered_shape,
             selected_joint: self.session.selected_joint(),
             hovered_joint: self.session.hovered_joint(),

@@ -43,7 +43,7 @@ pub struct GraphicsInfo {
 }
 
 /// State that a picture of the scene follows from.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct SceneKey {
     document: Revision,
     view: ViewSettings,
@@ -167,9 +167,9 @@ impl Graphics {
         let key = SceneKey {
             document,
             view: *frame.view,
-            marks: frame.marks,
+            marks: frame.marks.clone(),
         };
-        if self.shown == Some(key) {
+        if self.shown.as_ref() == Some(&key) {
             return Ok(());
         }
         self.shown = Some(key);

@@ -7,6 +7,7 @@
 //! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
 mod autosave;
+mod clipboard;
 mod comparison;
 mod document;
 mod files;

@@ -43,8 +43,9 @@ pub struct Program {
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
     /// Pictures that are saved at the end of this frame.
     pub(super) due_pictures: Vec<(PathBuf, Screenshot)>,
-    /// The character that gets the pose on the clipboard, once its text is there.
-    pub(super) paste_into: Option<(Revision, ShapeId)>,
+    /// The document that gets what is on the clipboard, once its text is there, and the character
+    /// that a pose would be for.
+    pub(super) paste_into: Option<(Revision, Option<ShapeId>)>,
     /// The shape under the pointer when the last frame was drawn.
     pub(super) hovered_shape: Option<ShapeId>,
     pub(super) frame_rate: FrameRate,
@@ -214,7 +215,7 @@ impl Program {
                 HostEvent::Changed(path) => self.notice_change(&path, host),
                 HostEvent::CloseRequested => self.leave_for(Next::Quit, host),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
-                HostEvent::Pasted(text) => self.paste(&text),
+                HostEvent::Pasted(text) => self.paste(&text, host),
                 HostEvent::Finished(result) => {
                     if let Some(comparison) = &mut self.comparison {
                         comparison.take_result(result);
@@ -327,13 +328,19 @@ impl Program {
             Ask::Reload => self.reload(host),
             Ask::FindSource(shape) => self.find_source(shape, host),
             Ask::Answer(answer) => self.take_answer(answer, host),
+            Ask::CopyShapes => drop(self.copy_shapes(host)),
+            Ask::CutShapes => self.cut_shapes(host),
+            Ask::Paste => {
+                self.paste_into = Some((self.session.opened(), self.session.selected()));
+                host.request_paste();
+            }
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {
                     host.copy_text(text);
                 }
             }
             Ask::PastePose(shape) => {
-                self.paste_into = Some((self.session.opened(), shape));
+                self.paste_into = Some((self.session.opened(), Some(shape)));
                 host.request_paste();
             }
             Ask::Compare(action) => self.compare(action, host),

@@ -56,7 +56,7 @@ impl OutlinePass {
         lines: (&mut SkeletonPass, &mut Immediate),
         target: &Framebuffer,
     ) -> Result<(), GpuError> {
-        let marks = frame.marks;
+        let marks = &frame.marks;
         if marks.selected.is_none() && marks.hovered.is_none() {
             return Ok(());
         }
@@ -69,19 +69,20 @@ impl OutlinePass {
             ..DrawState::opaque(width, height)
         };
         flat.apply(gl);
-        // The selected shape last, so that it keeps its pixels where the two overlap.
-        for (id, color) in [(marks.hovered, Vec3::Y), (marks.selected, Vec3::X)] {
-            if let Some(id) = id {
-                draw_mask(
-                    &self.masks,
-                    context,
-                    frame,
-                    meshes,
-                    (&mut *lines.0, &mut *lines.1),
-                    id,
-                    color,
-                )?;
-            }
+        // Selected shapes last, so that they keep their pixels where they overlap the hovered one.
+        let hovered = marks.hovered.map(|id| (id, Vec3::Y));
+        let selected = marks.also_selected.iter().copied().chain(marks.selected);
+        let selected = selected.map(|id| (id, Vec3::X));
+        for (id, color) in hovered.into_iter().chain(selected) {
+            draw_mask(
+                &self.masks,
+                context,
+                frame,
+                meshes,
+                (&mut *lines.0, &mut *lines.1),
+                id,
+                color,
+            )?;
         }
         mask.bind_texture(0);
         target.bind();

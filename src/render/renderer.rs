@@ -14,7 +14,7 @@ use crate::scene::{
 use glam::Mat4;
 
 /// Everything that a picture depends on: the same frame gives the same picture.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Frame<'a> {
     /// The shapes.
     pub scene: &'a Scene,
@@ -35,10 +35,12 @@ impl<'a> Frame<'a> {
 }
 
 /// Marks that an editor draws over the scene for its user.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
-    /// The selected shape.
+    /// The selected shape; of several the active one.
     pub selected: Option<ShapeId>,
+    /// All other selected shapes.
+    pub also_selected: Vec<ShapeId>,
     /// The shape under the pointer.
     pub hovered: Option<ShapeId>,
     /// The selected joint of the selected shape.

@@ -79,6 +79,12 @@ pub enum Ask {
     ExportGeometry,
     /// Choose a file, and save a picture of the view to it.
     Screenshot(Screenshot),
+    /// Copy the selected shapes to the clipboard, and delete them.
+    CutShapes,
+    /// Copy the selected shapes to the clipboard.
+    CopyShapes,
+    /// Add the shapes on the clipboard, or apply the pose on it to the selected character.
+    Paste,
     /// Copy the pose of a character to the clipboard.
     CopyPose(ShapeId),
     /// Apply the pose on the clipboard to a character.

@@ -95,6 +95,8 @@ impl Items<'_> {
     fn edit(&mut self, ui: &mut Ui) {
         self.all(ui, Menu::Edit);
         ui.separator();
+        self.all(ui, Menu::Clipboard);
+        ui.separator();
         self.all(ui, Menu::Shape);
     }
 

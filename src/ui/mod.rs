@@ -287,8 +287,13 @@ fn press(
     }
     // The joint at hand, rather than all that hangs together with it.
     let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
+    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+        && session
+            .selected()
+            .is_some_and(|id| session.scene().character(id).is_some());
     let command = match command {
         Command::Delete if joint_at_hand => Command::ResetJoint,
+        Command::Copy if poses => Command::CopyPose,
         command => command,
     };
     actions.extend(commands::run(command, session, state, aspect));

@@ -2,7 +2,7 @@ use super::commands::Command;
 use super::theme::Palette;
 use super::widgets::{list_move, moved, named, section, select_all};
 use super::{Action, commands};
-use crate::editor::{Edit, Session, View};
+use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::scene::{Shape, ShapeId};
 use egui::{
     Align, Button, Color32, Key, Layout, Painter, Pos2, Rect, Response, RichText, ScrollArea,
@@ -84,16 +84,25 @@ fn rows(
             }
             continue;
         }
-        let selected = session.selected() == Some(shape.id);
+        let selected = session.is_selected(shape.id);
         let row = ui
-            .push_id(shape.id, |ui| row(ui, index, shape, selected, actions))
+            .push_id(shape.id, |ui| {
+                row(ui, session, (index, shape), selected, actions)
+            })
             .inner;
-        if selected && newly_selected {
+        if session.selected() == Some(shape.id) && newly_selected {
             row.scroll_to_me(None);
         }
         if row.clicked() {
             row.request_focus();
-            chosen = Some(shape.id);
+            let modifiers = ui.input(|input| input.modifiers);
+            if modifiers.command {
+                actions.push(Action::View(View::ToggleSelected(shape.id)));
+            } else if modifiers.shift {
+                actions.push(Action::View(View::SelectTo(shape.id)));
+            } else {
+                actions.push(Action::View(View::Select(Some(shape.id))));
+            }
         }
         if row.double_clicked() {
             *renaming = Some(Renaming::of(shape));
@@ -112,7 +121,7 @@ fn rows(
         row.request_focus();
         chosen = Some(shape.id);
     }
-    if chosen.is_some() && chosen != session.selected() {
+    if chosen.is_some() {
         actions.push(Action::View(View::Select(chosen)));
     }
 }
@@ -162,8 +171,8 @@ fn dropped_at(ui: &Ui, row: &Response, index: usize) -> Option<(ShapeId, usize)>
 /// One row; the widget that selects the shape.
 fn row(
     ui: &mut Ui,
-    index: usize,
-    shape: &Shape,
+    session: &Session,
+    (index, shape): (usize, &Shape),
     selected: bool,
     actions: &mut Vec<Action>,
 ) -> Response {
@@ -192,7 +201,7 @@ fn row(
         .inner
         .on_hover_text(&label);
     row.dnd_set_drag_payload((shape.id, index));
-    eye_and_lock(ui, icons, shape, selected, actions);
+    eye_and_lock(ui, icons, session, shape, actions);
     row
 }
 
@@ -205,7 +214,8 @@ const LINE: f32 = 1.3;
 
 /// The eye that hides the shape and the lock that locks it, in `rect`. They are drawn rather than
 /// written: no font of egui has a closed eye.
-fn eye_and_lock(ui: &Ui, rect: Rect, shape: &Shape, selected: bool, actions: &mut Vec<Action>) {
+fn eye_and_lock(ui: &Ui, rect: Rect, session: &Session, shape: &Shape, actions: &mut Vec<Action>) {
+    let selected = session.is_selected(shape.id);
     let (left, right) = rect.split_left_right_at_fraction(0.5);
     let name = &shape.name;
 
@@ -220,7 +230,7 @@ fn eye_and_lock(ui: &Ui, rect: Rect, shape: &Shape, selected: bool, actions: &mu
     paint_eye(ui.painter(), left.center(), shape.visible, color);
     if with_hint(eye, Command::ToggleVisible, &hint, selected).clicked() {
         let edit = Edit::SetVisible(shape.id, !shape.visible);
-        actions.push(Action::Edit(edit));
+        actions.push(Action::Edit(for_all_selected(session, edit)));
     }
 
     let does = if shape.locked { "Unlock" } else { "Lock" };
@@ -234,7 +244,7 @@ fn eye_and_lock(ui: &Ui, rect: Rect, shape: &Shape, selected: bool, actions: &mu
     paint_lock(ui.painter(), right.center(), shape.locked, color);
     if with_hint(lock, Command::ToggleLocked, &hint, selected).clicked() {
         let edit = Edit::SetLocked(shape.id, !shape.locked);
-        actions.push(Action::Edit(edit));
+        actions.push(Action::Edit(for_all_selected(session, edit)));
     }
 }
 

@@ -4,7 +4,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{labelled, named};
 use super::{Action, Ask, character_panel, commands, curve_panel, joint_list, shape_list};
-use crate::editor::{Edit, Session, View};
+use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::math::Transform;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
 use egui::{
@@ -58,7 +58,7 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         return;
     };
     ui.push_id(shape.id, |ui| {
-        properties(ui, shape, actions);
+        properties(ui, session, shape, actions);
         if let ShapeKind::Character(character) = &shape.kind {
             ui.separator();
             character_panel::display(ui, shape.id, character.display, actions);
@@ -103,8 +103,9 @@ fn leave_joints(state: &mut UiState, actions: &mut Vec<Action>) {
 const SCALES: std::ops::RangeInclusive<f64> = 0.1..=10.0;
 
 /// Position, scale, rotation and color of a shape, with Delete and Reset.
-fn properties(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
-    title(ui, shape, actions);
+fn properties(ui: &mut Ui, session: &Session, shape: &Shape, actions: &mut Vec<Action>) {
+    let for_all = |edit| Action::Edit(for_all_selected(session, edit));
+    title(ui, session, shape, actions);
     let placement = &shape.placement;
     let (now, start) = (placement.transform, shape.start.transform);
     let mut edited = None;
@@ -118,7 +119,7 @@ fn properties(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
         edited = Some(with(now, |to| to.position[axis] = value));
     }
 
-    uniform_scaling(ui, shape, actions);
+    uniform_scaling(ui, session, shape, actions);
     if placement.uniform_scaling {
         let scale = labelled(ui, "Uniform Scale", |ui, size| {
             NumberField::new("Uniform Scale", now.scale.x, 0.1)
@@ -152,17 +153,17 @@ fn properties(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
     }
 
     if let Some(transform) = edited {
-        actions.push(Action::Edit(Edit::SetTransform(shape.id, transform)));
+        actions.push(for_all(Edit::SetTransform(shape.id, transform)));
     }
     let color = labelled(ui, "Color", |ui, size| {
         color_field(ui, placement.color, size.x)
     });
     if let Some(color) = color {
-        actions.push(Action::Edit(Edit::SetColor(shape.id, color)));
+        actions.push(for_all(Edit::SetColor(shape.id, color)));
     }
 }
 
-fn uniform_scaling(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
+fn uniform_scaling(ui: &mut Ui, session: &Session, shape: &Shape, actions: &mut Vec<Action>) {
     labelled(ui, "", |ui, _| {
         let mut uniform = shape.placement.uniform_scaling;
         let hint = "Scale X, Y and Z together. Turning it on takes the scale of X for all.";
@@ -172,7 +173,7 @@ fn uniform_scaling(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
             .changed()
         {
             let edit = Edit::SetUniformScaling(shape.id, uniform);
-            actions.push(Action::Edit(edit));
+            actions.push(Action::Edit(for_all_selected(session, edit)));
         }
     });
 }
@@ -184,7 +185,7 @@ fn with(transform: Transform, change: impl FnOnce(&mut Transform)) -> Transform 
 }
 
 /// The shape's ID, with Delete and Reset.
-fn title(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
+fn title(ui: &mut Ui, session: &Session, shape: &Shape, actions: &mut Vec<Action>) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         for (command, label, edit) in [
@@ -196,11 +197,14 @@ fn title(ui: &mut Ui, shape: &Shape, actions: &mut Vec<Action>) {
                 .on_hover_text(commands::tooltip(ui.ctx(), command))
                 .clicked()
             {
-                actions.push(Action::Edit(edit));
+                actions.push(Action::Edit(for_all_selected(session, edit)));
             }
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let text = format!("Selected Shape ID: {}", shape.id);
+            let text = match session.selected_shapes().count() {
+                1 => format!("Selected Shape ID: {}", shape.id),
+                count => format!("{count} shapes, active ID: {}", shape.id),
+            };
             let color = Palette::of(ui.visuals()).strong;
             ui.add(Label::new(RichText::new(text).color(color)).truncate())
                 .on_hover_text(&shape.name);

@@ -2,7 +2,7 @@
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use super::{Action, GestureStep, UiState, control_points, posing};
-use crate::editor::{Edit, Session, Tool, View};
+use crate::editor::{Edit, Session, Tool, View, for_all_selected};
 use crate::scene::ShapeId;
 use egui::{
     Event, InputState, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Response,
@@ -61,7 +61,13 @@ pub fn view_gestures(
         let clicked = view.interact_pointer_pos();
         let picked = &mut state.pose.picked;
         let shape = clicked.and_then(|position| shape_at(picked, session, places, position));
-        actions.push(Action::View(View::Select(shape)));
+        let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
+        match shape {
+            Some(shape) if adds => actions.push(Action::View(View::ToggleSelected(shape))),
+            // A click that misses must not lose what was selected before.
+            None if adds => {}
+            _ => actions.push(Action::View(View::Select(shape))),
+        }
         if state.pose.tool != Tool::Select {
             actions.push(Action::View(View::SelectJoint(None)));
         }
@@ -212,7 +218,7 @@ impl<H: Follow> Grab<H> {
         if let Some((place, position)) = places.get(self.index).zip(hand.position) {
             let pixel = place.pixel(position);
             let edit = self.held.follow(session, place, pixel, hand.snap);
-            actions.extend(edit.map(Action::Edit));
+            actions.extend(edit.map(|edit| Action::Edit(for_all_selected(session, edit))));
         }
         if !hand.left_down {
             actions.push(Action::Gesture(GestureStep::Commit));

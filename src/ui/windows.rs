@@ -161,6 +161,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::File => "File, other files",
         Menu::Scenes => "File ⏵ Built-in Scene",
         Menu::Edit => "Edit",
+        Menu::Clipboard => "Edit, clipboard and selection",
         Menu::Insert => "Insert",
         Menu::Curves => "Insert, curves",
         Menu::Import => "Insert ⏵ Import",

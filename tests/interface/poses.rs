@@ -47,11 +47,24 @@ fn mirroring_exchanges_left_and_right_and_twice_is_nothing() {
 fn copy_and_paste_ask_for_the_clipboard() {
     let mut editor = posed();
     let id = editor.shape().id;
+    editor.choose(&["Pose", "Copy Pose"]);
+    editor.choose(&["Pose", "Paste Pose"]);
     editor.harness.event(Event::Copy);
     editor.settle();
     editor.harness.event(Event::Paste("{}".into()));
     editor.settle();
-    assert_eq!(editor.asked(), [Ask::CopyPose(id), Ask::PastePose(id)]);
+    // With the Pose tool, the same keys are about the pose.
+    editor.key(Key::B);
+    editor.harness.event(Event::Copy);
+    editor.settle();
+    let asked = [
+        Ask::CopyPose(id),
+        Ask::PastePose(id),
+        Ask::CopyShapes,
+        Ask::Paste,
+        Ask::CopyPose(id),
+    ];
+    assert_eq!(editor.asked(), asked);
 }
 
 #[test]
@@ -106,8 +119,12 @@ fn a_pose_kept_under_a_name_that_is_taken_replaces_it() {
 fn without_a_character_nothing_about_poses_can_be_chosen() {
     let mut editor = Editor::new();
     editor.edit(Edit::Insert(vec![NewShape::new("Cube", ShapeKind::Cube)]));
-    for key in [Key::C, Key::V, Key::K, Key::P] {
+    editor.key(Key::B);
+    for key in [Key::K, Key::P] {
         editor.key_with(Modifiers::COMMAND, key);
+    }
+    for key in [Key::C, Key::V] {
+        editor.key_with(Modifiers::COMMAND | Modifiers::ALT, key);
     }
     editor.key(Key::M);
     assert!(editor.asked().is_empty());

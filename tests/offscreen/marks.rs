@@ -101,7 +101,7 @@ fn the_pointer_s_outline_is_bright_and_gives_way_to_the_selection_s() {
             hovered: Some(other),
             ..Marks::default()
         };
-        let picture = draw(gl, &scene, hovered);
+        let picture = draw(gl, &scene, hovered.clone());
         let (bright, orange) = (
             picture.count(is_hovered_outline),
             picture.count(is_selected_outline),
@@ -202,7 +202,7 @@ fn the_bone_of_the_selected_joint_is_orange_and_that_under_the_pointer_cyan() {
                 hovered_joint: Some(1),
                 ..selected(id)
             };
-            let picture = draw(gl, &scene, marks);
+            let picture = draw(gl, &scene, marks.clone());
             let is_orange = |[r, g, b, _]: [u8; 4]| r > g.saturating_add(30) && g > b;
             let is_cyan = |[r, g, b, _]: [u8; 4]| b > g && g > r.saturating_add(60);
             // In the middle of the bones, which the outline goes round.

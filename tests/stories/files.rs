@@ -225,7 +225,7 @@ fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
     let paste = Action::Ask(Ask::PastePose(story.shape().id));
     story.program.carry_out(vec![paste], &mut story.host);
     story.settle();
-    let none = "There is no pose on the clipboard: Copy Pose puts one there";
+    let none = "There is nothing on the clipboard: Copy and Copy Pose put something there";
     assert_eq!(story.messages(), [(Severity::Warning, none)]);
 }
 

@@ -8,6 +8,7 @@ mod files;
 mod hosts;
 mod looking;
 mod posing;
+mod several;
 mod sources;
 mod starting;
 mod undoing;

@@ -153,6 +153,7 @@ fn a_bone_is_dragged_by_hand_and_the_gesture_is_kept_or_cancelled() {
 fn a_pose_goes_over_the_clipboard_from_one_character_to_another() {
     let mut story = Story::start(&["models/strip.obj", "models/strip.obj"]);
     story.type_into("Elbow Z", "45/2");
+    story.key(Key::B);
     story.key_with(Modifiers::COMMAND, Key::C);
     let copied: serde_json::Value = serde_json::from_str(&story.host.clipboard).unwrap();
     assert_eq!(copied["joints"]["Elbow"][2], 22.5);

@@ -22,7 +22,10 @@ pub(in crate::ui) const fn gesture(gesture: &'static str, does: &'static str) ->
 /// Gestures in the view, without those that move the camera (see [`Navigation`]), then in the
 /// panels.
 pub const GESTURES: &[Gesture] = &[
-    gesture("Click in the view", "Select the shape under the pointer"),
+    gesture(
+        "Click in the view",
+        "Select a shape; Ctrl or Shift adds one",
+    ),
     gesture(
         "Drag a control point",
         "Move it; Esc or right click cancels",
@@ -130,8 +133,9 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
                     modifiers,
                     ..
                 } => (*modifiers, *key),
-                // egui reports these two shortcuts as what they mean.
+                // egui reports these shortcuts as what they mean.
                 Event::Copy => (CTRL, Key::C),
+                Event::Cut => (CTRL, Key::X),
                 Event::Paste(_) => (CTRL, Key::V),
                 _ => return true,
             };

@@ -48,6 +48,16 @@ pub enum Command {
     Redo,
     /// Opens Edit ▸ History.
     History,
+    /// Copies the selected shapes to the clipboard, and deletes them.
+    Cut,
+    /// Copies the selected shapes to the clipboard.
+    Copy,
+    /// Adds the shapes on the clipboard, or applies the pose on it.
+    Paste,
+    /// Adds copies of the selected shapes beside them.
+    Duplicate,
+    /// Selects all shapes.
+    SelectAll,
     /// Inserts a shape.
     Insert(Primitive),
     /// Imports a shape.

@@ -3,7 +3,7 @@
 use super::table::{is_in, label};
 use super::{Command, Menu, Primitive};
 use crate::character::{Mirror, Pose};
-use crate::editor::{Edit, GizmoAxes, Session, Tool, View};
+use crate::editor::{Edit, GizmoAxes, Session, Tool, View, duplicates, for_all_selected};
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
 use crate::ui::shape_list::Renaming;
@@ -84,8 +84,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
-        Command::Delete => return session.selected().map(|id| Action::Edit(Edit::Delete(id))),
-        Command::Reset => return session.selected().map(|id| Action::Edit(Edit::Reset(id))),
+        Command::Delete => return to_selected(session, Edit::Delete),
+        Command::Reset => return to_selected(session, Edit::Reset),
+        Command::Duplicate => return Some(Action::Edit(Edit::Insert(duplicates(session)))),
+        Command::SelectAll => return Some(Action::View(View::SelectAll)),
+        Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
+        Command::Copy => return Some(Action::Ask(Ask::CopyShapes)),
+        Command::Paste => return Some(Action::Ask(Ask::Paste)),
         Command::Rename => {
             let shape = session.selected().and_then(|id| session.scene().shape(id));
             state.renaming = shape.map(Renaming::of);
@@ -113,10 +118,17 @@ fn insert(command: Command, primitive: Primitive) -> Action {
 /// Hides, shows, locks or unlocks the selected shape.
 fn toggle(command: Command, session: &Session) -> Option<Action> {
     let shape = session.scene().shape(session.selected()?)?;
-    Some(Action::Edit(match command {
+    let edit = match command {
         Command::ToggleVisible => Edit::SetVisible(shape.id, !shape.visible),
         _ => Edit::SetLocked(shape.id, !shape.locked),
-    }))
+    };
+    Some(Action::Edit(for_all_selected(session, edit)))
+}
+
+/// Does something to every selected shape.
+fn to_selected(session: &Session, edit: impl Fn(ShapeId) -> Edit) -> Option<Action> {
+    let edit = edit(session.selected()?);
+    Some(Action::Edit(for_all_selected(session, edit)))
 }
 
 /// Label of a command in a menu, with the step that Undo or Redo is about.
@@ -169,6 +181,9 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         }
         Command::Delete
         | Command::Reset
+        | Command::Cut
+        | Command::Copy
+        | Command::Duplicate
         | Command::Rename
         | Command::ToggleVisible
         | Command::ToggleLocked
@@ -176,8 +191,8 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         {
             Some("No shape is selected")
         }
-        Command::ExportGeometry if session.scene().shapes().is_empty() => {
-            Some("There is nothing to export")
+        Command::SelectAll | Command::ExportGeometry if session.scene().shapes().is_empty() => {
+            Some("There is no shape")
         }
         Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
             why_no_curves(command, session)

@@ -17,6 +17,8 @@ pub enum Menu {
     Scenes,
     /// Edit, the part about the history.
     Edit,
+    /// Edit, the part about the clipboard and the selection.
+    Clipboard,
     /// Insert, first part.
     Insert,
     /// Insert, the part with curves.
@@ -56,6 +58,7 @@ impl Menu {
         Self::File,
         Self::Scenes,
         Self::Edit,
+        Self::Clipboard,
         Self::Insert,
         Self::Curves,
         Self::Import,
@@ -153,6 +156,12 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]),
     entry(Command::History, Menu::Edit, "History", "Every step since the document was opened; a click goes back or forward to it", &[]),
 
+    entry(Command::Cut, Menu::Clipboard, "Cut", "Copy the selected shapes to the clipboard, and delete them", &[key(CTRL, Key::X)]),
+    entry(Command::Copy, Menu::Clipboard, "Copy", "Copy the selected shapes to the clipboard, as text; with the Pose and IK tools, the pose", &[key(CTRL, Key::C)]),
+    entry(Command::Paste, Menu::Clipboard, "Paste", "Add the shapes on the clipboard, or apply the pose on it to the selected character", &[key(CTRL, Key::V)]),
+    entry(Command::Duplicate, Menu::Clipboard, "Duplicate", "Add copies of the selected shapes beside them", &[key(CTRL, Key::D)]),
+    entry(Command::SelectAll, Menu::Clipboard, "Select All", "Select every shape; Ctrl and Shift with a click select several", &[key(CTRL, Key::A)]),
+
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
     entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),
     entry(Command::Insert(Primitive::Pyramid), Menu::Insert, "Pyramid", "Add a pyramid at the origin", &[key(SHIFT, Key::P)]),
@@ -214,8 +223,8 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]),
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),
     entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]),
-    entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL, Key::C)]),
-    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL, Key::V)]),
+    entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL.plus(Modifiers::ALT), Key::C)]),
+    entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL.plus(Modifiers::ALT), Key::V)]),
     entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]),
     entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]),
     entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),

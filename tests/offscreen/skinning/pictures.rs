@@ -96,8 +96,8 @@ fn outlines_and_meshes_seen_through_are_the_same_too() {
     on_each_backend(|gl| {
         let [mut cpu, mut gpu] = [Skinning::Cpu, Skinning::Gpu].map(|s| renderer(gl, s));
         let view = fitted(&scene, Shading::AsAuthored);
-        let (here, _) = draw(gl, &mut cpu, &scene, &view, marks);
-        let (there, _) = draw(gl, &mut gpu, &scene, &view, marks);
+        let (here, _) = draw(gl, &mut cpu, &scene, &view, marks.clone());
+        let (there, _) = draw(gl, &mut gpu, &scene, &view, marks.clone());
         same("outlined", &here, &there);
     });
 }

@@ -1,0 +1,159 @@
+use super::{Edit, Session};
+use crate::math::{Euler, Transform};
+use crate::scene::{NewShape, Scene, Shape, ShapeId};
+use glam::Vec3;
+
+/// Selected shapes, and the joint of the active one that is selected.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Selection {
+    /// Active shape: the one whose properties are shown.
+    pub shape: Option<ShapeId>,
+    /// The others, in the order in which they were selected.
+    pub others: Vec<ShapeId>,
+    /// Joint of the active shape.
+    pub joint: Option<usize>,
+}
+
+impl Selection {
+    /// Selects this shape alone, or none.
+    pub fn only(shape: Option<ShapeId>) -> Self {
+        Self {
+            shape,
+            ..Self::default()
+        }
+    }
+
+    /// Adds a shape, which becomes the active one, or takes it out if it is selected.
+    pub fn toggle(&mut self, shape: ShapeId) {
+        if self.shape == Some(shape) {
+            *self = Self {
+                shape: self.others.pop(),
+                others: std::mem::take(&mut self.others),
+                joint: None,
+            };
+        } else if let Some(place) = self.others.iter().position(|other| *other == shape) {
+            self.others.remove(place);
+        } else {
+            self.others.extend(self.shape);
+            self.shape = Some(shape);
+            self.joint = None;
+        }
+    }
+
+    /// Selects `shapes`, of which `active` is the active one.
+    pub fn all(shapes: impl Iterator<Item = ShapeId>, active: Option<ShapeId>) -> Self {
+        let mut others: Vec<ShapeId> = shapes.filter(|&shape| Some(shape) != active).collect();
+        Self {
+            shape: active.or_else(|| others.pop()),
+            others,
+            joint: None,
+        }
+    }
+
+    pub fn has(&self, shape: ShapeId) -> bool {
+        self.shape == Some(shape) || self.others.contains(&shape)
+    }
+}
+
+/// `edit` of the active shape, done to every selected shape: all are moved by the same vector,
+/// turned by the same angles about their own origins and scaled by the same factors. An edit that
+/// is about one shape alone stays as it is.
+pub fn for_all_selected(session: &Session, edit: Edit) -> Edit {
+    let scene = session.scene();
+    let Some(active) = session.selected().and_then(|id| scene.shape(id)) else {
+        return edit;
+    };
+    let others: Vec<&Shape> = session
+        .selected_shapes()
+        .filter(|shape| shape.id != active.id)
+        .collect();
+    if others.is_empty() {
+        return edit;
+    }
+    let same: Box<dyn Fn(&Shape) -> Edit> = match &edit {
+        Edit::SetTransform(id, to) if *id == active.id => {
+            let (from, to) = (active.placement.transform, *to);
+            Box::new(move |other| {
+                let own = other.placement.transform;
+                Edit::SetTransform(other.id, carried_over(from, to, own))
+            })
+        }
+        Edit::SetColor(id, color) if *id == active.id => {
+            let color = *color;
+            Box::new(move |other| Edit::SetColor(other.id, color))
+        }
+        Edit::SetUniformScaling(id, on) if *id == active.id => {
+            let on = *on;
+            Box::new(move |other| Edit::SetUniformScaling(other.id, on))
+        }
+        Edit::SetVisible(id, on) if *id == active.id => {
+            let on = *on;
+            Box::new(move |other| Edit::SetVisible(other.id, on))
+        }
+        Edit::SetLocked(id, on) if *id == active.id => {
+            let on = *on;
+            Box::new(move |other| Edit::SetLocked(other.id, on))
+        }
+        Edit::Delete(id) if *id == active.id => Box::new(|other| Edit::Delete(other.id)),
+        Edit::Reset(id) if *id == active.id => Box::new(|other| Edit::Reset(other.id)),
+        _ => return edit,
+    };
+    let others = others.into_iter().map(same).collect::<Vec<_>>();
+    Edit::Together(std::iter::once(edit).chain(others).collect())
+}
+
+/// `own` changed as `from` was to become `to`.
+fn carried_over(from: Transform, to: Transform, own: Transform) -> Transform {
+    let factor = |axis: usize| {
+        let factor = to.scale[axis] / from.scale[axis];
+        if factor.is_finite() { factor } else { 1.0 }
+    };
+    let turned = to.rotation.radians - from.rotation.radians;
+    Transform {
+        position: own.position + (to.position - from.position),
+        rotation: Euler::from_radians(own.rotation.radians + turned),
+        scale: own.scale * Vec3::from([0, 1, 2].map(factor)),
+    }
+}
+
+/// The selected shapes as a scene of their own, for the clipboard.
+pub fn scene_of_selected(session: &Session) -> Scene {
+    session.selected_shapes().map(copy).collect()
+}
+
+/// Copies of the selected shapes, beside them in the direction of X.
+pub fn duplicates(session: &Session) -> Vec<NewShape> {
+    /// Gap between a shape and its copy, relative to the width of both.
+    const GAP: f32 = 0.1;
+    let evaluated = session.selected_shapes();
+    let bounds = evaluated
+        .filter_map(|shape| session.evaluated().shape(shape.id))
+        .fold(crate::math::Aabb::EMPTY, |all, shape| {
+            all.union(shape.world_bounds())
+        });
+    let width = if bounds.is_empty() {
+        1.0
+    } else {
+        bounds.size().x
+    };
+    let beside = Vec3::X * width * (1.0 + GAP);
+    let moved = |shape: &Shape| {
+        let mut new = copy(shape);
+        new.placement.transform.position += beside;
+        new.start.transform.position += beside;
+        new
+    };
+    session.selected_shapes().map(moved).collect()
+}
+
+fn copy(shape: &Shape) -> NewShape {
+    NewShape {
+        name: shape.name.clone(),
+        kind: shape.kind.clone(),
+        source: shape.source.clone(),
+        placement: shape.placement,
+        start: shape.start,
+        visible: shape.visible,
+        locked: shape.locked,
+    }
+}

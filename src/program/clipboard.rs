@@ -1,0 +1,81 @@
+//! Shapes and poses on the clipboard, as the texts of scene and pose files, so that they go from
+//! window to window and into mails.
+
+use super::Host;
+use super::autosave::WithText;
+use super::files::CLIPBOARD;
+use super::running::Program;
+use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected};
+use crate::io::{self, Missing};
+use std::path::Path;
+
+/// Name under which the text on the clipboard is read as a scene.
+const AS_SCENE: &str = "clipboard.scene";
+
+impl Program {
+    /// Puts the selected shapes on the clipboard; whether that was possible.
+    pub(super) fn copy_shapes(&mut self, host: &mut dyn Host) -> bool {
+        let scene = scene_of_selected(&self.session);
+        match io::scene_text(&scene, self.session.view(), None) {
+            Ok(text) => {
+                host.copy_text(text);
+                true
+            }
+            Err(error) => {
+                self.tell(Severity::Error, format!("Not copied: {error}"));
+                false
+            }
+        }
+    }
+
+    /// Puts the selected shapes on the clipboard, and deletes them.
+    pub(super) fn cut_shapes(&mut self, host: &mut dyn Host) {
+        let Some(id) = self.session.selected() else {
+            return;
+        };
+        if self.copy_shapes(host) {
+            let edit = for_all_selected(&self.session, Edit::Delete(id));
+            self.edit(edit);
+        }
+    }
+
+    /// Adds the shapes that were asked for from the clipboard, or gives the pose to its character.
+    pub(super) fn paste(&mut self, text: &str, host: &mut dyn Host) {
+        let Some((opened, shape)) = self.paste_into.take() else {
+            return;
+        };
+        if self.is_from_another_scene(opened) {
+            return;
+        }
+        let is_scene = text.contains("\"editor-scene\"");
+        match shape {
+            _ if text.trim().is_empty() => {
+                let text =
+                    "There is nothing on the clipboard: Copy and Copy Pose put something there";
+                self.tell(Severity::Warning, text);
+            }
+            _ if is_scene => self.paste_shapes(text, host),
+            Some(shape) => self.take_pose(shape, Path::new(CLIPBOARD), text.as_bytes()),
+            None => {
+                let text = "There are no shapes on the clipboard";
+                self.tell(Severity::Warning, text);
+            }
+        }
+    }
+
+    fn paste_shapes(&mut self, text: &str, host: &mut dyn Host) {
+        let path = Path::new(AS_SCENE);
+        let files = WithText {
+            path,
+            text,
+            rest: host.files(),
+        };
+        match io::read_scene(&files, path, Missing::StandIn) {
+            Ok(read) => {
+                self.edit(Edit::Insert(read.value.shapes));
+                self.tell_all(Severity::Warning, read.warnings);
+            }
+            Err(error) => self.tell(Severity::Error, error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,236 @@
+//! Several shapes at once: selected, changed, copied, pasted and taken back together.
+
+use super::{Story, differing};
+use crate::host::MemoryHost;
+use editor_core::editor::{Severity, View};
+use editor_core::scene::ShapeId;
+use editor_core::ui::Action;
+use egui::{Event, Key, Modifiers, vec2};
+use glam::Vec3;
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+
+/// A cube, a sphere and a pyramid, in this order, the last of them selected.
+fn with_three() -> Story {
+    let mut story = Story::start(&[]);
+    for key in [Key::C, Key::S, Key::P] {
+        story.key_with(Modifiers::SHIFT, key);
+    }
+    assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
+    story
+}
+
+fn selected(story: &Story) -> Vec<&str> {
+    let shapes = story.session().selected_shapes();
+    shapes.map(|shape| &*shape.name).collect()
+}
+
+/// Clicks a widget while `modifiers` are held.
+fn click_with(story: &mut Story, modifiers: Modifiers, label: &str) {
+    story.frame(vec![Event::ModifiersChanged(modifiers)]);
+    let at = story.place(label);
+    story.point(at);
+    for pressed in [true, false] {
+        story.frame(vec![Event::PointerButton {
+            pos: at,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers,
+        }]);
+    }
+    story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+    story.settle();
+}
+
+fn positions(story: &Story) -> Vec<Vec3> {
+    let shapes = story.session().scene().shapes().iter();
+    shapes
+        .map(|shape| shape.placement.transform.position)
+        .collect()
+}
+
+#[test]
+fn ctrl_adds_a_shape_shift_a_range_and_ctrl_a_everything() {
+    let mut story = with_three();
+    assert_eq!(selected(&story), ["Pyramid"]);
+    click_with(&mut story, CTRL, "[1] Cube (ID: 1)");
+    assert_eq!(selected(&story), ["Cube", "Pyramid"]);
+    assert_eq!(story.shape().name, "Cube", "the last one is active");
+    click_with(&mut story, CTRL, "[3] Pyramid (ID: 3)");
+    assert_eq!(selected(&story), ["Cube"], "once more takes it out");
+    click_with(&mut story, Modifiers::SHIFT, "[3] Pyramid (ID: 3)");
+    assert_eq!(selected(&story), ["Cube", "Sphere", "Pyramid"]);
+    story.click("[2] Sphere (ID: 2)");
+    assert_eq!(selected(&story), ["Sphere"]);
+    story.key_with(CTRL, Key::A);
+    assert_eq!(selected(&story), ["Cube", "Sphere", "Pyramid"]);
+    assert_eq!(story.shape().name, "Sphere", "the active one stays");
+    story.key(Key::Escape);
+    assert!(selected(&story).is_empty());
+}
+
+#[test]
+fn what_is_selected_is_moved_turned_scaled_colored_hidden_and_deleted_together() {
+    let mut story = with_three();
+    story.type_into("Position Y", "1");
+    story.key_with(CTRL, Key::A);
+    story.type_into("Position X", "2");
+    let [a, b, c] = positions(&story)[..] else {
+        panic!("three shapes");
+    };
+    let y = Vec3::Y;
+    assert_eq!(
+        [a, b, c],
+        [Vec3::X * 2.0, Vec3::X * 2.0, Vec3::X * 2.0 + y],
+        "by the same vector"
+    );
+    story.type_into("Rotation Y", "30");
+    story.type_into("Uniform Scale", "3");
+    for shape in story.session().scene().shapes() {
+        let transform = shape.placement.transform;
+        assert!((transform.rotation.degrees().y - 30.0).abs() < 1e-4);
+        assert!((transform.scale - Vec3::splat(3.0)).length() < 1e-5);
+    }
+    let steps = story.session().steps().last().map(str::to_owned);
+    assert_eq!(steps.as_deref(), Some("Scale 3 shapes"));
+    story.key(Key::H);
+    assert!(
+        story
+            .session()
+            .scene()
+            .shapes()
+            .iter()
+            .all(|shape| !shape.visible)
+    );
+    story.key_with(CTRL, Key::Z);
+    assert!(
+        story
+            .session()
+            .scene()
+            .shapes()
+            .iter()
+            .all(|shape| shape.visible)
+    );
+    click_with(&mut story, CTRL, "[1] Cube (ID: 1)");
+    story.key(Key::Delete);
+    assert_eq!(story.names(), ["Cube"]);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"]);
+    assert_eq!(selected(&story), ["Sphere", "Pyramid"], "as before");
+}
+
+#[test]
+fn a_drag_of_the_move_tool_moves_all_of_them_and_esc_puts_all_back() {
+    let mut story = with_three();
+    story.type_into("Position X", "1");
+    story.key_with(CTRL, Key::A);
+    story.key(Key::G);
+    let before = positions(&story);
+    let view = story.view();
+    let size = glam::Vec2::new(view.width(), view.height());
+    let pyramid = story.session().scene().shape(ShapeId(3)).unwrap();
+    let world = pyramid.placement.transform.position + Vec3::new(0.2, -0.2, 0.4);
+    let at = story.session().view().camera.pixel(world, size).unwrap();
+    let from = view.min + vec2(at.x, at.y);
+    story.press_and_drag(from, from + vec2(60.0, -30.0));
+    let during = positions(&story);
+    let by: Vec<Vec3> = during
+        .iter()
+        .zip(&before)
+        .map(|(now, was)| *now - *was)
+        .collect();
+    assert!(by[0].length() > 0.05, "{by:?}");
+    assert!(
+        by.iter().all(|by_one| by_one.abs_diff_eq(by[0], 1e-5)),
+        "{by:?}"
+    );
+    story.key(Key::Escape);
+    story.button(false);
+    story.settle();
+    assert_eq!(positions(&story), before);
+}
+
+#[test]
+fn all_of_them_have_an_outline() {
+    let mut story = with_three();
+    story.type_into("Position X", "2");
+    let one = story.scene_picture();
+    story.key_with(CTRL, Key::A);
+    assert!(differing(&one, &story.scene_picture()) > 200);
+}
+
+#[test]
+fn copies_stand_beside_and_are_one_step() {
+    let mut story = with_three();
+    story.key_with(CTRL, Key::A);
+    story.key_with(CTRL, Key::D);
+    assert_eq!(
+        story.names(),
+        ["Cube", "Sphere", "Pyramid", "Cube", "Sphere", "Pyramid"]
+    );
+    let positions = positions(&story);
+    // The pyramid is the widest: its base is 1.4 wide.
+    assert!((positions[3].x - 1.54).abs() < 1e-4, "{positions:?}");
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names().len(), 3);
+}
+
+#[test]
+fn shapes_go_over_the_clipboard_from_window_to_window_with_pose_and_place() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "90");
+    story.type_into("Position X", "3");
+    story.frame(vec![Event::Cut]);
+    story.settle();
+    assert!(story.names().is_empty());
+    let text = story.host.clipboard.clone();
+    assert!(
+        text.contains("\"editor-scene\"") && text.contains("strip.obj"),
+        "{text}"
+    );
+    let host = MemoryHost {
+        files: story.host.files.clone(),
+        clipboard: text,
+        stored: [super::started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let mut other = Story::start_at(host, &[]);
+    for count in 1..=2 {
+        other.key_with(CTRL, Key::V);
+        assert_eq!(other.names().len(), count);
+        assert!((other.degrees("Elbow").z - 90.0).abs() < 1e-4);
+        assert_eq!(other.shape().placement.transform.position, Vec3::X * 3.0);
+    }
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names(), ["Strip"], "the cut is taken back");
+}
+
+#[test]
+fn a_pose_is_pasted_by_the_same_key_and_what_is_neither_is_refused() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.host.clipboard = r#"{"joints": {"Elbow": [0, 0, 50]}}"#.into();
+    story.key_with(CTRL, Key::V);
+    assert!((story.degrees("Elbow").z - 50.0).abs() < 1e-4);
+    story.key(Key::B);
+    story.frame(vec![Event::Copy]);
+    story.settle();
+    assert!(
+        story.host.clipboard.starts_with("{\n  \"joints\""),
+        "with the Pose tool, the pose"
+    );
+
+    let nothing = Action::View(View::Select(None));
+    story.program.carry_out(vec![nothing], &mut story.host);
+    story.host.clipboard = "hello".into();
+    story.key_with(CTRL, Key::V);
+    let text = "There are no shapes on the clipboard";
+    assert_eq!(story.messages().last(), Some(&(Severity::Warning, text)));
+    story.host.clipboard = r#"{"format": "editor-scene", "version": 3}"#.into();
+    story.key_with(CTRL, Key::V);
+    let (severity, text) = *story.messages().last().unwrap();
+    assert!(
+        severity == Severity::Error && text.starts_with("clipboard.scene:1:"),
+        "{text}"
+    );
+    assert_eq!(story.names(), ["Strip"]);
+}
