@@ -6,6 +6,7 @@
 mod action;
 mod axis_ball;
 mod character_panel;
+mod command_search;
 mod commands;
 mod compare;
 mod control_points;
@@ -119,6 +120,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let holding = is_holding(&ctx);
     let keys_taken = input.keys_are_taken
         || input.question.is_some()
+        || state.search.is_some()
         || state.keys_were_taken
         || state.gesture_under_way()
         || takes_keys(&ctx);
@@ -153,6 +155,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
+    command_search::show(root, session, state, aspect(last_view), &mut actions);
     if let Some(question) = input.question {
         question::show(root, question, &mut actions);
     }

@@ -1,4 +1,5 @@
 use super::Navigation;
+use super::command_search::CommandSearch;
 use super::curve_panel::CurveState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
@@ -30,6 +31,8 @@ pub struct UiState {
     pub(super) joints: JointListState,
     /// Name typed for a pose to keep.
     pub(super) pose_name: String,
+    /// Search for a command, while it is open.
+    pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
     pub(super) renaming: Option<Renaming>,
     pub(super) curves: CurveState,
@@ -61,6 +64,7 @@ impl Default for UiState {
             selected: None,
             joints: JointListState::default(),
             pose_name: String::new(),
+            search: None,
             renaming: None,
             curves: CurveState::default(),
             pose: PoseState::default(),

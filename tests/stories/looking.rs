@@ -308,3 +308,27 @@ impl Story {
         node.is_selected() == Some(true) || node.toggled() == Some(egui::accesskit::Toggled::True)
     }
 }
+
+#[test]
+fn a_command_is_found_by_its_name_and_run() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let find = Modifiers::COMMAND | Modifiers::SHIFT;
+    story.key_with(find, Key::P);
+    story.frame(vec![Event::Text("icosa".into())]);
+    story.settle();
+    story.key(Key::Enter);
+    assert_eq!(story.names(), ["Strip", "Icosahedron"]);
+
+    story.key_with(find, Key::P);
+    story.frame(vec![Event::Text("add origin".into())]);
+    story.settle();
+    // The first is the cube, the next the sphere.
+    story.key(Key::ArrowDown);
+    story.key(Key::Enter);
+    assert_eq!(story.names(), ["Strip", "Icosahedron", "Sphere"]);
+
+    story.key_with(find, Key::P);
+    story.key(Key::Escape);
+    assert!(!story.has("Find a command"));
+    assert!(story.session().selected().is_some(), "Esc did nothing else");
+}

@@ -130,6 +130,8 @@ pub enum Command {
     PinJoint,
     /// Unpins all joints.
     UnpinAll,
+    /// Opens the search for a command.
+    FindCommand,
     /// Opens Help ▸ Keys and Mouse.
     Keys,
     /// Opens Help ▸ Messages.

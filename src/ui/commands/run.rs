@@ -6,6 +6,7 @@ use crate::character::{Mirror, Pose};
 use crate::editor::{Edit, GizmoAxes, Session, Tool, View, duplicates, for_all_selected};
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
+use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
@@ -44,6 +45,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Reload => return Some(Action::Ask(Ask::Reload)),
         Command::SaveAs => return Some(Action::Ask(Ask::SaveAs)),
         Command::Screenshot => state.windows.open(Dialog::Screenshot),
+        Command::FindCommand => state.search = Some(CommandSearch::default()),
         Command::Keys => state.windows.open(Dialog::Keys),
         Command::Messages => state.windows.open(Dialog::Messages),
         Command::About => state.windows.open(Dialog::About),

@@ -227,8 +227,9 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL.plus(Modifiers::ALT), Key::V)]),
     entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]),
     entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]),
-    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(SHIFT), Key::P)]),
+    entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(Modifiers::ALT), Key::P)]),
 
+    entry(Command::FindCommand, Menu::Help, "Find Command…", "Find any command by its name, see its key, and run it", &[key(CTRL.plus(SHIFT), Key::P)]),
     entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]),
     entry(Command::Messages, Menu::Help, "Messages", "Every message since the program started", &[key(NONE, Key::F9)]),
     entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),

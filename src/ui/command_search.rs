@@ -1,0 +1,132 @@
+//! Help ▸ Find Command: every command by its name, with its key.
+
+use super::commands::{COMMANDS, Command, Entry, run, why_disabled};
+use super::state::UiState;
+use super::widgets::named;
+use super::{Action, Navigation};
+use crate::editor::Session;
+use egui::{
+    Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, vec2,
+};
+
+/// Words that are searched for, and the row that Enter runs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct CommandSearch {
+    text: String,
+    row: usize,
+}
+
+/// Width and greatest height of the list, in points.
+const WIDTH: f32 = 420.0;
+const TALLEST: f32 = 320.0;
+
+/// Shows the search while it is open: arrows choose a row, Enter or a click runs it, Esc closes.
+pub(super) fn show(
+    root: &Ui,
+    session: &Session,
+    state: &mut UiState,
+    aspect: f32,
+    actions: &mut Vec<Action>,
+) {
+    let Some(mut search) = state.search.take() else {
+        return;
+    };
+    let navigation = state.navigation;
+    let frame = Frame::popup(root.style()).inner_margin(12);
+    let area = Modal::default_area(Id::new("find command"));
+    let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 48.0));
+    let modal = Modal::new(Id::new("find command")).area(area).frame(frame);
+    let shown = modal.show(root.ctx(), |ui| {
+        ui.set_width(WIDTH);
+        contents(ui, session, navigation, &mut search)
+    });
+    match shown.inner {
+        Some(command) => actions.extend(run(command, session, state, aspect)),
+        None if shown.should_close() => {}
+        None => state.search = Some(search),
+    }
+}
+
+/// The field and the list; the command that is to be run.
+fn contents(
+    ui: &mut Ui,
+    session: &Session,
+    navigation: Navigation,
+    search: &mut CommandSearch,
+) -> Option<Command> {
+    let (up, down, enter) = ui.input_mut(|input| {
+        let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
+        (
+            pressed(Key::ArrowUp),
+            pressed(Key::ArrowDown),
+            pressed(Key::Enter),
+        )
+    });
+    let hint = "What do you want to do?";
+    let field = TextEdit::singleline(&mut search.text).hint_text(hint);
+    let field = named(ui.add(field.desired_width(f32::INFINITY)), "Find a command");
+    field.request_focus();
+    if field.changed() {
+        search.row = 0;
+    }
+    let found: Vec<&Entry> = COMMANDS
+        .iter()
+        .filter(|e| matches(e, &search.text))
+        .collect();
+    if found.is_empty() {
+        ui.label(RichText::new("No command has these words.").weak());
+        return None;
+    }
+    let last = found.len() - 1;
+    search.row = match (up, down) {
+        (true, _) => search.row.saturating_sub(1),
+        (_, true) => (search.row + 1).min(last),
+        _ => search.row.min(last),
+    };
+    let mut chosen = found.get(search.row).filter(|_| enter).copied();
+    ScrollArea::vertical().max_height(TALLEST).show(ui, |ui| {
+        for (row, entry) in found.iter().enumerate() {
+            let why = why_disabled(entry.command, session);
+            let button = Button::selectable(row == search.row, entry.label)
+                .shortcut_text(entry.first_key(ui.ctx(), navigation))
+                .min_size(vec2(ui.available_width(), 0.0));
+            let item = ui.add_enabled(why.is_none(), button);
+            let item = item
+                .on_hover_text(entry.tooltip)
+                .on_disabled_hover_text(why.unwrap_or_default());
+            if row == search.row && (up || down) {
+                item.scroll_to_me(None);
+            }
+            if item.clicked() {
+                chosen = Some(entry);
+            }
+        }
+    });
+    let chosen = chosen.filter(|entry| why_disabled(entry.command, session).is_none());
+    chosen.map(|entry| entry.command)
+}
+
+/// Whether label or tooltip of a command have all the words, in any order.
+fn matches(entry: &Entry, words: &str) -> bool {
+    let text = format!("{} {}", entry.label, entry.tooltip).to_lowercase();
+    let words = words.to_lowercase();
+    words.split_whitespace().all(|word| text.contains(word))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_is_found_by_words_of_its_label_or_its_tooltip_in_any_order() {
+        let found = |words: &str| -> Vec<&str> {
+            let entries = COMMANDS.iter().filter(|entry| matches(entry, words));
+            entries.map(|entry| entry.label).collect()
+        };
+        assert_eq!(found("pose mirror"), ["Mirror Pose"]);
+        assert_eq!(found("ICOSA"), ["Icosahedron"]);
+        assert_eq!(found("utah"), ["Teapot"]);
+        assert_eq!(found("").len(), COMMANDS.len());
+        assert!(found("no such thing").is_empty());
+    }
+}
