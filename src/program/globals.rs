@@ -12,9 +12,16 @@ pub const WINDOW_SIZE: (f64, f64) = (1280.0, 800.0);
 /// Samples a pixel in the window, where the driver has as many.
 pub const SAMPLES: u32 = 4;
 
-/// The title of the window.
+/// What stands in place of a name until there is one.
+const NO_NAME: &str = "Your Name";
+
+/// The title of the window: the program's name, and yours once it is given.
 pub fn title() -> String {
-    title_for(STUDENT_NAME)
+    if STUDENT_NAME == NO_NAME {
+        PROGRAM.to_owned()
+    } else {
+        title_for(STUDENT_NAME)
+    }
 }
 
 /// The title of the window of somebody called `name`.

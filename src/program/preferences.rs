@@ -16,6 +16,10 @@ pub(super) struct Preferences {
     pub skinning: Option<Skinning>,
     /// How mouse and keys move the camera.
     pub navigation: Navigation,
+    /// Whether the shape panel is folded away.
+    pub panel_folded: bool,
+    /// Width of the shape panel, in points.
+    pub panel_width: Option<f32>,
     /// Documents that were opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
     /// Whether the program has been started before.
@@ -29,6 +33,8 @@ impl Default for Preferences {
             theme: ThemePreference::System,
             skinning: None,
             navigation: Navigation::default(),
+            panel_folded: false,
+            panel_width: None,
             recent: Vec::new(),
             started_before: false,
         }

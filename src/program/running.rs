@@ -102,6 +102,8 @@ impl Program {
         program.preferences = Preferences::load(host);
         program.program_title = options.title.clone().unwrap_or_else(globals::title);
         program.ui.theme = program.preferences.theme;
+        program.ui.panel_folded = program.preferences.panel_folded;
+        program.ui.panel_width = program.preferences.panel_width;
         program.ui.set_navigation(program.preferences.navigation);
         program.ui.skinning = options.skinning.or(program.preferences.skinning);
         program.skinning_at_start = program.ui.skinning;
@@ -373,6 +375,8 @@ impl Program {
     pub(super) fn keep_preferences(&mut self, host: &mut dyn Host) {
         let mut now = self.preferences.clone();
         now.theme = self.ui.theme;
+        now.panel_folded = self.ui.panel_folded;
+        now.panel_width = self.ui.panel_width;
         now.navigation = self.ui.navigation;
         // One that was asked for on the command line, and left so, is for that time only.
         if self.ui.skinning != self.skinning_at_start {

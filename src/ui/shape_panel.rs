@@ -25,15 +25,17 @@ pub(super) fn show(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
+    if state.panel_folded {
+        return folded(root, state);
+    }
     let widest = (root.available_width() * 0.7).clamp(NARROWEST, WIDEST);
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    Panel::right("shape panel")
+    let shown = Panel::right("shape panel")
         .frame(frame)
-        .default_size(WIDTH)
+        .default_size(state.panel_width.unwrap_or(WIDTH))
         .size_range(NARROWEST..=widest)
         .show(root, |ui| {
-            let title = RichText::new("Shape Selector and Properties").heading();
-            ui.add(Label::new(title).truncate());
+            heading(ui, state);
             ui.separator();
             let newly_selected = session.selected() != state.selected;
             state.selected = session.selected();
@@ -44,6 +46,42 @@ pub(super) fn show(
                 .auto_shrink(false)
                 .show(ui, |ui| selected(ui, session, state, actions));
         });
+    // In the middle of a drag of its edge it is not worth keeping.
+    if !root.input(|input| input.pointer.any_down()) {
+        state.panel_width = Some(shown.response.rect.width().round());
+    }
+}
+
+/// Title of the panel, with the button that folds it away.
+fn heading(ui: &mut Ui, state: &mut UiState) {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        if fold_button(ui, "⏵") {
+            state.panel_folded = true;
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            let title = RichText::new("Shape Selector and Properties").heading();
+            ui.add(Label::new(title).truncate());
+        });
+    });
+}
+
+/// The strip at the right edge that is left of the folded panel: a click unfolds it.
+fn folded(root: &mut Ui, state: &mut UiState) {
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(2, 4));
+    let strip = Panel::right("folded shape panel").frame(frame);
+    strip.resizable(false).exact_size(22.0).show(root, |ui| {
+        if fold_button(ui, "⏴") {
+            state.panel_folded = false;
+        }
+    });
+}
+
+fn fold_button(ui: &mut Ui, sign: &str) -> bool {
+    let button = ui.add(Button::new(sign).frame_when_inactive(false));
+    let button = named(button, commands::label(Command::TogglePanel));
+    let tip = commands::tooltip(ui.ctx(), Command::TogglePanel);
+    button.on_hover_text(tip).clicked()
 }
 
 /// Everything about the selected shape.

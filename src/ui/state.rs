@@ -21,6 +21,10 @@ pub struct UiState {
     pub navigation: Navigation,
     /// What deforms characters; automatic if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
+    /// Whether the shape panel is folded away. Kept by the program, too.
+    pub panel_folded: bool,
+    /// Width of the shape panel in points, once it is known. Kept by the program, too.
+    pub panel_width: Option<f32>,
     /// Whether the first help is shown: three lines for newcomers.
     pub first_help: bool,
     pub(super) windows: Windows,
@@ -58,6 +62,8 @@ impl Default for UiState {
             theme: ThemePreference::System,
             navigation: Navigation::default(),
             skinning: None,
+            panel_folded: false,
+            panel_width: None,
             first_help: false,
             windows: Windows::default(),
             opened: None,

@@ -30,7 +30,7 @@ fn with_saved_cube() -> Story {
     let mut story = with_unsaved_cube();
     story.key_with(CTRL, Key::S);
     story.choose("work/a.scene");
-    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "a.scene — Editor");
     story
 }
 
@@ -41,30 +41,22 @@ fn file(story: &Story, path: &str) -> Vec<u8> {
 #[test]
 fn the_title_tells_the_document_and_whether_it_is_saved() {
     let mut story = Story::start(&["models/strip.obj"]);
-    assert_eq!(
-        title(&story),
-        "Editor — Your Name",
-        "files at the start are no change"
-    );
+    assert_eq!(title(&story), "Editor", "files at the start are no change");
     story.type_into("Elbow Z", "90");
-    assert_eq!(title(&story), "*Untitled — Editor — Your Name");
+    assert_eq!(title(&story), "*Untitled — Editor");
     story.key_with(CTRL, Key::Z);
-    assert_eq!(
-        title(&story),
-        "Editor — Your Name",
-        "taken back, it is as it was"
-    );
+    assert_eq!(title(&story), "Editor", "taken back, it is as it was");
     story.key_with(CTRL, Key::Y);
 
     story.key_with(CTRL, Key::S);
     let request = story.host.requests.last().unwrap();
     assert_eq!(request.purpose, Purpose::SaveScene);
     story.choose("work/bent.scene");
-    assert_eq!(title(&story), "bent.scene — Editor — Your Name");
+    assert_eq!(title(&story), "bent.scene — Editor");
     story.type_into("Elbow Z", "80");
-    assert_eq!(title(&story), "*bent.scene — Editor — Your Name");
+    assert_eq!(title(&story), "*bent.scene — Editor");
     story.key_with(CTRL, Key::S);
-    assert_eq!(title(&story), "bent.scene — Editor — Your Name");
+    assert_eq!(title(&story), "bent.scene — Editor");
     assert_eq!(story.host.requests.len(), 1, "where to is known");
 }
 
@@ -80,14 +72,14 @@ fn what_was_saved_is_opened_again_and_the_version_before_is_kept() {
 
     story.key_with(CTRL, Key::N);
     assert!(story.names().is_empty());
-    assert_eq!(title(&story), "Editor — Your Name");
+    assert_eq!(title(&story), "Editor");
     story.key_with(CTRL, Key::O);
     assert_eq!(story.host.requests.last().unwrap().purpose, Purpose::Open);
     story.choose("work/a.scene");
     assert_eq!(story.names(), ["Cube"]);
     let cube = &story.session().scene().shapes()[0];
     assert_eq!(cube.placement.transform.position.x, 2.0);
-    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "a.scene — Editor");
 }
 
 #[test]
@@ -174,7 +166,7 @@ fn what_cannot_be_saved_is_said_and_nothing_is_lost() {
     let last = *story.messages().last().unwrap();
     let expected = "Not saved: work/a.scene: the disk is full";
     assert_eq!(last, (Severity::Error, expected));
-    assert_eq!(title(&story), "*a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "*a.scene — Editor");
     assert_eq!(file(&story, "work/a.scene"), saved);
 }
 
@@ -207,7 +199,7 @@ fn a_file_that_is_gone_is_written_anew() {
     story.type_into("Position X", "2");
     story.key_with(CTRL, Key::S);
     assert!(story.host.files.contains_key(Path::new("work/a.scene")));
-    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "a.scene — Editor");
 }
 
 #[test]
@@ -220,7 +212,7 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
     story.click("File");
     story.click("Open Recent");
     story.click("a.scene");
-    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "a.scene — Editor");
     let key = editor_core::program::StorageKey::Preferences;
     let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
     assert_eq!(
@@ -233,7 +225,7 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
     story.click("File");
     story.click("Open Recent");
     story.click("b.scene");
-    assert_eq!(title(&story), "a.scene — Editor — Your Name");
+    assert_eq!(title(&story), "a.scene — Editor");
     let (severity, text) = *story.messages().last().unwrap();
     assert!(
         severity == Severity::Error && text.contains("b.scene"),
@@ -249,7 +241,7 @@ fn a_model_opened_is_a_new_document_without_a_name() {
     story.key_with(CTRL, Key::O);
     story.choose("models/strip.obj");
     assert_eq!(story.names(), ["Strip"]);
-    assert_eq!(title(&story), "Editor — Your Name");
+    assert_eq!(title(&story), "Editor");
     story.type_into("Elbow Z", "5");
     story.key_with(CTRL, Key::S);
     let request = story.host.requests.last().unwrap();

@@ -310,6 +310,25 @@ impl Story {
 }
 
 #[test]
+fn the_panel_folds_away_leaves_a_handle_and_stays_so_at_the_next_start() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let narrow = story.view().width();
+    story.key(Key::N);
+    assert!(!story.has("Elbow Z"));
+    let wide = story.view().width();
+    assert!(wide > narrow + 200.0, "{narrow} {wide}");
+    let again = crate::host::MemoryHost {
+        stored: story.host.stored.clone(),
+        ..crate::host::MemoryHost::default()
+    };
+    let mut next = Story::start_at(again, &["models/strip.obj"]);
+    assert_eq!(next.view().width(), wide);
+    next.click("Shape Panel");
+    assert!(next.has("Elbow Z"));
+    assert_eq!(next.view().width(), narrow);
+}
+
+#[test]
 fn a_command_is_found_by_its_name_and_run() {
     let mut story = Story::start(&["models/strip.obj"]);
     let find = Modifiers::COMMAND | Modifiers::SHIFT;

@@ -259,5 +259,5 @@ fn a_scene_with_a_folder_opens_where_nothing_else_is() {
     let mut other = elsewhere(&taken);
     open(&mut other, "usb/taken.scene");
     assert!(is_bent(&other));
-    assert_eq!(other.host.title, "taken.scene — Editor — Your Name");
+    assert_eq!(other.host.title, "taken.scene — Editor");
 }

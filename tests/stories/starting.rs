@@ -17,7 +17,7 @@ fn preferences(story: &Story) -> serde_json::Value {
 #[test]
 fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() {
     let first = Story::start_at(MemoryHost::default(), &[]);
-    assert_eq!(first.host.title, "Editor — Your Name");
+    assert_eq!(first.host.title, "Editor");
     assert_eq!(first.names(), ["Robot", "Dog", "Plant", "Adult"]);
     assert_eq!(first.session().view().look, Look::Studio);
     assert!(first.has("Close help"));

@@ -232,7 +232,7 @@ mod tests {
     fn the_fonts_have_every_sign_that_the_panels_show() {
         let ctx = Context::default();
         let output = ctx.run_ui(egui::RawInput::default(), |ui| {
-            let mut shown = "⊗⚠ℹ×🔍↺⏵⏷✔·°…⏵".to_owned();
+            let mut shown = "⊗⚠ℹ×🔍↺⏴⏵⏷✔·°…".to_owned();
             for gesture in GESTURES {
                 shown += gesture.gesture;
                 shown += gesture.does;

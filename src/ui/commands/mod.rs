@@ -90,6 +90,8 @@ pub enum Command {
     ToggleAxis,
     /// Shows or hides the grid on the ground.
     ToggleGrid,
+    /// Folds the shape panel away, or unfolds it.
+    TogglePanel,
     /// Chooses the look: light and background.
     SetLook(Look),
     /// Chooses the normals that surfaces are lit with.

@@ -201,6 +201,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
     entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
     entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
+    entry(Command::TogglePanel, Menu::Ground, "Shape Panel", "Fold the panel at the right away, or unfold it", &[key(NONE, Key::N)]),
     entry(Command::SetNavigation(Navigation::Course), Menu::Navigation, "As the course's editor", "Left drag moves the scene, right drag turns it", &[]),
     entry(Command::SetNavigation(Navigation::Orbit), Menu::Navigation, "Orbit", "As in three.js: left drag turns the scene, right or middle drag moves it", &[]),
     entry(Command::SetNavigation(Navigation::Mannequin), Menu::Navigation, "Mannequin", "As in the Virtual Mannequin: left drag turns, right drag zooms, W S A D and arrows walk, 1 to 7 open its scenes", &[]),
