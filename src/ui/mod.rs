@@ -23,6 +23,7 @@ mod question;
 mod scene_places;
 mod shape_list;
 mod shape_panel;
+mod start_page;
 mod state;
 mod theme;
 mod view_gestures;

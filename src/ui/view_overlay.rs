@@ -6,6 +6,7 @@ use super::theme::Palette;
 use super::widgets::named;
 use super::{
     Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
+    start_page,
 };
 use crate::editor::Session;
 use egui::{
@@ -53,6 +54,10 @@ pub(super) fn show(
         actions,
     );
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
+    let is_empty = session.scene().shapes().is_empty();
+    if is_empty && input.compare.is_none() && input.question.is_none() {
+        start_page::show(&mut over, rect, input, actions);
+    }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     // It must not hide messages.
     if state.first_help && session.messages.fresh().is_empty() {

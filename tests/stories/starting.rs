@@ -199,3 +199,22 @@ fn a_window_too_large_to_be_drawn_is_one_message_however_its_size_changes() {
     assert_eq!(messages.len(), 1, "{messages:?}");
     assert!(messages[0].1.contains("100000"), "{messages:?}");
 }
+
+#[test]
+fn an_empty_document_offers_what_to_begin_with() {
+    let mut story = Story::start(&[]);
+    story.click("Begin: Robot");
+    assert_eq!(story.names(), ["Robot"]);
+    assert!(
+        !story.has("Begin: Robot"),
+        "it is gone where there is something"
+    );
+    story.key_with(egui::Modifiers::COMMAND, Key::S);
+    story.choose("work/robot.scene");
+    story.key_with(egui::Modifiers::COMMAND, Key::N);
+    story.click("Begin: robot.scene");
+    assert_eq!(story.host.title, "robot.scene — Editor");
+    story.key_with(egui::Modifiers::COMMAND, Key::N);
+    story.click("Begin: Showcase");
+    assert!(story.names().len() > 2);
+}
