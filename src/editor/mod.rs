@@ -9,6 +9,7 @@ mod gizmo;
 mod history;
 mod ik_grip;
 mod ik_tool;
+mod messages;
 mod move_tool;
 mod rotate_tool;
 mod selection;
@@ -21,10 +22,11 @@ pub use edit::{Edit, View};
 pub use gizmo::{GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, Screen};
 pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
+pub use messages::{Message, Messages, Severity};
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
 pub use selection::{duplicates, for_all_selected, scene_of_selected};
-pub use session::{Message, Messages, Session, Severity};
+pub use session::Session;
 
 /// Tool of the view: what a left drag does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

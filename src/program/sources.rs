@@ -62,7 +62,7 @@ impl Program {
             .filter(|shape| file_on_disk(shape).is_some())
             .map(|shape| shape.id)
             .collect();
-        let count = self.replace(&ids, None, &*host.files());
+        let count = self.replace(&ids, &|_| None, &*host.files());
         let text = match count {
             0 => "No model has changed since it was read".to_owned(),
             1 => "1 shape was read again".to_owned(),
@@ -80,7 +80,7 @@ impl Program {
     /// missing, too, where they lie beside it.
     pub(super) fn use_found(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         let folder = path.parent().unwrap_or(Path::new(""));
-        self.replace(&[shape], Some(&|_: &Shape| Some(path.to_owned())), files);
+        self.replace(&[shape], &|_| Some(path.to_owned()), files);
         let is_there = |shape: &Shape| {
             let name = Path::new(&shape.source.as_ref()?.file).file_name()?;
             Some(folder.join(name)).filter(|path| files.exists(path))
@@ -91,7 +91,7 @@ impl Program {
             .filter(|shape| is_there(shape).is_some())
             .map(|shape| shape.id)
             .collect();
-        self.replace(&others, Some(&is_there), files);
+        self.replace(&others, &is_there, files);
     }
 
     /// Writes the document and the files that it needs: an archive, or a scene with a folder beside
@@ -122,18 +122,18 @@ impl Program {
         }
     }
 
-    /// Imports the parts of files that shapes came from again, from where `at` says, and replaces
+    /// Imports the parts of files that shapes came from again, from where `at` says or else where they were, and replaces
     /// the shapes of which that is something new, in one step. Returns how many these are.
     fn replace(
         &mut self,
         shapes: &[ShapeId],
-        at: Option<&dyn Fn(&Shape) -> Option<PathBuf>>,
+        at: &dyn Fn(&Shape) -> Option<PathBuf>,
         files: &dyn Files,
     ) -> usize {
         let mut edits = Vec::new();
         for &id in shapes {
             let shape = self.session.scene().shape(id);
-            let path = shape.zip(at).and_then(|(shape, at)| at(shape));
+            let path = shape.and_then(at);
             match io::reimport(files, self.session.scene(), id, path.as_deref()) {
                 Ok(read) => {
                     let Reimported { kind, source } = read.value;

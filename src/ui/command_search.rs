@@ -69,10 +69,7 @@ fn contents(
     if field.changed() {
         search.row = 0;
     }
-    let found: Vec<&Entry> = COMMANDS
-        .iter()
-        .filter(|e| matches(e, &search.text))
-        .collect();
+    let found = found(&search.text);
     if found.is_empty() {
         ui.label(RichText::new("No command has these words.").weak());
         return None;
@@ -106,11 +103,19 @@ fn contents(
     chosen.map(|entry| entry.command)
 }
 
-/// Whether label or tooltip of a command have all the words, in any order.
-fn matches(entry: &Entry, words: &str) -> bool {
-    let text = format!("{} {}", entry.label, entry.tooltip).to_lowercase();
+/// Commands whose label or tooltip have all the words, in any order; those whose label has them
+/// come first.
+fn found(words: &str) -> Vec<&'static Entry> {
     let words = words.to_lowercase();
-    words.split_whitespace().all(|word| text.contains(word))
+    let all_in = |text: &str| {
+        let text = text.to_lowercase();
+        words.split_whitespace().all(|word| text.contains(word))
+    };
+    let labeled = |entry: &&Entry| all_in(entry.label);
+    let explained = |entry: &&Entry| all_in(&format!("{} {}", entry.label, entry.tooltip));
+    let (first, rest): (Vec<&Entry>, Vec<&Entry>) =
+        COMMANDS.iter().filter(explained).partition(labeled);
+    [first, rest].concat()
 }
 
 #[cfg(test)]
@@ -120,12 +125,14 @@ mod tests {
     #[test]
     fn a_command_is_found_by_words_of_its_label_or_its_tooltip_in_any_order() {
         let found = |words: &str| -> Vec<&str> {
-            let entries = COMMANDS.iter().filter(|entry| matches(entry, words));
+            let entries = found(words).into_iter();
             entries.map(|entry| entry.label).collect()
         };
         assert_eq!(found("pose mirror"), ["Mirror Pose"]);
         assert_eq!(found("ICOSA"), ["Icosahedron"]);
         assert_eq!(found("utah"), ["Teapot"]);
+        assert_eq!(found("pose")[0], "Reset View and Pose", "labels come first");
+        assert!(found("pose").contains(&"Copy"), "tooltips after them");
         assert_eq!(found("").len(), COMMANDS.len());
         assert!(found("no such thing").is_empty());
     }

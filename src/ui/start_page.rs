@@ -1,4 +1,4 @@
-//! First steps in an empty document: recent files, characters and scenes of our own.
+//! First steps in an empty document: recent files, built-in characters and scenes.
 
 use super::posing::BAR_HEIGHT;
 use super::theme::Palette;
@@ -28,7 +28,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, input: &ViewInput, actions: &mut Vec
     let frame = Frame::popup(ui.style()).inner_margin(Margin::symmetric(16, 12));
     frame.show(&mut inner, |ui| {
         ui.set_width(WIDTH - 32.0);
-        ui.heading("Begin");
+        ui.heading("Start");
         ui.horizontal_wrapped(|ui| {
             offer(ui, "Open…", "Open a scene or a model", Ask::Open, actions);
             let tip = "Add a character from a .dae file, or from .obj, .skel and .attach files";
@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, input: &ViewInput, actions: &mut Vec
                 }
             });
         }
-        title(ui, "Characters of our own");
+        title(ui, "Built-in characters");
         ui.horizontal_wrapped(|ui| {
             for &name in input.builtin_characters {
                 let label = name_of_import(name);
@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, input: &ViewInput, actions: &mut Vec
                 );
             }
         });
-        title(ui, "Scenes of our own");
+        title(ui, "Built-in scenes");
         ui.horizontal_wrapped(|ui| {
             for (name, label) in [("showcase", "Showcase"), ("turned", "Turned")] {
                 offer(
