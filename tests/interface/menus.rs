@@ -32,9 +32,9 @@ fn every_shape_of_the_insert_menu_is_added_and_selected() {
 #[test]
 fn imports_and_built_in_characters_are_asked_of_the_program() {
     let mut editor = Editor::new();
-    editor.choose(&["Insert", "Import", "Import Shape"]);
-    editor.choose(&["Insert", "Import", "Import Character"]);
-    editor.choose(&["Insert", "Import", "Import Curve"]);
+    editor.choose(&["Insert", "Import", "Import Shape…"]);
+    editor.choose(&["Insert", "Import", "Import Character…"]);
+    editor.choose(&["Insert", "Import", "Import Curve…"]);
     editor.choose(&["Insert", "Built-in Character", "Robot"]);
     editor.choose(&["Insert", "Built-in Curve", "Vase"]);
     editor.key_with(Modifiers::COMMAND, Key::I);

@@ -173,9 +173,9 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]),
     entry(Command::MakeSurfaceOfRevolution, Menu::Curves, "Surface of Revolution from Curve", "Turn the last flat curve of the selected shape about the Y axis", &[key(SHIFT, Key::V)]),
     entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry the first flat curve of the selected shape along another; a tube where there is only one", &[key(SHIFT, Key::W)]),
-    entry(Command::ImportShape, Menu::Import, "Import Shape", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
-    entry(Command::ImportCurve, Menu::Import, "Import Curve", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]),
-    entry(Command::ImportCharacter, Menu::Import, "Import Character", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
+    entry(Command::ImportShape, Menu::Import, "Import Shape…", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
+    entry(Command::ImportCurve, Menu::Import, "Import Curve…", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]),
+    entry(Command::ImportCharacter, Menu::Import, "Import Character…", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
 
     entry(Command::Delete, Menu::Shape, "Delete", "Delete the selected shape", &[key(NONE, Key::Delete)]),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
