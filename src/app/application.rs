@@ -1,8 +1,11 @@
 use super::rescue;
+use super::storage::Storage;
 use super::window_host::{Wake, WindowHost};
 use crate::gpu::{ContextError, GpuError, Rect, WindowContext};
 use crate::io::builtin;
-use crate::program::{FrameInput, Graphics, Options, Program, ProgramError, globals};
+use crate::program::{
+    FrameInput, Graphics, Options, Program, ProgramError, StorageKey, globals, last_window_size,
+};
 use crate::revision::Revision;
 use crate::ui;
 use std::path::PathBuf;
@@ -91,7 +94,11 @@ impl Running {
         proxy: &EventLoopProxy<Wake>,
         options: &Options,
     ) -> Result<Self, AppError> {
-        let (width, height) = globals::WINDOW_SIZE;
+        let storage = Storage::new();
+        let preferences = storage.load(StorageKey::Preferences);
+        let last = preferences.as_deref().and_then(last_window_size);
+        let last = last.map(|(width, height)| (f64::from(width), f64::from(height)));
+        let (width, height) = last.unwrap_or(globals::WINDOW_SIZE);
         let (least_width, least_height) = ui::LEAST_SIZE;
         let attributes = Window::default_attributes()
             .with_inner_size(LogicalSize::new(width, height))
@@ -99,7 +106,7 @@ impl Running {
             .with_visible(false);
         let window = WindowContext::new(event_loop, attributes)?;
         let graphics = Graphics::new(window.gl())?;
-        let mut host = WindowHost::new(window, event_loop, proxy);
+        let mut host = WindowHost::new(window, event_loop, proxy, storage);
         let program = Program::start(options, graphics.info(), &mut host);
         host.window().window().set_visible(true);
         Ok(Self {

@@ -55,6 +55,7 @@ impl WindowHost {
         window: WindowContext,
         event_loop: &ActiveEventLoop,
         proxy: &EventLoopProxy<Wake>,
+        storage: Storage,
     ) -> Self {
         let mut egui = egui_winit::State::new(
             egui::Context::default(),
@@ -75,7 +76,7 @@ impl WindowHost {
             proxy: proxy.clone(),
             started: Instant::now(),
             quits: false,
-            storage: Storage::new(),
+            storage,
             watcher: Watcher::new(proxy.clone()),
             window,
         }

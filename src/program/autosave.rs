@@ -108,6 +108,7 @@ impl Program {
     pub fn end(&mut self, host: &mut dyn Host) {
         self.session.commit_gesture();
         self.store_unsaved(host);
+        self.keep_at_end(host);
         host.quit();
     }
 

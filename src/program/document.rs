@@ -204,6 +204,7 @@ impl Program {
                 // What is not saved by now is not wanted.
                 self.document.saved = self.session.document();
                 self.forget_autosave(host);
+                self.keep_at_end(host);
                 host.quit();
             }
         }

@@ -28,4 +28,5 @@ pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{FileRequest, Host, HostEvent, Previous, Purpose, StorageKey};
 pub use input_parts::input_parts;
 pub use job::{Job, JobResult};
+pub use preferences::last_window_size;
 pub use running::{Options, Program, Shown};

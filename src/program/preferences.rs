@@ -20,6 +20,8 @@ pub(super) struct Preferences {
     pub panel_folded: bool,
     /// Width of the shape panel, in points.
     pub panel_width: Option<f32>,
+    /// Width and height of the window when the program ended last, in points.
+    pub window_size: Option<(f32, f32)>,
     /// Documents that were opened or saved last, the newest first.
     pub recent: Vec<PathBuf>,
     /// Whether the program has been started before.
@@ -35,10 +37,20 @@ impl Default for Preferences {
             navigation: Navigation::default(),
             panel_folded: false,
             panel_width: None,
+            window_size: None,
             recent: Vec::new(),
             started_before: false,
         }
     }
+}
+
+/// Width and height, in points, that the window had when the program ended last, from what is
+/// stored under [`StorageKey::Preferences`]: a host needs it before there is a program.
+pub fn last_window_size(preferences: &[u8]) -> Option<(f32, f32)> {
+    let preferences: Preferences = serde_json::from_slice(preferences).ok()?;
+    let is_usable = |side: f32| (100.0..=20_000.0).contains(&side);
+    let size = preferences.window_size?;
+    (is_usable(size.0) && is_usable(size.1)).then_some(size)
 }
 
 impl Preferences {

@@ -56,6 +56,10 @@ pub struct Program {
     shown_title: String,
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
+    /// Width and height of the window, in points.
+    window_size: Option<(f32, f32)>,
+    /// Document and file whose files are watched.
+    pub(super) watched_of: Option<(Revision, Option<PathBuf>)>,
     /// Files that the host watches.
     pub(super) watched: BTreeSet<PathBuf>,
     /// Question that waits for its answer.
@@ -86,6 +90,8 @@ impl Program {
             shown_title: String::new(),
             document,
             autosave: Autosave::default(),
+            window_size: None,
+            watched_of: None,
             watched: BTreeSet::new(),
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
@@ -152,6 +158,8 @@ impl Program {
         let context = root.ctx().clone();
         if pass == Pass::Input {
             self.graphics.max_texture_side = context.input(|input| input.max_texture_side);
+            let size = context.content_rect().size();
+            self.window_size = Some((size.x, size.y));
         }
         if let Some(comparison) = &mut self.comparison {
             comparison.load_textures(&context);
@@ -369,6 +377,12 @@ impl Program {
     pub(super) fn compare_settings(&self) -> CompareSettings {
         let comparison = self.comparison.as_ref();
         comparison.map_or_else(CompareSettings::default, |c| c.settings().clone())
+    }
+
+    /// Stores what is kept of the program at its end.
+    pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
+        self.preferences.window_size = self.window_size.or(self.preferences.window_size);
+        self.keep_preferences(host);
     }
 
     /// Stores the preferences if something that is kept in them has changed.

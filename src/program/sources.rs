@@ -13,9 +13,14 @@ use std::path::{Path, PathBuf};
 impl Program {
     /// Has the host watch the files of the document, if they are others than before.
     pub(super) fn watch_files(&mut self, host: &mut dyn Host) {
-        if self.session.is_in_gesture() {
+        let of = (
+            self.session.document(),
+            self.document.path().map(Path::to_owned),
+        );
+        if self.session.is_in_gesture() || self.watched_of.as_ref() == Some(&of) {
             return;
         }
+        self.watched_of = Some(of);
         let shapes = self.session.scene().shapes().iter();
         let files = shapes.filter_map(file_on_disk).flat_map(with_companions);
         let document = self.document.path().map(Path::to_owned);

@@ -329,6 +329,20 @@ fn the_panel_folds_away_leaves_a_handle_and_stays_so_at_the_next_start() {
 }
 
 #[test]
+fn the_size_of_the_window_is_kept_for_the_next_start() {
+    let mut story = Story::start(&[]);
+    let key = editor_core::program::StorageKey::Preferences;
+    let kept = |story: &Story| editor_core::program::last_window_size(&story.host.stored[&key]);
+    assert_eq!(kept(&story), None);
+    story.key_with(Modifiers::COMMAND, Key::Q);
+    assert!(story.host.quits);
+    assert_eq!(kept(&story), Some((1000.0, 640.0)));
+    for odd in [&b"{}"[..], b"", br#"{"window_size": [1e9, 3]}"#] {
+        assert_eq!(editor_core::program::last_window_size(odd), None);
+    }
+}
+
+#[test]
 fn a_command_is_found_by_its_name_and_run() {
     let mut story = Story::start(&["models/strip.obj"]);
     let find = Modifiers::COMMAND | Modifiers::SHIFT;
