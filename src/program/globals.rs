@@ -6,6 +6,9 @@ pub const PROGRAM: &str = "Editor";
 /// Your name: it stands in the title of the window, unless `--title` names another.
 pub const STUDENT_NAME: &str = "Your Name";
 
+/// Folder of the user's preferences and unsaved work, below the system's folder for such.
+pub const SETTINGS_FOLDER: &str = "skeleton-editor";
+
 /// Size of the window at first start, in logical pixels; the course's is 800×600.
 pub const WINDOW_SIZE: (f64, f64) = (1280.0, 800.0);
 

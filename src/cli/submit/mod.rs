@@ -1,0 +1,279 @@
+//! `editor submit`: everything that the course's assignment wants to be handed in, as one archive.
+
+mod answers;
+mod archive;
+mod picture;
+mod project;
+
+use super::output::{eprint_line, refuse_input};
+use super::{CliError, print};
+use crate::disk::{self, Disk};
+use crate::io::{Diagnostic, Files};
+use crate::program::globals;
+use answers::Answers;
+use archive::{Entry, Format};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+/// Make an archive of everything that the assignment wants to be handed in.
+///
+/// It holds the project's files, the program, README.txt with the answers to the assignment's
+/// questions, a picture, and the data. What .gitignore names is left out, as are .git, target and
+/// files of macOS (._*). Answers that are missing are asked for on a terminal.
+#[derive(Debug, clap::Args)]
+#[command(
+    group = clap::ArgGroup::new("shown").required(true),
+    after_help = "Examples:\n  \
+    editor submit --name \"Ada Lovelace\" --scene two.scene\n  \
+    editor submit --answers answers.md --picture two.png -o hw2.tar.gz\n  \
+    editor submit --form > answers.md"
+)]
+pub struct Args {
+    /// The archive to write, .zip or .tar.gz [default: submission-NAME.zip]
+    #[arg(short, long, value_name = "ARCHIVE")]
+    output: Option<PathBuf>,
+    /// Your name [default: as in the answers, or in src/program/globals.rs]
+    #[arg(long)]
+    name: Option<String>,
+    /// Answers to the questions, each below a heading as --form prints it [default: the README.txt
+    /// of the project, if there is one]
+    #[arg(long, value_name = "FILE")]
+    answers: Option<PathBuf>,
+    /// Scene with two posed characters to draw the picture of; it is put into the archive with its
+    /// models
+    #[arg(long, value_name = "FILE", group = "shown")]
+    scene: Option<PathBuf>,
+    /// Picture of two posed characters (.png, .jpg, .gif)
+    #[arg(long, value_name = "PICTURE", group = "shown")]
+    picture: Option<PathBuf>,
+    /// Folder of the project
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    project: PathBuf,
+    /// Program to hand in [default: this one]
+    #[arg(long, value_name = "FILE")]
+    executable: Option<PathBuf>,
+    /// Print the questions, to be answered in a file, and do nothing else
+    #[arg(long, group = "shown")]
+    form: bool,
+}
+
+/// Name of the README in the archive and in the project.
+const README: &str = "README.txt";
+/// Name of the program in the archive.
+const PROGRAM: &str = "editor";
+/// What stands in `globals.rs` as long as nobody has put a name there.
+const NO_NAME: &str = "Your Name";
+
+/// Carries the command out.
+///
+/// # Errors
+/// If an answer, a file or a posed character is missing, or the archive cannot be written; then
+/// there is none.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    if args.form {
+        return print(&Answers::default().readme(&[]));
+    }
+    if let Some(output) = &args.output {
+        format_of(output)?;
+    }
+    // The picture comes first, since nothing need be asked if that is refused.
+    let mut shown = match (&args.scene, &args.picture) {
+        (Some(scene), _) => picture::of_scene(scene)?,
+        (_, Some(file)) => picture::of_file(file)?,
+        // Ruled out by the group of the arguments.
+        (None, None) => Vec::new(),
+    };
+    let own_readme = args.project.join(README);
+    let mut except = vec![own_readme.clone(), args.project.join(program_name())];
+    except.extend(args.answers.iter().chain(&args.output).cloned());
+    let mut entries = project::files(&args.project, &except)?;
+    let executable = executable(args)?;
+    warn_if_older(&executable, &args.project, &entries);
+
+    let answers = complete_answers(args, &own_readme)?;
+    let output = match &args.output {
+        Some(output) => output.clone(),
+        None => PathBuf::from(format!("submission-{}.zip", file_name(answers.name()))),
+    };
+    let (format, root) = format_of(&output)?;
+    let inputs = [&args.scene, &args.picture, &args.answers];
+    let inputs: Vec<PathBuf> = inputs.into_iter().flatten().cloned().collect();
+    refuse_input(&output, &[inputs, vec![executable.clone()]].concat())?;
+
+    let program = Entry {
+        path: program_name().into(),
+        bytes: Disk.read(&executable)?,
+        is_executable: true,
+    };
+    let readme = answers.readme(&contents(&shown));
+    let readme = Entry {
+        path: README.into(),
+        bytes: readme.into_bytes(),
+        is_executable: false,
+    };
+    entries.retain(|entry| !shown.iter().any(|own| own.path == entry.path));
+    let parts = [
+        (
+            format!("{} files of the project", entries.len()),
+            size(&entries),
+        ),
+        (
+            format!("the program {}", program.path.display()),
+            program.bytes.len(),
+        ),
+        (README.to_owned(), readme.bytes.len()),
+    ];
+    let parts = parts.into_iter().chain(
+        shown
+            .iter()
+            .map(|entry| (entry.path.display().to_string(), entry.bytes.len())),
+    );
+    let parts: Vec<(String, usize)> = parts.collect();
+    entries.extend([program, readme]);
+    entries.append(&mut shown);
+    let archive = format.pack(&root, &entries);
+    let archive = archive.map_err(|error| Diagnostic::new(&output, disk::in_words(&error)))?;
+    disk::write_whole(&output, &archive)?;
+    print(&summary(&output, archive.len(), &parts))
+}
+
+fn format_of(output: &Path) -> Result<(Format, String), CliError> {
+    Format::of(output).ok_or_else(|| {
+        let output = output.display();
+        CliError::Usage(format!(
+            "expected a name that ends in .zip or .tar.gz, found {output}"
+        ))
+    })
+}
+
+fn program_name() -> String {
+    format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX)
+}
+
+fn executable(args: &Args) -> Result<PathBuf, CliError> {
+    match &args.executable {
+        Some(executable) => Ok(executable.clone()),
+        None => std::env::current_exe().map_err(|error| {
+            let reason = disk::in_words(&error);
+            CliError::Other(format!("the program does not find its own file: {reason}"))
+        }),
+    }
+}
+
+/// Says so if a source has changed since the program was built.
+fn warn_if_older(executable: &Path, project: &Path, entries: &[Entry]) {
+    let changed = |path: &Path| std::fs::metadata(path).and_then(|found| found.modified());
+    let Ok(built) = changed(executable) else {
+        return;
+    };
+    let sources = entries.iter().filter(|entry| {
+        ["src", "shaders", "assets"]
+            .iter()
+            .any(|folder| entry.path.starts_with(folder))
+    });
+    let newer = sources
+        .map(|entry| project.join(&entry.path))
+        .find(|path| changed(path).is_ok_and(|changed| changed > built));
+    if let Some(newer) = newer {
+        let (newer, executable) = (newer.display(), executable.display());
+        eprint_line(format_args!(
+            "warning: {newer} is newer than the program {executable}: build it anew with make"
+        ));
+    }
+}
+
+/// The answers of the file and the options, and of the terminal where that is one.
+fn complete_answers(args: &Args, own_readme: &Path) -> Result<Answers, CliError> {
+    let file = match &args.answers {
+        Some(file) => Some(file.as_path()),
+        None => Some(own_readme).filter(|readme| readme.is_file()),
+    };
+    let mut answers = match file {
+        Some(file) => Answers::read(file, &Disk.read(file)?)?,
+        None => Answers::default(),
+    };
+    let of_program = Some(globals::STUDENT_NAME).filter(|name| *name != NO_NAME);
+    if of_program.is_none() {
+        eprint_line(
+            "note: the title of the window shows no name yet: put yours into \
+             src/program/globals.rs and build the program anew",
+        );
+    }
+    match (&args.name, of_program) {
+        (Some(name), _) => answers.set_name(name),
+        (None, Some(name)) if answers.name().is_empty() => answers.set_name(name),
+        _ => {}
+    }
+    let missing = answers.missing();
+    if missing.is_empty() {
+        return Ok(answers);
+    }
+    if std::io::stdin().is_terminal() && std::io::stderr().is_terminal() {
+        let asked = answers.ask(&mut std::io::stdin().lock(), &mut std::io::stderr().lock());
+        asked.map_err(|_| CliError::Other("not all questions were answered".to_owned()))?;
+        return Ok(answers);
+    }
+    let keys: Vec<&str> = missing.iter().map(|question| question.key).collect();
+    let keys = keys.join(", ");
+    Err(match file {
+        Some(file) => {
+            let message = format!("expected an answer below each heading, found none to: {keys}");
+            Diagnostic::new(file, message).into()
+        }
+        None => CliError::Other(format!(
+            "there is no answer to: {keys}; write the answers into a form (editor submit --form \
+             > answers.md) and name it with --answers, or start the command on a terminal"
+        )),
+    })
+}
+
+/// `name` as a part of a file's name on every system: letters, digits, and `-` for all else.
+fn file_name(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    words.join("-")
+}
+
+fn size(entries: &[Entry]) -> usize {
+    entries.iter().map(|entry| entry.bytes.len()).sum()
+}
+
+/// Lines of the README about what is in the archive.
+fn contents(shown: &[Entry]) -> Vec<String> {
+    let program = program_name();
+    let mut lines = vec![
+        "src, shaders, assets, tests, Cargo.toml and Cargo.lock: the code; README.md says more \
+         about it"
+            .to_owned(),
+        format!("{program}: the program"),
+    ];
+    lines.extend(shown.iter().map(|entry| {
+        let path = entry.path.to_string_lossy().replace('\\', "/");
+        match entry.path.starts_with("data") {
+            true => format!("{path}: the scene of the picture and its models, to be opened"),
+            false => format!("{path}: two posed characters"),
+        }
+    }));
+    lines
+}
+
+/// What was written, part by part, with sizes.
+fn summary(output: &Path, bytes: usize, parts: &[(String, usize)]) -> String {
+    let mib = |bytes: usize| format!("{:8.2} MiB", bytes as f64 / f64::from(1 << 20));
+    let mut text = format!("{}  {}\n", mib(bytes), output.display());
+    for (part, bytes) in parts {
+        text.push_str(&format!("{}    {part}\n", mib(*bytes)));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_becomes_a_part_of_a_files_name() {
+        assert_eq!(file_name("Ada  Lovelace"), "Ada-Lovelace");
+        assert_eq!(file_name("../Jörg O'Neill/"), "Jörg-O-Neill");
+    }
+}
