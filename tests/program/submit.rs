@@ -397,26 +397,33 @@ fn a_source_that_is_newer_than_the_program_is_said() {
         let time = std::time::UNIX_EPOCH + std::time::Duration::from_secs(seconds);
         file.set_modified(time).unwrap();
     };
+    for name in ["p/src/target/mod.rs", "p/shaders/a.glsl", "p/assets/a.zip"] {
+        set(name, 1000);
+    }
+    set("p/src/main.rs", 2000);
+    // It is not built into the program.
+    set("p/README.md", 5000);
     let warned = |built: u64| {
-        for name in [
-            "p/src/target/mod.rs",
-            "p/shaders/a.glsl",
-            "p/assets/a.zip",
-            "p/README.md",
-        ] {
-            set(name, 5000);
-        }
-        set("p/src/main.rs", 2000);
-        set("p/src/target/mod.rs", 1000);
-        set("p/shaders/a.glsl", 1000);
-        set("p/assets/a.zip", 1000);
         set("program", built);
-        let line = "--scene two.scene --answers answers.md -o out.zip";
-        let ran = submit(&folder, line);
+        let ran = submit(&folder, "--scene two.scene --answers answers.md -o out.zip");
         assert_eq!(ran.code, Some(0), "{}", ran.err);
-        let is_it = |line: &&str| line.contains("main.rs is newer than the program");
-        ran.err.lines().any(|line| is_it(&line))
+        ran.err
+            .contains("main.rs is newer than the program program")
     };
     assert!(warned(1500));
     assert!(!warned(3000));
+
+    // Who unpacks it over an older one builds what is new in it.
+    let line = "--scene two.scene --answers answers.md -o out.tar.gz";
+    assert_eq!(submit(&folder, line).code, Some(0));
+    let out = fs::File::open(folder.path().join("out.tar.gz")).unwrap();
+    let mut tar = tar::Archive::new(flate2::read::GzDecoder::new(out));
+    let times = tar.entries().unwrap().map(|entry| {
+        let entry = entry.unwrap();
+        let path = entry.path().unwrap().to_str().unwrap().to_owned();
+        (path, entry.header().mtime().unwrap())
+    });
+    let times: BTreeMap<String, u64> = times.collect();
+    assert_eq!(times["out/src/main.rs"], 2000);
+    assert_eq!(times["out/assets/a.zip"], 1000);
 }

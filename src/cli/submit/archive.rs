@@ -4,6 +4,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use std::io::{self, Cursor, Write};
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
@@ -21,11 +22,22 @@ pub(super) struct Entry {
     pub path: PathBuf,
     pub bytes: Vec<u8>,
     pub is_executable: bool,
+    /// Time of the last change. Who unpacks a submission over an older one and builds it gets what
+    /// is new in it only if its files are newer.
+    pub modified: SystemTime,
 }
 
-/// Time of every file: the first that a `.zip` can hold, 1980-01-01, in seconds since 1970. Equal
-/// files make equal archives.
-const TIME: u64 = 315_532_800;
+impl Entry {
+    /// A new file, not to be executed.
+    pub fn new(path: impl Into<PathBuf>, bytes: Vec<u8>) -> Self {
+        Self {
+            path: path.into(),
+            bytes,
+            is_executable: false,
+            modified: SystemTime::now(),
+        }
+    }
+}
 
 impl Format {
     /// Extension with its dot.
@@ -69,8 +81,10 @@ fn mode(entry: &Entry) -> u32 {
 fn to_zip(root: &str, entries: &[Entry]) -> io::Result<Vec<u8>> {
     let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
     for entry in entries {
+        let local = chrono::DateTime::<chrono::Local>::from(entry.modified).naive_local();
         let options = SimpleFileOptions::default()
-            .last_modified_time(zip::DateTime::default())
+            // Archives know no time before 1980.
+            .last_modified_time(local.try_into().unwrap_or_default())
             .unix_permissions(mode(entry));
         zip.start_file(name(root, &entry.path), options)?;
         zip.write_all(&entry.bytes)?;
@@ -84,7 +98,8 @@ fn to_tar_gz(root: &str, entries: &[Entry]) -> io::Result<Vec<u8>> {
         let mut header = tar::Header::new_gnu();
         header.set_size(entry.bytes.len() as u64);
         header.set_mode(mode(entry));
-        header.set_mtime(TIME);
+        let modified = entry.modified.duration_since(UNIX_EPOCH);
+        header.set_mtime(modified.unwrap_or_default().as_secs());
         tar.append_data(&mut header, name(root, &entry.path), &entry.bytes[..])?;
     }
     tar.into_inner()?.finish()
@@ -105,15 +120,18 @@ mod tests {
     }
 
     #[test]
-    fn equal_files_make_equal_archives() {
-        let entries = [Entry {
-            path: "a/b".into(),
-            bytes: vec![1, 2, 3],
-            is_executable: true,
-        }];
-        for format in [Format::Zip, Format::TarGz] {
-            let (one, other) = (format.pack("x", &entries), format.pack("x", &entries));
-            assert_eq!(one.unwrap(), other.unwrap());
+    fn times_before_those_that_archives_know_are_no_failure() {
+        for modified in [
+            UNIX_EPOCH,
+            UNIX_EPOCH - std::time::Duration::from_secs(1 << 33),
+        ] {
+            let entry = Entry {
+                modified,
+                ..Entry::new("a/b", vec![1, 2, 3])
+            };
+            for format in [Format::Zip, Format::TarGz] {
+                assert!(format.pack("x", std::slice::from_ref(&entry)).is_ok());
+            }
         }
     }
 }

@@ -77,60 +77,41 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         format_of(output)?;
     }
     // The picture comes first, since nothing need be asked if that is refused.
-    let mut shown = match (&args.scene, &args.picture) {
+    let shown = match (&args.scene, &args.picture) {
         (Some(scene), _) => picture::of_scene(scene)?,
         (_, Some(file)) => picture::of_file(file)?,
         // Ruled out by the group of the arguments.
         (None, None) => Vec::new(),
     };
-    let own_readme = args.project.join(README);
-    let mut except = vec![own_readme.clone(), args.project.join(program_name())];
-    except.extend(args.answers.iter().chain(&args.output).cloned());
-    let mut entries = project::files(&args.project, &except)?;
+    let own: Vec<PathBuf> = [&args.answers, &args.output]
+        .into_iter()
+        .flatten()
+        .cloned()
+        .collect();
+    let mut entries = project::files(&args.project, &own)?;
     let executable = executable(args)?;
-    warn_if_older(&executable, &args.project, &entries);
+    warn_if_older(&executable, &entries);
+    let answers = complete_answers(args)?;
 
-    let answers = complete_answers(args, &own_readme)?;
     let output = match &args.output {
         Some(output) => output.clone(),
         None => PathBuf::from(format!("submission-{}.zip", file_name(answers.name()))),
     };
     let (format, root) = format_of(&output)?;
     let inputs = [&args.scene, &args.picture, &args.answers];
-    let inputs: Vec<PathBuf> = inputs.into_iter().flatten().cloned().collect();
-    refuse_input(&output, &[inputs, vec![executable.clone()]].concat())?;
+    let inputs = inputs.into_iter().flatten().chain([&executable]);
+    refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
 
+    let readme = answers.readme(&contents(&shown)).into_bytes();
     let program = Entry {
-        path: program_name().into(),
-        bytes: Disk.read(&executable)?,
         is_executable: true,
+        ..Entry::new(program_name(), Disk.read(&executable)?)
     };
-    let readme = answers.readme(&contents(&shown));
-    let readme = Entry {
-        path: README.into(),
-        bytes: readme.into_bytes(),
-        is_executable: false,
-    };
-    entries.retain(|entry| !shown.iter().any(|own| own.path == entry.path));
-    let parts = [
-        (
-            format!("{} files of the project", entries.len()),
-            size(&entries),
-        ),
-        (
-            format!("the program {}", program.path.display()),
-            program.bytes.len(),
-        ),
-        (README.to_owned(), readme.bytes.len()),
-    ];
-    let parts = parts.into_iter().chain(
-        shown
-            .iter()
-            .map(|entry| (entry.path.display().to_string(), entry.bytes.len())),
-    );
-    let parts: Vec<(String, usize)> = parts.collect();
-    entries.extend([program, readme]);
-    entries.append(&mut shown);
+    let mut made = vec![program, Entry::new(README, readme)];
+    made.extend(shown);
+    entries.retain(|entry| made.iter().all(|made| made.path != entry.path));
+    let parts = parts(&entries, &made);
+    entries.extend(made);
     let archive = format.pack(&root, &entries);
     let archive = archive.map_err(|error| Diagnostic::new(&output, disk::in_words(&error)))?;
     disk::write_whole(&output, &archive)?;
@@ -161,21 +142,17 @@ fn executable(args: &Args) -> Result<PathBuf, CliError> {
 }
 
 /// Says so if a source has changed since the program was built.
-fn warn_if_older(executable: &Path, project: &Path, entries: &[Entry]) {
-    let changed = |path: &Path| std::fs::metadata(path).and_then(|found| found.modified());
-    let Ok(built) = changed(executable) else {
+fn warn_if_older(executable: &Path, entries: &[Entry]) {
+    let Ok(built) = std::fs::metadata(executable).and_then(|found| found.modified()) else {
         return;
     };
-    let sources = entries.iter().filter(|entry| {
-        ["src", "shaders", "assets"]
-            .iter()
-            .any(|folder| entry.path.starts_with(folder))
-    });
-    let newer = sources
-        .map(|entry| project.join(&entry.path))
-        .find(|path| changed(path).is_ok_and(|changed| changed > built));
-    if let Some(newer) = newer {
-        let (newer, executable) = (newer.display(), executable.display());
+    let is_built_in = |entry: &&Entry| {
+        let folders = ["src", "shaders", "assets"];
+        folders.iter().any(|folder| entry.path.starts_with(folder))
+    };
+    let mut sources = entries.iter().filter(is_built_in);
+    if let Some(newer) = sources.find(|entry| entry.modified > built) {
+        let (newer, executable) = (newer.path.display(), executable.display());
         eprint_line(format_args!(
             "warning: {newer} is newer than the program {executable}: build it anew with make"
         ));
@@ -183,12 +160,10 @@ fn warn_if_older(executable: &Path, project: &Path, entries: &[Entry]) {
 }
 
 /// The answers of the file and the options, and of the terminal where that is one.
-fn complete_answers(args: &Args, own_readme: &Path) -> Result<Answers, CliError> {
-    let file = match &args.answers {
-        Some(file) => Some(file.as_path()),
-        None => Some(own_readme).filter(|readme| readme.is_file()),
-    };
-    let mut answers = match file {
+fn complete_answers(args: &Args) -> Result<Answers, CliError> {
+    let of_project = || Some(args.project.join(README)).filter(|readme| readme.is_file());
+    let file = args.answers.clone().or_else(of_project);
+    let mut answers = match &file {
         Some(file) => Answers::read(file, &Disk.read(file)?)?,
         None => Answers::default(),
     };
@@ -218,7 +193,7 @@ fn complete_answers(args: &Args, own_readme: &Path) -> Result<Answers, CliError>
     Err(match file {
         Some(file) => {
             let message = format!("expected an answer below each heading, found none to: {keys}");
-            Diagnostic::new(file, message).into()
+            Diagnostic::new(&file, message).into()
         }
         None => CliError::Other(format!(
             "there is no answer to: {keys}; write the answers into a form (editor submit --form \
@@ -232,10 +207,6 @@ fn file_name(name: &str) -> String {
     let words = name.split(|c: char| !c.is_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     words.join("-")
-}
-
-fn size(entries: &[Entry]) -> usize {
-    entries.iter().map(|entry| entry.bytes.len()).sum()
 }
 
 /// Lines of the README about what is in the archive.
@@ -257,7 +228,20 @@ fn contents(shown: &[Entry]) -> Vec<String> {
     lines
 }
 
-/// What was written, part by part, with sizes.
+/// Parts of the archive and their sizes in bytes: the files of the project together, what was
+/// `made` one by one.
+fn parts(project: &[Entry], made: &[Entry]) -> Vec<(String, usize)> {
+    let sizes = project.iter().map(|entry| entry.bytes.len());
+    let project = (
+        format!("{} files of the project", project.len()),
+        sizes.sum(),
+    );
+    let made = made.iter();
+    let made = made.map(|entry| (entry.path.display().to_string(), entry.bytes.len()));
+    std::iter::once(project).chain(made).collect()
+}
+
+/// What was written, part by part.
 fn summary(output: &Path, bytes: usize, parts: &[(String, usize)]) -> String {
     let mib = |bytes: usize| format!("{:8.2} MiB", bytes as f64 / f64::from(1 << 20));
     let mut text = format!("{}  {}\n", mib(bytes), output.display());

@@ -15,7 +15,7 @@ use crate::math::{Aabb, Euler};
 use crate::render::{Frame, Marks, Offscreen};
 use crate::scene::{Camera, ShapeKind};
 use glam::Vec3;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Number of posed characters that the assignment asks for.
 const WANTED: usize = 2;
@@ -45,7 +45,7 @@ pub(super) fn of_file(path: &Path) -> Result<Vec<Entry>, CliError> {
     ));
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     let name = format!("picture.{}", extension.to_lowercase());
-    Ok(vec![entry(name.into(), bytes)])
+    Ok(vec![Entry::new(name, bytes)])
 }
 
 /// The scene `path` as a picture, as `editor render` draws it, and as an archive together with the
@@ -65,17 +65,9 @@ pub(super) fn of_scene(path: &Path) -> Result<Vec<Entry>, CliError> {
     let (scene, view) = (session.scene(), session.view());
     let models = to_zip(&package(&files(), scene, view, &name)?)?;
     Ok(vec![
-        entry("picture.png".into(), png),
-        entry(Path::new("data").join(name + ".zip"), models),
+        Entry::new("picture.png", png),
+        Entry::new(Path::new("data").join(name + ".zip"), models),
     ])
-}
-
-fn entry(path: PathBuf, bytes: Vec<u8>) -> Entry {
-    Entry {
-        path,
-        bytes,
-        is_executable: false,
-    }
 }
 
 fn draw(session: &Session) -> Result<Picture, CliError> {

@@ -5,6 +5,7 @@ use crate::cli::output::eprint_line;
 use crate::disk::{self, Disk};
 use crate::io::{Diagnostic, Files};
 use ignore::WalkBuilder;
+use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 
 /// Files without which a folder is not the project's.
@@ -60,11 +61,13 @@ pub(super) fn files(folder: &Path, except: &[PathBuf]) -> Result<Vec<Entry>, Dia
             );
             return Err(Diagnostic::new(folder, message));
         }
-        entries.push(Entry {
-            path: path.strip_prefix(folder).unwrap_or(path).to_owned(),
-            bytes,
-            is_executable: is_executable(path),
-        });
+        let inside = path.strip_prefix(folder).unwrap_or(path);
+        let mut entry = Entry::new(inside, bytes);
+        if let Ok(known) = found.metadata() {
+            entry.is_executable = is_executable(&known);
+            entry.modified = known.modified().unwrap_or(entry.modified);
+        }
+        entries.push(entry);
     }
     Ok(entries)
 }
@@ -85,12 +88,13 @@ fn is_left_out(path: &Path, depth: usize) -> bool {
 }
 
 #[cfg(unix)]
-fn is_executable(path: &Path) -> bool {
+fn is_executable(file: &Metadata) -> bool {
     use std::os::unix::fs::PermissionsExt;
-    std::fs::metadata(path).is_ok_and(|found| found.permissions().mode() & 0o111 != 0)
+    file.permissions().mode() & 0o111 != 0
 }
 
+/// Files have no such mark there.
 #[cfg(not(unix))]
-fn is_executable(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension == "sh")
+fn is_executable(_: &Metadata) -> bool {
+    false
 }
