@@ -1,13 +1,13 @@
 //! `editor doctor`: what this machine has for the program, and what helps where something is
 //! missing.
 
-mod display;
+mod machine;
 mod probe;
 mod trouble;
 
 use super::output::{json_text, visible};
 use super::{CliError, print};
-use display::{Display, Server, Settings};
+use machine::{Display, Server, Settings};
 use probe::{OpenGl, Outcome, Trial, Way};
 use serde::Serialize;
 use std::fmt::Write;
@@ -83,7 +83,7 @@ impl Report {
         let (egl, osmesa) = (Trial::start(Way::Egl), Trial::start(Way::Osmesa));
         Self {
             version: env!("CARGO_PKG_VERSION"),
-            system: display::system(),
+            system: machine::system(),
             display,
             window: window.map(Trial::outcome),
             egl: egl.outcome(),

@@ -1,7 +1,7 @@
 //! Known troubles, and what helps against each.
 
 use super::Report;
-use super::display::Server;
+use super::machine::Server;
 use super::probe::{FailureKind, OpenGl, Outcome};
 use crate::program::globals;
 
