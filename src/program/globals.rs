@@ -18,13 +18,14 @@ pub const SAMPLES: u32 = 4;
 /// What stands in place of a name until there is one.
 const NO_NAME: &str = "Your Name";
 
+/// Your name, once it is given.
+pub fn student_name() -> Option<&'static str> {
+    Some(STUDENT_NAME).filter(|name| *name != NO_NAME)
+}
+
 /// The title of the window: the program's name, and yours once it is given.
 pub fn title() -> String {
-    if STUDENT_NAME == NO_NAME {
-        PROGRAM.to_owned()
-    } else {
-        title_for(STUDENT_NAME)
-    }
+    student_name().map_or(PROGRAM.to_owned(), title_for)
 }
 
 /// The title of the window of somebody called `name`.

@@ -61,8 +61,6 @@ pub struct Args {
 const README: &str = "README.txt";
 /// Name of the program in the archive.
 const PROGRAM: &str = "editor";
-/// What stands in `globals.rs` as long as nobody has put a name there.
-const NO_NAME: &str = "Your Name";
 
 /// Carries the command out.
 ///
@@ -167,7 +165,7 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
         Some(file) => Answers::read(file, &Disk.read(file)?)?,
         None => Answers::default(),
     };
-    let of_program = Some(globals::STUDENT_NAME).filter(|name| *name != NO_NAME);
+    let of_program = globals::student_name();
     if of_program.is_none() {
         eprint_line(
             "note: the title of the window shows no name yet: put yours into \
