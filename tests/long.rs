@@ -1,5 +1,6 @@
 //! Runs that take minutes: `make test-long`.
 
+use crate::program::submit::ANSWERS;
 use crate::stories::{STRIP, Story};
 use editor_core::editor::{Edit, View};
 use editor_core::gpu::HeadlessContext;
@@ -331,4 +332,50 @@ fn killed_a_thousand_times_while_saving_the_file_is_the_old_one_or_the_new_one()
     disk::write_whole(&target, b"done").expect("a saved file");
     let left = std::fs::read_dir(folder.path()).expect("a list").count();
     assert!(left <= 2, "{left} files are left");
+}
+
+/// Where what is handed in is built, apart from our own, and kept from run to run.
+const BUILT_THERE: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/handed-in");
+
+#[test]
+#[ignore = "takes minutes: make test-long"]
+fn what_is_handed_in_builds_elsewhere_without_a_network_and_draws_the_same_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = |name: &str| folder.path().join(name);
+    std::fs::write(place("answers.md"), ANSWERS).expect("a file");
+    let run = |program: &Path, folder: &Path, line: &str| {
+        let done = Process::new(program)
+            .args(line.split(' '))
+            .current_dir(folder)
+            .env("CARGO_TARGET_DIR", BUILT_THERE)
+            .status();
+        assert!(done.expect("it starts").success(), "{line}");
+    };
+    let project = env!("CARGO_MANIFEST_DIR");
+    let line = format!(
+        "submit --project {project} --scene builtin:showcase --answers answers.md -o in.tar.gz"
+    );
+    let editor = Path::new(env!("CARGO_BIN_EXE_editor"));
+    run(editor, folder.path(), &line);
+    run(Path::new("tar"), folder.path(), "xzf in.tar.gz");
+    let unpacked = place("in");
+    run(
+        Path::new(env!("CARGO")),
+        &unpacked,
+        "build --locked --offline",
+    );
+    let built = format!("{BUILT_THERE}/debug/editor{}", std::env::consts::EXE_SUFFIX);
+    let handed_in = unpacked
+        .join("editor")
+        .with_extension(std::env::consts::EXE_EXTENSION);
+    let line = "render data/showcase.zip --size 1280x960 --samples 4 -o drawn.png";
+    for program in [handed_in.as_path(), Path::new(&built)] {
+        run(program, &unpacked, line);
+        let picture = |name: &str| std::fs::read(unpacked.join(name)).expect("a picture");
+        assert!(
+            picture("drawn.png") == picture("picture.png"),
+            "{program:?}"
+        );
+        std::fs::remove_file(unpacked.join("drawn.png")).expect("it was there");
+    }
 }

@@ -1,6 +1,6 @@
 use crate::disk;
 use crate::io::Diagnostic;
-use crate::program::{HostEvent, StorageKey};
+use crate::program::{HostEvent, StorageKey, globals};
 use std::fs::File;
 use std::path::PathBuf;
 use std::thread::JoinHandle;
@@ -28,7 +28,7 @@ struct Slot {
 
 impl Storage {
     pub fn new() -> Self {
-        let folder = directories::ProjectDirs::from("", "", "skeleton-editor")
+        let folder = directories::ProjectDirs::from("", "", globals::SETTINGS_FOLDER)
             .map(|folders| folders.config_dir().to_owned())
             .filter(|folder| std::fs::create_dir_all(folder).is_ok());
         let autosave = folder.as_ref().and_then(|folder| {

@@ -1,6 +1,6 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
-use super::output::{DiagnosticJson, eprint_line, visible};
+use super::output::{DiagnosticJson, eprint_line, json_text, visible};
 use super::{CliError, print};
 use crate::character::Influence;
 use crate::disk::files;
@@ -101,8 +101,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         });
     }
     let text = if args.json {
-        let json = serde_json::to_string_pretty(&report);
-        json.map_err(|error| CliError::Other(error.to_string()))? + "\n"
+        json_text(&report)?
     } else {
         let sound = report.files.iter().filter(|file| file.error.is_none());
         sound.map(in_words).collect::<Vec<_>>().join("\n")

@@ -1,6 +1,6 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
-use super::output::{self, DiagnosticJson, picture_format, refuse_input};
+use super::output::{self, DiagnosticJson, json_text, picture_format, refuse_input};
 use super::{CliError, print};
 use crate::compare::{
     Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
@@ -208,8 +208,7 @@ fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError>
         b: args.b.display().to_string(),
         comparison,
     };
-    let json = serde_json::to_string_pretty(&report);
-    print(&(json.map_err(|error| CliError::Other(error.to_string()))? + "\n"))
+    print(&json_text(&report)?)
 }
 
 fn cannot_compare(error: impl Display) -> CliError {

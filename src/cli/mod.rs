@@ -5,10 +5,13 @@
 mod arguments;
 pub mod check;
 pub mod compare;
+pub mod doctor;
 pub mod export;
+pub mod manual;
 mod output;
 pub mod render;
 mod render_ui;
+pub mod submit;
 
 pub use arguments::SkinningName;
 pub use output::{CliError, print};
@@ -55,6 +58,10 @@ enum Command {
     Compare(compare::Args),
     Export(export::Args),
     Render(render::Args),
+    Submit(submit::Args),
+    Doctor(doctor::Args),
+    Completions(manual::CompletionsArgs),
+    Man(manual::ManArgs),
 }
 
 /// Runs the program with the arguments that it was started with. Without a command it calls
@@ -74,6 +81,10 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Export(args)) => export::run(&args),
         Some(Command::Render(args)) => render::run(&args),
+        Some(Command::Submit(args)) => submit::run(&args),
+        Some(Command::Doctor(args)) => doctor::run(&args),
+        Some(Command::Completions(args)) => manual::completions(&args),
+        Some(Command::Man(args)) => manual::man(&args),
         None => match unknown(&cli.window.files) {
             Some(error) => Err(error),
             None => open_window(cli.window).map_err(CliError::Other),

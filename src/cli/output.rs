@@ -136,6 +136,15 @@ pub fn print(text: &str) -> Result<(), CliError> {
     }
 }
 
+/// `value` as JSON, over several lines.
+///
+/// # Errors
+/// If it has no form in JSON.
+pub fn json_text(value: &impl Serialize) -> Result<String, CliError> {
+    let json = serde_json::to_string_pretty(value);
+    Ok(json.map_err(|error| CliError::Other(error.to_string()))? + "\n")
+}
+
 /// Prints one line on standard error. If that fails, there is nowhere left to report it.
 pub fn eprint_line(what: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(&what.to_string()));

@@ -1,10 +1,13 @@
 //! The program as its users run it: arguments in, files, text and an exit code out.
 
 mod check;
+mod doctor;
 mod export;
+mod manual;
 #[cfg(unix)]
 mod memory;
 mod render;
+pub mod submit;
 mod usage;
 
 use std::path::{Path, PathBuf};

@@ -61,6 +61,28 @@ fn without_opengl_3_3_the_program_says_so_and_exits_with_1() {
 }
 
 #[test]
+fn the_report_of_the_machine_names_the_driver_of_the_window_or_what_helps() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let doctor = |version: Option<&str>| {
+        let mut command = command(home.path());
+        command.env("DISPLAY", &desktop.display);
+        command.envs(version.map(|version| ("MESA_GL_VERSION_OVERRIDE", version)));
+        command.envs(version.map(|_| ("MESA_GLES_VERSION_OVERRIDE", "2.0")));
+        let output = command.args(["doctor", "--json"]).output();
+        let out = output.expect("the program runs").stdout;
+        serde_json::from_slice::<serde_json::Value>(&out).expect("one object")
+    };
+    let report = doctor(None);
+    assert_eq!(report["display"]["server"], "x11");
+    assert_eq!(report["window"]["works"]["software"], true, "{report}");
+    let report = doctor(Some("2.1"));
+    assert_eq!(report["window"]["fails"]["kind"], "too-old", "{report}");
+    let help = report["help"].to_string();
+    assert!(help.contains("The window has no OpenGL 3.3"), "{help}");
+}
+
+#[test]
 fn what_a_comparison_finds_comes_by_itself() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");

@@ -1,0 +1,261 @@
+//! `editor submit`: everything that the course's assignment wants to be handed in, as one archive.
+
+mod answers;
+mod archive;
+mod picture;
+mod project;
+
+use super::output::{eprint_line, refuse_input};
+use super::{CliError, print};
+use crate::disk::{self, Disk};
+use crate::io::{Diagnostic, Files};
+use crate::program::globals;
+use answers::Answers;
+use archive::{Entry, Format};
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+/// Make an archive of everything that the assignment wants to be handed in.
+///
+/// It holds the project's files, the program, README.txt with the answers to the assignment's
+/// questions, a picture, and the data. What .gitignore names is left out, as are .git, target and
+/// files of macOS (._*). Answers that are missing are asked for on a terminal.
+#[derive(Debug, clap::Args)]
+#[command(
+    group = clap::ArgGroup::new("shown").required(true),
+    after_help = "Examples:\n  \
+    editor submit --name \"Ada Lovelace\" --scene two.scene\n  \
+    editor submit --answers answers.md --picture two.png -o hw2.tar.gz\n  \
+    editor submit --form > answers.md"
+)]
+pub struct Args {
+    /// The archive to write, .zip or .tar.gz [default: submission-NAME.zip]
+    #[arg(short, long, value_name = "ARCHIVE")]
+    output: Option<PathBuf>,
+    /// Your name [default: as in the answers, or in src/program/globals.rs]
+    #[arg(long)]
+    name: Option<String>,
+    /// Answers to the questions, each below a heading as --form prints it [default: the README.txt
+    /// of the project, if there is one]
+    #[arg(long, value_name = "FILE")]
+    answers: Option<PathBuf>,
+    /// Scene with two posed characters to draw the picture of; it is put into the archive with its
+    /// models
+    #[arg(long, value_name = "FILE", group = "shown")]
+    scene: Option<PathBuf>,
+    /// Picture of two posed characters (.png, .jpg, .gif)
+    #[arg(long, value_name = "PICTURE", group = "shown")]
+    picture: Option<PathBuf>,
+    /// Folder of the project
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    project: PathBuf,
+    /// Program to hand in [default: this one]
+    #[arg(long, value_name = "FILE")]
+    executable: Option<PathBuf>,
+    /// Print the questions, to be answered in a file, and do nothing else
+    #[arg(long, group = "shown")]
+    form: bool,
+}
+
+/// Name of the README in the archive and in the project.
+const README: &str = "README.txt";
+/// Name of the program in the archive.
+const PROGRAM: &str = "editor";
+
+/// Carries the command out.
+///
+/// # Errors
+/// If an answer, a file or a posed character is missing, or the archive cannot be written; then
+/// there is none.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    if args.form {
+        return print(&Answers::default().readme(&[]));
+    }
+    if let Some(output) = &args.output {
+        format_of(output)?;
+    }
+    // The picture comes first, since nothing need be asked if that is refused.
+    let shown = match (&args.scene, &args.picture) {
+        (Some(scene), _) => picture::of_scene(scene)?,
+        (_, Some(file)) => picture::of_file(file)?,
+        // Ruled out by the group of the arguments.
+        (None, None) => Vec::new(),
+    };
+    let own: Vec<PathBuf> = [&args.answers, &args.output]
+        .into_iter()
+        .flatten()
+        .cloned()
+        .collect();
+    let mut entries = project::files(&args.project, &own)?;
+    let executable = executable(args)?;
+    warn_if_older(&executable, &entries);
+    let answers = complete_answers(args)?;
+
+    let output = match &args.output {
+        Some(output) => output.clone(),
+        None => PathBuf::from(format!("submission-{}.zip", file_name(answers.name()))),
+    };
+    let (format, root) = format_of(&output)?;
+    let inputs = [&args.scene, &args.picture, &args.answers];
+    let inputs = inputs.into_iter().flatten().chain([&executable]);
+    refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
+
+    let readme = answers.readme(&contents(&shown)).into_bytes();
+    let program = Entry {
+        is_executable: true,
+        ..Entry::new(program_name(), Disk.read(&executable)?)
+    };
+    let mut made = vec![program, Entry::new(README, readme)];
+    made.extend(shown);
+    entries.retain(|entry| made.iter().all(|made| made.path != entry.path));
+    let parts = parts(&entries, &made);
+    entries.extend(made);
+    let archive = format.pack(&root, &entries);
+    let archive = archive.map_err(|error| Diagnostic::new(&output, disk::in_words(&error)))?;
+    disk::write_whole(&output, &archive)?;
+    print(&summary(&output, archive.len(), &parts))
+}
+
+fn format_of(output: &Path) -> Result<(Format, String), CliError> {
+    Format::of(output).ok_or_else(|| {
+        let output = output.display();
+        CliError::Usage(format!(
+            "expected a name that ends in .zip or .tar.gz, found {output}"
+        ))
+    })
+}
+
+fn program_name() -> String {
+    format!("{PROGRAM}{}", std::env::consts::EXE_SUFFIX)
+}
+
+fn executable(args: &Args) -> Result<PathBuf, CliError> {
+    match &args.executable {
+        Some(executable) => Ok(executable.clone()),
+        None => std::env::current_exe().map_err(|error| {
+            let reason = disk::in_words(&error);
+            CliError::Other(format!("the program does not find its own file: {reason}"))
+        }),
+    }
+}
+
+/// Says so if a source has changed since the program was built.
+fn warn_if_older(executable: &Path, entries: &[Entry]) {
+    let Ok(built) = std::fs::metadata(executable).and_then(|found| found.modified()) else {
+        return;
+    };
+    let is_built_in = |entry: &&Entry| {
+        let folders = ["src", "shaders", "assets"];
+        folders.iter().any(|folder| entry.path.starts_with(folder))
+    };
+    let mut sources = entries.iter().filter(is_built_in);
+    if let Some(newer) = sources.find(|entry| entry.modified > built) {
+        let (newer, executable) = (newer.path.display(), executable.display());
+        eprint_line(format_args!(
+            "warning: {newer} is newer than the program {executable}: build it anew with make"
+        ));
+    }
+}
+
+/// The answers of the file and the options, and of the terminal where that is one.
+fn complete_answers(args: &Args) -> Result<Answers, CliError> {
+    let of_project = || Some(args.project.join(README)).filter(|readme| readme.is_file());
+    let file = args.answers.clone().or_else(of_project);
+    let mut answers = match &file {
+        Some(file) => Answers::read(file, &Disk.read(file)?)?,
+        None => Answers::default(),
+    };
+    let of_program = globals::student_name();
+    if of_program.is_none() {
+        eprint_line(
+            "note: the title of the window shows no name yet: put yours into \
+             src/program/globals.rs and build the program anew",
+        );
+    }
+    match (&args.name, of_program) {
+        (Some(name), _) => answers.set_name(name),
+        (None, Some(name)) if answers.name().is_empty() => answers.set_name(name),
+        _ => {}
+    }
+    let missing = answers.missing();
+    if missing.is_empty() {
+        return Ok(answers);
+    }
+    if std::io::stdin().is_terminal() && std::io::stderr().is_terminal() {
+        let asked = answers.ask(&mut std::io::stdin().lock(), &mut std::io::stderr().lock());
+        asked.map_err(|_| CliError::Other("not all questions were answered".to_owned()))?;
+        return Ok(answers);
+    }
+    let keys: Vec<&str> = missing.iter().map(|question| question.key).collect();
+    let keys = keys.join(", ");
+    Err(match file {
+        Some(file) => {
+            let message = format!("expected an answer below each heading, found none to: {keys}");
+            Diagnostic::new(&file, message).into()
+        }
+        None => CliError::Other(format!(
+            "there is no answer to: {keys}; write the answers into a form (editor submit --form \
+             > answers.md) and name it with --answers, or start the command on a terminal"
+        )),
+    })
+}
+
+/// `name` as a part of a file's name on every system: letters, digits, and `-` for all else.
+fn file_name(name: &str) -> String {
+    let words = name.split(|c: char| !c.is_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    words.join("-")
+}
+
+/// Lines of the README about what is in the archive.
+fn contents(shown: &[Entry]) -> Vec<String> {
+    let program = program_name();
+    let mut lines = vec![
+        "src, shaders, assets, tests, Cargo.toml and Cargo.lock: the code; README.md says more \
+         about it"
+            .to_owned(),
+        format!("{program}: the program"),
+    ];
+    lines.extend(shown.iter().map(|entry| {
+        let path = entry.path.to_string_lossy().replace('\\', "/");
+        match entry.path.starts_with("data") {
+            true => format!("{path}: the scene of the picture and its models, to be opened"),
+            false => format!("{path}: two posed characters"),
+        }
+    }));
+    lines
+}
+
+/// Parts of the archive and their sizes in bytes: the files of the project together, what was
+/// `made` one by one.
+fn parts(project: &[Entry], made: &[Entry]) -> Vec<(String, usize)> {
+    let sizes = project.iter().map(|entry| entry.bytes.len());
+    let project = (
+        format!("{} files of the project", project.len()),
+        sizes.sum(),
+    );
+    let made = made.iter();
+    let made = made.map(|entry| (entry.path.display().to_string(), entry.bytes.len()));
+    std::iter::once(project).chain(made).collect()
+}
+
+/// What was written, part by part.
+fn summary(output: &Path, bytes: usize, parts: &[(String, usize)]) -> String {
+    let mib = |bytes: usize| format!("{:8.2} MiB", bytes as f64 / f64::from(1 << 20));
+    let mut text = format!("{}  {}\n", mib(bytes), output.display());
+    for (part, bytes) in parts {
+        text.push_str(&format!("{}    {part}\n", mib(*bytes)));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_becomes_a_part_of_a_files_name() {
+        assert_eq!(file_name("Ada  Lovelace"), "Ada-Lovelace");
+        assert_eq!(file_name("../Jörg O'Neill/"), "Jörg-O-Neill");
+    }
+}
