@@ -2,8 +2,8 @@
 
 use crate::disk;
 use crate::gpu::GpuError;
+use crate::io::Diagnostic;
 use crate::io::image::PictureFormat;
-use crate::io::{Diagnostic, expect_extension};
 use crate::program::ProgramError;
 use crate::render::{OffscreenError, RenderError};
 use serde::Serialize;
@@ -163,14 +163,6 @@ pub fn visible(text: &str) -> String {
 /// If it is none that can be written: wrong usage, reported before any work is done.
 pub fn picture_format(output: &Path) -> Result<PictureFormat, CliError> {
     PictureFormat::of(output).map_err(|error| CliError::Usage(error.to_string()))
-}
-
-/// Checks that the path of the mesh to write ends in `.obj`.
-///
-/// # Errors
-/// If it does not: wrong usage, reported before any work is done.
-pub fn expect_obj(output: &Path) -> Result<(), CliError> {
-    expect_extension(output, "obj").map_err(|error| CliError::Usage(error.to_string()))
 }
 
 /// Refuses to overwrite one of the files that are read.
