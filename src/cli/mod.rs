@@ -9,6 +9,7 @@ pub mod export;
 mod output;
 pub mod render;
 mod render_ui;
+mod turntable;
 
 pub use arguments::SkinningName;
 pub use output::{CliError, print};

@@ -8,7 +8,7 @@ use crate::program::ProgramError;
 use crate::render::{OffscreenError, RenderError};
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -44,6 +44,12 @@ impl From<GpuError> for CliError {
 impl From<RenderError> for CliError {
     fn from(error: RenderError) -> Self {
         Self::Other(error.to_string())
+    }
+}
+
+impl From<String> for CliError {
+    fn from(message: String) -> Self {
+        Self::Other(message)
     }
 }
 
@@ -139,6 +145,35 @@ pub fn print(text: &str) -> Result<(), CliError> {
 /// Prints one line on standard error. If that fails, there is nowhere left to report it.
 pub fn eprint_line(what: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(&what.to_string()));
+}
+
+/// Progress of long work in one line on standard error, if that is a terminal. The line goes when
+/// this is dropped.
+#[derive(Debug)]
+pub struct Progress {
+    is_shown: bool,
+}
+
+impl Progress {
+    pub fn new() -> Self {
+        Self {
+            is_shown: std::io::stderr().is_terminal(),
+        }
+    }
+
+    /// Shows `what` in place of what was shown before.
+    pub fn show(&self, what: impl Display) {
+        if self.is_shown {
+            // If that fails, there is nowhere left to report it.
+            let _ = write!(std::io::stderr().lock(), "\r\x1b[K{what}");
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.show("");
+    }
 }
 
 /// `text` in one line, with control characters escaped: names from files, and of files, must

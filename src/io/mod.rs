@@ -2,6 +2,7 @@
 //! dialog or a window.
 
 mod angle;
+mod animation;
 mod archive;
 mod attach;
 pub mod builtin;
@@ -28,6 +29,7 @@ mod scene;
 mod skel;
 mod swp;
 
+pub use animation::animated_gif;
 pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
