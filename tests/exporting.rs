@@ -9,7 +9,9 @@ use editor_core::io::{
     read_character, read_shape_obj,
 };
 use editor_core::math::{Euler, Transform};
-use editor_core::scene::{CharacterShape, Evaluator, NewShape, Placement, Scene, Shape, ShapeKind};
+use editor_core::scene::{
+    CharacterShape, Evaluator, NewShape, Placement, Scene, Shape, ShapeColor, ShapeKind,
+};
 use glam::Vec3;
 use proptest::prelude::*;
 use std::collections::HashMap;
@@ -52,6 +54,16 @@ fn written_and_read(scene: &Scene) -> (Character, Vec<Vec3>) {
     let pose = pose.pose_of(character.skeleton()).unwrap();
     let posed = character.skin_pose(&pose);
     (character, posed)
+}
+
+/// Volume that the triangles enclose, negative if they are inside out; of an open mesh, with the
+/// middle of its vertices.
+fn volume(positions: &[Vec3], triangles: &[[u32; 3]]) -> f32 {
+    let middle = positions.iter().sum::<Vec3>() / positions.len() as f32;
+    let corners = triangles
+        .iter()
+        .map(|corners| corners.map(|at| positions[at as usize] - middle));
+    corners.map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum()
 }
 
 /// How far apart the two are at most, of the size of `expected`.
@@ -152,9 +164,20 @@ fn every_character_comes_back_turned_scaled_moved_and_mirrored() {
         for mirrored in [false, true] {
             place(&mut scene, uneven_placement(mirrored));
             set_pose(&mut scene, wild_pose(&skeleton, 7));
-            let (_, read) = written_and_read(&scene);
+            let (character, read) = written_and_read(&scene);
             let apart = apart(&vertices(&scene), &read);
             assert!(apart <= TOLERANCE, "{name} {mirrored}: {apart}");
+            let mesh = character.bind_mesh();
+            let volume = self::volume(&mesh.positions, &mesh.triangles);
+            let before = the_character(&scene.shapes()[0])
+                .character
+                .bind_mesh()
+                .clone();
+            let before = self::volume(&before.positions, &before.triangles);
+            assert!(
+                volume * before > 0.0,
+                "{name} {mirrored}: inside out, {volume}"
+            );
             worst = worst.max(apart);
         }
     }
@@ -343,13 +366,23 @@ proptest! {
     }
 }
 
-/// The crate, with a picture, a cube and a turned and mirrored gem.
+/// A crate with a picture and a plant with colors, both in a color of their own; a gem; a cube that
+/// is turned and mirrored, and one of the same name that is not.
 fn colored() -> Scene {
     let mut loaded = Loaded::default();
     for name in ["builtin:crate", "builtin:plant", "builtin:gem"] {
         loaded.add(&files(), Path::new(name)).unwrap();
     }
     let mut scene = Scene::from_iter(loaded.shapes);
+    for (id, preset) in scene
+        .shapes()
+        .iter()
+        .map(|shape| shape.id)
+        .zip([3, 4])
+        .collect::<Vec<_>>()
+    {
+        scene.shape_mut(id).unwrap().placement.color = ShapeColor::Preset(preset);
+    }
     let cube = scene.add(NewShape::new("My cube # 1", ShapeKind::Cube));
     scene.add(NewShape::new("My cube # 1", ShapeKind::Cube));
     scene.shape_mut(cube).unwrap().placement = Placement {
@@ -373,17 +406,12 @@ fn with_materials_the_vertices_are_the_same_and_every_triangle_has_its_color_and
     };
     assert_eq!(lines(&written.obj), lines(&plain));
 
-    let mut files: HashMap<PathBuf, Vec<u8>> = HashMap::from([
-        (PathBuf::from("out.obj"), written.obj.into_bytes()),
-        (PathBuf::from("out.mtl"), written.mtl.into_bytes()),
-    ]);
-    assert_eq!(written.pictures.len(), 1);
-    files.extend(
-        written
-            .pictures
-            .into_iter()
-            .map(|(name, bytes)| (name.into(), bytes)),
-    );
+    let names: Vec<&str> = written.beside.iter().map(|(name, _)| &**name).collect();
+    assert_eq!(names, ["out-1.png", "out.mtl"]);
+    let beside = written.beside.into_iter();
+    let mut files: HashMap<PathBuf, Vec<u8>> =
+        beside.map(|(name, bytes)| (name.into(), bytes)).collect();
+    files.insert("out.obj".into(), written.obj.into_bytes());
     let obj = files.read(Path::new("out.obj")).unwrap();
     let read = read_shape_obj(&files, Path::new("out.obj"), &obj).unwrap();
     assert_eq!(read.warnings, []);
@@ -414,6 +442,25 @@ fn with_materials_the_vertices_are_the_same_and_every_triangle_has_its_color_and
         first += mesh.triangles.len();
     }
     assert_eq!(read.triangles.len(), first);
+}
+
+#[test]
+fn names_that_no_line_could_hold_become_others() {
+    let scene = colored();
+    let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+    let written = export_obj_with_materials(&scene, &evaluated, " my # file").unwrap();
+    assert!(written.obj.starts_with("mtllib my _ file.mtl\n"));
+    let beside = written.beside.into_iter();
+    let files: HashMap<PathBuf, Vec<u8>> =
+        beside.map(|(name, bytes)| (name.into(), bytes)).collect();
+    let read = read_shape_obj(&files, Path::new("a.obj"), written.obj.as_bytes()).unwrap();
+    assert_eq!(read.warnings, []);
+    let textures = read
+        .value
+        .groups
+        .iter()
+        .filter(|group| group.material.texture.is_some());
+    assert!(textures.count() > 0);
 }
 
 #[test]

@@ -108,12 +108,10 @@ fn geometry(args: &Args, session: &Session) -> Result<Files, CliError> {
     let stem = args.output.file_stem().unwrap_or_default();
     let written = io::export_obj_with_materials(scene, evaluated, &stem.to_string_lossy());
     let written = written.map_err(failed)?;
-    let pictures = written.pictures.into_iter();
-    let mut files: Files = pictures
+    let beside = written.beside.into_iter();
+    let mut files: Files = beside
         .map(|(name, bytes)| (args.output.with_file_name(name), bytes))
         .collect();
-    let mtl = args.output.with_extension("mtl");
-    files.push((mtl, written.mtl.into_bytes()));
     files.push((args.output.clone(), written.obj.into_bytes()));
     Ok(files)
 }

@@ -217,12 +217,12 @@ impl Painter<'_> {
         };
         let progress = &self.progress;
         progress.show(which);
+        let comma = if which.is_empty() { "" } else { ", " };
         let picture = self.offscreen.large_picture(&frame, &asked, |done, all| {
-            progress.show(format_args!(
-                "{which} part {} of {all}",
-                (done + 1).min(all)
-            ));
+            let part = (done + 1).min(all);
+            progress.show(format_args!("{which}{comma}part {part} of {all}"));
         })?;
+        progress.show("");
         for notice in self.offscreen.renderer().take_notices() {
             eprint_line(format_args!("warning: {notice}"));
         }
@@ -240,7 +240,7 @@ impl Painter<'_> {
         let mut pictures = cameras.enumerate().map(|(index, camera)| {
             let view = ViewSettings {
                 camera,
-                ..self.session.view().clone()
+                ..*self.session.view()
             };
             self.picture(&view, &format!("picture {} of {frames}", index + 1))
         });

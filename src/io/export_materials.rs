@@ -17,10 +17,8 @@ use std::sync::Arc;
 pub struct ObjWithMaterials {
     /// The `.obj` file.
     pub obj: String,
-    /// The `.mtl` file, which it names.
-    pub mtl: String,
-    /// Names of the pictures that the `.mtl` file names, and their content as PNG.
-    pub pictures: Vec<(String, Vec<u8>)>,
+    /// Names and content of the files beside it: pictures, and the `.mtl` file that names them.
+    pub beside: Vec<(String, Vec<u8>)>,
 }
 
 /// The geometry of a scene as [`super::export_obj`] writes it, with the same vertices in the same
@@ -45,6 +43,10 @@ pub fn export_obj_with_materials(
     let shapes = each_shape(scene, evaluated, |out, shape, evaluated| {
         write_shape(out, shape, evaluated, &mut materials, &mut next)
     })?;
+    // A comment begins at a #, and a line ends at a line break, whatever stands round them.
+    let stem = stem
+        .trim()
+        .replace(|c: char| c.is_control() || c == '#', "_");
     let picture_name = |index: usize| format!("{stem}-{}.png", index + 1);
     let pictures = materials.pictures.iter().enumerate();
     let pictures = pictures.filter_map(|(index, picture)| {
@@ -52,11 +54,11 @@ pub fn export_obj_with_materials(
         let bytes = image::encode(picture, image::PictureFormat::Png).ok()?;
         Some((picture_name(index), bytes))
     });
-    Ok(ObjWithMaterials {
-        obj: format!("mtllib {stem}.mtl\n{shapes}"),
-        mtl: materials.text(picture_name),
-        pictures: pictures.collect(),
-    })
+    let mut beside: Vec<_> = pictures.collect();
+    let mtl = format!("{stem}.mtl");
+    let obj = format!("mtllib {mtl}\n{shapes}");
+    beside.push((mtl, materials.text(picture_name).into_bytes()));
+    Ok(ObjWithMaterials { obj, beside })
 }
 
 /// Numbers of vertices, texture coordinates and normals that have been written.
