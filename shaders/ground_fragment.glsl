@@ -13,6 +13,8 @@ uniform float softness;
 // The light that the ground takes round the middle, so that shadows show; 0 seen from below, where
 // it would stand before the shapes.
 uniform float lit;
+// 1 with the lines of the grid, 0 without.
+uniform float grid;
 
 const float DARKNESS = 0.6;
 const vec3 GROUND = vec3(0.37, 0.39, 0.42);
@@ -49,7 +51,7 @@ void main() {
     float strength = max(0.35 * lines(on_ground, 1.0), 0.6 * lines(on_ground, 10.0));
     float away = length(on_ground - center) / reach;
     float fade = 1.0 - smoothstep(0.3, 1.0, away);
-    float coverage = strength * fade;
+    float coverage = grid * strength * fade;
     float pool = lit * (1.0 - smoothstep(0.0, 0.3, away));
     float shade = 0.0;
     if (has_shadows == 1) {

@@ -14,6 +14,7 @@ mod collada;
 mod compare;
 mod curves;
 mod editing;
+mod exporting;
 mod history;
 mod ik;
 mod interface;

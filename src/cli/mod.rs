@@ -12,6 +12,7 @@ mod output;
 pub mod render;
 mod render_ui;
 pub mod submit;
+mod turntable;
 
 pub use arguments::SkinningName;
 pub use output::{CliError, print};

@@ -2,13 +2,13 @@
 
 use crate::disk;
 use crate::gpu::GpuError;
+use crate::io::Diagnostic;
 use crate::io::image::PictureFormat;
-use crate::io::{Diagnostic, expect_extension};
 use crate::program::ProgramError;
 use crate::render::{OffscreenError, RenderError};
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{ErrorKind, Write};
+use std::io::{ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -44,6 +44,12 @@ impl From<GpuError> for CliError {
 impl From<RenderError> for CliError {
     fn from(error: RenderError) -> Self {
         Self::Other(error.to_string())
+    }
+}
+
+impl From<String> for CliError {
+    fn from(message: String) -> Self {
+        Self::Other(message)
     }
 }
 
@@ -150,6 +156,35 @@ pub fn eprint_line(what: impl Display) {
     let _ = writeln!(std::io::stderr().lock(), "{}", visible(&what.to_string()));
 }
 
+/// Progress of long work in one line on standard error, if that is a terminal. The line goes when
+/// this is dropped.
+#[derive(Debug)]
+pub struct Progress {
+    is_shown: bool,
+}
+
+impl Progress {
+    pub fn new() -> Self {
+        Self {
+            is_shown: std::io::stderr().is_terminal(),
+        }
+    }
+
+    /// Shows `what` in place of what was shown before.
+    pub fn show(&self, what: impl Display) {
+        if self.is_shown {
+            // If that fails, there is nowhere left to report it.
+            let _ = write!(std::io::stderr().lock(), "\r\x1b[K{what}");
+        }
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.show("");
+    }
+}
+
 /// `text` in one line, with control characters escaped: names from files, and of files, must
 /// neither control the terminal nor look like lines of the program.
 pub fn visible(text: &str) -> String {
@@ -172,14 +207,6 @@ pub fn visible(text: &str) -> String {
 /// If it is none that can be written: wrong usage, reported before any work is done.
 pub fn picture_format(output: &Path) -> Result<PictureFormat, CliError> {
     PictureFormat::of(output).map_err(|error| CliError::Usage(error.to_string()))
-}
-
-/// Checks that the path of the mesh to write ends in `.obj`.
-///
-/// # Errors
-/// If it does not: wrong usage, reported before any work is done.
-pub fn expect_obj(output: &Path) -> Result<(), CliError> {
-    expect_extension(output, "obj").map_err(|error| CliError::Usage(error.to_string()))
 }
 
 /// Refuses to overwrite one of the files that are read.

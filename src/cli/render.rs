@@ -2,32 +2,39 @@
 
 use super::CliError;
 use super::arguments::{self, DisplayOptions, edit, load};
-use super::output::{eprint_line, picture_format};
+use super::output::{Progress, eprint_line, picture_format};
 use super::render_ui::{self, PanelOptions};
+use super::turntable;
 use crate::disk;
 use crate::editor::{Session, View};
+use crate::geometry::Picture;
 use crate::gpu::Backend;
-use crate::io;
-use crate::render::{Frame, Marks, Offscreen};
-use crate::scene::{Camera, Look, ViewDirection};
+use crate::io::image::PictureFormat;
+use crate::io::{self, Diagnostic};
+use crate::render::{Background, Frame, LargePicture, Marks, Offscreen};
+use crate::scene::{Camera, Look, ViewDirection, ViewSettings};
 use std::path::PathBuf;
 
 /// Draws scenes, characters and shapes into a picture, without a window or a display.
 ///
-/// The same input gives the same picture, byte for byte, on every run.
+/// The same input gives the same picture, byte for byte, on every run. Pictures that are larger than
+/// the driver can draw are put together of several.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
     editor render builtin:showcase --samples 4 -o showcase.png\n  \
-    editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png")]
+    editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png\n  \
+    editor render builtin:adult --fit --turntable 36 --size 400x400 -o adult.gif")]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
     /// (.obj, .dae), curves (.swp), or builtin:NAME.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// The picture to write; its extension is .png, .jpg or .gif.
+    /// The picture to write; its extension is .png, .jpg or .gif. With --turntable an animated .gif,
+    /// or numbered pictures such as OUT-%03d.png, from 1.
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
-    /// Width and height in pixels.
+    /// Width and height in pixels, of at most 268435456 together; JPEG and GIF have at most 65535 a
+    /// side.
     #[arg(long, default_value = "800x600", value_parser = arguments::size)]
     size: (u32, u32),
     /// Camera: angles in degrees, distance, and the point it looks at.
@@ -62,6 +69,13 @@ pub struct Args {
     /// on the processor, 4 for any other.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = arguments::samples)]
     samples: u32,
+    /// Leave the background out, into a .png that is transparent there. Shadows on the Studio look's
+    /// ground stay; the ground's light and lines, and the Mannequin look's floor, are left out.
+    #[arg(long, conflicts_with = "ui")]
+    transparent: bool,
+    /// Draw N pictures on the way once round the point that the camera looks at; --fit fits all.
+    #[arg(long, value_name = "N", conflicts_with = "ui", allow_hyphen_values = true, value_parser = turntable::frames)]
+    turntable: Option<u32>,
     /// OpenGL that draws.
     #[arg(long, default_value = "auto")]
     gl: GlName,
@@ -96,10 +110,12 @@ enum GlName {
 /// When a file cannot be read or written, a joint of the pose is missing, there is no OpenGL, or
 /// the picture is too large for it.
 pub fn run(args: &Args) -> Result<(), CliError> {
-    let format = picture_format(&args.output)?;
-    if args.ui {
-        render_ui::check_size(args.size)?;
-    }
+    let format = check_output(args)?;
+    let turntable = args.turntable.map(|frames| {
+        let output = turntable::Output::of(&args.output)?;
+        Ok::<_, CliError>((frames, output))
+    });
+    let turntable = turntable.transpose()?;
     let session = session(args)?;
     let backend = match args.gl {
         GlName::Auto => Backend::Auto,
@@ -107,34 +123,140 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         GlName::Osmesa => Backend::Osmesa,
     };
     let skinning = args.skinning.map(Into::into);
-    let picture = if args.ui {
-        render_ui::picture(
-            &args.panels,
-            session,
-            backend,
-            args.size,
-            args.samples,
-            skinning,
-        )?
+    let encode = |picture: &Picture| {
+        let encoded = io::image::encode(picture, format);
+        encoded.map_err(|message| Diagnostic::new(&args.output, message).into())
+    };
+    let files = if args.ui {
+        let (size, samples) = (args.size, args.samples);
+        let picture = render_ui::picture(&args.panels, session, backend, size, samples, skinning)?;
+        vec![(args.output.clone(), encode(&picture)?)]
     } else {
         let mut offscreen = Offscreen::new(backend)?;
         offscreen.renderer().set_skinning(skinning);
+        let mut painter = Painter {
+            args,
+            session: &session,
+            offscreen,
+            progress: Progress::new(),
+        };
+        match turntable {
+            None => {
+                let picture = painter.picture(session.view(), "")?;
+                vec![(args.output.clone(), encode(&picture)?)]
+            }
+            Some((frames, output)) => painter.turn(frames, &output, encode)?,
+        }
+    };
+    Ok(disk::write_all_whole(&files)?)
+}
+
+/// Most pixels of a picture: as many as one of 16384×16384, which take 1 GiB.
+const MOST_PIXELS: u64 = 1 << 28;
+/// Most pixels a side of a JPEG or GIF.
+const MOST_A_SIDE: u32 = 65_535;
+
+/// The format of the picture, once it is clear that it can hold what is asked for.
+///
+/// # Errors
+/// If it cannot, before any work is done.
+fn check_output(args: &Args) -> Result<PictureFormat, CliError> {
+    let format = picture_format(&args.output)?;
+    let (width, height) = args.size;
+    if args.ui {
+        render_ui::check_size(args.size)?;
+    }
+    let wrong = |message: String| Diagnostic::new(&args.output, message);
+    if args.transparent && format != PictureFormat::Png {
+        let message = "expected a name that ends in .png with --transparent".to_owned();
+        return Err(CliError::Usage(wrong(message).to_string()));
+    }
+    if u64::from(width) * u64::from(height) > MOST_PIXELS {
+        let message = format!(
+            "expected a picture of at most {MOST_PIXELS} pixels, as of 16384x16384, found \
+             {width}x{height}"
+        );
+        return Err(wrong(message).into());
+    }
+    if format != PictureFormat::Png && width.max(height) > MOST_A_SIDE {
+        let message = format!(
+            "expected at most {MOST_A_SIDE} pixels a side of a JPEG or GIF, found {width}x{height}: \
+             a PNG may have more"
+        );
+        return Err(wrong(message).into());
+    }
+    Ok(format)
+}
+
+/// Draws the pictures of a command.
+struct Painter<'a> {
+    args: &'a Args,
+    session: &'a Session,
+    offscreen: Offscreen,
+    progress: Progress,
+}
+
+impl Painter<'_> {
+    /// A picture seen as `view`; the progress begins with `which`.
+    fn picture(&mut self, view: &ViewSettings, which: &str) -> Result<Picture, CliError> {
         let frame = Frame {
-            scene: session.scene(),
-            evaluated: session.evaluated(),
-            view: session.view(),
+            scene: self.session.scene(),
+            evaluated: self.session.evaluated(),
+            view,
             marks: Marks::default(),
         };
-        let picture = offscreen.picture(&frame, args.size, args.samples)?;
-        for notice in offscreen.renderer().take_notices() {
+        let asked = LargePicture {
+            size: self.args.size,
+            samples: self.args.samples,
+            background: if self.args.transparent {
+                Background::Transparent
+            } else {
+                Background::Look
+            },
+            tile: None,
+        };
+        let progress = &self.progress;
+        progress.show(which);
+        let comma = if which.is_empty() { "" } else { ", " };
+        let picture = self.offscreen.large_picture(&frame, &asked, |done, all| {
+            let part = (done + 1).min(all);
+            progress.show(format_args!("{which}{comma}part {part} of {all}"));
+        })?;
+        progress.show("");
+        for notice in self.offscreen.renderer().take_notices() {
             eprint_line(format_args!("warning: {notice}"));
         }
-        picture
-    };
-    let bytes = io::image::encode(&picture, format)
-        .map_err(|message| io::Diagnostic::new(&args.output, message))?;
-    disk::write_whole(&args.output, &bytes)?;
-    Ok(())
+        Ok(picture)
+    }
+
+    /// The files of a turntable.
+    fn turn(
+        &mut self,
+        frames: u32,
+        output: &turntable::Output,
+        encode: impl Fn(&Picture) -> Result<Vec<u8>, CliError>,
+    ) -> Result<Vec<(PathBuf, Vec<u8>)>, CliError> {
+        let cameras = turntable::cameras(self.session.view().camera, frames);
+        let mut pictures = cameras.enumerate().map(|(index, camera)| {
+            let view = ViewSettings {
+                camera,
+                ..*self.session.view()
+            };
+            self.picture(&view, &format!("picture {} of {frames}", index + 1))
+        });
+        match output {
+            turntable::Output::Gif => {
+                let time = turntable::milliseconds(frames);
+                let gif = io::animated_gif(pictures, time)?;
+                Ok(vec![(self.args.output.clone(), gif)])
+            }
+            turntable::Output::Frames(names) => {
+                let numbered = (1..).zip(&mut pictures);
+                let files = numbered.map(|(n, picture)| Ok((names.path(n), encode(&picture?)?)));
+                files.collect()
+            }
+        }
+    }
 }
 
 fn session(args: &Args) -> Result<Session, CliError> {
@@ -158,7 +280,11 @@ fn session(args: &Args) -> Result<Session, CliError> {
         let (width, height) = args.size;
         let mut camera = session.view().camera;
         let bounds = session.evaluated().world_bounds();
-        camera.fit(&bounds, width as f32 / height as f32);
+        let aspect = width as f32 / height as f32;
+        match args.turntable {
+            Some(frames) => turntable::fit(&mut camera, frames, &bounds, aspect),
+            None => camera.fit(&bounds, aspect),
+        }
         session.look(View::SetCamera(camera));
     }
     Ok(session)

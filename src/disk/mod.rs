@@ -3,7 +3,7 @@
 
 mod write;
 
-pub use write::{keep_beside, write_whole, write_with_folders};
+pub use write::{keep_beside, write_all_whole, write_whole, write_with_folders};
 
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, WithArchives};

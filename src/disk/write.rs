@@ -18,14 +18,43 @@ const MOST_LINKS: usize = 40;
 /// If the folder does not exist or is not writable, the disk is full, or `path` is a folder, a
 /// device or a pipe. Then nothing is left behind.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    staged(path, bytes)?.put_in_place()
+}
+
+/// Writes several files that belong together, each as [`write_whole`] does: all are first written
+/// to temporary files, and then renamed in their order, so that a file that names others comes last.
+///
+/// # Errors
+/// As [`write_whole`], at the first file; then nothing is left behind. Only if the system refuses to
+/// rename one that it let be written, those before it stay.
+pub fn write_all_whole(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Diagnostic> {
+    let all = files.iter().map(|(path, bytes)| staged(path, bytes));
+    let all: Vec<Staged> = all.collect::<Result<_, _>>()?;
+    all.into_iter().try_for_each(Staged::put_in_place)
+}
+
+/// A file that is written, under a temporary name.
+struct Staged {
+    path: PathBuf,
+    target: PathBuf,
+    file: NamedTempFile,
+}
+
+impl Staged {
+    fn put_in_place(self) -> Result<(), Diagnostic> {
+        let persisted = self.file.persist(&self.target);
+        persisted.map_err(|error| cannot_write(&self.path, &self.target, &error.error))?;
+        Ok(())
+    }
+}
+
+/// Writes `bytes` to a temporary file beside `path`.
+fn staged(path: &Path, bytes: &[u8]) -> Result<Staged, Diagnostic> {
     let Some(target) = behind_links(path) else {
         let message = "expected a file to write, found a link that leads to itself";
         return Err(Diagnostic::new(path, message));
     };
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(&target);
     if let Ok(found) = std::fs::metadata(&target) {
         let wrong = if found.is_dir() {
             Some("expected a file to write, found a folder")
@@ -44,15 +73,32 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
         let message = format!("there is no folder {}", folder.display());
         return Err(Diagnostic::new(path, message));
     }
-    write_beside(&target, folder, bytes).map_err(|error| {
-        let message = match error.kind() {
-            ErrorKind::PermissionDenied => {
-                format!("there is no permission to write in {}", folder.display())
-            }
-            _ => in_words(&error),
-        };
-        Diagnostic::new(path, message)
-    })
+    match write_beside(&target, folder, bytes) {
+        Ok(file) => Ok(Staged {
+            path: path.to_owned(),
+            target,
+            file,
+        }),
+        Err(error) => Err(cannot_write(path, &target, &error)),
+    }
+}
+
+fn folder_of(target: &Path) -> &Path {
+    match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn cannot_write(path: &Path, target: &Path, error: &io::Error) -> Diagnostic {
+    let message = match error.kind() {
+        ErrorKind::PermissionDenied => {
+            let folder = folder_of(target).display();
+            format!("there is no permission to write in {folder}")
+        }
+        _ => in_words(error),
+    };
+    Diagnostic::new(path, message)
 }
 
 /// Keeps the file at `path` a second time as `NAME~` beside it, in the place of an older one: it
@@ -99,8 +145,8 @@ fn behind_links(path: &Path) -> Option<PathBuf> {
 const PREFIX: &str = ".editor-";
 const SUFFIX: &str = ".part";
 
-/// Writes `bytes` to a temporary file in `folder`, which is then renamed to `target`.
-fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<()> {
+/// Writes `bytes` to a temporary file in `folder`, with the permissions that `target` has.
+fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
     remove_abandoned(folder);
     let mut file = temporary_file(folder)?;
     file.write_all(bytes)?;
@@ -108,8 +154,7 @@ fn write_beside(target: &Path, folder: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Ok(before) = std::fs::metadata(target) {
         file.as_file().set_permissions(before.permissions())?;
     }
-    file.persist(target).map_err(|error| error.error)?;
-    Ok(())
+    Ok(file)
 }
 
 /// A new temporary file in `folder`, locked for as long as it is open: the lock says that someone
@@ -208,6 +253,22 @@ mod tests {
         let error = write_whole(&path, b"two").unwrap_err();
         assert_eq!(error.message, "this file is write-protected");
         assert_eq!(fs::read(&path).unwrap(), b"one");
+    }
+
+    #[test]
+    fn files_that_belong_together_are_written_all_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = |name: &str, text: &str| (folder.path().join(name), text.as_bytes().to_vec());
+        fs::write(folder.path().join("a.obj"), "old").unwrap();
+        let missing = file("none/a.png", "3");
+        let error = write_all_whole(&[file("a.obj", "1"), file("a.mtl", "2"), missing]);
+        assert!(error.unwrap_err().message.starts_with("there is no folder"));
+        assert_eq!(fs::read(folder.path().join("a.obj")).unwrap(), b"old");
+        assert_eq!(entries(folder.path()), 1);
+        write_all_whole(&[file("a.mtl", "2"), file("a.obj", "1")]).unwrap();
+        assert_eq!(fs::read(folder.path().join("a.obj")).unwrap(), b"1");
+        assert_eq!(fs::read(folder.path().join("a.mtl")).unwrap(), b"2");
+        assert_eq!(entries(folder.path()), 2);
     }
 
     #[cfg(unix)]

@@ -1,4 +1,4 @@
-use crate::scene::{Evaluated, EvaluatedShape, Scene, ShapeKind};
+use crate::scene::{Evaluated, EvaluatedShape, Scene, Shape, ShapeKind};
 use glam::{Mat4, Vec3};
 use std::fmt::Write;
 
@@ -14,25 +14,41 @@ use std::fmt::Write;
 /// At the first shape with a vertex that lies too far out for its coordinates to be numbers: no
 /// program could read the file.
 pub fn export_obj(scene: &Scene, evaluated: &Evaluated) -> Result<String, TooFarOut> {
-    let mut out = String::new();
     let mut first_vertex = 1;
-    // A line ends where a name does, whatever is in it.
-    let on_one_line = |text: &str| text.replace(char::is_control, " ");
-    for shape in &evaluated.shapes {
-        let known = scene.shape(shape.id);
-        let name = on_one_line(known.map_or("Shape", |shape| &shape.name));
-        if let Some(ShapeKind::Missing(missing)) = known.map(|shape| &shape.kind) {
+    each_shape(scene, evaluated, |out, _, shape| {
+        let written = write_mesh(out, shape, first_vertex)?;
+        first_vertex += written;
+        Some(())
+    })
+}
+
+/// The text of an `.obj` file in which `write` writes each shape of `scene` that is there; it
+/// returns `None` for one with a vertex that is not finite.
+///
+/// # Errors
+/// At the first such shape.
+pub(super) fn each_shape(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    mut write: impl FnMut(&mut String, &Shape, &EvaluatedShape) -> Option<()>,
+) -> Result<String, TooFarOut> {
+    let mut out = String::new();
+    for (shape, evaluated) in scene.shapes().iter().zip(&evaluated.shapes) {
+        let name = on_one_line(&shape.name);
+        if let ShapeKind::Missing(missing) = &shape.kind {
             let reason = on_one_line(&missing.reason);
             out.push_str(&format!("# {name} is left out: {reason}\n"));
             continue;
         }
         out.push_str(&format!("o {name}\n"));
-        match write_mesh(&mut out, shape, first_vertex) {
-            Some(written) => first_vertex += written,
-            None => return Err(TooFarOut { shape: name }),
-        }
+        write(&mut out, shape, evaluated).ok_or(TooFarOut { shape: name })?;
     }
     Ok(out)
+}
+
+/// `text` without line breaks: a line ends where a name does, whatever is in it.
+pub(super) fn on_one_line(text: &str) -> String {
+    text.replace(char::is_control, " ")
 }
 
 /// Error of an export: a shape with a vertex whose coordinates are not finite.
@@ -58,8 +74,19 @@ fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> 
         let [a, b, c] = [a, b, c].map(|index| first_vertex + index as usize);
         let _ = writeln!(out, "f {a} {b} {c}");
     }
-    let mut written = positions.len();
-    for curve in geometry.curves.iter().flat_map(|all| &all.curves) {
+    let curves = write_curves(out, shape, first_vertex + positions.len())?;
+    Some(positions.len() + curves)
+}
+
+/// Writes the curves of a shape as lines, and returns how many vertices it wrote; `None` if one is
+/// not finite.
+pub(super) fn write_curves(
+    out: &mut String,
+    shape: &EvaluatedShape,
+    first_vertex: usize,
+) -> Option<usize> {
+    let mut written = 0;
+    for curve in shape.geometry.curves.iter().flat_map(|all| &all.curves) {
         write_vertices(out, shape, curve.positions())?;
         out.push('l');
         for _ in curve.positions() {
@@ -74,7 +101,7 @@ fn write_mesh(out: &mut String, shape: &EvaluatedShape, first_vertex: usize) -> 
 
 /// Writes `positions`, in the shape's model space, as they stand in the world; `None` if one is
 /// not finite there.
-fn write_vertices(
+pub(super) fn write_vertices(
     out: &mut String,
     shape: &EvaluatedShape,
     positions: impl Iterator<Item = Vec3>,

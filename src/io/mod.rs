@@ -2,12 +2,15 @@
 //! dialog or a window.
 
 mod angle;
+mod animation;
 mod archive;
 mod attach;
 pub mod builtin;
 pub mod dae;
 mod diagnostic;
 mod export;
+mod export_character;
+mod export_materials;
 mod file_access;
 mod file_importer;
 pub mod image;
@@ -26,10 +29,13 @@ mod scene;
 mod skel;
 mod swp;
 
+pub use animation::animated_gif;
 pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::{TooFarOut, export_obj};
+pub use export_character::{CharacterFiles, NotExpressible, export_character};
+pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
 pub use file_access::{Files, expect_extension};
 pub use file_importer::{
     IMPORTABLE, Loaded, import_any, import_character, import_collada, import_curve, import_shape,

@@ -1,6 +1,6 @@
 //! The passes before the shapes: the background, the Mannequin look's floor, and the axes.
 
-use super::renderer::PassContext;
+use super::renderer::{Background, PassContext};
 use super::surface_pass::MANNEQUIN_LIGHT;
 use crate::gpu::{
     Attribute, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Mode, Primitive,
@@ -40,6 +40,10 @@ impl BackgroundPass {
     }
 
     pub fn draw(&self, gl: &Gl, context: &PassContext, look: Look, target: &Framebuffer) {
+        if context.background == Background::Transparent {
+            target.clear([0.0; 4]);
+            return;
+        }
         match look {
             Look::Mannequin => target.clear(TEAL),
             Look::Course | Look::Studio => target.clear([COURSE, COURSE, COURSE, 1.0]),
@@ -55,6 +59,10 @@ impl BackgroundPass {
         state.apply(gl);
         self.program.set_vec3("top", STUDIO_TOP);
         self.program.set_vec3("bottom", STUDIO_BOTTOM);
+        let (half, center) = context.tile.in_picture();
+        let lowest = 0.5 * (center.y + 1.0 - half.y);
+        self.program.set_f32("lowest", lowest);
+        self.program.set_f32("part", half.y);
         self.triangle
             .draw(&self.program, Primitive::Triangles, 0..3);
     }
@@ -93,12 +101,14 @@ impl FloorPass {
         };
         state.apply(gl);
         let half_height = (camera.fovy * 0.5).tan();
-        let half_width = half_height * context.width as f32 / context.height as f32;
+        let half_width = half_height * context.tile.aspect();
+        let (across, upwards) = (camera.right() * half_width, camera.up() * half_height);
+        let (half, center) = context.tile.in_picture();
         let program = &self.program;
         let ahead = camera.up().cross(camera.right());
-        program.set_vec3("ahead", ahead);
-        program.set_vec3("across", camera.right() * half_width);
-        program.set_vec3("upwards", camera.up() * half_height);
+        program.set_vec3("ahead", ahead + across * center.x + upwards * center.y);
+        program.set_vec3("across", across * half.x);
+        program.set_vec3("upwards", upwards * half.y);
         program.set_vec3("eye", camera.eye());
         program.set_vec3("light", MANNEQUIN_LIGHT);
         program.set_f32("height", FLOOR_HEIGHT);

@@ -2,7 +2,7 @@
 
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
-use super::renderer::{Frame, PassContext};
+use super::renderer::{Background, Frame, PassContext};
 use super::surface_pass::surfaces;
 use crate::gpu::{
     Attribute, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program,
@@ -93,7 +93,7 @@ const LIT: f32 = 0.6;
 const SOFTNESS: f32 = 0.07;
 
 /// The Studio look's ground: a grid, one unit wide, every tenth line stronger,
-/// and shadows with soft edges.
+/// and shadows with soft edges. Before a transparent background only the shadows.
 #[derive(Debug)]
 pub(super) struct GroundPass {
     program: Program,
@@ -150,8 +150,10 @@ impl GroundPass {
             .set_i32("has_shadows", i32::from(shadows.is_some()));
         self.program.set_f32("softness", SOFTNESS);
         let is_above = camera.eye().y > context.ground;
-        let lit = if is_above { LIT } else { 0.0 };
+        let is_shown = context.background == Background::Look;
+        let lit = if is_above && is_shown { LIT } else { 0.0 };
         self.program.set_f32("lit", lit);
+        self.program.set_f32("grid", f32::from(is_shown));
         self.square
             .draw(&self.program, Primitive::TriangleStrip, 0..4);
     }

@@ -16,10 +16,11 @@ mod renderer;
 mod skeleton_pass;
 mod skinning_tables;
 mod surface_pass;
+mod tile;
 mod upload_cache;
 
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use compose::{compose, view_place};
-pub use offscreen::{Offscreen, OffscreenError, read_picture};
+pub use offscreen::{LargePicture, Offscreen, OffscreenError, read_picture};
 pub use read_back::read_back_skinning;
-pub use renderer::{Frame, Marks, RenderError, Renderer};
+pub use renderer::{Background, Frame, Marks, RenderError, Renderer};

@@ -91,7 +91,10 @@ impl OutlinePass {
         program.set_sampler("mask", 0);
         program.set_vec3("selected_color", SELECTED);
         program.set_vec3("hovered_color", HOVERED);
-        program.set_i32("reach", (WIDTH * height.div_ceil(800)).min(6) as i32);
+        program.set_i32(
+            "reach",
+            (WIDTH * context.tile.whole.1.div_ceil(800)).min(6) as i32,
+        );
         self.whole_picture.draw(program, Primitive::Triangles, 0..3);
         Ok(())
     }

@@ -7,6 +7,7 @@ use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
 use super::surface_pass::SurfacePass;
+use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError, Immediate, Info};
 use crate::scene::{
     Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, Skinning, ViewSettings,
@@ -55,11 +56,28 @@ pub struct Marks {
 /// Values that all passes of one picture share.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PassContext {
+    /// Width of the tile, in pixels.
     pub width: u32,
+    /// Height of the tile, in pixels.
     pub height: u32,
+    /// The part of the picture that is drawn.
+    pub tile: Tile,
+    pub background: Background,
+    /// From the world to the tile's clip space.
     pub clip_from_world: Mat4,
     /// Height of the Studio look's ground in the world.
     pub ground: f32,
+}
+
+/// What is drawn behind the shapes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Background {
+    /// The background of the look, and its ground or floor.
+    #[default]
+    Look,
+    /// Nothing: the picture is transparent there. Of the Studio look's ground only the shadows are
+    /// drawn. Colors are multiplied by alpha.
+    Transparent,
 }
 
 /// Why a picture is not, or not as a whole, as it should be.
@@ -124,11 +142,26 @@ impl Renderer {
     /// When something does not fit into the driver's memory or limits, or a GL error occurred: the
     /// first of these.
     pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        let tile = Tile::whole((target.width(), target.height()));
+        self.draw_tile(frame, target, tile, Background::Look)
+    }
+
+    /// As [`Renderer::draw`], but only the part `tile` of the picture, which `target` is as large as.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub(super) fn draw_tile(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        tile: Tile,
+        background: Background,
+    ) -> Result<(), RenderError> {
         // Faults that came before are not those of a mesh.
         let before = self.gl.check("what came before the scene");
         let updated = self.update_meshes(frame);
         self.curves.update(&self.gl, frame, &mut self.immediate);
-        let drawn = self.draw_passes(frame, target);
+        let drawn = self.draw_passes(frame, target, tile, background);
         let after = self.gl.check("drawing the scene");
         before.and(updated)?;
         let mut parts = self.meshes.left_out(frame);
@@ -139,27 +172,32 @@ impl Renderer {
         Ok(drawn.and(after)?)
     }
 
-    fn draw_passes(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), GpuError> {
+    fn draw_passes(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        tile: Tile,
+        background: Background,
+    ) -> Result<(), GpuError> {
         let Self {
             gl,
             meshes,
             immediate,
             ..
         } = self;
-        let (width, height) = (target.width(), target.height());
         let camera = &frame.view.camera;
-        let aspect = width as f32 / height as f32;
-        let clip_from_world = camera.clip_from_world(aspect);
         let context = PassContext {
-            width,
-            height,
-            clip_from_world,
+            width: target.width(),
+            height: target.height(),
+            tile,
+            background,
+            clip_from_world: tile.clip_from_whole() * camera.clip_from_world(tile.aspect()),
             ground: meshes.ground_height(frame.evaluated),
         };
 
         self.background.draw(gl, &context, frame.view.look, target);
         let is_mannequin = frame.view.look == Look::Mannequin;
-        if frame.view.grid && is_mannequin {
+        if frame.view.grid && is_mannequin && background == Background::Look {
             self.floor.draw(gl, &context, camera);
         }
         if frame.view.axis {

@@ -14,3 +14,4 @@ mod shadows;
 mod skinning;
 mod support;
 mod texture;
+mod tiles;

@@ -231,3 +231,191 @@ fn a_file_is_replaced_and_never_written_over() {
     assert_eq!(fs::read_to_string(&held).unwrap(), "the version before");
     assert_eq!(vertices(&out).len(), 4);
 }
+
+/// The largest distance between vertices of two `.obj` files.
+fn apart(a: &Path, b: &Path) -> f32 {
+    let (a, b) = (vertices(a), vertices(b));
+    assert_eq!(a.len(), b.len());
+    let far = a.iter().zip(&b).map(|(a, b)| {
+        let squares = (0..3).map(|axis| (a[axis] - b[axis]).powi(2));
+        squares.sum::<f32>().sqrt()
+    });
+    far.fold(0.0, f32::max)
+}
+
+#[test]
+fn a_rig_of_three_trees_becomes_a_character_with_its_pose_that_stands_as_before() {
+    let folder = folder();
+    let run = |line: &str| {
+        let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        assert_eq!((ran.code, &*ran.out), (Some(0), ""), "{line}: {}", ran.err);
+        ran.err
+    };
+    let before = files_in(folder.path()).len();
+    run("export builtin:creature --pose builtin:creature-wave -o out.skel");
+    let written = ["out.attach", "out.json", "out.obj", "out.skel"].map(|name| name.into());
+    let found = files_in(folder.path());
+    assert_eq!(found.len(), before + 4);
+    assert!(written.iter().all(|name| found.contains(name)), "{found:?}");
+    let skel = fs::read_to_string(folder.path().join("out.skel")).unwrap();
+    assert!(skel.starts_with("0 0 0 -1 # Added root\n"), "{skel}");
+
+    run("export builtin:creature --pose builtin:creature-wave -o was.obj");
+    assert_eq!(run("export out.obj --pose out.json -o is.obj"), "");
+    let path = |name: &str| folder.path().join(name);
+    // The creature is about as high as 2.
+    assert!(apart(&path("was.obj"), &path("is.obj")) < 1e-5);
+    run("export builtin:creature -o rest.obj");
+    // At rest, too, the vertices of the first are sums of weights, which are rounded.
+    assert!(apart(&path("rest.obj"), &path("out.obj")) < 1e-5);
+    assert!(apart(&path("rest.obj"), &path("was.obj")) > 0.1);
+}
+
+#[test]
+fn what_is_no_single_character_is_refused_and_a_name_chooses_one() {
+    let folder = folder();
+    let before = files_in(folder.path());
+    let two = "man.obj builtin:robot";
+    for (line, code, error) in [
+        (
+            "box.obj -o out.skel",
+            1,
+            "box.obj: expected a character to write, found none",
+        ),
+        (
+            "man.obj builtin:robot -o out.skel",
+            1,
+            "man.obj: expected one character, found “Man”, “Robot”: choose one with --shape NAME",
+        ),
+        (
+            "man.obj builtin:robot --shape Woman -o out.skel",
+            1,
+            "man.obj: expected the name of a character, such as “Man”, “Robot”, found “Woman”",
+        ),
+        (
+            "man.obj man.obj --shape Man -o out.skel",
+            1,
+            "man.obj: expected one character called “Man”, found several",
+        ),
+        (
+            "man.obj -o man.skel",
+            1,
+            "man.obj: expected another file to write than the one that is read",
+        ),
+        (
+            "man.obj --pose bend.json -o bend.skel",
+            1,
+            "bend.json: expected another file to write than the one that is read",
+        ),
+        (
+            "man.obj --materials -o out.skel",
+            2,
+            "out.skel: expected a name that ends in .obj with --materials, found one that ends in .skel",
+        ),
+        (
+            "man.obj --shape Man -o out.obj",
+            2,
+            "out.obj: expected a name that ends in .skel with --shape, found one that ends in .obj",
+        ),
+        (
+            "man.obj -o out.stl",
+            2,
+            "out.stl: expected a name that ends in .obj or .skel",
+        ),
+    ] {
+        let arguments: Vec<_> = std::iter::once("export").chain(line.split(' ')).collect();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(
+            (ran.code, &*ran.out),
+            (Some(code), ""),
+            "{line}: {}",
+            ran.err
+        );
+        let told = format!("error: {error}");
+        assert!(
+            ran.err.lines().any(|line| line == told),
+            "{line}: {}",
+            ran.err
+        );
+    }
+    assert_eq!(files_in(folder.path()), before);
+    let line = format!("export {two} --shape Robot -o out.skel");
+    let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let ran = editor_in(folder.path(), &["check", "out.obj"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+}
+
+#[test]
+fn materials_lie_beside_the_geometry_and_without_the_option_nothing_changes() {
+    let folder = folder();
+    let export = |options: &[&str]| {
+        let ran = editor_in(
+            folder.path(),
+            &[&["export", "builtin:crate"], options].concat(),
+        );
+        assert_eq!(
+            (ran.code, &*ran.out, &*ran.err),
+            (Some(0), "", ""),
+            "{options:?}"
+        );
+    };
+    let before = files_in(folder.path()).len();
+    export(&["-o", "plain.obj"]);
+    assert_eq!(files_in(folder.path()).len(), before + 1);
+    export(&["--materials", "-o", "out.obj"]);
+    let text = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
+    let plain = text("plain.obj");
+    assert!(!plain.contains("mtl") && plain.lines().all(|line| !line.starts_with("vt")));
+    assert_eq!(
+        vertices(&folder.path().join("plain.obj")),
+        vertices(&folder.path().join("out.obj"))
+    );
+    assert!(text("out.obj").starts_with("mtllib out.mtl\no Crate\nv "));
+    assert!(
+        text("out.mtl").contains("map_Kd out-1.png\n"),
+        "{}",
+        text("out.mtl")
+    );
+    let written = image::open(folder.path().join("out-1.png"))
+        .unwrap()
+        .to_rgba8();
+    let original = image::open("assets/rigs/crate.png").unwrap().to_rgba8();
+    assert!(written == original);
+    let ran = editor_in(folder.path(), &["check", "out.obj"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    let picture = |file: &str, name: &str| {
+        let arguments = [
+            "render",
+            file,
+            "--look",
+            "studio",
+            "--camera=60,20,6",
+            "-o",
+            name,
+        ];
+        assert_eq!(editor_in(folder.path(), &arguments).code, Some(0));
+        image::open(folder.path().join(name)).unwrap().to_rgba8()
+    };
+    assert!(picture("builtin:crate", "a.png") == picture("out.obj", "b.png"));
+}
+
+#[test]
+fn files_that_belong_together_are_written_all_or_none() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("out.mtl")).unwrap();
+    fs::create_dir(folder.path().join("man2.obj")).unwrap();
+    let before = files_in(folder.path());
+    for (line, error) in [
+        (
+            "export builtin:crate --materials -o out.obj",
+            "error: out.mtl: ",
+        ),
+        ("export builtin:robot -o man2.skel", "error: man2.obj: "),
+    ] {
+        let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        let told = format!("{error}expected a file to write, found a folder\n");
+        assert_eq!((ran.code, ran.err), (Some(1), told), "{line}");
+    }
+    assert_eq!(files_in(folder.path()), before);
+}

@@ -342,3 +342,163 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
         assert_eq!(files_in(folder.path()), before, "{arguments:?}");
     }
 }
+
+/// What a run that must succeed without a word wrote.
+fn drawn_as(folder: &Path, line: &str, name: &str) -> image::RgbaImage {
+    let ran = editor_in(folder, &line.split(' ').collect::<Vec<_>>());
+    assert_eq!(
+        (ran.code, &*ran.out, &*ran.err),
+        (Some(0), "", ""),
+        "{line}"
+    );
+    picture(folder, name)
+}
+
+#[test]
+fn a_picture_wider_than_any_driver_draws_is_put_together_the_same_every_time() {
+    let folder = folder();
+    let size = "render builtin:robot --size 40000x30";
+    let wide = drawn_as(folder.path(), &format!("{size} -o a.png"), "a.png");
+    assert_eq!(wide.dimensions(), (40_000, 30));
+    let columns = wide
+        .enumerate_pixels()
+        .filter(|(_, _, pixel)| pixel.0 != [26, 26, 26, 255]);
+    let columns: Vec<u32> = columns.map(|(x, _, _)| x).collect();
+    let (first, last) = (columns.iter().min().unwrap(), columns.iter().max().unwrap());
+    assert!((19_950..20_050).contains(first) && (19_950..20_050).contains(last));
+    drawn_as(folder.path(), &format!("{size} -o b.png"), "b.png");
+    let bytes = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    assert!(bytes("a.png") == bytes("b.png"));
+}
+
+#[test]
+fn a_transparent_picture_has_no_background() {
+    let folder = folder();
+    let line = "render box.obj --view +z --size 64x64 --transparent";
+    for look in ["course", "studio", "mannequin"] {
+        let line = format!("{line} --look {look} --camera=90,0,3,0.5,0.5,0 -o {look}.png");
+        let line = line.replace(" --view +z", "");
+        let drawn = drawn_as(folder.path(), &line, &format!("{look}.png"));
+        assert_eq!(drawn.get_pixel(0, 0).0, [0, 0, 0, 0], "{look}");
+        assert_eq!(drawn.get_pixel(32, 32).0[3], 255, "{look}");
+    }
+}
+
+/// Frames of a GIF, each with its time in milliseconds.
+fn frames(path: &Path) -> Vec<(image::RgbaImage, u32)> {
+    use image::AnimationDecoder;
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let decoder = image::codecs::gif::GifDecoder::new(file).unwrap();
+    let frames = decoder.into_frames().collect_frames().unwrap();
+    let frame = |frame: image::Frame| {
+        let (time, unit) = frame.delay().numer_denom_ms();
+        (frame.into_buffer(), time / unit)
+    };
+    frames.into_iter().map(frame).collect()
+}
+
+#[test]
+fn a_turntable_is_a_gif_without_end_of_the_views_all_around() {
+    let folder = folder();
+    let line = "render builtin:robot --size 80x60 --camera=90,0,5 --turntable 4 -o";
+    for name in ["a.gif", "b.gif"] {
+        let ran = editor_in(
+            folder.path(),
+            &format!("{line} {name}").split(' ').collect::<Vec<_>>(),
+        );
+        assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(0), "", ""));
+    }
+    let bytes = |name: &str| std::fs::read(folder.path().join(name)).unwrap();
+    assert!(bytes("a.gif") == bytes("b.gif"));
+    // The extension of Netscape with a count of 0, for ever.
+    let forever = b"NETSCAPE2.0\x03\x01\x00\x00\x00";
+    assert!(
+        bytes("a.gif")
+            .windows(forever.len())
+            .any(|found| found == forever)
+    );
+    let frames = frames(&folder.path().join("a.gif"));
+    assert_eq!(frames.len(), 4);
+    assert!(frames.iter().all(|(_, time)| *time == 500));
+    for ((frame, _), theta) in frames.iter().zip([90, 180, 270, 360]) {
+        let line = format!("render builtin:robot --size 80x60 --camera={theta},0,5 -o one.gif");
+        let one = drawn_as(folder.path(), &line, "one.gif");
+        assert!(*frame == one, "{theta}");
+    }
+    assert!(frames[0].0 != frames[1].0);
+}
+
+#[test]
+fn a_turntable_is_numbered_pictures_where_the_name_has_a_place_for_numbers() {
+    let folder = folder();
+    let before = files_in(folder.path()).len();
+    let line = "render builtin:dog --view +z --size 40x64 --fit --transparent --turntable 3 -o turn-%02d.png";
+    let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let names = ["turn-01.png", "turn-02.png", "turn-03.png"];
+    assert_eq!(files_in(folder.path()).len(), before + names.len());
+    for name in names {
+        let drawn = picture(folder.path(), name);
+        let solid = drawn.enumerate_pixels().filter(|(_, _, p)| p.0[3] > 0);
+        let solid: Vec<(u32, u32)> = solid.map(|(x, y, _)| (x, y)).collect();
+        assert!(solid.len() > 50, "{name}");
+        let on_edge = |&(x, y): &(u32, u32)| x == 0 || x == 39 || y == 0 || y == 63;
+        assert!(!solid.iter().any(on_edge), "{name} is cut off");
+    }
+}
+
+#[test]
+fn what_a_large_or_turning_or_transparent_picture_cannot_be_is_said_before_it_is_drawn() {
+    let folder = folder();
+    let before = files_in(folder.path());
+    for (options, code, error) in [
+        (
+            "--size 30000x10000 -o a.png",
+            1,
+            "a.png: expected a picture of at most 268435456 pixels, as of 16384x16384, found 30000x10000",
+        ),
+        (
+            "--size 70000x10 -o a.jpg",
+            1,
+            "a.jpg: expected at most 65535 pixels a side of a JPEG or GIF, found 70000x10: a PNG may have more",
+        ),
+        (
+            "--transparent -o a.jpg",
+            2,
+            "a.jpg: expected a name that ends in .png with --transparent",
+        ),
+        (
+            "--turntable 8 -o a.png",
+            2,
+            "a.png: expected a name that ends in .gif with --turntable, or has a place for numbers, such as OUT-%03d.png",
+        ),
+        ("--turntable 8 --ui -o a.gif", 2, "--ui"),
+        ("--transparent --ui -o a.png", 2, "--ui"),
+        (
+            "--turntable 1 -o a.gif",
+            2,
+            "expected a whole number of frames from 2 to 720, found 1",
+        ),
+        (
+            "--turntable -3 -o a.gif",
+            2,
+            "expected a whole number of frames from 2 to 720, found -3",
+        ),
+        (
+            "--turntable 4 -o none/a.gif",
+            1,
+            "none/a.gif: there is no folder none",
+        ),
+    ] {
+        let line = format!("render man.obj {options}");
+        let ran = editor_in(folder.path(), &line.split(' ').collect::<Vec<_>>());
+        assert_eq!(
+            (ran.code, &*ran.out),
+            (Some(code), ""),
+            "{options}: {}",
+            ran.err
+        );
+        assert!(ran.err.contains(error), "{options}: {}", ran.err);
+    }
+    assert_eq!(files_in(folder.path()), before);
+}
