@@ -15,7 +15,7 @@ use crate::render::{Background, Frame, LargePicture, Marks, Offscreen};
 use crate::scene::{Camera, Look, ViewDirection, ViewSettings};
 use std::path::PathBuf;
 
-/// Draws scenes, characters and shapes into a picture, without a window or a display.
+/// Draw scenes, characters and shapes into a picture, without a window or a display.
 ///
 /// The same input gives the same picture, byte for byte, on every run. Pictures that are larger than
 /// the driver can draw are put together of several.

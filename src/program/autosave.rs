@@ -120,7 +120,8 @@ impl Program {
             return Duration::MAX;
         }
         let document = self.session.document();
-        if self.session.is_in_gesture() {
+        // What an earlier run left must not be overwritten before it is restored or discarded.
+        if self.session.is_in_gesture() || matches!(self.asked, Some(Asked::Restore(_))) {
             return Duration::MAX;
         }
         match self.autosave.stored {

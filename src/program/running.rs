@@ -220,6 +220,10 @@ impl Program {
                     }
                     self.use_chosen(request.purpose, path, files, host);
                 }
+                HostEvent::Dropped { .. } if self.asked.is_some() => {
+                    let text = "Nothing was dropped: the question comes first";
+                    self.tell(Severity::Warning, text);
+                }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
                 HostEvent::StoreFailed(error) => self.tell_store_failure(&error.to_string()),
                 HostEvent::Changed(path) => self.notice_change(&path, host),

@@ -8,7 +8,9 @@ fn commands() -> Vec<String> {
     let help = editor_in(folder().path(), &["--help"]).out;
     let list = help.split("Commands:\n").nth(1).unwrap();
     let lines = list.lines().take_while(|line| !line.is_empty());
-    lines
+    // What is further to the right goes on with the line before.
+    let names = lines.filter(|line| !line.starts_with("   "));
+    names
         .map(|line| line.split_whitespace().next().unwrap().to_owned())
         .collect()
 }

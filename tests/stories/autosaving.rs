@@ -119,8 +119,12 @@ fn the_question_cannot_be_passed_over() {
     story.wait(2.0);
     story.key(Key::Escape);
     story.key_with(Modifiers::SHIFT, Key::C);
+    story.host.drop_file("models/strip.obj");
+    story.settle();
     assert!(story.has("Restore") && story.names().is_empty() && !story.host.quits);
     assert!(stored(&story).is_some());
+    let text = "Nothing was dropped: the question comes first";
+    assert_eq!(story.messages(), [(Severity::Warning, text)]);
 }
 
 #[test]
