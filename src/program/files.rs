@@ -174,9 +174,11 @@ impl Program {
 
     /// Name, without an extension, for a file with the pose of a character or a kept one.
     pub(super) fn name_of_pose(&self, shape: ShapeId, kept: Option<usize>) -> String {
-        let poses = self.session.scene().character(shape).map(|c| c.poses());
-        let name = kept.and_then(|kept| Some(file_stem(&poses?.get(kept)?.name)));
-        name.unwrap_or_else(|| "pose".to_owned())
+        let scene = self.session.scene();
+        let poses = scene.character(shape).map(|c| c.poses());
+        let name = kept.and_then(|kept| Some(&poses?.get(kept)?.name));
+        let name = name.or(scene.shape(shape).map(|shape| &shape.name));
+        file_stem(name.map_or("pose", String::as_str))
     }
 
     /// Text of a pose file with the pose of a character, or one kept with it.

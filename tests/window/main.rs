@@ -62,7 +62,7 @@ fn a_character_is_imported_through_the_dialog_posed_by_a_slider_and_the_program_
     program.picture();
     program.keys(&["Return"]);
     program.picture();
-    let pose = std::fs::read(models.join("pose.json")).expect("a saved pose");
+    let pose = std::fs::read(models.join("robot.json")).expect("a saved pose");
     let pose: serde_json::Value = serde_json::from_slice(&pose).expect("JSON");
     let turned = pose["joints"]["Torso"][1].as_f64().expect("an angle");
     assert!((20.0..90.0).contains(&turned), "{pose}");
