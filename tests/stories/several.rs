@@ -120,6 +120,41 @@ fn what_is_selected_is_moved_turned_scaled_colored_hidden_and_deleted_together()
 }
 
 #[test]
+fn ctrl_and_a_click_in_the_view_adds_a_shape_and_a_miss_loses_none() {
+    let mut story = with_three();
+    for (row, x) in [("[1] Cube (ID: 1)", "-1.5"), ("[3] Pyramid (ID: 3)", "1.5")] {
+        story.click(row);
+        story.type_into("Position X", x);
+    }
+    let view = story.view();
+    let size = glam::Vec2::new(view.width(), view.height());
+    let camera = story.session().view().camera;
+    let place = |world: Vec3| {
+        let at = camera.pixel(world, size).expect("it is in sight");
+        view.min + vec2(at.x, at.y)
+    };
+    let mut click = |at: egui::Pos2| {
+        story.frame(vec![Event::ModifiersChanged(CTRL)]);
+        story.point(at);
+        for pressed in [true, false] {
+            story.frame(vec![Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Primary,
+                pressed,
+                modifiers: CTRL,
+            }]);
+        }
+        story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+        story.settle();
+        selected(&story).join(" ")
+    };
+    assert_eq!(click(place(Vec3::X * -1.5)), "Cube Pyramid");
+    assert_eq!(click(place(Vec3::ZERO)), "Cube Sphere Pyramid");
+    assert_eq!(click(place(Vec3::X * -1.5)), "Sphere Pyramid");
+    assert_eq!(click(place(Vec3::Y * 1.5)), "Sphere Pyramid", "a miss");
+}
+
+#[test]
 fn a_drag_of_the_move_tool_moves_all_of_them_and_esc_puts_all_back() {
     let mut story = with_three();
     story.type_into("Position X", "1");
