@@ -188,11 +188,7 @@ impl Program {
     fn go_on(&mut self, next: Next, host: &mut dyn Host) {
         match next {
             Next::New => {
-                let view = ViewSettings {
-                    look: self.session.view().look,
-                    ..ViewSettings::default()
-                };
-                self.session.open(Vec::new(), view);
+                self.session.open(Vec::new(), self.view_without_scene());
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
@@ -207,6 +203,14 @@ impl Program {
                 self.keep_at_end(host);
                 host.quit();
             }
+        }
+    }
+
+    /// View of a document that has none of its own.
+    pub(super) fn view_without_scene(&self) -> ViewSettings {
+        ViewSettings {
+            look: self.preferences.look,
+            ..ViewSettings::default()
         }
     }
 

@@ -32,7 +32,10 @@ impl Program {
                 failed.push(error);
             }
         }
-        self.session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+        self.session = Session::with_shapes(
+            loaded.shapes,
+            loaded.view.unwrap_or_else(|| self.view_without_scene()),
+        );
         self.document = match *paths {
             [path] if failed.is_empty() => self.file_of(path, &*files),
             _ => DocumentFile::untitled(self.session.document()),

@@ -1,5 +1,5 @@
 use super::{Host, StorageKey};
-use crate::scene::Skinning;
+use crate::scene::{Look, Skinning};
 use crate::ui::Navigation;
 use egui::ThemePreference;
 use std::path::PathBuf;
@@ -20,6 +20,8 @@ pub(super) struct Preferences {
     pub panel_folded: bool,
     /// Width of the shape panel, in points.
     pub panel_width: Option<f32>,
+    /// Look of documents that have none of their own: the one that was chosen last.
+    pub look: Look,
     /// Width and height of the window when the program ended last, in points.
     pub window_size: Option<(f32, f32)>,
     /// Documents that were opened or saved last, the newest first.
@@ -37,6 +39,7 @@ impl Default for Preferences {
             navigation: Navigation::default(),
             panel_folded: false,
             panel_width: None,
+            look: Look::default(),
             window_size: None,
             recent: Vec::new(),
             started_before: false,

@@ -7,7 +7,7 @@ use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::preferences::Preferences;
 use super::{Host, HostEvent, Purpose, globals};
-use crate::editor::{Edit, Session, Severity};
+use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::revision::Revision;
 use crate::scene::ShapeId;
@@ -264,6 +264,9 @@ impl Program {
                     true
                 }
                 Action::View(view) => {
+                    if let View::SetLook(look) = view {
+                        self.preferences.look = look;
+                    }
                     self.session.look(view);
                     true
                 }

@@ -343,6 +343,20 @@ fn the_size_of_the_window_is_kept_for_the_next_start() {
 }
 
 #[test]
+fn the_look_that_was_chosen_last_is_that_of_documents_without_one_of_their_own() {
+    let mut story = Story::start(&[]);
+    story.key(Key::F3);
+    story.key_with(Modifiers::COMMAND, Key::N);
+    assert_eq!(story.session().view().look, Look::Studio);
+    let again = crate::host::MemoryHost {
+        stored: story.host.stored.clone(),
+        ..crate::host::MemoryHost::default()
+    };
+    let next = Story::start_at(again, &["models/strip.obj"]);
+    assert_eq!(next.session().view().look, Look::Studio);
+}
+
+#[test]
 fn a_command_is_found_by_its_name_and_run() {
     let mut story = Story::start(&["models/strip.obj"]);
     let find = Modifiers::COMMAND | Modifiers::SHIFT;
