@@ -120,7 +120,12 @@ impl Host for MemoryHost {
         let result = match &self.write_fault {
             Some(fault) => Err(Diagnostic::new(path, fault.clone())),
             None => {
-                self.files.extend(files);
+                for (path, bytes) in files {
+                    if let Some(old) = self.files.insert(path.clone(), bytes) {
+                        let beside = format!("{}~", path.display());
+                        self.files.insert(beside.into(), old);
+                    }
+                }
                 Ok(())
             }
         };

@@ -182,9 +182,10 @@ impl Host for WindowHost {
     }
 
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
-        let result = files
-            .iter()
-            .try_for_each(|(path, bytes)| disk::write_with_folders(path, bytes));
+        let result = files.iter().try_for_each(|(path, bytes)| {
+            disk::keep_beside(path)?;
+            disk::write_with_folders(path, bytes)
+        });
         let path = path.to_owned();
         self.events.push_back(HostEvent::Written { path, result });
     }

@@ -89,8 +89,8 @@ impl Session {
     }
 
     /// Edits the document: the one way to do so, for panels, gestures, imports and commands. Outside
-    /// of a gesture it is a step that can be undone. Returns what changed; the last shape that was
-    /// added is selected.
+    /// of a gesture it is a step that can be undone. Returns what changed; the shapes that were
+    /// added are selected, the last of them as the active one.
     ///
     /// # Errors
     /// If the edit would not leave a valid document; then nothing has changed.
@@ -105,6 +105,7 @@ impl Session {
         self.document = Revision::new();
         if let Some(&added) = change.added.last() {
             self.select(Some(added));
+            self.selection = Selection::all(change.added.iter().copied(), Some(added));
         } else if self
             .selected()
             .is_some_and(|id| self.index_of(id).is_none())

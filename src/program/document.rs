@@ -31,6 +31,9 @@ pub(super) struct DocumentFile {
     writing: Option<Writing>,
     /// Continuation of the next save, for which a file is being chosen.
     then: Option<Next>,
+    /// Name without an extension that files made from the document are offered, while it has no
+    /// file: that of what was opened.
+    stem: Option<String>,
 }
 
 struct Writing {
@@ -48,6 +51,8 @@ pub(super) enum Next {
     Open,
     OpenFile(PathBuf, Arc<dyn Files>),
     OpenBuiltin(&'static str),
+    /// Open the document's own file again, as it is now.
+    Revert(PathBuf, Arc<dyn Files>),
     Quit,
 }
 
@@ -70,6 +75,7 @@ impl DocumentFile {
             digest: None,
             writing: None,
             then: None,
+            stem: None,
         }
     }
 
@@ -103,15 +109,21 @@ impl Asked {
     /// The question about a document called `name`.
     pub fn question(&self, name: &str) -> Question {
         match self {
+            Self::Unsaved(Next::Revert(..)) => Question {
+                title: "Go back to the file?".to_owned(),
+                text: format!("What has changed since “{name}” was saved is lost then."),
+                answers: vec![Answer::Cancel, Answer::Revert],
+            },
             Self::Unsaved(next) => Question {
                 title: "Save changes?".to_owned(),
                 text: format!(
                     "“{name}” has changes that are not saved. They are lost if you {} without saving.",
                     match next {
                         Next::New => "begin another document",
-                        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) => {
-                            "open another document"
-                        }
+                        Next::Open
+                        | Next::OpenFile(..)
+                        | Next::OpenBuiltin(_)
+                        | Next::Revert(..) => "open another document",
                         Next::Quit => "quit",
                     }
                 ),
@@ -160,10 +172,9 @@ impl Program {
     /// Name of the document without its extension, for files that are made from it.
     pub(super) fn document_stem(&self) -> String {
         let stem = self.document.path.as_deref().and_then(Path::file_stem);
-        stem.map_or_else(
-            || "scene".to_owned(),
-            |stem| stem.to_string_lossy().into_owned(),
-        )
+        let stem = stem.map(|stem| stem.to_string_lossy().into_owned());
+        let stem = stem.or_else(|| self.document.stem.clone());
+        stem.unwrap_or_else(|| "scene".to_owned())
     }
 
     /// Title of the window: the document, with a mark if it is modified, and the program. A
@@ -192,9 +203,12 @@ impl Program {
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
-            Next::OpenFile(path, files) => self.open(&path, &*files),
+            Next::OpenFile(path, files) => self.open(&path, &*files, Missing::StandIn),
+            // What is in memory must not become a box because a file is gone.
+            Next::Revert(path, files) => self.open(&path, &*files, Missing::Refuse),
             Next::OpenBuiltin(name) => {
-                self.open(Path::new(&format!("builtin:{name}")), &*host.files());
+                let path = PathBuf::from(format!("builtin:{name}"));
+                self.open(&path, &*host.files(), Missing::Refuse);
             }
             Next::Quit => {
                 // What is not saved by now is not wanted.
@@ -216,9 +230,9 @@ impl Program {
 
     /// Opens the scene or the model at `path` in the place of the document; one that cannot be read
     /// leaves it untouched.
-    fn open(&mut self, path: &Path, files: &dyn Files) {
+    fn open(&mut self, path: &Path, files: &dyn Files, missing: Missing) {
         let mut loaded = Loaded {
-            missing: Missing::StandIn,
+            missing,
             ..Loaded::default()
         };
         match loaded.add(files, path) {
@@ -239,7 +253,13 @@ impl Program {
     /// What is known of the file at `path`, from which the document has just been opened. Only
     /// scenes on a disk can be saved to where they came from.
     pub(super) fn file_of(&self, path: &Path, files: &dyn Files) -> DocumentFile {
-        let untitled = DocumentFile::untitled(self.session.document());
+        let name = path.to_string_lossy();
+        let name = name.strip_prefix(io::builtin::PREFIX).unwrap_or(&name);
+        let stem = Path::new(name).file_stem();
+        let untitled = DocumentFile {
+            stem: stem.map(|stem| stem.to_string_lossy().into_owned()),
+            ..DocumentFile::untitled(self.session.document())
+        };
         if !is_scene(path) || io::builtin::is_builtin(path) {
             return untitled;
         }
@@ -265,10 +285,7 @@ impl Program {
     /// Lets a file be chosen for the document, saves it there, and then does `then`.
     pub(super) fn save_as(&mut self, then: Option<Next>, host: &mut dyn Host) {
         self.document.then = then;
-        let name = match &self.document.path {
-            Some(_) => self.document_name(),
-            None => "scene.scene".to_owned(),
-        };
+        let name = format!("{}.scene", self.document_stem());
         self.choose_file(Purpose::SaveScene, &name, host);
     }
 
@@ -328,7 +345,9 @@ impl Program {
     pub(super) fn take_answer(&mut self, answer: Answer, host: &mut dyn Host) {
         match (self.asked.take(), answer) {
             (Some(Asked::Unsaved(next)), Answer::Save) => self.save(Some(next), host),
-            (Some(Asked::Unsaved(next)), Answer::Discard) => self.go_on(next, host),
+            (Some(Asked::Unsaved(next)), Answer::Discard | Answer::Revert) => {
+                self.go_on(next, host)
+            }
             (Some(Asked::Overwrite(path, then)), Answer::Overwrite) => {
                 self.write_document(path, then, host);
             }

@@ -40,7 +40,7 @@ pub trait Host {
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
     /// Writes several files, in order, each whole or not at all, and makes the folders that they
-    /// need. Ends with the first that cannot be written. Answered by one [`HostEvent::Written`]
+    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Ends with the first that cannot be written. Answered by one [`HostEvent::Written`]
     /// about `path`.
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
 

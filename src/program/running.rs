@@ -227,7 +227,7 @@ impl Program {
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
                 HostEvent::StoreFailed(error) => self.tell_store_failure(&error.to_string()),
                 HostEvent::Changed(path) => self.notice_change(&path, host),
-                HostEvent::CloseRequested => self.leave_for(Next::Quit, host),
+                HostEvent::CloseRequested => self.ui.close(),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
                 HostEvent::Pasted(text) => self.paste(&text, host),
                 HostEvent::Finished(result) => {

@@ -5,7 +5,7 @@ use super::document::Next;
 use super::running::Program;
 use super::{Host, Purpose};
 use crate::editor::{Edit, Severity};
-use crate::io::{self, Diagnostic, Files, Reimported, builtin};
+use crate::io::{self, Files, Reimported, builtin};
 use crate::scene::{Shape, ShapeId, ShapeKind};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -33,6 +33,7 @@ impl Program {
 
     /// Says that a file of the document was changed by another program, if it was.
     pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
+        let is_there = host.files().exists(path);
         let text = if self.document.path() == Some(path) {
             if self.document.is_on_disk(&*host.files()) {
                 return;
@@ -45,16 +46,20 @@ impl Program {
         };
         let name = path.file_name().unwrap_or(path.as_os_str());
         let name = name.to_string_lossy();
-        self.tell(
-            Severity::Warning,
-            format!("{name} was changed by another program. {text}"),
-        );
+        let text = if is_there {
+            format!("{name} was changed by another program. {text}")
+        } else {
+            format!(
+                "{name} is gone: another program has moved or deleted it. Shapes stay as they are"
+            )
+        };
+        self.tell(Severity::Warning, text);
     }
 
     /// Opens the document's file as it is now, after asking about changes that are not saved.
     pub(super) fn revert(&mut self, host: &mut dyn Host) {
         match self.document.path() {
-            Some(path) => self.leave_for(Next::OpenFile(path.to_owned(), host.files()), host),
+            Some(path) => self.leave_for(Next::Revert(path.to_owned(), host.files()), host),
             None => self.tell(Severity::Info, "This document has not been saved yet"),
         }
     }
@@ -67,13 +72,13 @@ impl Program {
             .filter(|shape| file_on_disk(shape).is_some())
             .map(|shape| shape.id)
             .collect();
-        let count = self.replace(&ids, &|_| None, &*host.files());
-        let text = match count {
-            0 => "No model has changed since it was read".to_owned(),
-            1 => "1 shape was read again".to_owned(),
-            count => format!("{count} shapes were read again"),
-        };
-        self.tell(Severity::Info, text);
+        let (count, failed) = self.replace(&ids, &|_| None, &*host.files());
+        match count {
+            0 if failed > 0 => {}
+            0 => self.tell(Severity::Info, "No model has changed since it was read"),
+            1 => self.tell(Severity::Info, "1 shape was read again"),
+            count => self.tell(Severity::Info, format!("{count} shapes were read again")),
+        }
     }
 
     /// Lets the file of a shape be chosen, where it is now.
@@ -127,15 +132,16 @@ impl Program {
         }
     }
 
-    /// Imports the parts of files that shapes came from again, from where `at` says or else where they were, and replaces
-    /// the shapes of which that is something new, in one step. Returns how many these are.
+    /// Imports the parts of files that shapes came from again, from where `at` says or else where
+    /// they were, and replaces the shapes of which that is something new, in one step. Returns how many these are, and how many files could not be read.
     fn replace(
         &mut self,
         shapes: &[ShapeId],
         at: &dyn Fn(&Shape) -> Option<PathBuf>,
         files: &dyn Files,
-    ) -> usize {
+    ) -> (usize, usize) {
         let mut edits = Vec::new();
+        let mut failed = BTreeSet::new();
         for &id in shapes {
             let shape = self.session.scene().shape(id);
             let path = shape.and_then(at);
@@ -147,20 +153,18 @@ impl Program {
                         self.tell_all(Severity::Warning, read.warnings);
                     }
                 }
-                Err(error) => self.tell_kept(&error),
+                Err(error) => drop(failed.insert(error.to_string())),
             }
         }
         let count = edits.len();
         if count > 0 {
             self.edit(Edit::Together(edits));
         }
-        count
-    }
-
-    /// Says that a file could not be read again, and that nothing is lost.
-    fn tell_kept(&mut self, error: &Diagnostic) {
-        let text = format!("{error}. The shape stays as it was");
-        self.tell(Severity::Error, text);
+        for error in &failed {
+            let text = format!("{error}. What came from it stays as it was");
+            self.tell(Severity::Error, text);
+        }
+        (count, failed.len())
     }
 
     /// Shapes that come from `path` or a file that belongs to it, and would be others by now.

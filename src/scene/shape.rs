@@ -1,7 +1,6 @@
 use super::{CharacterShape, CurveShape, ShapeColor, custom};
-use crate::geometry::{self, Material, MaterialGroup, Mesh, SharedMesh};
+use crate::geometry::{self, Mesh, SharedMesh};
 use crate::math::Transform;
-use glam::Vec3;
 use std::collections::HashSet;
 use std::sync::{Arc, LazyLock};
 
@@ -273,9 +272,9 @@ impl ShapeKind {
         static CUSTOM: LazyLock<SharedMesh> =
             LazyLock::new(|| SharedMesh::new(custom::custom_shape()));
         static EMPTY: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(Mesh::default()));
-        static MISSING: LazyLock<SharedMesh> = LazyLock::new(|| SharedMesh::new(stand_in()));
         match self {
-            Self::Cube => CUBE.clone(),
+            // A box stands in for a shape whose file is missing, in the color that it has.
+            Self::Cube | Self::Missing(_) => CUBE.clone(),
             Self::Sphere => SPHERE.clone(),
             Self::Pyramid => PYRAMID.clone(),
             Self::Teapot => TEAPOT.clone(),
@@ -284,25 +283,6 @@ impl ShapeKind {
             Self::Mesh(mesh) => mesh.clone(),
             Self::Character(shape) => shape.character.bind_mesh().clone(),
             Self::Curve(_) => EMPTY.clone(),
-            Self::Missing(_) => MISSING.clone(),
         }
-    }
-}
-
-/// Mesh of a shape whose file is missing: a cube in magenta.
-fn stand_in() -> Mesh {
-    let cube = geometry::cube();
-    let material = Material {
-        name: "missing".to_owned(),
-        color: Vec3::new(1.0, 0.0, 1.0),
-        texture: None,
-    };
-    let group = MaterialGroup {
-        triangles: 0..cube.triangles.len(),
-        material,
-    };
-    Mesh {
-        groups: vec![group],
-        ..cube
     }
 }

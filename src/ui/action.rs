@@ -120,6 +120,8 @@ pub enum Answer {
     SaveAs,
     /// Go on without saving.
     Discard,
+    /// Go back to what is in the file.
+    Revert,
     /// Replace the file.
     Overwrite,
     /// Restore what was not saved.
@@ -137,6 +139,7 @@ impl Answer {
             Self::Save => "Save",
             Self::SaveAs => "Save As…",
             Self::Discard => "Don't Save",
+            Self::Revert => "Go Back",
             Self::Overwrite => "Overwrite",
             Self::Restore => "Restore",
             Self::Forget => "Discard",

@@ -117,9 +117,11 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // The root was made before the style was set.
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
-    let mut actions = Vec::new();
+    let mut actions = finish_typing(&ctx, session, state, aspect(state.view_rect));
     let holding = is_holding(&ctx);
+    let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let keys_taken = input.keys_are_taken
+        || dragging
         || input.question.is_some()
         || state.search.is_some()
         || state.keys_were_taken
@@ -192,6 +194,45 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         view,
         places,
     }
+}
+
+/// Commands about the document that are meant even while a text or a number is being typed.
+const MEANT_WHILE_TYPING: [Command; 5] = [
+    Command::New,
+    Command::Open,
+    Command::Save,
+    Command::SaveAs,
+    Command::Quit,
+];
+
+/// Takes what is being typed over before a command about the document: the field gives up the
+/// keyboard in this frame, and the command runs in the next.
+fn finish_typing(
+    ctx: &egui::Context,
+    session: &Session,
+    state: &mut UiState,
+    aspect: f32,
+) -> Vec<Action> {
+    let typing = ctx.text_edit_focused() && state.search.is_none();
+    if !typing {
+        let command = state.after_typing.take();
+        return command.map_or_else(Vec::new, |command| {
+            commands::run(command, session, state, aspect)
+        });
+    }
+    if state.after_typing.is_none() {
+        let is_meant = |command: &Command| MEANT_WHILE_TYPING.contains(command);
+        state.after_typing = commands::pressed_with_ctrl(ctx, state.navigation).filter(is_meant);
+    }
+    if state.after_typing.is_some() {
+        ctx.memory_mut(|memory| {
+            if let Some(field) = memory.focused() {
+                memory.surrender_focus(field);
+            }
+        });
+        ctx.request_repaint();
+    }
+    Vec::new()
 }
 
 /// Whether a button or an arrow key is held, so that edits go on in the next frames.

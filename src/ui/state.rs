@@ -1,5 +1,6 @@
 use super::Navigation;
 use super::command_search::CommandSearch;
+use super::commands::Command;
 use super::curve_panel::CurveState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
@@ -35,6 +36,8 @@ pub struct UiState {
     pub(super) joints: JointListState,
     /// Name typed for a pose to keep.
     pub(super) pose_name: String,
+    /// Command that waits until what is being typed has been taken over.
+    pub(super) after_typing: Option<Command>,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -70,6 +73,7 @@ impl Default for UiState {
             selected: None,
             joints: JointListState::default(),
             pose_name: String::new(),
+            after_typing: None,
             search: None,
             renaming: None,
             curves: CurveState::default(),
@@ -97,6 +101,12 @@ impl UiState {
         if navigation == Navigation::Mannequin {
             self.pose.tool = Tool::Pose;
         }
+    }
+
+    /// Asks to quit, as the window's close button does, once what is being typed has been taken
+    /// over.
+    pub fn close(&mut self) {
+        self.after_typing = Some(Command::Quit);
     }
 
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing

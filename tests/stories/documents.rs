@@ -251,3 +251,59 @@ fn a_model_opened_is_a_new_document_without_a_name() {
         "the model itself is not written to"
     );
 }
+
+#[test]
+fn a_number_that_is_being_typed_is_saved_and_closing_asks_about_it() {
+    let mut story = with_saved_cube();
+    story.click("Position X");
+    story.frame(vec![egui::Event::Text("2".into())]);
+    story.key_with(CTRL, Key::S);
+    let x = |story: &Story| story.shape().placement.transform.position.x;
+    assert_eq!(x(&story), 2.0);
+    assert_eq!(title(&story), "a.scene — Editor");
+    let text = String::from_utf8(file(&story, "work/a.scene")).unwrap();
+    assert!(text.contains("\"position\": [2, 0, 0]"), "{text}");
+
+    story.click("Position X");
+    story.frame(vec![egui::Event::Text("3".into())]);
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    assert_eq!(x(&story), 3.0);
+    assert!(is_asked(&story) && !story.host.quits);
+    story.click("Cancel");
+
+    story.click("Edit");
+    story.click("Rename");
+    story.frame(vec![egui::Event::Text("Box".into())]);
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    assert_eq!(story.names(), ["Box"]);
+    assert!(is_asked(&story));
+}
+
+#[test]
+fn going_back_to_the_file_does_not_offer_to_overwrite_it() {
+    let mut story = with_saved_cube();
+    story.type_into("Position X", "2");
+    story.click("File");
+    story.click("Revert");
+    assert!(!story.has("Save") && !story.has("Don't Save"));
+    story.key(Key::Enter);
+    assert_eq!(
+        story.shape().placement.transform.position.x,
+        2.0,
+        "Enter changes nothing"
+    );
+    story.click("File");
+    story.click("Revert");
+    story.click("Go Back");
+    assert_eq!(
+        story.session().scene().shapes()[0]
+            .placement
+            .transform
+            .position
+            .x,
+        0.0
+    );
+    assert_eq!(title(&story), "a.scene — Editor");
+}

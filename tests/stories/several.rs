@@ -204,6 +204,12 @@ fn copies_stand_beside_and_are_one_step() {
         ["Cube", "Sphere", "Pyramid", "Cube", "Sphere", "Pyramid"]
     );
     let positions = positions(&story);
+    let copies: Vec<ShapeId> = story.session().selected_shapes().map(|s| s.id).collect();
+    assert_eq!(
+        copies,
+        [ShapeId(4), ShapeId(5), ShapeId(6)],
+        "to be moved together"
+    );
     // The pyramid is the widest: its base is 1.4 wide.
     assert!((positions[3].x - 1.54).abs() < 1e-4, "{positions:?}");
     story.key_with(CTRL, Key::Z);

@@ -178,11 +178,13 @@ fn a_model_that_is_broken_now_stays_as_it_was() {
     let broken = b"v 0 0 0\nf 1 2 3\n".to_vec();
     story.host.files.insert("models/strip.obj".into(), broken);
     story.key_with(CTRL, Key::R);
-    let messages = story.messages();
-    let (severity, text) = messages[messages.len() - 2];
+    let (severity, text) = *story.messages().last().unwrap();
     assert_eq!(severity, Severity::Error);
     assert!(text.starts_with("models/strip.obj:2:5: expected"), "{text}");
-    assert!(text.ends_with(". The shape stays as it was"), "{text}");
+    assert!(
+        text.ends_with(". What came from it stays as it was"),
+        "{text}"
+    );
     assert!(is_bent(&story));
 }
 
@@ -260,4 +262,52 @@ fn a_scene_with_a_folder_opens_where_nothing_else_is() {
     open(&mut other, "usb/taken.scene");
     assert!(is_bent(&other));
     assert_eq!(other.host.title, "taken.scene — Editor");
+}
+
+#[test]
+fn an_archive_that_is_replaced_stays_beside_and_its_name_is_offered() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/bent.zip");
+    let archive = file(&story, "out/bent.zip");
+    let mut other = elsewhere(&[("mail/bent.zip", archive.clone())]);
+    open(&mut other, "mail/bent.zip");
+    other.key_with(CTRL, Key::S);
+    assert_eq!(other.host.requests.last().unwrap().name, "bent.scene");
+    other.key(Key::Delete);
+    other.click("File");
+    other.click("Save with Files…");
+    other.choose("mail/bent.zip");
+    assert_ne!(file(&other, "mail/bent.zip"), archive);
+    assert_eq!(
+        file(&other, "mail/bent.zip~"),
+        archive,
+        "the models are not lost"
+    );
+}
+
+#[test]
+fn going_back_to_a_scene_whose_model_is_gone_leaves_what_is_there() {
+    let mut story = with_saved_strip();
+    move_strip(&mut story, None);
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed("models/strip.obj".into()));
+    story.settle();
+    let text = "strip.obj is gone: another program has moved or deleted it. \
+                Shapes stay as they are";
+    assert_eq!(*story.messages().last().unwrap(), (Severity::Warning, text));
+    story.click("File");
+    story.click("Revert");
+    assert!(is_bent(&story));
+    let (severity, text) = *story.messages().last().unwrap();
+    assert!(
+        severity == Severity::Error && text.contains("strip.obj"),
+        "{text}"
+    );
+    story.key_with(CTRL, Key::R);
+    let text = "models/strip.obj: there is no such file. What came from it stays as it was";
+    assert_eq!(*story.messages().last().unwrap(), (Severity::Error, text));
 }

@@ -180,3 +180,33 @@ fn a_shape_is_dragged_to_another_place_in_the_list() {
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.names(), ["Sphere", "Pyramid", "Cube"]);
 }
+
+#[test]
+fn no_other_key_works_in_the_middle_of_a_drag() {
+    let mut story = with_bent_elbow();
+    let field = story.place("Hip X");
+    story.press_and_drag(field, field + vec2(30.0, 0.0));
+    story.key(Key::Delete);
+    story.key_with(CTRL, Key::D);
+    assert_eq!(story.names(), ["Strip"]);
+    assert!(story.session().is_in_gesture());
+    story.button(false);
+    story.settle();
+    assert_eq!(steps(&story), ["Rotate Elbow", "Rotate Hip"]);
+}
+
+#[test]
+fn a_double_click_on_a_number_selects_all_of_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Position X", "0.3");
+    let field = story.place("Position X");
+    story.point(field);
+    for _ in 0..2 {
+        story.button(true);
+        story.button(false);
+    }
+    story.settle();
+    story.frame(vec![Event::Text("0.75".into())]);
+    story.key(Key::Enter);
+    assert_eq!(story.shape().placement.transform.position.x, 0.75);
+}

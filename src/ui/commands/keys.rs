@@ -150,6 +150,21 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
     })
 }
 
+/// The command of a shortcut with Ctrl that was pressed in this frame, if any; its event stays.
+pub(in crate::ui) fn pressed_with_ctrl(ctx: &Context, navigation: Navigation) -> Option<Command> {
+    ctx.input(|input| {
+        input.events.iter().find_map(|event| match event {
+            Event::Key {
+                key,
+                pressed: true,
+                modifiers,
+                ..
+            } if modifiers.command => command_of(*modifiers, *key, navigation),
+            _ => None,
+        })
+    })
+}
+
 fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<Command> {
     // Keyboards differ in the key of the question mark and in its modifiers.
     let modifiers = if key == Key::Questionmark {

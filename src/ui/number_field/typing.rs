@@ -78,6 +78,10 @@ impl NumberField<'_> {
             .clip_text(true);
         let mut inner = ui.new_child(UiBuilder::new().max_rect(rect));
         let response = inner.add_sized(rect.size(), edit);
+        if response.double_clicked() {
+            // A double click begins to type as one click does: it selects all, not a word.
+            select_all(ui, id, &typed.text);
+        }
         if response.lost_focus() {
             let escaped = ui.input(|input| input.key_pressed(Key::Escape));
             let given = if escaped { None } else { typed.value() };
