@@ -56,8 +56,12 @@ impl Pose {
 
     /// Estimated memory, in bytes.
     pub fn memory(&self) -> usize {
-        let entries = self.rotations.len() + self.root_offsets.len();
-        size_of::<Self>() + entries * (size_of::<usize>() + size_of::<Euler>())
+        /// Bytes of a node of a map, and the entries that it holds at least, but for the first.
+        const NODE: usize = 16 + 11 * (size_of::<usize>() + size_of::<Euler>());
+        const ENTRIES: usize = 5;
+        let nodes = |entries: usize| entries.div_ceil(ENTRIES);
+        let nodes = nodes(self.rotations.len()) + nodes(self.root_offsets.len());
+        size_of::<Self>() + nodes * NODE
     }
 
     /// Translation of a root from its position at rest, in model space.

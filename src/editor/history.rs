@@ -6,9 +6,9 @@ use std::collections::{HashSet, VecDeque};
 /// Steps that can be undone, at most.
 pub(super) const MOST_STEPS: usize = 200;
 
-/// Memory of all kept states together, in bytes. Meshes are shared between states, so this is
-/// reached only by what was deleted or replaced.
-const MOST_BYTES: usize = 512 << 20;
+/// Estimated memory of all kept states together, in bytes. Meshes are shared between states, so
+/// this is reached only by large meshes that were deleted or replaced, and by thousands of shapes.
+const MOST_BYTES: usize = 256 << 20;
 
 /// Document at a moment. A scene is cheap to clone, since its heavy data is shared.
 #[derive(Clone, Debug)]

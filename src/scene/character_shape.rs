@@ -126,9 +126,10 @@ impl CharacterShape {
         } else {
             0
         };
-        let poses = self.poses.iter().map(|kept| &kept.pose);
-        let poses = std::iter::once(&self.pose).chain(poses);
-        shared + poses.map(Pose::memory).sum::<usize>()
+        let kept = |kept: &KeptPose| size_of::<KeptPose>() + kept.name.len() + kept.pose.memory();
+        let pins = self.ik.pins.len().div_ceil(5) * 12 * size_of::<usize>();
+        let kept = self.poses.iter().map(kept).sum::<usize>();
+        shared + self.pose.memory() + kept + pins
     }
 
     /// Kept poses, in the order in which they were first kept.

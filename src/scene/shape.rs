@@ -44,7 +44,8 @@ pub struct Shape {
 impl Shape {
     /// See [`super::Scene::memory`].
     pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
-        let own = size_of::<Self>() + self.name.len();
+        let file = self.source.as_ref().map_or(0, |source| source.file.len());
+        let own = size_of::<Self>() + self.name.len() + file;
         own + match &self.kind {
             ShapeKind::Mesh(mesh) => mesh.memory(counted),
             ShapeKind::Character(character) => character.memory(counted),
