@@ -4,6 +4,7 @@ use super::document::{Dae, FARTHEST, MOST_ELEMENTS};
 use super::instances::{Binding, Instance};
 use super::materials::{BoundMaterial, Materials};
 use super::meshes::{Attribute, Primitive};
+use super::rest_pose::RestPose;
 use super::visual_scene::{FileSpace, SceneNode};
 use crate::character::{Attachments, Influence};
 use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
@@ -37,15 +38,15 @@ impl<'d, 'a> Assembler<'d, 'a> {
         }
     }
 
-    /// Adds `instance` to `part`, brought into our space by `ours_from_mesh`.
+    /// Adds `instance` to `builder`, brought into our space as `placement` says.
     ///
     /// # Errors
     /// If the file has grown too large by it.
     pub fn add(
         &mut self,
-        part: &mut Part,
+        builder: &mut MeshBuilder,
         instance: &Instance<'a>,
-        ours_from_mesh: DMat4,
+        placement: &Placement,
     ) -> Result<(), Diagnostic> {
         let geometry = &instance.geometry;
         let corners = geometry.primitives.iter().map(|p| p.positions.len());
@@ -55,10 +56,9 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 format!("expected at most {MOST_ELEMENTS} positions and triangles, found more");
             return Err(self.dae.error(instance.xml, message));
         }
-        let base = part.builder.positions().len() as u32;
-        let builder = &mut part.builder;
-        builder.extend_positions(self.positions(instance, ours_from_mesh));
-        let turn = Turn::new(ours_from_mesh);
+        let base = builder.positions().len() as u32;
+        builder.extend_positions(self.positions(instance, placement));
+        let turns = Turns::new(placement, geometry.positions.len());
         let bound = self.materials.bind(self.dae, instance.xml);
         let mut unbound: HashMap<&str, _> = HashMap::new();
         for primitive in &geometry.primitives {
@@ -72,7 +72,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             });
             let set = material.as_ref().and_then(|material| material.texture_set);
             let start = builder.triangle_count();
-            push_triangles(builder, primitive, set, base, &turn);
+            push_triangles(builder, primitive, set, base, &turns);
             if let Some(material) = material {
                 builder.push_group(MaterialGroup {
                     triangles: start..builder.triangle_count(),
@@ -94,14 +94,15 @@ impl<'d, 'a> Assembler<'d, 'a> {
         found
     }
 
-    fn positions(&self, instance: &Instance<'a>, ours_from_mesh: DMat4) -> Vec<Vec3> {
+    fn positions(&self, instance: &Instance<'a>, placement: &Placement) -> Vec<Vec3> {
         let mut far = 0;
         let positions = instance
             .geometry
             .positions
             .iter()
-            .map(|position| {
-                let ours = ours_from_mesh.transform_point3(position.as_dvec3());
+            .enumerate()
+            .map(|(at, position)| {
+                let ours = placement.of(at).transform_point3(position.as_dvec3());
                 // Not a number compares as false.
                 if ours.abs().max_element() < FARTHEST && !ours.is_nan() {
                     ours.as_vec3()
@@ -120,11 +121,64 @@ impl<'d, 'a> Assembler<'d, 'a> {
         positions
     }
 
-    /// The weights of a skin's positions, divided by their sums; joints are numbered as
-    /// `joint_of_node` does.
-    pub fn add_weights(
+    /// Adds a skin to `part` as the scene's rest pose has it; joints are numbered as
+    /// `joint_of_node` does. The node of `instance` does not move it, as Collada says.
+    ///
+    /// # Errors
+    /// If the file has grown too large by it.
+    pub fn add_skin(
         &mut self,
         part: &mut Part,
+        instance: &Instance<'a>,
+        binding: &Binding<'a>,
+        nodes: &[SceneNode<'a>],
+        joint_of_node: &HashMap<usize, u32>,
+    ) -> Result<(), Diagnostic> {
+        let rest = RestPose::new(binding, &instance.geometry.positions, nodes, joint_of_node);
+        self.check_inverse_binds(instance, &rest);
+        let Part {
+            builder,
+            attachments,
+        } = part;
+        let base = builder.positions().len();
+        self.add_weights(attachments, instance, binding, joint_of_node);
+        let ours_from_file = self.report.space.ours_from_file();
+        let bind_shape = binding.skin.bind_shape;
+        if rest.as_a_whole {
+            let placement = Placement::Whole(ours_from_file * rest.first() * bind_shape);
+            return self.add(builder, instance, &placement);
+        }
+        let ours_from_mesh = |position: usize| {
+            let influences = attachments.of_vertex(base + position);
+            ours_from_file * rest.of_influences(influences) * bind_shape
+        };
+        self.add(builder, instance, &Placement::Each(&ours_from_mesh))
+    }
+
+    fn check_inverse_binds(&mut self, instance: &Instance<'a>, rest: &RestPose) {
+        if rest.singular > 0 {
+            let count = rest.singular;
+            let message = format!(
+                "expected inverse bind matrices that have an inverse, found {count} others: left out"
+            );
+            self.dae.warn(instance.xml, message);
+        }
+        let Some(worst) = &rest.worst else { return };
+        self.report.add_inverse_bind(worst);
+        if !rest.as_a_whole {
+            let joint = super::quoted(&worst.joint);
+            let message = format!(
+                "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {joint}: the mesh is shown in the scene's rest pose",
+                worst.difference
+            );
+            self.dae.warn(instance.xml, message);
+        }
+    }
+
+    /// The weights of a skin's positions, divided by their sums.
+    fn add_weights(
+        &mut self,
+        attachments: &mut Attachments,
         instance: &Instance<'a>,
         binding: &Binding<'a>,
         joint_of_node: &HashMap<usize, u32>,
@@ -157,12 +211,11 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 unusable += 1;
                 row.clear();
             }
-            part.attachments
-                .push_vertex(row.iter().filter_map(|&(joint, weight)| {
-                    let joint = joints[joint as usize]?;
-                    let weight = weight / sum;
-                    weight.is_finite().then_some(Influence { joint, weight })
-                }));
+            attachments.push_vertex(row.iter().filter_map(|&(joint, weight)| {
+                let joint = joints[joint as usize]?;
+                let weight = weight / sum;
+                weight.is_finite().then_some(Influence { joint, weight })
+            }));
         }
         if unusable > 0 {
             let message = format!(
@@ -177,6 +230,48 @@ impl<'d, 'a> Assembler<'d, 'a> {
         for _ in &instance.geometry.positions {
             let influence = Influence { joint, weight: 1.0 };
             part.attachments.push_vertex([influence]);
+        }
+    }
+}
+
+/// The transform that brings a mesh into our space.
+pub(super) enum Placement<'p> {
+    /// One for all positions.
+    Whole(DMat4),
+    /// One for each position, by its index in the mesh.
+    Each(&'p dyn Fn(usize) -> DMat4),
+}
+
+impl Placement<'_> {
+    fn of(&self, position: usize) -> DMat4 {
+        match self {
+            Self::Whole(ours_from_mesh) => *ours_from_mesh,
+            Self::Each(ours_from_mesh) => ours_from_mesh(position),
+        }
+    }
+}
+
+/// Effect of a placement on normals and winding.
+enum Turns {
+    Whole(Turn),
+    Each(Vec<Turn>),
+}
+
+impl Turns {
+    fn new(placement: &Placement, positions: usize) -> Self {
+        match placement {
+            Placement::Whole(ours_from_mesh) => Self::Whole(Turn::new(*ours_from_mesh)),
+            Placement::Each(_) => {
+                let turns = (0..positions).map(|position| Turn::new(placement.of(position)));
+                Self::Each(turns.collect())
+            }
+        }
+    }
+
+    fn of(&self, position: u32) -> &Turn {
+        match self {
+            Self::Whole(turn) => turn,
+            Self::Each(turns) => &turns[position as usize],
         }
     }
 }
@@ -213,21 +308,22 @@ fn push_triangles(
     primitive: &Primitive,
     set: Option<usize>,
     base: u32,
-    turn: &Turn,
+    turns: &Turns,
 ) {
     let texture = texture_of_set(&primitive.texture, set);
     let corner = |at: usize| Corner {
         position: base + primitive.positions[at],
-        normal: primitive
-            .normals
-            .as_ref()
-            .and_then(|normals| turn.normal(normals.source.row(normals.rows[at] as usize))),
+        normal: primitive.normals.as_ref().and_then(|normals| {
+            let turn = turns.of(primitive.positions[at]);
+            turn.normal(normals.source.row(normals.rows[at] as usize))
+        }),
         texture: texture
             .map(|texture| Vec2::from_array(texture.source.row(texture.rows[at] as usize))),
     };
     for first in (0..primitive.positions.len() / 3).map(|triangle| 3 * triangle) {
         let [a, b, c] = [first, first + 1, first + 2].map(corner);
-        builder.push_triangle(if turn.mirrors { [a, c, b] } else { [a, b, c] });
+        let mirrors = turns.of(primitive.positions[first]).mirrors;
+        builder.push_triangle(if mirrors { [a, c, b] } else { [a, b, c] });
     }
 }
 
@@ -267,10 +363,6 @@ pub struct InverseBind {
     pub difference: f64,
 }
 
-/// Above this a difference of bind matrices is worth a warning: files written with seven digits
-/// stay well below.
-const NOTEWORTHY: f64 = 1e-3;
-
 impl DaeReport {
     pub(super) fn new(space: FileSpace) -> Self {
         Self {
@@ -288,34 +380,11 @@ impl DaeReport {
         self.weight_sums = Some((least.min(sum), most.max(sum)));
     }
 
-    /// Compares a skin's inverse bind matrices with the scene; returns a warning if they differ.
-    pub(super) fn add_inverse_binds(
-        &mut self,
-        binding: &Binding,
-        nodes: &[SceneNode],
-    ) -> Option<String> {
-        let pairs = binding.joints.iter().zip(&binding.skin.inverse_binds);
-        let worst = pairs
-            .filter_map(|(&node, inverse_bind)| {
-                let node = &nodes[node?];
-                let product = node.world * *inverse_bind - DMat4::IDENTITY;
-                let numbers = product.to_cols_array();
-                let difference = numbers.iter().fold(0.0, |most: f64, n| most.max(n.abs()));
-                let joint = node.name().to_owned();
-                Some(InverseBind { joint, difference })
-            })
-            .max_by(|a, b| a.difference.total_cmp(&b.difference))?;
-        let warning = (worst.difference > NOTEWORTHY).then(|| {
-            format!(
-                "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {}: the scene's is used",
-                worst.difference,
-                super::quoted(&worst.joint)
-            )
-        });
+    /// Keeps `worst` if no other skin's agrees worse with the scene.
+    pub(super) fn add_inverse_bind(&mut self, worst: &InverseBind) {
         let known = self.worst_inverse_bind.as_ref();
         if known.is_none_or(|known| known.difference < worst.difference) {
-            self.worst_inverse_bind = Some(worst);
+            self.worst_inverse_bind = Some(worst.clone());
         }
-        warning
     }
 }

@@ -12,6 +12,7 @@ mod document;
 mod instances;
 mod materials;
 mod meshes;
+mod rest_pose;
 mod rigs;
 mod skin;
 mod sources;
@@ -21,7 +22,7 @@ use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
-use assemble::{Assembler, Part};
+use assemble::{Assembler, Part, Placement};
 pub use assemble::{DaeReport, InverseBind};
 use document::{Dae, FARTHEST, label, parse_xml};
 use instances::{Instance, collect};
@@ -115,21 +116,16 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
     for instance in &instances {
         let world = nodes[instance.node].world;
         if let Some(binding) = &instance.binding {
-            // The node of a skin does not move it, as Collada says.
-            let ours_from_mesh = ours_from_file * binding.skin.bind_shape;
-            if let Some(warning) = assembler.report.add_inverse_binds(binding, &nodes) {
-                dae.warn(instance.xml, warning);
-            }
             assembler.report.skins += 1;
             if let Some(rig) = rigs.of_binding(binding) {
-                assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
                 let joint_of_node = &rigs.rigs[rig].joint_of_node;
-                assembler.add_weights(&mut parts[rig], instance, binding, joint_of_node);
+                assembler.add_skin(&mut parts[rig], instance, binding, &nodes, joint_of_node)?;
             } else {
                 dae.warn(
                     instance.xml,
                     "expected a skeleton, found no joint: the mesh stays as it is",
                 );
+                let ours_from_mesh = ours_from_file * binding.skin.bind_shape;
                 meshes.push(static_mesh(
                     &mut assembler,
                     instance,
@@ -150,7 +146,8 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
     }
     for (instance, rig, joint) in rigid {
         let ours_from_mesh = ours_from_file * nodes[instance.node].world;
-        assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
+        let placement = Placement::Whole(ours_from_mesh);
+        assembler.add(&mut parts[rig].builder, instance, &placement)?;
         assembler.add_rigid(&mut parts[rig], instance, joint);
     }
     let characters = rigs
@@ -178,7 +175,8 @@ fn static_mesh<'a>(
     nodes: &[SceneNode<'a>],
 ) -> Result<DaeMesh, Diagnostic> {
     let mut part = Part::default();
-    assembler.add(&mut part, instance, ours_from_mesh)?;
+    let placement = Placement::Whole(ours_from_mesh);
+    assembler.add(&mut part.builder, instance, &placement)?;
     let name = nodes[instance.node].xml.attribute("name");
     Ok(DaeMesh {
         name: name.unwrap_or(&instance.geometry.name).to_owned(),
