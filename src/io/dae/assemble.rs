@@ -1,6 +1,6 @@
 //! Puts the instances of a scene together: meshes, weights, and the report about them.
 
-use super::document::{Dae, FARTHEST, MOST_ELEMENTS};
+use super::document::{Dae, FARTHEST, Impact, MOST_ELEMENTS};
 use super::instances::{Binding, Instance};
 use super::materials::{BoundMaterial, Materials};
 use super::meshes::{Attribute, Primitive};
@@ -89,7 +89,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let symbol = super::quoted(symbol);
             let message =
                 format!("expected a material for {symbol}, found none: the shape's color is used");
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Color, instance.xml, message);
         }
         found
     }
@@ -116,7 +116,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let message = format!(
                 "expected positions within {FARTHEST:e} of the origin, found {far} others: put there"
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
         positions
     }
@@ -161,7 +161,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let message = format!(
                 "expected inverse bind matrices that have an inverse, found {count} others: left out"
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
         let Some(worst) = &rest.worst else { return };
         self.report.add_inverse_bind(worst);
@@ -171,7 +171,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {joint}: the mesh is shown in the scene's rest pose",
                 worst.difference
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
     }
 
@@ -221,7 +221,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let message = format!(
                 "expected weights with a positive sum, found others at {unusable} positions: these stay at rest"
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
     }
 

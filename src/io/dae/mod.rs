@@ -24,7 +24,7 @@ use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
 use assemble::{Assembler, Part, Placement};
 pub use assemble::{DaeReport, InverseBind};
-use document::{Dae, FARTHEST, label, parse_xml};
+use document::{Dae, FARTHEST, Impact, label, parse_xml};
 use instances::{Instance, collect};
 use materials::Materials;
 use rigs::{Rig, Rigs};
@@ -122,6 +122,7 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
                 assembler.add_skin(&mut parts[rig], instance, binding, &nodes, joint_of_node)?;
             } else {
                 dae.warn(
+                    Impact::Shape,
                     instance.xml,
                     "expected a skeleton, found no joint: the mesh stays as it is",
                 );
@@ -150,6 +151,7 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
         assembler.add(&mut parts[rig].builder, instance, &placement)?;
         assembler.add_rigid(&mut parts[rig], instance, joint);
     }
+    assembler.materials.warn_of_missing_pictures(dae);
     let characters = rigs
         .rigs
         .iter()
