@@ -159,7 +159,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
         if rest.singular > 0 {
             let count = rest.singular;
             let message = format!(
-                "expected inverse bind matrices that have an inverse, found {count} others: left out"
+                "expected inverse bind matrices that can be inverted, found {count} that cannot: left out"
             );
             self.dae.warn(Impact::Shape, instance.xml, message);
         }

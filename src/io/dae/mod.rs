@@ -3,7 +3,8 @@
 //! The reader is forgiving: a broken part is left out with a warning, and only a file with nothing
 //! left is an error. Everything ends up in one space, +Y up and in
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
-//! file's rest orientation is not kept but in the direction of its bone.
+//! file's rest orientation is not kept but in the direction of its bone. All angles are 0 in the
+//! pose that the nodes of the scene have (`rest_pose`).
 //!
 //! Memory and time stay in proportion to the size of the file (limits in `document`).
 

@@ -1,9 +1,15 @@
 //! Skins in the scene's rest pose, which need not be the pose that they were bound in.
 //!
-//! A position of a skin is at `Σ weight · world of the joint · its inverse bind matrix · bind
+//! Skeleton and mesh are shown as the nodes of the scene have them, and all angles are 0 there. A
+//! position of a skin is at `Σ weight · world of the joint · its inverse bind matrix · bind
 //! shape · position` (Collada 1.4.1, chapter 4, "Skin deformation"). The node that shows the skin
 //! takes no part: where skeleton and mesh were bound with different turns, the inverse bind
-//! matrices hold the difference.
+//! matrices hold the difference. three.js and assimp show the same; Blender leaves the node out, too,
+//! but opens skeleton and mesh in the bind pose.
+//!
+//! Joints bend the mesh from there on, as after Blender's "Apply Pose as Rest Pose". Where all
+//! influences of a position go one way from the bind pose, or it has a single one, this is exact;
+//! elsewhere bending a joint back to the bind pose does not give quite the bound mesh.
 
 use super::assemble::InverseBind;
 use super::instances::Binding;
@@ -26,7 +32,7 @@ pub(super) struct RestPose {
     pub as_a_whole: bool,
     /// The joint whose inverse bind matrix agrees worst with the scene.
     pub worst: Option<InverseBind>,
-    /// How many inverse bind matrices have no inverse themselves and are left out.
+    /// Number of inverse bind matrices that cannot be inverted and are left out.
     pub singular: usize,
 }
 
