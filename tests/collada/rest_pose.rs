@@ -11,7 +11,7 @@ use glam::Vec3;
 
 /// Inverse bind matrices of the joints `a` at (0, 1, 0) and `b` at (0, 2, 0), not turned.
 const STANDING: &str = "1 0 0 0  0 1 0 -1  0 0 1 0  0 0 0 1   1 0 0 0  0 1 0 -2  0 0 1 0  0 0 0 1";
-/// The same for a mesh that −90° about X, (x, y, z) → (x, z, −y), make stand with them.
+/// The same for a mesh that lies on its back: −90° about X, (x, y, z) → (x, z, −y), make it stand.
 const LYING: &str = "1 0 0 0  0 0 1 -1  0 -1 0 0  0 0 0 1   1 0 0 0  0 0 1 -2  0 -1 0 0  0 0 0 1";
 /// −90° about X.
 const UPRIGHT: &str = "1 0 0 0  0 0 1 0  0 -1 0 0  0 0 0 1";

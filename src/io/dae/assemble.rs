@@ -1,17 +1,18 @@
-//! Puts the instances of a scene together: meshes, weights, and the report about them.
+//! Puts the instances of a scene together: meshes and weights.
 
 use super::document::{Dae, FARTHEST, Impact, MOST_ELEMENTS};
 use super::instances::{Binding, Instance};
 use super::materials::{BoundMaterial, Materials};
 use super::meshes::{Attribute, Primitive};
+use super::report::DaeReport;
 use super::rest_pose::RestPose;
-use super::visual_scene::{FileSpace, SceneNode};
+use super::visual_scene::SceneNode;
 use crate::character::{Attachments, Influence};
 use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
 use crate::io::Diagnostic;
 use crate::math::cofactors;
 use glam::{DMat3, DMat4, Mat3, Vec2, Vec3};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 /// A mesh under construction, with the weights of its positions so far.
 #[derive(Default)]
@@ -121,8 +122,8 @@ impl<'d, 'a> Assembler<'d, 'a> {
         positions
     }
 
-    /// Adds a skin to `part` as the scene's rest pose has it; joints are numbered as
-    /// `joint_of_node` does. The node of `instance` does not move it, as Collada says.
+    /// Adds a skin to `part` in the scene's rest pose. `joint_of_node` gives the rig's joint for
+    /// each node. The node of `instance` does not move the skin.
     ///
     /// # Errors
     /// If the file has grown too large by it.
@@ -332,59 +333,4 @@ fn texture_of_set(texture: &[(usize, Attribute)], set: Option<usize>) -> Option<
     let asked = texture.iter().find(|(of_set, _)| Some(*of_set) == set);
     let lowest = || texture.iter().min_by_key(|(of_set, _)| *of_set);
     asked.or_else(lowest).map(|(_, attribute)| attribute)
-}
-
-/// Facts about a Collada file besides its characters and meshes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DaeReport {
-    /// Its axes and unit.
-    pub space: FileSpace,
-    /// Skinned meshes.
-    pub skins: usize,
-    /// Smallest and largest sum of a position's weights before they were divided by it; `None`
-    /// without weights.
-    pub weight_sums: Option<(f32, f32)>,
-    /// Positions of skins that no joint moves.
-    pub unweighted: usize,
-    /// The joint whose inverse bind matrix agrees worst with the scene's rest pose; `None`
-    /// without any.
-    pub worst_inverse_bind: Option<InverseBind>,
-    /// Content that this program does not use, by kind, with the number of each.
-    pub ignored: BTreeMap<String, usize>,
-}
-
-/// How an inverse bind matrix agrees with the scene.
-#[derive(Clone, Debug, PartialEq)]
-pub struct InverseBind {
-    /// The joint's name.
-    pub joint: String,
-    /// The largest number by which the product of its matrix in the scene and its inverse bind
-    /// matrix differs from the identity; lengths in the file's unit.
-    pub difference: f64,
-}
-
-impl DaeReport {
-    pub(super) fn new(space: FileSpace) -> Self {
-        Self {
-            space,
-            skins: 0,
-            weight_sums: None,
-            unweighted: 0,
-            worst_inverse_bind: None,
-            ignored: BTreeMap::new(),
-        }
-    }
-
-    pub(super) fn add_weight_sum(&mut self, sum: f32) {
-        let (least, most) = self.weight_sums.unwrap_or((sum, sum));
-        self.weight_sums = Some((least.min(sum), most.max(sum)));
-    }
-
-    /// Keeps `worst` if no other skin's agrees worse with the scene.
-    pub(super) fn add_inverse_bind(&mut self, worst: &InverseBind) {
-        let known = self.worst_inverse_bind.as_ref();
-        if known.is_none_or(|known| known.difference < worst.difference) {
-            self.worst_inverse_bind = Some(worst.clone());
-        }
-    }
 }

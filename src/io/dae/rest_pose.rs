@@ -7,12 +7,12 @@
 //! matrices hold the difference. three.js and assimp show the same; Blender leaves the node out, too,
 //! but opens skeleton and mesh in the bind pose.
 //!
-//! Joints bend the mesh from there on, as after Blender's "Apply Pose as Rest Pose". Where all
-//! influences of a position go one way from the bind pose, or it has a single one, this is exact;
-//! elsewhere bending a joint back to the bind pose does not give quite the bound mesh.
+//! Poses deform the mesh of the rest pose, as after Blender's "Apply Pose as Rest Pose". This is
+//! exact for positions whose joints share one transform from bind to rest pose, such as those with
+//! a single influence. Others do not return quite to the bound mesh when the pose does.
 
-use super::assemble::InverseBind;
 use super::instances::Binding;
+use super::report::InverseBind;
 use super::visual_scene::SceneNode;
 use crate::character::Influence;
 use glam::{DMat3, DMat4, Vec3};
@@ -22,13 +22,13 @@ use std::collections::HashMap;
 /// below. Translations are measured by the size of the skin.
 const ROUNDING: f64 = 1e-3;
 
-/// The way of a skin from its bind pose to the scene's rest pose.
+/// Transforms of a skin from its bind pose to the scene's rest pose, in the file's space.
 pub(super) struct RestPose {
-    /// For each joint of the rig that has an inverse bind matrix, in the file's space.
+    /// By joint of the rig, for those with an inverse bind matrix.
     rest_from_bind: HashMap<u32, DMat4>,
-    /// That of the first joint listed, for what has none of its own.
+    /// Transform of the first joint that has one; the identity if none does.
     first: DMat4,
-    /// Whether all joints go this way, so that the mesh is turned and moved as a whole.
+    /// Whether all joints share one transform, so that the mesh is moved as a whole.
     pub as_a_whole: bool,
     /// The joint whose inverse bind matrix agrees worst with the scene.
     pub worst: Option<InverseBind>,
@@ -37,8 +37,8 @@ pub(super) struct RestPose {
 }
 
 impl RestPose {
-    /// The rest pose of `binding`, whose mesh has these `positions`; joints are numbered as
-    /// `joint_of_node` does.
+    /// Rest pose of `binding`, whose mesh has these `positions`. `joint_of_node` gives the rig's
+    /// joint for each node.
     pub fn new(
         binding: &Binding,
         positions: &[Vec3],
@@ -93,12 +93,13 @@ impl RestPose {
         }
     }
 
-    /// The way of the mesh as a whole, and of positions that no joint moves.
+    /// Transform of the mesh if it is moved as a whole, and of positions without weights.
     pub fn first(&self) -> DMat4 {
         self.first
     }
 
-    /// The way of a position that these joints move: the mean of theirs by weight.
+    /// Transform of a position with these influences: the weighted mean of the joints' transforms;
+    /// joints without an inverse bind matrix count as the first.
     pub fn of_influences(&self, influences: &[Influence]) -> DMat4 {
         let (mut sum, mut weights) = (DMat4::ZERO, 0.0);
         for &Influence { joint, weight } in influences {
