@@ -2,11 +2,13 @@
 
 use editor_core::disk::Disk;
 use editor_core::editor::{Edit, Session};
+use editor_core::geometry::{Mesh, SharedMesh};
 use editor_core::io::builtin::{BuiltinKind, PREFIX, WithBuiltin, catalogue, resolve};
 use editor_core::io::{Files, Loaded, PoseFile};
 use editor_core::scene::{CurveVisibility, EvaluatedShape, Shape, ShapeKind, SurfaceVisibility};
 use editor_core::ui::{COMMANDS, Command, Entry, Navigation};
 use egui::Key;
+use glam::Vec3;
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
@@ -248,4 +250,70 @@ fn the_examples_of_the_documentation_work() {
         let session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
         assert!(!pose.poses_for(session.scene()).unwrap().is_empty());
     }
+}
+
+/// Volumes of the parts of `mesh` that are closed: positive where their triangles face outward.
+/// Vertices at the same place are one, as are all that triangles join.
+fn volumes_of_closed_parts(mesh: &Mesh) -> Vec<f64> {
+    let mut numbers = HashMap::new();
+    let place = |position: &Vec3| (position.as_dvec3() * 1e5).round().as_i64vec3();
+    let vertices = mesh.positions.iter().map(|position| {
+        let next = numbers.len();
+        *numbers.entry(place(position)).or_insert(next)
+    });
+    let vertex: Vec<usize> = vertices.collect();
+    let mut parts: Vec<usize> = (0..numbers.len()).collect();
+    let triangles = || mesh.triangles.iter().map(|t| t.map(|at| at as usize));
+    let edges = |t: [usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+    while triangles().fold(false, |changed, triangle| {
+        let corners = triangle.map(|at| vertex[at]);
+        let least = corners.map(|at| parts[at]).into_iter().min().unwrap_or(0);
+        let differ = corners.iter().any(|&at| parts[at] != least);
+        corners.iter().for_each(|&at| parts[at] = least);
+        changed || differ
+    }) {}
+    let mut balance: HashMap<[usize; 2], i32> = HashMap::new();
+    let mut volumes: HashMap<usize, f64> = HashMap::new();
+    for triangle in triangles() {
+        for [a, b] in edges(triangle.map(|at| vertex[at])) {
+            *balance.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+        }
+        let [a, b, c] = triangle.map(|at| mesh.positions[at].as_dvec3());
+        *volumes.entry(parts[vertex[triangle[0]]]).or_default() += a.dot(b.cross(c)) / 6.0;
+    }
+    for ([a, _], balance) in balance {
+        if balance != 0 {
+            volumes.remove(&parts[a]);
+        }
+    }
+    volumes.into_values().collect()
+}
+
+#[test]
+fn closed_meshes_face_outward() {
+    let kinds = [
+        ShapeKind::Cube,
+        ShapeKind::Sphere,
+        ShapeKind::Pyramid,
+        ShapeKind::Teapot,
+        ShapeKind::Icosahedron,
+        ShapeKind::Custom,
+    ];
+    let mut meshes: Vec<(&str, SharedMesh)> = kinds.iter().map(|k| (k.label(), k.mesh())).collect();
+    for builtin in catalogue() {
+        if !matches!(builtin.kind, BuiltinKind::Scene | BuiltinKind::Pose) {
+            let session = open(builtin.name);
+            let shapes = session.evaluated().shapes.iter();
+            meshes.extend(shapes.map(|shape| (builtin.name, shape.geometry.mesh.clone())));
+        }
+    }
+    let mut open = Vec::new();
+    for (name, mesh) in &meshes {
+        let volumes = volumes_of_closed_parts(mesh);
+        assert!(volumes.iter().all(|&v| v > 0.0), "{name}: {volumes:?}");
+        if volumes.is_empty() {
+            open.push(*name);
+        }
+    }
+    assert_eq!(open, ["Teapot", "plant", "spring"], "no closed part");
 }

@@ -412,31 +412,6 @@ fn normals_follow_the_joints() {
 }
 
 #[test]
-fn inverse_bind_matrices_that_disagree_with_the_scene_are_told_and_the_scene_is_right() {
-    let binds = source(
-        "binds",
-        16,
-        "1 0 0 0 0 1 0 -1 0 0 1 0 0 0 0 1 1 0 0 0 0 1 0 -2.5 0 0 1 0 0 0 0 1",
-    );
-    let text = arm(&Skin {
-        joints: "a b",
-        ..Skin::default()
-    })
-    .replace(
-        "<joints>",
-        &format!(r##"{binds}<joints><input semantic="INV_BIND_MATRIX" source="#binds"/>"##),
-    );
-    let imported = import(&text);
-    assert_warns(&imported, "found a difference of 5.000e-1 at “Name b”");
-    let worst = imported.value.report.worst_inverse_bind.clone().unwrap();
-    assert_eq!((worst.joint.as_str(), worst.difference), ("Name b", 0.5));
-    assert_eq!(
-        imported.value.characters[0].character.skeleton().joints()[1].offset,
-        Vec3::Y
-    );
-}
-
-#[test]
 fn a_leafs_bone_ends_where_blender_says() {
     let tip = r#"<extra><technique profile="blender"><tip_x sid="tip_x">0</tip_x><tip_y>3</tip_y><tip_z>-4</tip_z></technique></extra>"#;
     let libraries = geometries(&triangle("g")) + &controllers(&Skin::default().xml());

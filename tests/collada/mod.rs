@@ -7,4 +7,6 @@ mod importing;
 mod materials;
 mod meshes;
 mod reference;
+mod rest_pose;
 pub mod support;
+mod warnings;

@@ -149,6 +149,8 @@ pub struct Skin<'a> {
     /// `Name_array` or `IDREF_array`.
     pub array: &'a str,
     pub joints: &'a str,
+    /// Empty for a skin without any.
+    pub inverse_binds: &'a str,
     pub weights: &'a str,
     pub vcount: &'a str,
     pub v: &'a str,
@@ -162,6 +164,7 @@ impl Default for Skin<'_> {
             bind_shape: IDENTITY,
             array: "Name_array",
             joints: "a",
+            inverse_binds: "",
             weights: "1",
             vcount: "1 1 1",
             v: "0 0 0 0 0 0",
@@ -177,16 +180,22 @@ impl Skin<'_> {
             bind_shape,
             array,
             joints,
+            inverse_binds,
             weights,
             vcount,
             v,
         } = self;
+        let (mut binds, mut bind_input) = (String::new(), String::new());
+        if !inverse_binds.is_empty() {
+            binds = source(&format!("{id}-b"), 16, inverse_binds);
+            bind_input = format!(r##"<input semantic="INV_BIND_MATRIX" source="#{id}-b"/>"##);
+        }
         let weights = source(&format!("{id}-w"), 1, weights);
         let count = vcount.split_whitespace().count();
         format!(
             r##"<controller id="{id}"><skin source="#{geometry}"><bind_shape_matrix>{bind_shape}</bind_shape_matrix>
-<source id="{id}-j"><{array}>{joints}</{array}></source>{weights}
-<joints><input semantic="JOINT" source="#{id}-j"/></joints>
+<source id="{id}-j"><{array}>{joints}</{array}></source>{binds}{weights}
+<joints><input semantic="JOINT" source="#{id}-j"/>{bind_input}</joints>
 <vertex_weights count="{count}"><input semantic="JOINT" source="#{id}-j" offset="0"/><input semantic="WEIGHT" source="#{id}-w" offset="1"/>
 <vcount>{vcount}</vcount><v>{v}</v></vertex_weights></skin></controller>"##
         )

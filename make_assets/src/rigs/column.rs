@@ -86,6 +86,5 @@ fn outline() -> Vec<(DVec3, DVec3)> {
             points.push((DVec3::new(x, 0.0, z), DVec3::new(sin, 0.0, cos)));
         }
     }
-    points.reverse();
     points
 }

@@ -1,16 +1,18 @@
-//! Puts the instances of a scene together: meshes, weights, and the report about them.
+//! Puts the instances of a scene together: meshes and weights.
 
-use super::document::{Dae, FARTHEST, MOST_ELEMENTS};
+use super::document::{Dae, FARTHEST, Impact, MOST_ELEMENTS};
 use super::instances::{Binding, Instance};
 use super::materials::{BoundMaterial, Materials};
 use super::meshes::{Attribute, Primitive};
-use super::visual_scene::{FileSpace, SceneNode};
+use super::report::DaeReport;
+use super::rest_pose::RestPose;
+use super::visual_scene::SceneNode;
 use crate::character::{Attachments, Influence};
 use crate::geometry::{Corner, MaterialGroup, MeshBuilder};
 use crate::io::Diagnostic;
 use crate::math::cofactors;
 use glam::{DMat3, DMat4, Mat3, Vec2, Vec3};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 /// A mesh under construction, with the weights of its positions so far.
 #[derive(Default)]
@@ -37,15 +39,15 @@ impl<'d, 'a> Assembler<'d, 'a> {
         }
     }
 
-    /// Adds `instance` to `part`, brought into our space by `ours_from_mesh`.
+    /// Adds `instance` to `builder`, brought into our space as `placement` says.
     ///
     /// # Errors
     /// If the file has grown too large by it.
     pub fn add(
         &mut self,
-        part: &mut Part,
+        builder: &mut MeshBuilder,
         instance: &Instance<'a>,
-        ours_from_mesh: DMat4,
+        placement: &Placement,
     ) -> Result<(), Diagnostic> {
         let geometry = &instance.geometry;
         let corners = geometry.primitives.iter().map(|p| p.positions.len());
@@ -55,10 +57,9 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 format!("expected at most {MOST_ELEMENTS} positions and triangles, found more");
             return Err(self.dae.error(instance.xml, message));
         }
-        let base = part.builder.positions().len() as u32;
-        let builder = &mut part.builder;
-        builder.extend_positions(self.positions(instance, ours_from_mesh));
-        let turn = Turn::new(ours_from_mesh);
+        let base = builder.positions().len() as u32;
+        builder.extend_positions(self.positions(instance, placement));
+        let turns = Turns::new(placement, geometry.positions.len());
         let bound = self.materials.bind(self.dae, instance.xml);
         let mut unbound: HashMap<&str, _> = HashMap::new();
         for primitive in &geometry.primitives {
@@ -72,7 +73,7 @@ impl<'d, 'a> Assembler<'d, 'a> {
             });
             let set = material.as_ref().and_then(|material| material.texture_set);
             let start = builder.triangle_count();
-            push_triangles(builder, primitive, set, base, &turn);
+            push_triangles(builder, primitive, set, base, &turns);
             if let Some(material) = material {
                 builder.push_group(MaterialGroup {
                     triangles: start..builder.triangle_count(),
@@ -89,19 +90,20 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let symbol = super::quoted(symbol);
             let message =
                 format!("expected a material for {symbol}, found none: the shape's color is used");
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Color, instance.xml, message);
         }
         found
     }
 
-    fn positions(&self, instance: &Instance<'a>, ours_from_mesh: DMat4) -> Vec<Vec3> {
+    fn positions(&self, instance: &Instance<'a>, placement: &Placement) -> Vec<Vec3> {
         let mut far = 0;
         let positions = instance
             .geometry
             .positions
             .iter()
-            .map(|position| {
-                let ours = ours_from_mesh.transform_point3(position.as_dvec3());
+            .enumerate()
+            .map(|(at, position)| {
+                let ours = placement.of(at).transform_point3(position.as_dvec3());
                 // Not a number compares as false.
                 if ours.abs().max_element() < FARTHEST && !ours.is_nan() {
                     ours.as_vec3()
@@ -115,16 +117,69 @@ impl<'d, 'a> Assembler<'d, 'a> {
             let message = format!(
                 "expected positions within {FARTHEST:e} of the origin, found {far} others: put there"
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
         positions
     }
 
-    /// The weights of a skin's positions, divided by their sums; joints are numbered as
-    /// `joint_of_node` does.
-    pub fn add_weights(
+    /// Adds a skin to `part` in the scene's rest pose. `joint_of_node` gives the rig's joint for
+    /// each node. The node of `instance` does not move the skin.
+    ///
+    /// # Errors
+    /// If the file has grown too large by it.
+    pub fn add_skin(
         &mut self,
         part: &mut Part,
+        instance: &Instance<'a>,
+        binding: &Binding<'a>,
+        nodes: &[SceneNode<'a>],
+        joint_of_node: &HashMap<usize, u32>,
+    ) -> Result<(), Diagnostic> {
+        let rest = RestPose::new(binding, &instance.geometry.positions, nodes, joint_of_node);
+        self.check_inverse_binds(instance, &rest);
+        let Part {
+            builder,
+            attachments,
+        } = part;
+        let base = builder.positions().len();
+        self.add_weights(attachments, instance, binding, joint_of_node);
+        let ours_from_file = self.report.space.ours_from_file();
+        let bind_shape = binding.skin.bind_shape;
+        if rest.as_a_whole {
+            let placement = Placement::Whole(ours_from_file * rest.first() * bind_shape);
+            return self.add(builder, instance, &placement);
+        }
+        let ours_from_mesh = |position: usize| {
+            let influences = attachments.of_vertex(base + position);
+            ours_from_file * rest.of_influences(influences) * bind_shape
+        };
+        self.add(builder, instance, &Placement::Each(&ours_from_mesh))
+    }
+
+    fn check_inverse_binds(&mut self, instance: &Instance<'a>, rest: &RestPose) {
+        if rest.singular > 0 {
+            let count = rest.singular;
+            let message = format!(
+                "expected inverse bind matrices that can be inverted, found {count} that cannot: left out"
+            );
+            self.dae.warn(Impact::Shape, instance.xml, message);
+        }
+        let Some(worst) = &rest.worst else { return };
+        self.report.add_inverse_bind(worst);
+        if !rest.as_a_whole {
+            let joint = super::quoted(&worst.joint);
+            let message = format!(
+                "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {joint}: the mesh is shown in the scene's rest pose",
+                worst.difference
+            );
+            self.dae.warn(Impact::Shape, instance.xml, message);
+        }
+    }
+
+    /// The weights of a skin's positions, divided by their sums.
+    fn add_weights(
+        &mut self,
+        attachments: &mut Attachments,
         instance: &Instance<'a>,
         binding: &Binding<'a>,
         joint_of_node: &HashMap<usize, u32>,
@@ -157,18 +212,17 @@ impl<'d, 'a> Assembler<'d, 'a> {
                 unusable += 1;
                 row.clear();
             }
-            part.attachments
-                .push_vertex(row.iter().filter_map(|&(joint, weight)| {
-                    let joint = joints[joint as usize]?;
-                    let weight = weight / sum;
-                    weight.is_finite().then_some(Influence { joint, weight })
-                }));
+            attachments.push_vertex(row.iter().filter_map(|&(joint, weight)| {
+                let joint = joints[joint as usize]?;
+                let weight = weight / sum;
+                weight.is_finite().then_some(Influence { joint, weight })
+            }));
         }
         if unusable > 0 {
             let message = format!(
                 "expected weights with a positive sum, found others at {unusable} positions: these stay at rest"
             );
-            self.dae.warn(instance.xml, message);
+            self.dae.warn(Impact::Shape, instance.xml, message);
         }
     }
 
@@ -177,6 +231,48 @@ impl<'d, 'a> Assembler<'d, 'a> {
         for _ in &instance.geometry.positions {
             let influence = Influence { joint, weight: 1.0 };
             part.attachments.push_vertex([influence]);
+        }
+    }
+}
+
+/// The transform that brings a mesh into our space.
+pub(super) enum Placement<'p> {
+    /// One for all positions.
+    Whole(DMat4),
+    /// One for each position, by its index in the mesh.
+    Each(&'p dyn Fn(usize) -> DMat4),
+}
+
+impl Placement<'_> {
+    fn of(&self, position: usize) -> DMat4 {
+        match self {
+            Self::Whole(ours_from_mesh) => *ours_from_mesh,
+            Self::Each(ours_from_mesh) => ours_from_mesh(position),
+        }
+    }
+}
+
+/// Effect of a placement on normals and winding.
+enum Turns {
+    Whole(Turn),
+    Each(Vec<Turn>),
+}
+
+impl Turns {
+    fn new(placement: &Placement, positions: usize) -> Self {
+        match placement {
+            Placement::Whole(ours_from_mesh) => Self::Whole(Turn::new(*ours_from_mesh)),
+            Placement::Each(_) => {
+                let turns = (0..positions).map(|position| Turn::new(placement.of(position)));
+                Self::Each(turns.collect())
+            }
+        }
+    }
+
+    fn of(&self, position: u32) -> &Turn {
+        match self {
+            Self::Whole(turn) => turn,
+            Self::Each(turns) => &turns[position as usize],
         }
     }
 }
@@ -213,21 +309,22 @@ fn push_triangles(
     primitive: &Primitive,
     set: Option<usize>,
     base: u32,
-    turn: &Turn,
+    turns: &Turns,
 ) {
     let texture = texture_of_set(&primitive.texture, set);
     let corner = |at: usize| Corner {
         position: base + primitive.positions[at],
-        normal: primitive
-            .normals
-            .as_ref()
-            .and_then(|normals| turn.normal(normals.source.row(normals.rows[at] as usize))),
+        normal: primitive.normals.as_ref().and_then(|normals| {
+            let turn = turns.of(primitive.positions[at]);
+            turn.normal(normals.source.row(normals.rows[at] as usize))
+        }),
         texture: texture
             .map(|texture| Vec2::from_array(texture.source.row(texture.rows[at] as usize))),
     };
     for first in (0..primitive.positions.len() / 3).map(|triangle| 3 * triangle) {
         let [a, b, c] = [first, first + 1, first + 2].map(corner);
-        builder.push_triangle(if turn.mirrors { [a, c, b] } else { [a, b, c] });
+        let mirrors = turns.of(primitive.positions[first]).mirrors;
+        builder.push_triangle(if mirrors { [a, c, b] } else { [a, b, c] });
     }
 }
 
@@ -236,86 +333,4 @@ fn texture_of_set(texture: &[(usize, Attribute)], set: Option<usize>) -> Option<
     let asked = texture.iter().find(|(of_set, _)| Some(*of_set) == set);
     let lowest = || texture.iter().min_by_key(|(of_set, _)| *of_set);
     asked.or_else(lowest).map(|(_, attribute)| attribute)
-}
-
-/// Facts about a Collada file besides its characters and meshes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DaeReport {
-    /// Its axes and unit.
-    pub space: FileSpace,
-    /// Skinned meshes.
-    pub skins: usize,
-    /// Smallest and largest sum of a position's weights before they were divided by it; `None`
-    /// without weights.
-    pub weight_sums: Option<(f32, f32)>,
-    /// Positions of skins that no joint moves.
-    pub unweighted: usize,
-    /// The joint whose inverse bind matrix agrees worst with the scene's rest pose; `None`
-    /// without any.
-    pub worst_inverse_bind: Option<InverseBind>,
-    /// Content that this program does not use, by kind, with the number of each.
-    pub ignored: BTreeMap<String, usize>,
-}
-
-/// How an inverse bind matrix agrees with the scene.
-#[derive(Clone, Debug, PartialEq)]
-pub struct InverseBind {
-    /// The joint's name.
-    pub joint: String,
-    /// The largest number by which the product of its matrix in the scene and its inverse bind
-    /// matrix differs from the identity; lengths in the file's unit.
-    pub difference: f64,
-}
-
-/// Above this a difference of bind matrices is worth a warning: files written with seven digits
-/// stay well below.
-const NOTEWORTHY: f64 = 1e-3;
-
-impl DaeReport {
-    pub(super) fn new(space: FileSpace) -> Self {
-        Self {
-            space,
-            skins: 0,
-            weight_sums: None,
-            unweighted: 0,
-            worst_inverse_bind: None,
-            ignored: BTreeMap::new(),
-        }
-    }
-
-    pub(super) fn add_weight_sum(&mut self, sum: f32) {
-        let (least, most) = self.weight_sums.unwrap_or((sum, sum));
-        self.weight_sums = Some((least.min(sum), most.max(sum)));
-    }
-
-    /// Compares a skin's inverse bind matrices with the scene; returns a warning if they differ.
-    pub(super) fn add_inverse_binds(
-        &mut self,
-        binding: &Binding,
-        nodes: &[SceneNode],
-    ) -> Option<String> {
-        let pairs = binding.joints.iter().zip(&binding.skin.inverse_binds);
-        let worst = pairs
-            .filter_map(|(&node, inverse_bind)| {
-                let node = &nodes[node?];
-                let product = node.world * *inverse_bind - DMat4::IDENTITY;
-                let numbers = product.to_cols_array();
-                let difference = numbers.iter().fold(0.0, |most: f64, n| most.max(n.abs()));
-                let joint = node.name().to_owned();
-                Some(InverseBind { joint, difference })
-            })
-            .max_by(|a, b| a.difference.total_cmp(&b.difference))?;
-        let warning = (worst.difference > NOTEWORTHY).then(|| {
-            format!(
-                "expected inverse bind matrices that agree with the scene's rest pose, found a difference of {:.3e} at {}: the scene's is used",
-                worst.difference,
-                super::quoted(&worst.joint)
-            )
-        });
-        let known = self.worst_inverse_bind.as_ref();
-        if known.is_none_or(|known| known.difference < worst.difference) {
-            self.worst_inverse_bind = Some(worst);
-        }
-        warning
-    }
 }

@@ -27,8 +27,21 @@ pub(super) struct Dae<'a> {
 
 #[derive(Default)]
 struct Notes {
-    warnings: Warnings,
+    /// By [`Impact`].
+    warnings: [Warnings; 3],
     ignored: BTreeMap<String, usize>,
+}
+
+/// The effect on the picture of the fault that a warning is about. Warnings are shown in this
+/// order.
+#[derive(Clone, Copy)]
+pub(super) enum Impact {
+    /// Something is missing, or is of another shape or at another place than was meant.
+    Shape,
+    /// Something has another color.
+    Color,
+    /// Everything looks as it was meant.
+    None,
 }
 
 /// Parses the XML of the file at `path`.
@@ -89,7 +102,8 @@ impl<'a> Dae<'a> {
             if let Some(id) = node.attribute("id")
                 && ids.insert(id, node).is_some_and(|earlier| earlier != node)
             {
-                self.warn(node, format!("expected every id once, found “{id}” again"));
+                let message = format!("expected every id once, found “{id}” again");
+                self.warn(Impact::None, node, message);
             }
         }
         self.ids = ids;
@@ -190,18 +204,20 @@ impl<'a> Dae<'a> {
     }
 
     /// Keeps a warning about `node`.
-    pub fn warn(&self, node: Node<'a>, message: impl Into<String>) {
-        self.warn_with(|| self.error(node, message));
+    pub fn warn(&self, impact: Impact, node: Node<'a>, message: impl Into<String>) {
+        self.warn_with(impact, || self.error(node, message));
     }
 
     /// Keeps a warning.
-    pub fn warn_with(&self, warning: impl FnOnce() -> Diagnostic) {
-        self.notes.borrow_mut().warnings.push_with(warning);
+    pub fn warn_with(&self, impact: Impact, warning: impl FnOnce() -> Diagnostic) {
+        self.notes.borrow_mut().warnings[impact as usize].push_with(warning);
     }
 
     /// The value, or none and its error kept as a warning.
-    pub fn or_warn<T>(&self, result: Result<T, Diagnostic>) -> Option<T> {
-        result.map_err(|error| self.warn_with(|| error)).ok()
+    pub fn or_warn<T>(&self, impact: Impact, result: Result<T, Diagnostic>) -> Option<T> {
+        result
+            .map_err(|error| self.warn_with(impact, || error))
+            .ok()
     }
 
     /// Counts something in the file that this program has no use for.
@@ -214,10 +230,13 @@ impl<'a> Dae<'a> {
             .or_default() += 1;
     }
 
-    /// The warnings, and the number of each kind of content that was ignored.
+    /// The warnings, those that change the picture most first, and the number of each kind of
+    /// content that was ignored.
     pub fn into_notes(self) -> (Vec<Diagnostic>, BTreeMap<String, usize>) {
         let Notes { warnings, ignored } = self.notes.into_inner();
-        (warnings.into_vec(self.path), ignored)
+        let mut all = Warnings::default();
+        warnings.into_iter().for_each(|some| all.append(some));
+        (all.into_vec(self.path), ignored)
     }
 }
 

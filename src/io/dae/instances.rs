@@ -1,6 +1,6 @@
 //! Instances of meshes and skins in the scene, and the joints that skins name.
 
-use super::document::{Dae, MOST_BOUND, MOST_INSTANCES, Node, children};
+use super::document::{Dae, Impact, MOST_BOUND, MOST_INSTANCES, Node, children};
 use super::meshes::Geometry;
 use super::quoted;
 use super::skin::{self, Controller, Geometries, Skin};
@@ -101,11 +101,13 @@ impl<'a> Reader<'_, 'a> {
         let dae = self.dae;
         let (geometry, binding) = match xml.tag_name().name() {
             "instance_geometry" => {
-                let target = dae.or_warn(dae.target_called(xml, "url", "geometry"))?;
+                let target =
+                    dae.or_warn(Impact::Shape, dae.target_called(xml, "url", "geometry"))?;
                 (self.geometries.get(dae, target)?, None)
             }
             "instance_controller" => {
-                let target = dae.or_warn(dae.target_called(xml, "url", "controller"))?;
+                let target =
+                    dae.or_warn(Impact::Shape, dae.target_called(xml, "url", "controller"))?;
                 match self.controller(target)? {
                     Controller::Morph(geometry) => (geometry, None),
                     Controller::Skin(skin) => {
@@ -129,7 +131,7 @@ impl<'a> Reader<'_, 'a> {
             return known.clone();
         }
         let read = skin::read(self.dae, &mut self.geometries, node);
-        let controller = self.dae.or_warn(read).flatten();
+        let controller = self.dae.or_warn(Impact::Shape, read).flatten();
         self.controllers.insert(node.id(), controller.clone());
         controller
     }
@@ -167,11 +169,16 @@ impl<'a> Lookup<'a> {
         skin: &Rc<Skin<'a>>,
     ) -> Binding<'a> {
         let mut skeletons = Vec::new();
+        // A skeleton that is not there changes nothing: joints that are missing for it are told.
         for skeleton in children(instance, "skeleton") {
-            let target = dae.or_warn(dae.by_url(skeleton, text(skeleton)));
+            let target = dae.or_warn(Impact::None, dae.by_url(skeleton, text(skeleton)));
             match target.map(|target| self.by_element.get(&target.id())) {
                 Some(Some(&node)) => skeletons.push(node),
-                Some(None) => dae.warn(skeleton, "expected a node of the scene, found none"),
+                Some(None) => dae.warn(
+                    Impact::None,
+                    skeleton,
+                    "expected a node of the scene, found none",
+                ),
                 None => {}
             }
         }
@@ -193,13 +200,14 @@ impl<'a> Lookup<'a> {
                 });
                 if found.is_none() {
                     let name = quoted(name);
-                    dae.warn(instance, format!("expected the joint {name} below <skeleton>, found none: its weights are left out"));
+                    dae.warn(Impact::Shape, instance, format!("expected the joint {name} below <skeleton>, found none: its weights are left out"));
                 }
                 found
             })
             .collect();
         if elsewhere > 0 {
             dae.warn(
+                Impact::None,
                 instance,
                 format!("expected all joints below <skeleton>, found {elsewhere} elsewhere"),
             );

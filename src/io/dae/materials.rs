@@ -1,7 +1,7 @@
 //! Materials: a symbol of the mesh → `<instance_material>` → effect → diffuse color or texture,
 //! and the pictures of textures.
 
-use super::document::{Dae, Node, child, children};
+use super::document::{Dae, Impact, Node, child, children};
 use super::quoted;
 use super::sources::{count, floats, text};
 use crate::geometry::{Material, Picture};
@@ -9,7 +9,7 @@ use crate::io::image::Pictures;
 use crate::io::{Diagnostic, Files};
 use glam::Vec3;
 use roxmltree::NodeId;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -56,7 +56,8 @@ impl<'a> Materials<'a> {
             .flat_map(|common| children(common, "instance_material"))
             .filter_map(|node| {
                 let symbol = node.attribute("symbol")?;
-                let target = dae.or_warn(dae.target_called(node, "target", "material"))?;
+                let target =
+                    dae.or_warn(Impact::Color, dae.target_called(node, "target", "material"))?;
                 let effect = self.material(dae, target)?;
                 let texture_set = effect.coordinates.as_deref().and_then(|name| {
                     let named = |input: &Node| input.attribute("semantic") == Some(name);
@@ -73,6 +74,11 @@ impl<'a> Materials<'a> {
                 ))
             })
             .collect()
+    }
+
+    /// Keeps one warning about all pictures that the materials so far name and that are missing.
+    pub fn warn_of_missing_pictures(&self, dae: &Dae<'a>) {
+        self.textures.warn_of_missing(dae);
     }
 
     /// The material whose id is the symbol itself, for files that bind none.
@@ -92,7 +98,7 @@ impl<'a> Materials<'a> {
         if let Some(known) = self.read.get(&node.id()) {
             return known.clone();
         }
-        let effect = dae.or_warn(self.effect(dae, node));
+        let effect = dae.or_warn(Impact::Color, self.effect(dae, node));
         self.read.insert(node.id(), effect.clone());
         effect
     }
@@ -207,6 +213,9 @@ fn image<'a>(
 /// The pictures of a document, each read once.
 pub(super) struct Textures<'a> {
     pictures: Pictures<'a>,
+    /// The first of which there is no file, with its place; and all such.
+    first_missing: Option<(Node<'a>, &'a str)>,
+    missing: HashSet<&'a str>,
     read: HashMap<NodeId, Option<Arc<Picture>>>,
 }
 
@@ -215,21 +224,30 @@ impl<'a> Textures<'a> {
     pub fn new(files: &'a dyn Files) -> Self {
         Self {
             pictures: Pictures::new(files),
+            first_missing: None,
+            missing: HashSet::new(),
             read: HashMap::new(),
         }
     }
 
-    /// The picture of an `<image>`; `None`, with a warning, if it is missing or cannot be read.
+    /// The picture of an `<image>`; `None` if it is missing, and with a warning if it cannot be
+    /// read.
     pub fn picture(&mut self, dae: &Dae<'a>, element: Node<'a>) -> Option<Arc<Picture>> {
         if let Some(known) = self.read.get(&element.id()) {
             return known.clone();
         }
-        let picture = dae.or_warn(self.read(dae, element));
+        let picture = dae
+            .or_warn(Impact::Color, self.read(dae, element))
+            .flatten();
         self.read.insert(element.id(), picture.clone());
         picture
     }
 
-    fn read(&mut self, dae: &Dae<'a>, element: Node<'a>) -> Result<Arc<Picture>, Diagnostic> {
+    fn read(
+        &mut self,
+        dae: &Dae<'a>,
+        element: Node<'a>,
+    ) -> Result<Option<Arc<Picture>>, Diagnostic> {
         let init = dae.child(element, "init_from")?;
         let url = text(child(init, "ref").unwrap_or(init));
         let folder = dae.path.parent().unwrap_or(Path::new(""));
@@ -238,10 +256,28 @@ impl<'a> Textures<'a> {
             .map(|candidate| folder.join(candidate))
             .find(|path| self.pictures.exists(path));
         let Some(path) = path else {
-            let found = quoted(url);
-            return Err(dae.error(init, format!("expected a picture, found no file {found}")));
+            self.first_missing.get_or_insert((init, url));
+            self.missing.insert(url);
+            return Ok(None);
         };
-        self.pictures.get(&path)
+        self.pictures.get(&path).map(Some)
+    }
+
+    /// Keeps one warning about all missing pictures, which names the first.
+    fn warn_of_missing(&self, dae: &Dae<'a>) {
+        let Some((place, url)) = self.first_missing else {
+            return;
+        };
+        let (first, count) = (quoted(url), self.missing.len());
+        let message = match count {
+            1 => format!("expected a picture, found no file {first}"),
+            2 => format!("expected 2 pictures, found no files for {first} and 1 other"),
+            _ => {
+                let others = count - 1;
+                format!("expected {count} pictures, found no files for {first} and {others} others")
+            }
+        };
+        dae.warn(Impact::Color, place, message);
     }
 }
 

@@ -1,7 +1,7 @@
 //! `<geometry>`: positions, and triangles (`<triangles>`, `<polylist>`, `<polygons>`,
 //! `<tristrips>`, `<trifans>`) whose corners index positions, normals and texture coordinates.
 
-use super::document::{Dae, Node, child, children};
+use super::document::{Dae, Impact, Node, child, children};
 use super::label;
 use super::sources::{Input, Source, Sources, inputs, integers};
 use crate::io::Diagnostic;
@@ -45,7 +45,8 @@ pub(super) fn read_geometry<'a>(
             "POSITION" => positions = Some(sources.floats(dae, input.node, 3)?),
             semantic => {
                 if let Some(columns) = columns(semantic)
-                    && let Some(source) = dae.or_warn(sources.floats(dae, input.node, columns))
+                    && let Some(source) =
+                        dae.or_warn(Impact::Color, sources.floats(dae, input.node, columns))
                 {
                     others.push((input, source));
                 }
@@ -69,7 +70,12 @@ pub(super) fn read_geometry<'a>(
     let primitives = mesh
         .children()
         .filter(Node::is_element)
-        .filter_map(|node| dae.or_warn(read_primitive(dae, sources, node, &vertices, &positions)))
+        .filter_map(|node| {
+            dae.or_warn(
+                Impact::Shape,
+                read_primitive(dae, sources, node, &vertices, &positions),
+            )
+        })
         .flatten()
         .filter(|primitive| !primitive.positions.is_empty())
         .collect();
@@ -186,7 +192,9 @@ impl<'a> Layout<'a> {
             match (input.semantic, columns(input.semantic)) {
                 ("VERTEX", _) => {}
                 (_, Some(columns)) => {
-                    if let Some(source) = dae.or_warn(sources.floats(dae, input.node, columns)) {
+                    if let Some(source) =
+                        dae.or_warn(Impact::Color, sources.floats(dae, input.node, columns))
+                    {
                         layout.add(input, input.offset, source);
                     }
                 }
@@ -236,7 +244,7 @@ impl<'a> Layout<'a> {
             let message = format!(
                 "expected indices of values that exist, found others in {left_out} triangles: left out"
             );
-            dae.warn(node, message);
+            dae.warn(Impact::Shape, node, message);
         }
         let rows = |offset| -> Vec<u32> {
             corners
@@ -285,6 +293,7 @@ impl Indices {
         if over != 0 {
             let stride = self.stride;
             dae.warn(
+                Impact::Shape,
                 p,
                 format!("expected {stride} indices a vertex, found {over} left over"),
             );
@@ -356,7 +365,7 @@ impl Indices {
                 let found = all.end - all.start;
                 let message =
                     format!("expected <p> as long as <vcount> says, found {found} vertices");
-                dae.warn(p, message);
+                dae.warn(Impact::Shape, p, message);
                 break;
             };
             self.polygon(dae, start..end, positions);

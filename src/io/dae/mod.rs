@@ -3,7 +3,8 @@
 //! The reader is forgiving: a broken part is left out with a warning, and only a file with nothing
 //! left is an error. Everything ends up in one space, +Y up and in
 //! meters. As elsewhere joints are parallel to the axes at rest, so a joint is a place: its
-//! file's rest orientation is not kept but in the direction of its bone.
+//! file's rest orientation is not kept but in the direction of its bone. All angles are 0 in the
+//! pose that the nodes of the scene have (`rest_pose`).
 //!
 //! Memory and time stay in proportion to the size of the file (limits in `document`).
 
@@ -12,6 +13,8 @@ mod document;
 mod instances;
 mod materials;
 mod meshes;
+mod report;
+mod rest_pose;
 mod rigs;
 mod skin;
 mod sources;
@@ -21,11 +24,11 @@ use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
-use assemble::{Assembler, Part};
-pub use assemble::{DaeReport, InverseBind};
-use document::{Dae, FARTHEST, label, parse_xml};
+use assemble::{Assembler, Part, Placement};
+use document::{Dae, FARTHEST, Impact, label, parse_xml};
 use instances::{Instance, collect};
 use materials::Materials;
+pub use report::{DaeReport, InverseBind};
 use rigs::{Rig, Rigs};
 use std::path::Path;
 use visual_scene::SceneNode;
@@ -115,21 +118,17 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
     for instance in &instances {
         let world = nodes[instance.node].world;
         if let Some(binding) = &instance.binding {
-            // The node of a skin does not move it, as Collada says.
-            let ours_from_mesh = ours_from_file * binding.skin.bind_shape;
-            if let Some(warning) = assembler.report.add_inverse_binds(binding, &nodes) {
-                dae.warn(instance.xml, warning);
-            }
             assembler.report.skins += 1;
             if let Some(rig) = rigs.of_binding(binding) {
-                assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
                 let joint_of_node = &rigs.rigs[rig].joint_of_node;
-                assembler.add_weights(&mut parts[rig], instance, binding, joint_of_node);
+                assembler.add_skin(&mut parts[rig], instance, binding, &nodes, joint_of_node)?;
             } else {
                 dae.warn(
+                    Impact::Shape,
                     instance.xml,
                     "expected a skeleton, found no joint: the mesh stays as it is",
                 );
+                let ours_from_mesh = ours_from_file * binding.skin.bind_shape;
                 meshes.push(static_mesh(
                     &mut assembler,
                     instance,
@@ -150,9 +149,11 @@ fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagn
     }
     for (instance, rig, joint) in rigid {
         let ours_from_mesh = ours_from_file * nodes[instance.node].world;
-        assembler.add(&mut parts[rig], instance, ours_from_mesh)?;
+        let placement = Placement::Whole(ours_from_mesh);
+        assembler.add(&mut parts[rig].builder, instance, &placement)?;
         assembler.add_rigid(&mut parts[rig], instance, joint);
     }
+    assembler.materials.warn_of_missing_pictures(dae);
     let characters = rigs
         .rigs
         .iter()
@@ -178,7 +179,8 @@ fn static_mesh<'a>(
     nodes: &[SceneNode<'a>],
 ) -> Result<DaeMesh, Diagnostic> {
     let mut part = Part::default();
-    assembler.add(&mut part, instance, ours_from_mesh)?;
+    let placement = Placement::Whole(ours_from_mesh);
+    assembler.add(&mut part.builder, instance, &placement)?;
     let name = nodes[instance.node].xml.attribute("name");
     Ok(DaeMesh {
         name: name.unwrap_or(&instance.geometry.name).to_owned(),

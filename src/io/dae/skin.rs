@@ -1,6 +1,6 @@
 //! `<controller>`: which joints move which positions.
 
-use super::document::{Dae, Node, child};
+use super::document::{Dae, Impact, Node, child};
 use super::meshes::{self, Geometry};
 use super::quoted;
 use super::sources::{Input, Sources, inputs, integers, matrix, names};
@@ -62,7 +62,10 @@ impl Geometries {
             return known.clone();
         }
         let geometry = dae
-            .or_warn(meshes::read_geometry(dae, &mut self.sources, node))
+            .or_warn(
+                Impact::Shape,
+                meshes::read_geometry(dae, &mut self.sources, node),
+            )
             .map(Rc::new);
         self.read.insert(node.id(), geometry.clone());
         geometry
@@ -109,7 +112,10 @@ pub(super) fn read<'a>(
         weights: Rows::default(),
     };
     // Whatever is wrong with the weights, the mesh is there.
-    dae.or_warn(read.read_joints(dae, &mut geometries.sources, skin));
+    dae.or_warn(
+        Impact::Shape,
+        read.read_joints(dae, &mut geometries.sources, skin),
+    );
     let positions = read.geometry.positions.len();
     let rows = weights(
         dae,
@@ -118,7 +124,7 @@ pub(super) fn read<'a>(
         read.joints.len(),
         positions,
     );
-    read.weights = dae.or_warn(rows).unwrap_or_default();
+    read.weights = dae.or_warn(Impact::Shape, rows).unwrap_or_default();
     Ok(Some(Controller::Skin(Rc::new(read))))
 }
 
@@ -150,7 +156,9 @@ impl<'a> Skin<'a> {
                     self.joints_are_ids = names.are_ids;
                 }
                 "INV_BIND_MATRIX" => {
-                    if let Some(source) = dae.or_warn(sources.floats(dae, input.node, 16)) {
+                    if let Some(source) =
+                        dae.or_warn(Impact::Shape, sources.floats(dae, input.node, 16))
+                    {
                         self.inverse_binds = source
                             .rows::<16>()
                             .map(|row| DMat4::from_cols_array(&row.map(f64::from)).transpose())
@@ -163,7 +171,7 @@ impl<'a> Skin<'a> {
         let (joints, binds) = (self.joints.len(), self.inverse_binds.len());
         if joints != binds && binds > 0 {
             let message = format!("expected {joints} inverse bind matrices, found {binds}");
-            dae.warn(skin, message);
+            dae.warn(Impact::Shape, skin, message);
             self.inverse_binds.clear();
         }
         Ok(())
@@ -202,7 +210,13 @@ fn weights<'a>(
     };
     if counts.len() != positions {
         let found = counts.len();
+        let impact = if found < positions {
+            Impact::Shape
+        } else {
+            Impact::None
+        };
         dae.warn(
+            impact,
             node,
             format!("expected weights for {positions} positions, found {found}"),
         );
@@ -229,6 +243,7 @@ fn weights<'a>(
     }
     if missing > 0 || left.len() > 0 {
         dae.warn(
+            Impact::Shape,
             node,
             "expected <v> as long as <vcount> says, found another length",
         );
@@ -236,6 +251,7 @@ fn weights<'a>(
     if bad > 0 {
         let limit = quoted(&format!("0 to {}", joints.saturating_sub(1)));
         dae.warn(
+            Impact::Shape,
             node,
             format!(
                 "expected joints {limit} and weights that exist, found others {bad} times: left out"

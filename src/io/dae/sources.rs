@@ -1,7 +1,7 @@
 //! Lists of numbers and names between tags, `<source>` (an array with an `<accessor>` that says
 //! how rows lie in it) and `<input>`.
 
-use super::document::{Dae, Node, child, children};
+use super::document::{Dae, Impact, Node, child, children};
 use super::{label, quoted};
 use crate::io::Diagnostic;
 use crate::io::scanner::finite;
@@ -128,7 +128,7 @@ impl NotFinite {
     fn warn(self, dae: &Dae, node: Node) {
         if let Some(first) = self.first {
             let (count, tag) = (self.count, node.tag_name().name());
-            dae.warn_with(|| {
+            dae.warn_with(Impact::Shape, || {
                 let message = format!(
                     "expected finite numbers in <{tag}>, found {count} that are not: taken as 0"
                 );
@@ -275,7 +275,7 @@ fn read<'a>(dae: &Dae<'a>, source: Node<'a>) -> Result<Source, Diagnostic> {
         let found = values.len();
         let message =
             format!("expected numbers for {promised} rows, found {found}, enough for {fitting}");
-        dae.warn(accessor, message);
+        dae.warn(Impact::Shape, accessor, message);
     }
     Ok(Source {
         values,
@@ -290,7 +290,7 @@ fn read<'a>(dae: &Dae<'a>, source: Node<'a>) -> Result<Source, Diagnostic> {
 fn whole_array<'a>(dae: &Dae<'a>, source: Node<'a>) -> Result<Source, Diagnostic> {
     let values = floats(dae, dae.child(source, "float_array")?)?;
     let message = "expected an <accessor>, found none: taken as rows of three".to_owned();
-    dae.warn(source, message);
+    dae.warn(Impact::Shape, source, message);
     Ok(Source {
         rows: values.len() / 3,
         values,

@@ -1,7 +1,7 @@
 //! The scene as a flat list of nodes, parents before children, instances of nodes unfolded, and
 //! the space that it is in.
 
-use super::document::{Dae, MOST_CHILDREN, MOST_DEPTH, MOST_NODES, Node, child};
+use super::document::{Dae, Impact, MOST_CHILDREN, MOST_DEPTH, MOST_NODES, Node, child};
 use super::quoted;
 use super::sources::{fixed, matrix, text};
 use crate::io::Diagnostic;
@@ -50,6 +50,7 @@ pub(super) fn flatten<'a>(dae: &Dae<'a>) -> Result<Vec<SceneNode<'a>>, Diagnosti
         }
         if ancestors(&nodes, parent).any(|ancestor| nodes[ancestor].xml == xml) {
             dae.warn(
+                Impact::Shape,
                 xml,
                 "expected a tree of nodes, found one that holds itself: left out",
             );
@@ -103,7 +104,10 @@ pub(super) fn ancestors<'n>(
 pub(super) fn find<'a>(dae: &Dae<'a>) -> Result<Node<'a>, Diagnostic> {
     let instance = child(dae.root, "scene").and_then(|s| child(s, "instance_visual_scene"));
     if let Some(instance) = instance
-        && let Some(scene) = dae.or_warn(dae.target_called(instance, "url", "visual_scene"))
+        && let Some(scene) = dae.or_warn(
+            Impact::Shape,
+            dae.target_called(instance, "url", "visual_scene"),
+        )
     {
         return Ok(scene);
     }
@@ -122,7 +126,9 @@ fn push_children<'a>(
         match node.tag_name().name() {
             "node" => open.push((node, place)),
             "instance_node" => {
-                if let Some(target) = dae.or_warn(dae.target_called(node, "url", "node")) {
+                if let Some(target) =
+                    dae.or_warn(Impact::Shape, dae.target_called(node, "url", "node"))
+                {
                     open.push((target, place));
                 }
             }
@@ -151,6 +157,7 @@ fn local(dae: &Dae, node: Node) -> Result<DMat4, Diagnostic> {
             "skew" | "lookat" => {
                 let tag = element.tag_name().name();
                 dae.warn(
+                    Impact::Shape,
                     element,
                     format!("expected a transform that can be read, found <{tag}>: left out"),
                 );
@@ -195,6 +202,7 @@ impl FileSpace {
             other => {
                 let found = quoted(other);
                 dae.warn(
+                    Impact::Shape,
                     node,
                     format!("expected X_UP, Y_UP or Z_UP, found {found}: taken as Y_UP"),
                 );
@@ -209,6 +217,7 @@ impl FileSpace {
             if sensible.is_none() {
                 let found = quoted(value);
                 dae.warn(
+                    Impact::Shape,
                     node,
                     format!("expected the meters of a unit, found {found}: taken as 1"),
                 );
