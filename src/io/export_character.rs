@@ -79,9 +79,9 @@ const MOST_WEIGHTS: usize = 1 << 28;
 /// A `.skel` file has one root, and an `.attach` file no weights of joint 0. A character with
 /// several roots, or with weights of joint 0, gets a root above all others; joint `i` is joint
 /// `i + 1` then. Only that root can be moved: a root that has moved otherwise than the first one
-/// hangs on a [`Lever`]. Frames at rest stay parallel to the axes: where the shape is turned, the
-/// rotation `R` of a joint is written as `Q R Qᵀ`, with `Q` the rotation of the shape, in Euler
-/// angles again.
+/// hangs on a joint added for that, its lever. Frames at rest stay parallel to the axes: where the
+/// shape is turned, the rotation `R` of a joint is written as `Q R Qᵀ`, with `Q` the rotation of
+/// the shape, in Euler angles again.
 ///
 /// # Errors
 /// If the format cannot hold the character or its pose; see [`NotExpressible`].
