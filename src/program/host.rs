@@ -271,9 +271,15 @@ impl Purpose {
         }
     }
 
-    /// `path` with the extension that was left out, if the file is to be written.
+    /// `path` as it was meant, if the file is to be written: with the extension that was left out,
+    /// or once with one that was given twice. Dialogs select a name without its extension, so that
+    /// one that is typed with it comes out as `my.scene.scene`.
     pub fn completed(self, path: &Path) -> Option<PathBuf> {
         let (_, extension) = self.written().first()?;
+        let stem = path.file_stem().map(Path::new)?;
+        if path.extension().is_some() && path.extension() == stem.extension() {
+            return Some(path.with_file_name(stem));
+        }
         let complete = path.with_extension(extension);
         path.extension().is_none().then_some(complete)
     }
@@ -370,6 +376,9 @@ mod tests {
         let walk = PathBuf::from("poses/walk.json");
         assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
         assert_eq!(save.completed(Path::new("poses/walk.txt")), None);
+        assert_eq!(save.completed(Path::new("poses/walk.json")), None);
+        let twice = Path::new("poses/walk.json.json");
+        assert_eq!(save.completed(twice), Some("poses/walk.json".into()));
         assert_eq!(Purpose::Compare.completed(Path::new("picture")), None);
     }
 }
