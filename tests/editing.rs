@@ -12,20 +12,16 @@ use glam::Vec3;
 use proptest::prelude::*;
 use std::sync::Arc;
 
-/// Two roots; an elbow hangs on the first.
-fn character() -> ShapeKind {
-    let joint = |name: &str, parent| Joint {
+/// Two roots; an elbow hangs on the first. `names` are those of the first, the elbow and the second.
+pub fn character(names: [&str; 3]) -> ShapeKind {
+    let joints = names.into_iter().zip([None, Some(0), None]);
+    let joints = joints.map(|(name, parent)| Joint {
         name: name.to_owned(),
         parent,
         offset: Vec3::Y,
         ..Joint::default()
-    };
-    let joints = vec![
-        joint("Left", None),
-        joint("Elbow", Some(0)),
-        joint("Right", None),
-    ];
-    let skeleton = SkeletalModel::new(joints).unwrap();
+    });
+    let skeleton = SkeletalModel::new(joints.collect()).unwrap();
     let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();
     ShapeKind::Character(CharacterShape::new(Arc::new(character)))
 }
@@ -33,8 +29,8 @@ fn character() -> ShapeKind {
 /// A session with two characters and a cube, in this order.
 fn session() -> (Session, [ShapeId; 3]) {
     let shapes = vec![
-        NewShape::new("One", character()),
-        NewShape::new("Other", character()),
+        NewShape::new("One", character(["Left", "Elbow", "Right"])),
+        NewShape::new("Other", character(["Left", "Elbow", "Right"])),
         NewShape::new("Cube", ShapeKind::Cube),
     ];
     let session = Session::with_shapes(shapes, ViewSettings::default());

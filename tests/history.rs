@@ -1,33 +1,20 @@
 //! Undo and redo: every step of the document can be taken back, one at a time, and done again.
 
-use editor_core::character::{Attachments, Character, Joint, Pose, SkeletalModel};
+use crate::editing::character;
+use editor_core::character::Pose;
 use editor_core::editor::{Edit, Session, View};
-use editor_core::geometry::{Basis, Curve, Mesh};
+use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{
-    CharacterDisplay, CharacterShape, CurveSet, CurveShape, IkSettings, ModelDisplay, NewShape,
-    Scene, ShapeColor, ShapeId, ShapeKind, ViewSettings,
+    CharacterDisplay, CurveSet, CurveShape, IkSettings, ModelDisplay, NewShape, Scene, ShapeColor,
+    ShapeId, ShapeKind, ViewSettings,
 };
 use glam::Vec3;
 use proptest::prelude::*;
-use std::sync::Arc;
 
-/// A root, an elbow on it, and a second root.
-fn character() -> ShapeKind {
-    let joint = |name: &str, parent| Joint {
-        name: name.to_owned(),
-        parent,
-        offset: Vec3::Y,
-        ..Joint::default()
-    };
-    let joints = vec![
-        joint("Left shoulder", None),
-        joint("Left elbow", Some(0)),
-        joint("Right shoulder", None),
-    ];
-    let skeleton = SkeletalModel::new(joints).unwrap();
-    let character = Character::new(skeleton, Attachments::new(), Mesh::default()).unwrap();
-    ShapeKind::Character(CharacterShape::new(Arc::new(character)))
+fn man() -> NewShape {
+    let joints = ["Left shoulder", "Left elbow", "Right shoulder"];
+    NewShape::new("Man", character(joints))
 }
 
 const MAN: ShapeId = ShapeId(1);
@@ -38,7 +25,7 @@ const CURVES: ShapeId = ShapeId(3);
 fn session() -> Session {
     let curves = CurveSet::start_spline(Basis::Bezier);
     let shapes = vec![
-        NewShape::new("Man", character()),
+        man(),
         NewShape::new("Cube", ShapeKind::Cube),
         NewShape::new("Curve", ShapeKind::Curve(CurveShape::new(curves))),
     ];
@@ -266,8 +253,7 @@ fn edits() -> impl Strategy<Value = Edit> {
         }),
         id().prop_map(Edit::Reset),
         id().prop_map(Edit::Delete),
-        (1..3_usize)
-            .prop_map(|count| { Edit::Insert(vec![NewShape::new("Man", character()); count]) }),
+        (1..3_usize).prop_map(|count| { Edit::Insert(vec![man(); count]) }),
     ]
 }
 

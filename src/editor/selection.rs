@@ -63,43 +63,36 @@ pub fn for_all_selected(session: &Session, edit: Edit) -> Edit {
     let Some(active) = session.selected().and_then(|id| scene.shape(id)) else {
         return edit;
     };
-    let others: Vec<&Shape> = session
+    let others = session
         .selected_shapes()
-        .filter(|shape| shape.id != active.id)
-        .collect();
-    if others.is_empty() {
-        return edit;
+        .filter(|shape| shape.id != active.id);
+    let same: Option<Vec<Edit>> = others.map(|other| same_of(&edit, active, other)).collect();
+    match same {
+        Some(same) if !same.is_empty() => {
+            Edit::Together(std::iter::once(edit).chain(same).collect())
+        }
+        _ => edit,
     }
-    let same: Box<dyn Fn(&Shape) -> Edit> = match &edit {
-        Edit::SetTransform(id, to) if *id == active.id => {
-            let (from, to) = (active.placement.transform, *to);
-            Box::new(move |other| {
-                let own = other.placement.transform;
-                Edit::SetTransform(other.id, carried_over(from, to, own))
-            })
+}
+
+/// What `edit` of the shape `active` is for `other`; `None` for one that is about another shape, or
+/// about one alone.
+fn same_of(edit: &Edit, active: &Shape, other: &Shape) -> Option<Edit> {
+    let (id, same) = match *edit {
+        Edit::SetTransform(id, to) => {
+            let (from, own) = (active.placement.transform, other.placement.transform);
+            let to = carried_over(from, to, own);
+            (id, Edit::SetTransform(other.id, to))
         }
-        Edit::SetColor(id, color) if *id == active.id => {
-            let color = *color;
-            Box::new(move |other| Edit::SetColor(other.id, color))
-        }
-        Edit::SetUniformScaling(id, on) if *id == active.id => {
-            let on = *on;
-            Box::new(move |other| Edit::SetUniformScaling(other.id, on))
-        }
-        Edit::SetVisible(id, on) if *id == active.id => {
-            let on = *on;
-            Box::new(move |other| Edit::SetVisible(other.id, on))
-        }
-        Edit::SetLocked(id, on) if *id == active.id => {
-            let on = *on;
-            Box::new(move |other| Edit::SetLocked(other.id, on))
-        }
-        Edit::Delete(id) if *id == active.id => Box::new(|other| Edit::Delete(other.id)),
-        Edit::Reset(id) if *id == active.id => Box::new(|other| Edit::Reset(other.id)),
-        _ => return edit,
+        Edit::SetColor(id, color) => (id, Edit::SetColor(other.id, color)),
+        Edit::SetUniformScaling(id, on) => (id, Edit::SetUniformScaling(other.id, on)),
+        Edit::SetVisible(id, on) => (id, Edit::SetVisible(other.id, on)),
+        Edit::SetLocked(id, on) => (id, Edit::SetLocked(other.id, on)),
+        Edit::Delete(id) => (id, Edit::Delete(other.id)),
+        Edit::Reset(id) => (id, Edit::Reset(other.id)),
+        _ => return None,
     };
-    let others = others.into_iter().map(same).collect::<Vec<_>>();
-    Edit::Together(std::iter::once(edit).chain(others).collect())
+    (id == active.id).then_some(same)
 }
 
 /// `own` changed as `from` was to become `to`.

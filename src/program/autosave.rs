@@ -32,7 +32,7 @@ pub struct Unsaved {
     scene: Scene,
     view: ViewSettings,
     path: Option<PathBuf>,
-    digest: Option<u64>,
+    digest: Option<u32>,
 }
 
 impl Unsaved {
@@ -60,7 +60,7 @@ pub(super) struct Kept {
     /// File of the document.
     path: Option<PathBuf>,
     /// Digest of that file's bytes as they were known to the earlier run.
-    digest: Option<u64>,
+    digest: Option<u32>,
     /// Text of a scene file.
     scene: String,
 }
@@ -159,10 +159,22 @@ impl Program {
     }
 
     /// Offers what an earlier run left that did not end in order.
-    pub(super) fn offer_restoring(&mut self, host: &dyn Host) {
-        let bytes = host.load(StorageKey::Autosave);
-        let kept = bytes.and_then(|bytes| serde_json::from_slice(&bytes).ok());
-        self.asked = kept.map(Asked::Restore);
+    pub(super) fn offer_restoring(&mut self, host: &mut dyn Host) {
+        let Some(bytes) = host.load(StorageKey::Autosave) else {
+            return;
+        };
+        match serde_json::from_slice(&bytes) {
+            Ok(kept) => self.asked = Some(Asked::Restore(kept)),
+            Err(error) => self.give_up_restoring(&error.to_string(), host),
+        }
+    }
+
+    /// Says why what an earlier run left cannot be restored, and puts it out of the way of what this
+    /// one stores.
+    fn give_up_restoring(&mut self, error: &str, host: &mut dyn Host) {
+        host.remove(StorageKey::Autosave);
+        let text = format!("The unsaved changes cannot be restored: {error}");
+        self.tell(Severity::Error, text);
     }
 
     /// Restores what an earlier run left. It is unsaved as before.
@@ -185,10 +197,7 @@ impl Program {
                 self.autosave.stored = Some((self.session.document(), host.now()));
                 self.tell_all(Severity::Warning, loaded.warnings);
             }
-            Err(error) => {
-                let text = format!("The unsaved changes cannot be restored: {error}");
-                self.tell(Severity::Error, text);
-            }
+            Err(error) => self.give_up_restoring(&error.to_string(), host),
         }
     }
 }

@@ -8,7 +8,6 @@ use crate::io::{self, Diagnostic, Files, Loaded, Missing};
 use crate::revision::Revision;
 use crate::scene::ViewSettings;
 use crate::ui::{Answer, Question};
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -24,9 +23,9 @@ pub(super) struct DocumentFile {
     path: Option<PathBuf>,
     /// Revision of the document that is in the file, or that was opened.
     saved: Revision,
-    /// Digest of the file's bytes as they were read or written last: other bytes are another
+    /// CRC-32 of the file's bytes as they were read or written last: other bytes are another
     /// program's.
-    digest: Option<u64>,
+    digest: Option<u32>,
     /// Write under way.
     writing: Option<Writing>,
     /// Continuation of the next save, for which a file is being chosen.
@@ -39,7 +38,7 @@ pub(super) struct DocumentFile {
 struct Writing {
     path: PathBuf,
     document: Revision,
-    digest: u64,
+    digest: u32,
     then: Option<Next>,
 }
 
@@ -80,7 +79,7 @@ impl DocumentFile {
     }
 
     /// A document that is not in its file, of which an earlier run knew `digest`.
-    pub fn restored(path: Option<PathBuf>, digest: Option<u64>) -> Self {
+    pub fn restored(path: Option<PathBuf>, digest: Option<u32>) -> Self {
         Self {
             path,
             digest,
@@ -100,7 +99,7 @@ impl DocumentFile {
     }
 
     /// Digest of the file's bytes as they were read or written last.
-    pub fn digest(&self) -> Option<u64> {
+    pub fn digest(&self) -> Option<u32> {
         self.digest
     }
 }
@@ -109,26 +108,7 @@ impl Asked {
     /// The question about a document called `name`.
     pub fn question(&self, name: &str) -> Question {
         match self {
-            Self::Unsaved(Next::Revert(..)) => Question {
-                title: "Go back to the file?".to_owned(),
-                text: format!("What has changed since “{name}” was saved is lost then."),
-                answers: vec![Answer::Cancel, Answer::Revert],
-            },
-            Self::Unsaved(next) => Question {
-                title: "Save changes?".to_owned(),
-                text: format!(
-                    "“{name}” has changes that are not saved. They are lost if you {} without saving.",
-                    match next {
-                        Next::New => "begin another document",
-                        Next::Open
-                        | Next::OpenFile(..)
-                        | Next::OpenBuiltin(_)
-                        | Next::Revert(..) => "open another document",
-                        Next::Quit => "quit",
-                    }
-                ),
-                answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
-            },
+            Self::Unsaved(next) => unsaved(next, name),
             Self::Overwrite(path, _) => Question {
                 title: "Overwrite the file?".to_owned(),
                 text: format!(
@@ -310,7 +290,7 @@ impl Program {
         self.document.writing = Some(Writing {
             path: path.clone(),
             document: self.session.document(),
-            digest: digest(&bytes),
+            digest: crc32fast::hash(&bytes),
             then,
         });
         host.write_file(&path, bytes, Previous::KeepBeside);
@@ -377,18 +357,36 @@ impl Program {
     }
 }
 
+/// The question before `next` about unsaved changes of the document called `name`.
+fn unsaved(next: &Next, name: &str) -> Question {
+    let loses = match next {
+        Next::New => "begin another document",
+        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) => "open another document",
+        Next::Quit => "quit",
+        // Saving would overwrite what is to come back.
+        Next::Revert(..) => {
+            return Question {
+                title: "Go back to the file?".to_owned(),
+                text: format!("What has changed since “{name}” was saved is lost then."),
+                answers: vec![Answer::Cancel, Answer::Revert],
+            };
+        }
+    };
+    Question {
+        title: "Save changes?".to_owned(),
+        text: format!(
+            "“{name}” has changes that are not saved. They are lost if you {loses} without saving."
+        ),
+        answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
+    }
+}
+
 /// Whether the name of a file is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
     io::expect_extension(path, "scene").is_ok()
 }
 
-fn digest(bytes: &[u8]) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    bytes.hash(&mut hasher);
-    hasher.finish()
-}
-
 /// Digest of a file; `None` if it cannot be read.
-fn digest_at(path: &Path, files: &dyn Files) -> Option<u64> {
-    files.read(path).ok().map(|bytes| digest(&bytes))
+fn digest_at(path: &Path, files: &dyn Files) -> Option<u32> {
+    files.read(path).ok().map(|bytes| crc32fast::hash(&bytes))
 }

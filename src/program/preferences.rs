@@ -1,3 +1,4 @@
+use super::running::Program;
 use super::{Host, StorageKey};
 use crate::scene::{Look, Skinning};
 use crate::ui::Navigation;
@@ -69,6 +70,31 @@ impl Preferences {
     pub fn store(&self, host: &mut dyn Host) {
         if let Ok(bytes) = serde_json::to_vec_pretty(self) {
             host.store(StorageKey::Preferences, bytes);
+        }
+    }
+}
+
+impl Program {
+    /// Stores what is kept of the program at its end.
+    pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
+        self.preferences.window_size = self.window_size.or(self.preferences.window_size);
+        self.keep_preferences(host);
+    }
+
+    /// Stores the preferences if something that is kept in them has changed.
+    pub(super) fn keep_preferences(&mut self, host: &mut dyn Host) {
+        let mut now = self.preferences.clone();
+        now.theme = self.ui.theme;
+        now.panel_folded = self.ui.panel_folded;
+        now.panel_width = self.ui.panel_width;
+        now.navigation = self.ui.navigation;
+        // One that was asked for on the command line, and left so, is for that time only.
+        if self.ui.skinning != self.skinning_at_start {
+            now.skinning = self.ui.skinning;
+        }
+        if now != self.stored {
+            now.store(host);
+            self.stored = now;
         }
     }
 }

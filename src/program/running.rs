@@ -37,7 +37,7 @@ pub struct Program {
     /// Preferences of the last run, with the folder of this one.
     pub(super) preferences: Preferences,
     /// Preferences as they were stored last.
-    stored: Preferences,
+    pub(super) stored: Preferences,
     pub(super) comparison: Option<Comparison>,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
@@ -57,7 +57,7 @@ pub struct Program {
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
     /// Width and height of the window, in points.
-    window_size: Option<(f32, f32)>,
+    pub(super) window_size: Option<(f32, f32)>,
     /// Document and file whose files are watched.
     pub(super) watched_of: Option<(Revision, Option<PathBuf>)>,
     /// Files that the host watches.
@@ -67,7 +67,7 @@ pub struct Program {
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
     /// Way of skinning in the first frame.
-    skinning_at_start: Option<Skinning>,
+    pub(super) skinning_at_start: Option<Skinning>,
 }
 
 impl Program {
@@ -384,29 +384,6 @@ impl Program {
     pub(super) fn compare_settings(&self) -> CompareSettings {
         let comparison = self.comparison.as_ref();
         comparison.map_or_else(CompareSettings::default, |c| c.settings().clone())
-    }
-
-    /// Stores what is kept of the program at its end.
-    pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
-        self.preferences.window_size = self.window_size.or(self.preferences.window_size);
-        self.keep_preferences(host);
-    }
-
-    /// Stores the preferences if something that is kept in them has changed.
-    pub(super) fn keep_preferences(&mut self, host: &mut dyn Host) {
-        let mut now = self.preferences.clone();
-        now.theme = self.ui.theme;
-        now.panel_folded = self.ui.panel_folded;
-        now.panel_width = self.ui.panel_width;
-        now.navigation = self.ui.navigation;
-        // One that was asked for on the command line, and left so, is for that time only.
-        if self.ui.skinning != self.skinning_at_start {
-            now.skinning = self.ui.skinning;
-        }
-        if now != self.stored {
-            now.store(host);
-            self.stored = now;
-        }
     }
 }
 

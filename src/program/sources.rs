@@ -90,18 +90,19 @@ impl Program {
     /// missing, too, where they lie beside it.
     pub(super) fn use_found(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         let folder = path.parent().unwrap_or(Path::new(""));
-        self.replace(&[shape], &|_| Some(path.to_owned()), files);
-        let is_there = |shape: &Shape| {
-            let name = Path::new(&shape.source.as_ref()?.file).file_name()?;
-            Some(folder.join(name)).filter(|path| files.exists(path))
+        let is_now = |other: &Shape| {
+            if other.id == shape {
+                return Some(path.to_owned());
+            }
+            let name = Path::new(&other.source.as_ref()?.file).file_name()?;
+            let beside = folder.join(name);
+            let is_missing = matches!(other.kind, ShapeKind::Missing(_));
+            (is_missing && files.exists(&beside)).then_some(beside)
         };
         let shapes = self.session.scene().shapes().iter();
-        let missing = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Missing(_)));
-        let others: Vec<ShapeId> = missing
-            .filter(|shape| is_there(shape).is_some())
-            .map(|shape| shape.id)
-            .collect();
-        self.replace(&others, &is_there, files);
+        let found = shapes.filter(|shape| is_now(shape).is_some());
+        let found: Vec<ShapeId> = found.map(|shape| shape.id).collect();
+        self.replace(&found, &is_now, files);
     }
 
     /// Writes the document and the files that it needs: an archive, or a scene with a folder beside

@@ -176,4 +176,21 @@ fn what_cannot_be_restored_is_said() {
     assert_eq!(severity, Severity::Error);
     let start = "The unsaved changes cannot be restored: restored.scene:1:";
     assert!(text.starts_with(start), "{text}");
+    assert!(
+        stored(&story).is_none(),
+        "it is put aside before other work is stored"
+    );
+
+    let host = MemoryHost {
+        stored: [super::started_before(), (AUTOSAVE, b"{".to_vec())].into(),
+        ..MemoryHost::default()
+    };
+    let story = Story::start_at(host, &[]);
+    let (severity, text) = story.messages()[0];
+    assert_eq!(severity, Severity::Error);
+    assert!(
+        text.starts_with("The unsaved changes cannot be restored: "),
+        "{text}"
+    );
+    assert!(!story.has("Restore") && stored(&story).is_none());
 }

@@ -5,7 +5,7 @@ use crate::host::MemoryHost;
 use editor_core::editor::{Severity, View};
 use editor_core::scene::ShapeId;
 use editor_core::ui::Action;
-use egui::{Event, Key, Modifiers, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use glam::Vec3;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
@@ -27,13 +27,17 @@ fn selected(story: &Story) -> Vec<&str> {
 
 /// Clicks a widget while `modifiers` are held.
 fn click_with(story: &mut Story, modifiers: Modifiers, label: &str) {
-    story.frame(vec![Event::ModifiersChanged(modifiers)]);
     let at = story.place(label);
+    click_at_with(story, modifiers, at);
+}
+
+fn click_at_with(story: &mut Story, modifiers: Modifiers, at: Pos2) {
+    story.frame(vec![Event::ModifiersChanged(modifiers)]);
     story.point(at);
     for pressed in [true, false] {
         story.frame(vec![Event::PointerButton {
             pos: at,
-            button: egui::PointerButton::Primary,
+            button: PointerButton::Primary,
             pressed,
             modifiers,
         }]);
@@ -133,19 +137,8 @@ fn ctrl_and_a_click_in_the_view_adds_a_shape_and_a_miss_loses_none() {
         let at = camera.pixel(world, size).expect("it is in sight");
         view.min + vec2(at.x, at.y)
     };
-    let mut click = |at: egui::Pos2| {
-        story.frame(vec![Event::ModifiersChanged(CTRL)]);
-        story.point(at);
-        for pressed in [true, false] {
-            story.frame(vec![Event::PointerButton {
-                pos: at,
-                button: egui::PointerButton::Primary,
-                pressed,
-                modifiers: CTRL,
-            }]);
-        }
-        story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
-        story.settle();
+    let mut click = |at: Pos2| {
+        click_at_with(&mut story, CTRL, at);
         selected(&story).join(" ")
     };
     assert_eq!(click(place(Vec3::X * -1.5)), "Cube Pyramid");

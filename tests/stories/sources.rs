@@ -126,6 +126,7 @@ fn one_that_is_found_brings_the_others_that_lie_beside_it() {
         .iter()
         .all(|shape| matches!(shape.kind, ShapeKind::Character(_)));
     assert!(found, "{shapes:?}");
+    assert_eq!(story.session().done_steps(), 1, "all of them together");
 }
 
 #[test]
