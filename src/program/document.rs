@@ -161,7 +161,9 @@ impl Program {
     /// document that is neither named nor modified is not mentioned.
     pub(super) fn title(&self) -> String {
         let mark = if self.is_modified() { "*" } else { "" };
-        if self.document.path.is_none() && mark.is_empty() {
+        let is_nothing_to_tell = self.document.path.is_none() && mark.is_empty();
+        // A picture of the panels has no title at all.
+        if is_nothing_to_tell || self.program_title.is_empty() {
             return self.program_title.clone();
         }
         format!("{mark}{} — {}", self.document_name(), self.program_title)
