@@ -29,7 +29,7 @@ mod scene;
 mod skel;
 mod swp;
 
-pub use animation::animated_gif;
+pub use animation::Animation;
 pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};
