@@ -21,6 +21,7 @@ mod json_node;
 mod json_text;
 mod mtl;
 mod obj;
+mod pictures;
 mod pose_data;
 mod pose_file;
 mod recorder;
