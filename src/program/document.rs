@@ -33,6 +33,10 @@ pub(super) struct DocumentFile {
     /// Name without an extension that files made from the document are offered, while it has no
     /// file: that of what was opened.
     stem: Option<String>,
+    /// Revision of the document that is not wanted any more while another is chosen to be opened.
+    discarded: Option<Revision>,
+    /// What `saved` was before the file disappeared, in case it comes back.
+    saved_in_lost_file: Option<Revision>,
 }
 
 struct Writing {
@@ -75,6 +79,8 @@ impl DocumentFile {
             writing: None,
             then: None,
             stem: None,
+            discarded: None,
+            saved_in_lost_file: None,
         }
     }
 
@@ -96,6 +102,29 @@ impl DocumentFile {
     pub fn is_on_disk(&self, files: &dyn Files) -> bool {
         let found = self.path.as_deref().and_then(|path| digest_at(path, files));
         found.is_none() || found == self.digest
+    }
+
+    /// Takes note that the file has disappeared: nothing of the document is saved any more.
+    pub fn lose(&mut self) {
+        let saved = std::mem::replace(&mut self.saved, Revision::new());
+        self.saved_in_lost_file.get_or_insert(saved);
+    }
+
+    /// Takes note that the file is there, as it was read or written last.
+    pub fn find(&mut self) {
+        if let Some(saved) = self.saved_in_lost_file.take() {
+            self.saved = saved;
+        }
+    }
+
+    /// Takes note that the document is being written to its file as `bytes`, beside other files.
+    pub fn write_with_others(&mut self, document: Revision, bytes: &[u8]) {
+        self.writing = self.path.clone().map(|path| Writing {
+            path,
+            document,
+            digest: crc32fast::hash(bytes),
+            then: None,
+        });
     }
 
     /// Digest of the file's bytes as they were read or written last.
@@ -136,8 +165,7 @@ impl Asked {
 impl Program {
     /// Whether there are changes that are not in the document's file.
     pub fn is_modified(&self) -> bool {
-        let nothing = self.document.path.is_none() && self.session.scene().shapes().is_empty();
-        self.session.document() != self.document.saved && !nothing
+        self.session.document() != self.document.saved
     }
 
     /// Name of the document: that of its file, if it has one.
@@ -171,10 +199,27 @@ impl Program {
 
     /// Does `next`, after asking about changes that are not saved.
     pub(super) fn leave_for(&mut self, next: Next, host: &mut dyn Host) {
+        self.document.discarded = None;
         if self.is_modified() {
             self.asked = Some(Asked::Unsaved(next));
         } else {
             self.go_on(next, host);
+        }
+    }
+
+    /// Opens the file that was chosen for it. Whoever has said before the choice that changes are not
+    /// wanted is not asked again.
+    pub(super) fn open_chosen(
+        &mut self,
+        path: PathBuf,
+        files: Arc<dyn Files>,
+        host: &mut dyn Host,
+    ) {
+        let next = Next::OpenFile(path, files);
+        if self.document.discarded.take() == Some(self.session.document()) {
+            self.go_on(next, host);
+        } else {
+            self.leave_for(next, host);
         }
     }
 
@@ -291,13 +336,21 @@ impl Program {
                 return self.tell_written(&path, Err(error));
             }
         };
+        let document = self.session.document();
+        // A version in which only the view differs is not worth the one that is kept.
+        let is_same = self.document.path() == Some(&path) && self.document.saved == document;
+        let previous = if is_same {
+            Previous::Replace
+        } else {
+            Previous::KeepBeside
+        };
         self.document.writing = Some(Writing {
             path: path.clone(),
-            document: self.session.document(),
+            document,
             digest: crc32fast::hash(&bytes),
             then,
         });
-        host.write_file(&path, bytes, Previous::KeepBeside);
+        host.write_file(&path, bytes, previous);
     }
 
     /// Takes note that the file at `path` was written, or could not be; goes on with what waited
@@ -317,6 +370,7 @@ impl Program {
         if is_saved {
             self.document.path = Some(writing.path);
             self.document.saved = writing.document;
+            self.document.saved_in_lost_file = None;
             self.document.digest = Some(writing.digest);
             self.remember_recent(path);
             if let Some(next) = writing.then {
@@ -330,6 +384,9 @@ impl Program {
         match (self.asked.take(), answer) {
             (Some(Asked::Unsaved(next)), Answer::Save) => self.save(Some(next), host),
             (Some(Asked::Unsaved(next)), Answer::Discard | Answer::Revert) => {
+                if matches!(next, Next::Open) {
+                    self.document.discarded = Some(self.session.document());
+                }
                 self.go_on(next, host)
             }
             (Some(Asked::Overwrite(path, then)), Answer::Overwrite) => {

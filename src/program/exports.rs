@@ -12,6 +12,7 @@ impl Program {
         // It may have been deleted while the dialog was open.
         let curves = self.session.scene().curve(shape);
         match curves.map(|shape| io::to_swp(shape.curves())) {
+            Some(_) if self.is_source(path) => self.tell_needed(path, path),
             Some(text) => self.write(path, "swp", text, host),
             None => self.tell(
                 Severity::Error,
@@ -23,6 +24,7 @@ impl Program {
     /// Writes the geometry of the scene as one `.obj` file, bare.
     pub(super) fn export_geometry(&mut self, path: &Path, host: &mut dyn Host) {
         match io::export_obj(self.session.scene(), self.session.evaluated()) {
+            Ok(_) if self.is_source(path) => self.tell_needed(path, path),
             Ok(text) => self.write(path, "obj", text, host),
             Err(error) => self.tell_written(path, Err(Diagnostic::new(path, error.to_string()))),
         }
@@ -64,22 +66,22 @@ impl Program {
         files: Result<Vec<(PathBuf, Vec<u8>)>, Diagnostic>,
         host: &mut dyn Host,
     ) {
-        let checked = files.and_then(|files| {
-            match files.iter().find(|(file, _)| self.is_source(file)) {
-                Some((file, _)) => Err(Diagnostic::new(
-                    path,
-                    format!(
-                        "expected a name whose files are not those of the document, which needs {}",
-                        file.display()
-                    ),
-                )),
-                None => Ok(files),
-            }
-        });
-        match checked {
-            Ok(files) => host.write_files(path, files),
+        match files {
+            Ok(files) => match files.iter().find(|(file, _)| self.is_source(file)) {
+                Some((file, _)) => self.tell_needed(path, file),
+                None => host.write_files(path, files),
+            },
             Err(error) => self.tell_written(path, Err(error)),
         }
+    }
+
+    /// Says that nothing is written to `path`, because `file` would be replaced.
+    fn tell_needed(&mut self, path: &Path, file: &Path) {
+        let message = format!(
+            "expected a name whose files are not those of the document, which needs {}",
+            file.display()
+        );
+        self.tell_written(path, Err(Diagnostic::new(path, message)));
     }
 
     /// Whether a shape of the document comes from `file`, or from one that is read with it: those

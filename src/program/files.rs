@@ -74,7 +74,7 @@ impl Program {
     ) {
         let reader = &*files;
         match purpose {
-            Purpose::Open => self.leave_for(Next::OpenFile(path, files), host),
+            Purpose::Open => self.open_chosen(path, files, host),
             Purpose::SaveScene => self.save_to(path, host),
             Purpose::SaveWithFiles => self.save_with_files(&path, host),
             Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
@@ -208,7 +208,7 @@ impl Program {
     /// Writes a picture in the format of its name.
     pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture, host: &mut dyn Host) {
         match encode(path, picture) {
-            Ok(bytes) => host.write_file(path, bytes, Previous::Replace),
+            Ok(bytes) => host.write_file(path, bytes, Previous::KeepBeside),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
@@ -224,7 +224,7 @@ impl Program {
         host: &mut dyn Host,
     ) {
         match io::expect_extension(path, extension) {
-            Ok(()) => host.write_file(path, text.into_bytes(), Previous::Replace),
+            Ok(()) => host.write_file(path, text.into_bytes(), Previous::KeepBeside),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }

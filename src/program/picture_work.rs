@@ -212,7 +212,7 @@ impl Program {
                     self.encode(work.path, picture, work.format, host);
                 }
                 Ok(Step::Animation(bytes)) => {
-                    host.write_file(&work.path, bytes, Previous::Replace);
+                    host.write_file(&work.path, bytes, Previous::KeepBeside);
                 }
                 Err(error) => {
                     let error = Diagnostic::new(&work.path, error.to_string());
@@ -265,7 +265,7 @@ impl Program {
     ) {
         self.encoding = self.encoding.saturating_sub(1);
         match bytes {
-            Ok(bytes) => host.write_file(path, bytes, Previous::Replace),
+            Ok(bytes) => host.write_file(path, bytes, Previous::KeepBeside),
             Err(message) => self.tell_written(path, Err(Diagnostic::new(path, message))),
         }
         self.quit_after_pictures(host);

@@ -35,8 +35,10 @@ impl Program {
     pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
         let is_there = host.files().exists(path);
         let text = if self.document.path() == Some(path) {
-            if self.document.is_on_disk(&*host.files()) {
-                return;
+            if !is_there {
+                self.document.lose();
+            } else if self.document.is_on_disk(&*host.files()) {
+                return self.document.find();
             }
             "File ⏵ Revert opens it as it is now"
         } else if self.changed_shapes(path, &*host.files()).is_empty() {
@@ -128,7 +130,14 @@ impl Program {
             }
         });
         match written {
-            Ok(files) => host.write_files(path, files),
+            Ok(files) => {
+                let own = files.iter().find(|(file, _)| file == path);
+                if let Some((_, bytes)) = own.filter(|_| self.document.path() == Some(path)) {
+                    let document = self.session.document();
+                    self.document.write_with_others(document, bytes);
+                }
+                host.write_files(path, files);
+            }
             Err(error) => self.tell_written(path, Err(error)),
         }
     }

@@ -307,3 +307,91 @@ fn going_back_to_the_file_does_not_offer_to_overwrite_it() {
     );
     assert_eq!(title(&story), "a.scene — Editor");
 }
+
+#[test]
+fn changes_that_are_not_wanted_are_asked_about_once_and_again_if_nothing_was_opened() {
+    let mut story = with_saved_cube();
+    story.type_into("Position X", "5");
+    story.key_with(CTRL, Key::O);
+    story.click("Don't Save");
+    story.choose("builtin:robot");
+    assert!(!is_asked(&story));
+    assert_eq!(story.names(), ["Robot"]);
+
+    story.key_with(Modifiers::SHIFT, Key::C);
+    story.key_with(CTRL, Key::O);
+    story.click("Don't Save");
+    // The dialog is closed without a choice.
+    story.key_with(CTRL, Key::N);
+    assert!(is_asked(&story), "the changes are still there");
+}
+
+#[test]
+fn everything_that_was_cut_is_asked_about_and_what_was_never_there_is_not() {
+    let mut story = Story::start(&[]);
+    story.key_with(CTRL, Key::N);
+    assert!(!is_asked(&story));
+    story.key_with(Modifiers::SHIFT, Key::C);
+    story.key_with(CTRL, Key::A);
+    story.key_with(CTRL, Key::X);
+    story.key_with(CTRL, Key::Q);
+    assert!(is_asked(&story));
+}
+
+#[test]
+fn a_document_whose_file_has_gone_is_not_saved_any_more_until_it_is_back() {
+    let mut story = with_saved_cube();
+    let path = Path::new("work/a.scene");
+    let saved = story.host.files.remove(path).expect("the file");
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed(path.to_owned()));
+    story.settle();
+    assert!(title(&story).starts_with('*'), "{}", title(&story));
+    story.host.files.insert(path.to_owned(), saved);
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed(path.to_owned()));
+    story.settle();
+    assert!(!title(&story).starts_with('*'), "{}", title(&story));
+}
+
+#[test]
+fn the_version_before_survives_a_save_in_which_only_the_view_differs() {
+    let mut story = with_saved_cube();
+    story.type_into("Position X", "5");
+    story.key_with(CTRL, Key::S);
+    let before = file(&story, "work/a.scene~");
+    story.key(Key::Num3);
+    story.key_with(CTRL, Key::S);
+    assert_eq!(file(&story, "work/a.scene~"), before);
+}
+
+#[test]
+fn saving_with_files_over_the_documents_own_file_saves_it() {
+    let mut story = with_saved_cube();
+    story.type_into("Position X", "5");
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("work/a.scene");
+    assert!(!title(&story).starts_with('*'), "{}", title(&story));
+    story.key_with(CTRL, Key::Z);
+    assert!(title(&story).starts_with('*'), "{}", title(&story));
+    story.key_with(CTRL, Key::S);
+    assert!(!is_asked(&story), "nobody else has changed the file");
+}
+
+#[test]
+fn commands_about_documents_do_nothing_behind_the_file_dialog() {
+    let mut story = with_unsaved_cube();
+    let field = story.place("Position X");
+    story.click_at(field);
+    story.host.dialog_is_open = true;
+    story.key_with(CTRL, Key::N);
+    story.host.dialog_is_open = false;
+    story.settle();
+    assert!(!is_asked(&story));
+    assert_eq!(story.names(), ["Cube"]);
+}
