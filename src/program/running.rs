@@ -6,6 +6,7 @@ use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::preferences::Preferences;
+use super::start_pictures::StartPictures;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
@@ -66,6 +67,7 @@ pub struct Program {
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
+    pub(super) start_pictures: StartPictures,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -96,6 +98,7 @@ impl Program {
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
+            start_pictures: StartPictures::default(),
             skinning_at_start: None,
         }
     }
@@ -165,6 +168,8 @@ impl Program {
             comparison.load_textures(&context);
         }
         let compare = self.comparison.as_ref().and_then(Comparison::view);
+        let is_start_page = self.session.scene().shapes().is_empty() && compare.is_none();
+        self.start_pictures.notice(is_start_page, &context);
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));
         let title = self.title();
@@ -174,6 +179,7 @@ impl Program {
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
+            start_pictures: self.start_pictures.shown(),
             hovered_shape: self.hovered_shape,
             frames_per_second: self.frame_rate.shown(),
             backend: &self.graphics.description,
@@ -212,7 +218,8 @@ impl Program {
                     path,
                     files,
                 } => {
-                    self.preferences.last_folder = path.parent().map(Path::to_owned);
+                    let kind = request.purpose.kind();
+                    self.preferences.remember_folder(kind, &path);
                     if request.purpose.shape().is_some()
                         && self.is_from_another_scene(request.opened)
                     {
@@ -315,9 +322,13 @@ impl Program {
                 let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
                 self.choose_file(Purpose::ExportCurve(id), &format!("{stem}.swp"), host);
             }
-            Ask::ExportGeometry => self.choose_file(Purpose::ExportGeometry, "scene.obj", host),
+            Ask::ExportGeometry => {
+                let name = format!("{}.obj", self.document_stem());
+                self.choose_file(Purpose::ExportGeometry, &name, host);
+            }
             Ask::Screenshot(shot) => {
-                self.choose_file(Purpose::SaveScreenshot(shot), "screenshot.png", host)
+                let name = format!("{}.png", self.document_stem());
+                self.choose_file(Purpose::SaveScreenshot(shot), &name, host);
             }
             Ask::SavePose(shape, kept) => {
                 let name = self.name_of_pose(shape, kept);
@@ -369,7 +380,8 @@ impl Program {
         match action {
             CompareAction::Choose => self.choose_file(Purpose::Compare, "", host),
             CompareAction::Save => {
-                self.choose_file(Purpose::SaveComparison, "comparison.png", host)
+                let name = format!("{}-comparison.png", self.document_stem());
+                self.choose_file(Purpose::SaveComparison, &name, host);
             }
             CompareAction::Close => self.comparison = None,
             CompareAction::Set(settings) => {

@@ -1,6 +1,7 @@
 //! The joint list of a character: folding, search, selection; its rows are in `joint_rows`.
 
-use super::joint_rows::{Columns, Look, MANY, RowEvent};
+use super::joint_columns::{Columns, MANY};
+use super::joint_rows::{Look, RowEvent};
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
 use super::{Action, joint_rows};
@@ -29,6 +30,8 @@ pub(super) struct JointListState {
     pub focus: Option<usize>,
     /// The joint that was selected in the last frame, to notice one selected in the view.
     pub selected: Option<(ShapeId, usize)>,
+    /// The joint that was under the pointer in the view in the last frame.
+    pub hovered_in_view: Option<usize>,
 }
 
 /// The joint list: angles of all joints, and below each root its offset, as a tree that can be
@@ -55,6 +58,9 @@ pub(super) fn show(
         reveal(skeleton, state.folded.entry(id).or_default(), joint);
     }
     state.selected = selected;
+    let hovered_in_view = session.hovered_joint().filter(|_| state.hovered.is_none());
+    let newly_hovered = hovered_in_view.filter(|_| hovered_in_view != state.hovered_in_view);
+    state.hovered_in_view = hovered_in_view;
 
     let folded = state.folded.entry(id).or_default();
     let searched = if state.searching { &state.search } else { "" };
@@ -72,7 +78,14 @@ pub(super) fn show(
     let columns = Columns::new(ui, skeleton, &rows);
     joint_rows::show_header(ui, &columns);
 
-    let shown = show_rows(ui, session, character, &rows, &columns, newly_selected);
+    let shown = show_rows(ui, session, character, &rows, &columns);
+    let wanted = match selected {
+        Some((_, joint)) if newly_selected => Some(joint),
+        _ => newly_hovered.filter(|_| shown.is_in_sight(ui)),
+    };
+    if let Some(row) = wanted.and_then(|joint| row_with(skeleton, &rows, joint)) {
+        scroll_to(ui, shown.places[row]);
+    }
     if let Some(name) = state.focus.and_then(|joint| shown.names.get(&joint)) {
         name.request_focus();
         state.focus = None;
@@ -118,10 +131,17 @@ pub(super) fn show(
 struct Rows {
     hovered: Option<usize>,
     events: Vec<(Row, RowEvent)>,
-    /// Rectangle of each row, as many as there are rows.
+    /// Rectangle of each row, with that of its offset, as many as there are rows.
     places: Vec<Rect>,
     /// Widgets of the names that were shown, by joint: only these may get the keyboard focus.
     names: HashMap<usize, Response>,
+}
+
+impl Rows {
+    /// Whether any row can be seen, or could without scrolling far: the user works with the list.
+    fn is_in_sight(&self, ui: &Ui) -> bool {
+        self.places.iter().any(|&place| ui.is_rect_visible(place))
+    }
 }
 
 fn show_rows(
@@ -130,27 +150,20 @@ fn show_rows(
     character: &CharacterShape,
     rows: &[Row],
     columns: &Columns,
-    scroll_to_selected: bool,
 ) -> Rows {
     let skeleton = character.character.skeleton();
+    let marks = Marks::new(session, character, rows);
     let mut all = Rows::default();
     for row in rows {
         let place = columns.place(ui);
-        all.places.push(place);
-        let selected = session.selected_joint() == Some(row.joint);
         let is_root = skeleton.joints()[row.joint].parent.is_none();
         let below = is_root.then(|| columns.place(ui));
         let both = place.union(below.unwrap_or(place));
-        if selected && scroll_to_selected {
-            scroll_to(ui, both);
-        }
+        all.places.push(both);
         if rows.len() > MANY && !ui.is_rect_visible(both) {
             continue;
         }
-        let look = Look {
-            selected,
-            hovered: session.hovered_joint() == Some(row.joint),
-        };
+        let look = marks.look(row);
         let shown =
             joint_rows::show_joint(ui, skeleton, character.pose(), row, place, look, columns);
         if shown.hovered {
@@ -169,6 +182,76 @@ fn show_rows(
         }
     }
     all
+}
+
+/// Joints of a character that are marked in the list.
+struct Marks<'a> {
+    skeleton: &'a SkeletalModel,
+    pose: &'a Pose,
+    selected: Option<usize>,
+    hovered: Option<usize>,
+    /// Row that the selected joint is folded away in, with that joint; the same of the hovered one.
+    folded_away: [Option<(usize, usize)>; 2],
+    /// Joints above one that is not at rest.
+    above_changed: BTreeSet<usize>,
+}
+
+impl<'a> Marks<'a> {
+    fn new(session: &Session, character: &'a CharacterShape, rows: &[Row]) -> Self {
+        let (skeleton, pose) = (character.character.skeleton(), character.pose());
+        let (selected, hovered) = (session.selected_joint(), session.hovered_joint());
+        let folded_away = [selected, hovered].map(|joint| {
+            let joint = joint?;
+            let row = rows.get(row_with(skeleton, rows, joint)?)?;
+            (row.joint != joint).then_some((row.joint, joint))
+        });
+        let mut above_changed = BTreeSet::new();
+        for joint in (0..skeleton.joints().len()).filter(|&joint| pose.is_changed(joint)) {
+            let mut above = parent_of(skeleton, joint);
+            while let Some(joint) = above.filter(|&joint| above_changed.insert(joint)) {
+                above = parent_of(skeleton, joint);
+            }
+        }
+        Self {
+            skeleton,
+            pose,
+            selected,
+            hovered,
+            folded_away,
+            above_changed,
+        }
+    }
+
+    fn look(&self, row: &Row) -> Look<'a> {
+        let is_folded = row.folded == Some(true);
+        let inside = self.folded_away.iter().flatten();
+        let inside = inside.clone().find(|&&(at, _)| at == row.joint);
+        let joint = inside.and_then(|&(_, joint)| self.skeleton.joints().get(joint));
+        Look {
+            selected: self.selected == Some(row.joint),
+            hovered: self.hovered == Some(row.joint),
+            changed: self.pose.is_changed(row.joint)
+                || is_folded && self.above_changed.contains(&row.joint),
+            inside: joint.map(|joint| joint.name.as_str()),
+        }
+    }
+}
+
+fn parent_of(skeleton: &SkeletalModel, joint: usize) -> Option<usize> {
+    skeleton.joints().get(joint).and_then(|joint| joint.parent)
+}
+
+/// Index of the row of `joint`, or of the nearest above it that is listed.
+fn row_with(skeleton: &SkeletalModel, rows: &[Row], joint: usize) -> Option<usize> {
+    let row_of = |joint: usize| rows.iter().position(|row| row.joint == joint);
+    let mut at = Some(joint);
+    while let Some(joint) = at {
+        if let Some(row) = row_of(joint) {
+            return Some(row);
+        }
+        at = parent_of(skeleton, joint);
+    }
+    None
 }
 
 /// Scrolls a row into view, clear of the edge where the panel fades out. A row that is clicked in
@@ -320,12 +403,10 @@ fn found(skeleton: &SkeletalModel, search: &str) -> Vec<Row> {
 
 /// Unfolds all ancestors of `joint`, so that its row is shown.
 fn reveal(skeleton: &SkeletalModel, folded: &mut BTreeSet<usize>, joint: usize) {
-    let joints = skeleton.joints();
-    let parent_of = |joint: usize| joints.get(joint).and_then(|joint| joint.parent);
-    let mut above = parent_of(joint);
+    let mut above = parent_of(skeleton, joint);
     while let Some(joint) = above {
         folded.remove(&joint);
-        above = parent_of(joint);
+        above = parent_of(skeleton, joint);
     }
 }
 
