@@ -1,7 +1,10 @@
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
-use egui::{Context, Id, Key, LayerId, Modifiers, Order, Rect, Vec2, pos2, vec2};
+use egui::{
+    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextStyle, Vec2,
+    pos2, vec2,
+};
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};
 
@@ -138,16 +141,16 @@ impl OpenDialog {
 
     /// Tells how a path is typed, beside the buttons at the bottom: the dialog itself tells nobody.
     fn paint_hint(&self, context: &Context) {
-        const HINT: &str = "Ctrl+L: type a path";
         let Some(dialog) = self.rect(context) else {
             return;
         };
         let painter = context.layer_painter(LayerId::new(Order::Middle, self.window()));
         let at = pos2(dialog.left() + 16.0, dialog.bottom() - 22.0);
         let style = context.global_style();
-        let font = egui::TextStyle::Small.resolve(&style);
+        let font = TextStyle::Small.resolve(&style);
         let color = style.visuals.weak_text_color();
-        painter.text(at, egui::Align2::LEFT_CENTER, HINT, font, color);
+        let hint = format!("{}: type a path", context.format_shortcut(&EDIT_PATH));
+        painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
 }
 
@@ -159,14 +162,13 @@ fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
         .add_file_filter(purpose.filter(), filter)
         .default_file_filter(purpose.filter())
         .keybindings(keys())
-        .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
+        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
         .default_size(SIZE);
     let recent: Vec<&PathBuf> = suggested.recent.iter().filter(|f| f.is_dir()).collect();
     if !recent.is_empty() {
         dialog = dialog.add_quick_access("Recent", |places| {
-            for folder in recent {
-                let name = folder.file_name().unwrap_or(folder.as_os_str());
-                places.add_path(&name.to_string_lossy(), folder);
+            for folder in &recent {
+                places.add_path(&name_among(folder, &recent), *folder);
             }
         });
     }
@@ -176,11 +178,39 @@ fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
     }
 }
 
+/// Name of a folder, with that of the folder it is in if another of `folders` is called the same.
+fn name_among(folder: &Path, folders: &[&PathBuf]) -> String {
+    let name = folder.file_name();
+    let same = folders.iter().filter(|other| other.file_name() == name);
+    let parent = folder.parent().and_then(Path::file_name);
+    let name = name.unwrap_or(folder.as_os_str()).to_string_lossy();
+    match parent {
+        Some(parent) if same.count() > 1 => format!("{}/{name}", parent.to_string_lossy()),
+        _ => name.into_owned(),
+    }
+}
+
+/// Key for the path.
+const EDIT_PATH: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::L);
+
 /// The dialog's keys, with Ctrl+L for the path, as other file dialogs have it. The slash, which
 /// would open the path of the current folder and be lost, is typed like any other letter.
 fn keys() -> FileDialogKeyBindings {
     FileDialogKeyBindings {
-        edit_path: vec![KeyBinding::keyboard_shortcut(Modifiers::COMMAND, Key::L)],
+        edit_path: vec![KeyBinding::KeyboardShortcut(EDIT_PATH)],
         ..FileDialogKeyBindings::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn recent_folders_of_one_name_are_told_apart_by_where_they_are() {
+        let folders = ["/a/poses", "/b/poses", "/b/scenes", "/"].map(PathBuf::from);
+        let all: Vec<&PathBuf> = folders.iter().collect();
+        let names: Vec<String> = all.iter().map(|folder| name_among(folder, &all)).collect();
+        assert_eq!(names, ["a/poses", "b/poses", "scenes", "/"]);
     }
 }

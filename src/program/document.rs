@@ -394,7 +394,7 @@ fn restore_text(path: Option<&Path>, since: Option<Duration>) -> String {
         None => "The editor ended before a new document was saved.".to_owned(),
     };
     match since {
-        Some(since) => format!("{ended} They were kept {}.", ago(since)),
+        Some(since) => format!("{ended} The changes were kept {}.", ago(since)),
         None => ended,
     }
 }
@@ -440,7 +440,7 @@ mod tests {
             assert_eq!(ago(Duration::from_secs(seconds)), words);
         }
         let told = restore_text(Some(Path::new("a.scene")), Some(Duration::from_secs(185)));
-        assert!(told.ends_with("a.scene were saved. They were kept 3 minutes ago."));
+        assert!(told.ends_with("a.scene were saved. The changes were kept 3 minutes ago."));
         assert!(!restore_text(None, None).contains("kept"));
     }
 }

@@ -168,7 +168,8 @@ impl Program {
             comparison.load_textures(&context);
         }
         let compare = self.comparison.as_ref().and_then(Comparison::view);
-        let is_start_page = self.session.scene().shapes().is_empty() && compare.is_none();
+        let is_empty = self.session.scene().shapes().is_empty();
+        let is_start_page = is_empty && compare.is_none() && self.asked.is_none();
         self.start_pictures.notice(is_start_page, &context);
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));

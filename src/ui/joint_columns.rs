@@ -150,6 +150,14 @@ pub(super) fn shortened(ui: &Ui, text: &str, room: f32) -> String {
     shortened_to(text, |text| text_width(ui, text, &font) <= room)
 }
 
+/// A joint and another one that is folded away in it, of which the latter is shortened last.
+pub(super) fn shortened_path(ui: &Ui, folded: &str, inside: &str, room: f32) -> String {
+    let end = format!(" › {inside}");
+    let left = room - text_width(ui, &end, &font(ui));
+    let path = shortened(ui, folded, left) + &end;
+    shortened(ui, &path, room)
+}
+
 fn shortened_to(text: &str, fits: impl Fn(&str) -> bool) -> String {
     let letters: Vec<char> = text.chars().collect();
     let with = |kept: usize| -> String {

@@ -1,6 +1,8 @@
 //! Rows of the joint list: angles of a joint, offset of a root.
 
-use super::joint_columns::{Columns, OFFSET, arrow, font, name_left, offset_left, shortened};
+use super::joint_columns::{
+    Columns, OFFSET, arrow, font, name_left, offset_left, shortened, shortened_path,
+};
 use super::joint_list::Row;
 use super::number_field::NumberField;
 use super::theme::{Palette, number_font};
@@ -139,11 +141,11 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Lo
         (false, false) => palette.text,
     };
     let whole = columns.written(name);
-    let text = match look.inside {
-        Some(inside) => format!("{whole} › {}", columns.written(inside)),
-        None => whole.to_owned(),
+    let room = label.rect.width();
+    let shown = match look.inside {
+        Some(inside) => shortened_path(ui, whole, columns.written(inside), room),
+        None => shortened(ui, whole, room),
     };
-    let shown = shortened(ui, &text, label.rect.width());
     let visible = label.rect.intersect(ui.clip_rect());
     let painter = ui.painter().with_clip_rect(visible);
     let at = label.rect.left_center();

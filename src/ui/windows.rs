@@ -158,7 +158,7 @@ fn table(id: &str) -> Grid {
 fn row(ui: &mut Ui, pressed: &str, does: &str, room: f32) -> Response {
     let left = (room * 0.42).min(176.0);
     let cell = |ui: &mut Ui, text: RichText, width: f32| {
-        let layout = Layout::left_to_right(Align::TOP);
+        let layout = Layout::top_down(Align::LEFT);
         let shown = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
             ui.set_min_width(width);
             ui.add(Label::new(text).wrap())

@@ -436,7 +436,7 @@ fn a_folded_branch_says_which_joint_in_it_is_selected_or_under_the_pointer() {
     editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
     editor.click("Fold Left shoulder");
     let texts: Vec<String> = editor.painted().into_iter().map(|(text, _)| text).collect();
-    let is_it = |text: &String| text.starts_with("Left s") && text.ends_with("elbow");
+    let is_it = |text: &String| text.ends_with("› Left elbow");
     assert!(texts.iter().any(is_it), "{texts:?}");
     assert_eq!(editor.value("Left shoulder"), HOLDS);
     editor.view(View::SelectJoint(None));
