@@ -1,14 +1,14 @@
 //! Layout of the joint list: one line a joint, with its name, three fields and a reset button.
 
-use super::joint_list::Row;
+use super::joint_tree::Row;
 use super::number_field::ROOM_FOR_LETTER_AND_ANGLE;
 use crate::character::SkeletalModel;
 use egui::{Color32, FontId, Rect, TextStyle, Ui, pos2, vec2};
 
 const HEIGHT: f32 = 20.0;
-const INDENT: f32 = 5.0;
+const INDENT: f32 = 4.0;
 /// Depth from which joints are indented no further: their names need the room.
-const DEEPEST: usize = 6;
+const DEEPEST: usize = 8;
 const ARROW: f32 = 12.0;
 const RESET: f32 = 14.0;
 const GAP: f32 = 2.0;

@@ -1,7 +1,9 @@
 //! The joint list of a character: folding, search, selection; its rows are in `joint_rows`.
 
 use super::joint_columns::{Columns, MANY};
-use super::joint_rows::{Look, RowEvent};
+use super::joint_marks::Marks;
+use super::joint_rows::RowEvent;
+use super::joint_tree::{Row, reveal, row_with, rows_of};
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
 use super::{Action, joint_rows};
@@ -184,76 +186,6 @@ fn show_rows(
     all
 }
 
-/// Joints of a character that are marked in the list.
-struct Marks<'a> {
-    skeleton: &'a SkeletalModel,
-    pose: &'a Pose,
-    selected: Option<usize>,
-    hovered: Option<usize>,
-    /// Row that the selected joint is folded away in, with that joint; the same of the hovered one.
-    folded_away: [Option<(usize, usize)>; 2],
-    /// Joints above one that is not at rest.
-    above_changed: BTreeSet<usize>,
-}
-
-impl<'a> Marks<'a> {
-    fn new(session: &Session, character: &'a CharacterShape, rows: &[Row]) -> Self {
-        let (skeleton, pose) = (character.character.skeleton(), character.pose());
-        let (selected, hovered) = (session.selected_joint(), session.hovered_joint());
-        let folded_away = [selected, hovered].map(|joint| {
-            let joint = joint?;
-            let row = rows.get(row_with(skeleton, rows, joint)?)?;
-            (row.joint != joint).then_some((row.joint, joint))
-        });
-        let mut above_changed = BTreeSet::new();
-        for joint in (0..skeleton.joints().len()).filter(|&joint| pose.is_changed(joint)) {
-            let mut above = parent_of(skeleton, joint);
-            while let Some(joint) = above.filter(|&joint| above_changed.insert(joint)) {
-                above = parent_of(skeleton, joint);
-            }
-        }
-        Self {
-            skeleton,
-            pose,
-            selected,
-            hovered,
-            folded_away,
-            above_changed,
-        }
-    }
-
-    fn look(&self, row: &Row) -> Look<'a> {
-        let is_folded = row.folded == Some(true);
-        let inside = self.folded_away.iter().flatten();
-        let inside = inside.clone().find(|&&(at, _)| at == row.joint);
-        let joint = inside.and_then(|&(_, joint)| self.skeleton.joints().get(joint));
-        Look {
-            selected: self.selected == Some(row.joint),
-            hovered: self.hovered == Some(row.joint),
-            changed: self.pose.is_changed(row.joint)
-                || is_folded && self.above_changed.contains(&row.joint),
-            inside: joint.map(|joint| joint.name.as_str()),
-        }
-    }
-}
-
-fn parent_of(skeleton: &SkeletalModel, joint: usize) -> Option<usize> {
-    skeleton.joints().get(joint).and_then(|joint| joint.parent)
-}
-
-/// Index of the row of `joint`, or of the nearest above it that is listed.
-fn row_with(skeleton: &SkeletalModel, rows: &[Row], joint: usize) -> Option<usize> {
-    let row_of = |joint: usize| rows.iter().position(|row| row.joint == joint);
-    let mut at = Some(joint);
-    while let Some(joint) = at {
-        if let Some(row) = row_of(joint) {
-            return Some(row);
-        }
-        at = parent_of(skeleton, joint);
-    }
-    None
-}
-
 /// Scrolls a row into view, clear of the edge where the panel fades out. A row that is clicked in
 /// the list stays under the pointer.
 fn scroll_to(ui: &Ui, row: Rect) {
@@ -347,114 +279,5 @@ fn search(ui: &mut Ui, state: &mut JointListState) {
     if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape)) {
         state.searching = false;
         state.search.clear();
-    }
-}
-
-/// One row of the joint list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Row {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Number of ancestors shown above it.
-    pub depth: usize,
-    /// Whether it is folded; `None` if it has no children to fold.
-    pub folded: Option<bool>,
-}
-
-/// Rows in tree order, without the descendants of folded joints; while `search` is not empty, all
-/// joints whose name contains it, in file order.
-fn rows_of(skeleton: &SkeletalModel, folded: &BTreeSet<usize>, search: &str) -> Vec<Row> {
-    let search = search.trim().to_lowercase();
-    if !search.is_empty() {
-        return found(skeleton, &search);
-    }
-    let mut rows = Vec::with_capacity(skeleton.joints().len());
-    let start = skeleton.roots().iter().rev();
-    let mut open: Vec<(usize, usize)> = start.map(|&root| (root, 0)).collect();
-    while let Some((joint, depth)) = open.pop() {
-        let children = skeleton.children(joint);
-        let is_folded = folded.contains(&joint);
-        rows.push(Row {
-            joint,
-            depth,
-            folded: (!children.is_empty()).then_some(is_folded),
-        });
-        if !is_folded {
-            open.extend(children.iter().rev().map(|&child| (child, depth + 1)));
-        }
-    }
-    rows
-}
-
-fn found(skeleton: &SkeletalModel, search: &str) -> Vec<Row> {
-    let matches = |name: &str| name.to_lowercase().contains(search);
-    skeleton
-        .joints()
-        .iter()
-        .enumerate()
-        .filter(|(_, joint)| matches(&joint.name))
-        .map(|(joint, _)| Row {
-            joint,
-            depth: 0,
-            folded: None,
-        })
-        .collect()
-}
-
-/// Unfolds all ancestors of `joint`, so that its row is shown.
-fn reveal(skeleton: &SkeletalModel, folded: &mut BTreeSet<usize>, joint: usize) {
-    let mut above = parent_of(skeleton, joint);
-    while let Some(joint) = above {
-        folded.remove(&joint);
-        above = parent_of(skeleton, joint);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::character::Joint;
-    use glam::Vec3;
-
-    /// 0 → {1 → 3, 2}, and a second root 4.
-    fn skeleton() -> SkeletalModel {
-        let parents = [None, Some(0), Some(0), Some(1), None];
-        let names = ["Root", "Left hip", "Right hip", "Left knee", "Prop"];
-        let joints = parents.iter().zip(names).map(|(&parent, name)| Joint {
-            name: name.to_owned(),
-            parent,
-            offset: Vec3::Y,
-            ..Joint::default()
-        });
-        SkeletalModel::new(joints.collect()).expect("a tree")
-    }
-
-    fn joints(rows: &[Row]) -> Vec<usize> {
-        rows.iter().map(|row| row.joint).collect()
-    }
-
-    #[test]
-    fn children_stand_below_their_parent_one_step_further_in() {
-        let rows = rows_of(&skeleton(), &BTreeSet::new(), "");
-        assert_eq!(joints(&rows), [0, 1, 3, 2, 4]);
-        let depths: Vec<usize> = rows.iter().map(|row| row.depth).collect();
-        assert_eq!(depths, [0, 1, 2, 1, 0]);
-        assert_eq!(rows[1].folded, Some(false));
-        assert_eq!(rows[2].folded, None);
-    }
-
-    #[test]
-    fn a_folded_joint_hides_what_is_below_it_until_that_is_revealed() {
-        let mut folded = BTreeSet::from([0, 1]);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 4]);
-        reveal(&skeleton(), &mut folded, 3);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 1, 3, 2, 4]);
-    }
-
-    #[test]
-    fn a_search_finds_folded_joints_too_whatever_the_case() {
-        let folded = BTreeSet::from([0]);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, " LEFT ")), [1, 3]);
-        assert!(rows_of(&skeleton(), &folded, "tail").is_empty());
     }
 }

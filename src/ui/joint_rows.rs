@@ -3,7 +3,7 @@
 use super::joint_columns::{
     Columns, OFFSET, arrow, font, name_left, offset_left, shortened, shortened_path,
 };
-use super::joint_list::Row;
+use super::joint_tree::Row;
 use super::number_field::NumberField;
 use super::theme::{Palette, number_font};
 use super::widgets::{ListMove, list_move, named, spoken};
