@@ -7,7 +7,7 @@ use crate::editor::{Session, View};
 use crate::geometry::Picture;
 use crate::io::Loaded;
 use crate::io::builtin::{self, BuiltinKind};
-use crate::render::{Frame, Marks};
+use crate::render::{Background, Frame, LargePicture, Marks};
 use crate::scene::{Look, ViewSettings};
 use crate::ui::{START_SCENES, StartPicture, picture_texture};
 use egui::{Context, TextureHandle};
@@ -72,7 +72,17 @@ impl Program {
                 view: session.view(),
                 marks: Marks::default(),
             };
-            graphics.picture(&frame, Some(SIZE)).ok()
+            let asked = LargePicture {
+                size: SIZE,
+                samples: graphics.samples(),
+                background: Background::Look,
+                tile: None,
+            };
+            let mut parts = graphics.picture_parts(&asked);
+            while !parts.is_complete() {
+                graphics.draw_part(&mut parts, &frame).ok()?;
+            }
+            Some(parts.into_picture())
         });
         pictures
             .drawn
