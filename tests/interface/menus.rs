@@ -324,6 +324,8 @@ fn an_ellipsis_says_that_a_dialog_follows_and_nothing_else_has_one() {
                 | Command::Screenshot
                 | Command::ExportCurve
                 | Command::ExportGeometry
+                | Command::ExportMaterials
+                | Command::ExportCharacter
                 | Command::ImportShape
                 | Command::ImportCurve
                 | Command::ImportCharacter
