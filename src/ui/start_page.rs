@@ -72,7 +72,9 @@ fn contents(ui: &mut Ui, input: &ViewInput, actions: &mut Vec<Action>) {
         let tip = "Add a character from a .dae file, or from .obj, .skel and .attach files";
         offer(ui, "Import Character…", tip, Ask::ImportCharacter, actions);
         let color = Palette::of(ui.visuals()).weak;
-        ui.label(RichText::new("or drop a file here").color(color));
+        let drop = RichText::new("or drop a file here").color(color);
+        // All of it goes to the next line where there is no room for it.
+        ui.add(Label::new(drop).extend());
     });
     if !input.recent.is_empty() {
         title(ui, "Recent");

@@ -57,7 +57,7 @@ fn a_pose_is_written_to_the_last_folder_and_over_a_file_only_after_asking() {
     press(&program, &["ctrl+p", "ctrl+a"]);
     program.write("other");
     press(&program, &["Return"]);
-    assert_eq!(poses_in(&models), ["other.json", "Robot.json"]);
+    assert_eq!(poses_in(&models), ["Robot.json", "other.json"]);
 }
 
 #[test]

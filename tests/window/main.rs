@@ -165,7 +165,7 @@ fn a_screenshot_with_panels_shows_the_window_without_the_dialogs_that_asked_for_
     program.picture();
     program.keys(&["Return"]);
     program.picture();
-    let saved = image::open(models.join("screenshot.png")).expect("a saved picture");
+    let saved = image::open(models.join("robot.png")).expect("a saved picture");
     let saved = saved.to_rgb8();
     let plain = Program::colors(&plain, saved.width(), saved.height());
     let differ = saved
