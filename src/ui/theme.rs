@@ -265,7 +265,7 @@ mod tests {
         for (name, p) in [("dark", DARK), ("light", LIGHT)] {
             let texts = [
                 p.text, p.strong, p.weak, p.axes[0], p.axes[1], p.axes[2], p.warning, p.error,
-                p.accent, p.rest,
+                p.accent,
             ];
             let grounds = [p.panel, p.field, p.typing, p.field_hovered];
             for (t, text) in texts.into_iter().enumerate() {
@@ -281,6 +281,11 @@ mod tests {
                 contrast(p.on_selection, p.selection) >= 4.5,
                 "{name}: selection"
             );
+            // Fields at rest are dim only while they are not used.
+            for ground in [p.panel, p.field] {
+                let contrast = contrast(p.rest, ground);
+                assert!(contrast >= 4.5, "{name}: at rest: {contrast:.2}");
+            }
             assert!(contrast(p.text, p.field_active) >= 4.5, "{name}: active");
         }
     }
