@@ -2,7 +2,9 @@
 
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files, WithArchives};
-use editor_core::program::{FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey};
+use editor_core::program::{
+    FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey, Suggested,
+};
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -17,6 +19,7 @@ pub struct Request {
     pub purpose: Purpose,
     request: FileRequest,
     pub folder: Option<PathBuf>,
+    pub recent: Vec<PathBuf>,
     pub name: String,
 }
 
@@ -30,6 +33,10 @@ pub struct MemoryHost {
     pub watched: Vec<PathBuf>,
     pub clipboard: String,
     pub stored: HashMap<StorageKey, Vec<u8>>,
+    /// Time since what is stored was stored.
+    pub stored_since: Option<Duration>,
+    /// Unsaved work of an earlier run that was left for a later one.
+    pub left: Option<Vec<u8>>,
     pub time: Duration,
     pub requests: Vec<Request>,
     pub dialog_is_open: bool,
@@ -85,12 +92,13 @@ impl Host for MemoryHost {
         Arc::new(WithBuiltin(WithArchives::new(self.files.clone())))
     }
 
-    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
+    fn choose_file(&mut self, request: FileRequest, suggested: Suggested) {
         self.requests.push(Request {
             purpose: request.purpose,
             request,
-            folder: folder.map(Path::to_owned),
-            name: name.to_owned(),
+            folder: suggested.folder,
+            recent: suggested.recent,
+            name: suggested.name,
         });
     }
 
@@ -148,6 +156,14 @@ impl Host for MemoryHost {
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
         self.stored.get(&key).cloned()
+    }
+
+    fn stored_since(&self, key: StorageKey) -> Option<Duration> {
+        self.stored_since.filter(|_| self.stored.contains_key(&key))
+    }
+
+    fn leave_unsaved_work(&mut self) {
+        self.left = self.stored.remove(&StorageKey::Autosave);
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {

@@ -1,14 +1,34 @@
 use crate::disk::Disk;
-use crate::program::{FileRequest, Purpose};
+use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
-use egui::{Key, Modifiers};
+use egui::{
+    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextStyle, Vec2,
+    pos2, vec2,
+};
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};
+
+/// Size in windows that have room for it, in points.
+const SIZE: Vec2 = vec2(640.0, 440.0);
+/// Width below which some buttons give way, in points.
+const NARROW: f32 = 480.0;
+/// Least distance from the edges of the window, in points, with the dialog's own margins.
+const AWAY_FROM_EDGES: Vec2 = vec2(40.0, 64.0);
+/// Height of the part at the bottom with the name of a file that is to be written, in points.
+const BOTTOM: f32 = 88.0;
 
 /// The file dialog of the window, drawn inside it: it needs no desktop portal.
 #[derive(Default)]
 pub(super) struct WindowFileDialog {
-    open: Option<(FileRequest, FileDialog)>,
+    open: Option<OpenDialog>,
+}
+
+struct OpenDialog {
+    request: FileRequest,
+    dialog: FileDialog,
+    recent: Vec<PathBuf>,
+    /// Whether the name of the file had the keyboard at the end of the last frame.
+    types_name: bool,
 }
 
 impl WindowFileDialog {
@@ -16,18 +36,18 @@ impl WindowFileDialog {
         self.open.is_some()
     }
 
-    /// Opens it in `folder`, in place of one that is open already. A file that is to be written is
-    /// called `name` until the user does otherwise.
-    pub fn open(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
+    /// Opens it, in place of one that is open already. A file that is to be written has the
+    /// suggested name until the user does otherwise.
+    pub fn open(&mut self, request: FileRequest, suggested: Suggested) {
         let purpose = request.purpose;
-        let mut dialog = dialog(purpose, folder);
+        let mut dialog = dialog(purpose, &suggested);
         if let Some((first, _)) = purpose.written().first() {
             // What is typed belongs to the name, not to a search that would choose another file.
             dialog = dialog
                 .show_search(false)
                 // Without the search it would stand out of the dialog.
                 .show_menu_button(false)
-                .default_file_name(name);
+                .default_file_name(&suggested.name);
             for (name, extension) in purpose.written() {
                 dialog = dialog.add_save_extension(name, extension);
             }
@@ -36,57 +56,161 @@ impl WindowFileDialog {
         } else {
             dialog.pick_file();
         }
-        self.open = Some((request, dialog));
+        self.open = Some(OpenDialog {
+            request,
+            dialog,
+            recent: suggested.recent,
+            types_name: false,
+        });
     }
 
     /// Shows the dialog if it is open; returns the file once one is chosen.
-    pub fn show(&mut self, context: &egui::Context) -> Option<(FileRequest, PathBuf)> {
-        let (request, dialog) = self.open.as_mut()?;
-        let request = *request;
-        ui::in_colors_of_file_dialogs(context, || {
-            dialog.update(context);
-        });
-        let Some(path) = dialog.take_picked() else {
-            if !matches!(dialog.state(), DialogState::Open) {
+    pub fn show(&mut self, context: &Context) -> Option<(FileRequest, PathBuf)> {
+        let open = self.open.as_mut()?;
+        let Some(path) = open.show(context) else {
+            if !matches!(open.dialog.state(), DialogState::Open) {
                 self.open = None;
             }
             return None;
         };
-        self.open = None;
+        let OpenDialog {
+            request, recent, ..
+        } = self.open.take()?;
         match request.purpose.completed(&path) {
             None => Some((request, path)),
             Some(complete) if !complete.exists() => Some((request, complete)),
             Some(complete) => {
                 // The dialog has asked about another file: let it ask about this one.
                 let name = complete.file_name().unwrap_or_default().to_string_lossy();
-                self.open(request, complete.parent(), &name);
+                let suggested = Suggested {
+                    folder: complete.parent().map(Path::to_owned),
+                    recent,
+                    name: name.into_owned(),
+                };
+                self.open(request, suggested);
                 None
             }
         }
     }
 }
 
-fn dialog(purpose: Purpose, folder: Option<&Path>) -> FileDialog {
+impl OpenDialog {
+    /// Shows it; returns the file once one is chosen.
+    fn show(&mut self, context: &Context) -> Option<PathBuf> {
+        let room = context.content_rect().size() - AWAY_FROM_EDGES;
+        let config = self.dialog.config_mut();
+        config.max_size = Some(room);
+        config.min_size = config.min_size.min(room);
+        // What there is another way to do gives way to the path and the search.
+        let is_narrow = room.x < NARROW;
+        config.show_forward_button = !is_narrow;
+        config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
+        let popup = egui::Popup::is_any_open(context);
+        let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
+        ui::in_colors_of_file_dialogs(context, || {
+            self.dialog.update(context);
+            self.paint_hint(context);
+        });
+        let picked = self.dialog.take_picked();
+        if picked.is_none() && escape && self.types_name {
+            // The dialog would only let go of the name, and wait for another Esc.
+            self.dialog = FileDialog::new();
+        }
+        self.types_name = self.types_name_now(context);
+        picked
+    }
+
+    /// Rectangle of the dialog, in points.
+    fn rect(&self, context: &Context) -> Option<Rect> {
+        context.memory(|memory| memory.area_rect(self.window()))
+    }
+
+    fn window(&self) -> Id {
+        self.dialog.get_window_id()
+    }
+
+    /// Whether the field at the bottom has the keyboard: that of the path is at the top.
+    fn types_name_now(&self, context: &Context) -> bool {
+        let focused = context.memory(|memory| memory.focused());
+        let field = focused.and_then(|id| context.read_response(id));
+        let (Some(field), Some(dialog)) = (field, self.rect(context)) else {
+            return false;
+        };
+        field.rect.top() > dialog.bottom() - BOTTOM
+    }
+
+    /// Tells how a path is typed, beside the buttons at the bottom: the dialog itself tells nobody.
+    fn paint_hint(&self, context: &Context) {
+        let Some(dialog) = self.rect(context) else {
+            return;
+        };
+        let painter = context.layer_painter(LayerId::new(Order::Middle, self.window()));
+        let at = pos2(dialog.left() + 16.0, dialog.bottom() - 22.0);
+        let style = context.global_style();
+        let font = TextStyle::Small.resolve(&style);
+        let color = style.visuals.weak_text_color();
+        let hint = format!("{}: type a path", context.format_shortcut(&EDIT_PATH));
+        painter.text(at, Align2::LEFT_CENTER, hint, font, color);
+    }
+}
+
+fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
     let filter = Filter::new(move |path: &Path| purpose.offers(&Disk, path));
-    let dialog = FileDialog::new()
+    let mut dialog = FileDialog::new()
         .title(purpose.title())
         .id("file dialog")
         .add_file_filter(purpose.filter(), filter)
         .default_file_filter(purpose.filter())
         .keybindings(keys())
-        .anchor(egui::Align2::CENTER_CENTER, egui::Vec2::ZERO)
-        .default_size([640.0, 440.0]);
-    match folder.filter(|folder| folder.is_dir()) {
-        Some(folder) => dialog.initial_directory(folder.to_owned()),
+        .anchor(Align2::CENTER_CENTER, Vec2::ZERO)
+        .default_size(SIZE);
+    let recent: Vec<&PathBuf> = suggested.recent.iter().filter(|f| f.is_dir()).collect();
+    if !recent.is_empty() {
+        dialog = dialog.add_quick_access("Recent", |places| {
+            for folder in &recent {
+                places.add_path(&name_among(folder, &recent), *folder);
+            }
+        });
+    }
+    match suggested.folder.as_ref().filter(|folder| folder.is_dir()) {
+        Some(folder) => dialog.initial_directory(folder.clone()),
         None => dialog,
     }
 }
+
+/// Name of a folder, with that of the folder it is in if another of `folders` is called the same.
+fn name_among(folder: &Path, folders: &[&PathBuf]) -> String {
+    let name = folder.file_name();
+    let same = folders.iter().filter(|other| other.file_name() == name);
+    let parent = folder.parent().and_then(Path::file_name);
+    let name = name.unwrap_or(folder.as_os_str()).to_string_lossy();
+    match parent {
+        Some(parent) if same.count() > 1 => format!("{}/{name}", parent.to_string_lossy()),
+        _ => name.into_owned(),
+    }
+}
+
+/// Key for the path.
+const EDIT_PATH: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::L);
 
 /// The dialog's keys, with Ctrl+L for the path, as other file dialogs have it. The slash, which
 /// would open the path of the current folder and be lost, is typed like any other letter.
 fn keys() -> FileDialogKeyBindings {
     FileDialogKeyBindings {
-        edit_path: vec![KeyBinding::keyboard_shortcut(Modifiers::COMMAND, Key::L)],
+        edit_path: vec![KeyBinding::KeyboardShortcut(EDIT_PATH)],
         ..FileDialogKeyBindings::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn recent_folders_of_one_name_are_told_apart_by_where_they_are() {
+        let folders = ["/a/poses", "/b/poses", "/b/scenes", "/"].map(PathBuf::from);
+        let all: Vec<&PathBuf> = folders.iter().collect();
+        let names: Vec<String> = all.iter().map(|folder| name_among(folder, &all)).collect();
+        assert_eq!(names, ["a/poses", "b/poses", "scenes", "/"]);
     }
 }

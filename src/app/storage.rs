@@ -2,9 +2,10 @@ use crate::disk;
 use crate::io::Diagnostic;
 use crate::program::{HostEvent, StorageKey, globals};
 use std::fs::File;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::JoinHandle;
+use std::time::Duration;
 
 /// Size of the largest file of the program's own that is read, in bytes.
 const MOST_STORED: u64 = 256 << 20;
@@ -35,10 +36,9 @@ impl Storage {
             .map(|folders| folders.config_dir().to_owned())
             .filter(|folder| std::fs::create_dir_all(folder).is_ok());
         let autosave = folder.as_ref().and_then(|folder| {
-            let slots = || (0..SLOTS).map(|slot| folder.join(format!("autosave-{slot}.json")));
             // One that was left comes before one that is free.
-            let left = slots().filter(|path| path.exists()).find_map(Slot::take);
-            left.or_else(|| slots().find_map(Slot::take))
+            let left = slots(folder).filter(|path| path.exists());
+            left.chain(slots(folder)).find_map(Slot::take)
         });
         Self {
             folder,
@@ -55,6 +55,22 @@ impl Storage {
 
     pub fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
         disk::read_at_most(&self.path(key)?, MOST_STORED).ok()
+    }
+
+    /// Time since an entry was written.
+    pub fn stored_since(&self, key: StorageKey) -> Option<Duration> {
+        let written = self.path(key)?.metadata().ok()?.modified().ok()?;
+        written.elapsed().ok()
+    }
+
+    /// Leaves the unsaved work of an earlier run to a later one, and takes a slot that is free.
+    pub fn leave_unsaved_work(&mut self) {
+        self.wait();
+        let Some(folder) = &self.folder else {
+            return;
+        };
+        let is_free = |path: &PathBuf| !path.exists();
+        self.autosave = slots(folder).filter(is_free).find_map(Slot::take);
     }
 
     /// Stores `bytes`, unsaved work in the background.
@@ -124,6 +140,11 @@ impl Storage {
             StorageKey::Autosave => self.autosave_path(),
         }
     }
+}
+
+/// Files of all slots for unsaved work.
+fn slots(folder: &Path) -> impl Iterator<Item = PathBuf> {
+    (0..SLOTS).map(|slot| folder.join(format!("autosave-{slot}.json")))
 }
 
 impl Drop for Storage {

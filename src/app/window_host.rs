@@ -4,7 +4,9 @@ use super::watcher::Watcher;
 use crate::disk;
 use crate::gpu::WindowContext;
 use crate::io::Files;
-use crate::program::{FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey};
+use crate::program::{
+    FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey, Suggested,
+};
 use egui_winit::accesskit_winit;
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
@@ -152,8 +154,8 @@ impl Host for WindowHost {
         Arc::new(disk::files())
     }
 
-    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str) {
-        self.dialog.open(request, folder, name);
+    fn choose_file(&mut self, request: FileRequest, suggested: Suggested) {
+        self.dialog.open(request, suggested);
     }
 
     fn show_dialogs(&mut self, context: &egui::Context) {
@@ -203,6 +205,14 @@ impl Host for WindowHost {
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
         self.storage.load(key)
+    }
+
+    fn stored_since(&self, key: StorageKey) -> Option<Duration> {
+        self.storage.stored_since(key)
+    }
+
+    fn leave_unsaved_work(&mut self) {
+        self.storage.leave_unsaved_work();
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {

@@ -10,7 +10,7 @@ use crate::gpu::{Backend, Framebuffer, HeadlessContext};
 use crate::io::Files;
 use crate::program::{
     FileRequest, FrameInput, Graphics, GraphicsInfo, Host, HostEvent, Job, Previous, Program,
-    StorageKey,
+    StorageKey, Suggested,
 };
 use crate::render::{OffscreenError, read_picture};
 use crate::scene::Skinning;
@@ -184,7 +184,7 @@ impl Host for StillHost {
         Arc::new(disk::files())
     }
 
-    fn choose_file(&mut self, _: FileRequest, _: Option<&Path>, _: &str) {}
+    fn choose_file(&mut self, _: FileRequest, _: Suggested) {}
 
     fn write_file(&mut self, _: &Path, _: Vec<u8>, _: Previous) {}
 
@@ -199,6 +199,8 @@ impl Host for StillHost {
     fn load(&self, _: StorageKey) -> Option<Vec<u8>> {
         None
     }
+
+    fn leave_unsaved_work(&mut self) {}
 
     fn store(&mut self, _: StorageKey, _: Vec<u8>) {}
 

@@ -207,8 +207,6 @@ pub enum View {
     /// Highlights the control point of the selected shape that the pointer is over, by the indices
     /// of its curve and of the point in it; or none.
     HoverControlPoint(Option<(usize, usize)>),
-    /// Dismisses all fresh messages; the history keeps them.
-    DismissMessages,
     /// Dismisses the fresh message at an index; the history keeps it.
     DismissMessage(usize),
 }

@@ -16,6 +16,8 @@ pub struct Message {
     pub severity: Severity,
     /// Text, in plain words.
     pub text: String,
+    /// Number of messages before it since the start.
+    pub number: u64,
 }
 
 /// Messages to the user, oldest first.
@@ -35,6 +37,7 @@ impl Messages {
         let message = Message {
             severity,
             text: text.into(),
+            number: self.count,
         };
         self.count += 1;
         for list in [&mut self.history, &mut self.fresh] {
@@ -65,10 +68,5 @@ impl Messages {
         if index < self.fresh.len() {
             self.fresh.remove(index);
         }
-    }
-
-    /// Dismisses all fresh messages; the history keeps them.
-    pub fn dismiss_all(&mut self) {
-        self.fresh.clear();
     }
 }

@@ -242,7 +242,6 @@ impl Session {
             View::HoverBone(bone) => self.hovered_bone = bone,
             View::HoverControlPoint(point) => self.hovered_control_point = point,
             View::DismissMessage(index) => self.messages.dismiss(index),
-            View::DismissMessages => self.messages.dismiss_all(),
         }
         self.forget_what_is_gone();
     }

@@ -120,8 +120,8 @@ impl Program {
             return Duration::MAX;
         }
         let document = self.session.document();
-        // What an earlier run left must not be overwritten before it is restored or discarded.
-        if self.session.is_in_gesture() || matches!(self.asked, Some(Asked::Restore(_))) {
+        // What an earlier run left must not be overwritten before the question about it is answered.
+        if self.session.is_in_gesture() || matches!(self.asked, Some(Asked::Restore(..))) {
             return Duration::MAX;
         }
         match self.autosave.stored {
@@ -164,7 +164,10 @@ impl Program {
             return;
         };
         match serde_json::from_slice(&bytes) {
-            Ok(kept) => self.asked = Some(Asked::Restore(kept)),
+            Ok(kept) => {
+                let since = host.stored_since(StorageKey::Autosave);
+                self.asked = Some(Asked::Restore(kept, since));
+            }
             Err(error) => self.give_up_restoring(&error.to_string(), host),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::autosave::Kept;
 use super::running::Program;
-use super::{FileRequest, Host, Previous, Purpose, StorageKey};
+use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
 use crate::revision::Revision;
@@ -10,6 +10,7 @@ use crate::scene::ViewSettings;
 use crate::ui::{Answer, Question};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Name of a document that has no file yet.
 const UNTITLED: &str = "Untitled";
@@ -65,8 +66,8 @@ pub(super) enum Asked {
     Unsaved(Next),
     /// The file was changed by another program since it was read or written here.
     Overwrite(PathBuf, Option<Next>),
-    /// An earlier run did not end in order, and left unsaved work.
-    Restore(Kept),
+    /// An earlier run did not end in order, and left unsaved work, this long ago if that is known.
+    Restore(Kept, Option<Duration>),
 }
 
 impl DocumentFile {
@@ -147,16 +148,10 @@ impl Asked {
                 ),
                 answers: vec![Answer::SaveAs, Answer::Overwrite, Answer::Cancel],
             },
-            Self::Restore(kept) => Question {
+            Self::Restore(kept, since) => Question {
                 title: "Restore unsaved changes?".to_owned(),
-                text: match kept.path() {
-                    Some(path) => format!(
-                        "The editor ended before changes to {} were saved.",
-                        path.display()
-                    ),
-                    None => "The editor ended before a new document was saved.".to_owned(),
-                },
-                answers: vec![Answer::Restore, Answer::Forget],
+                text: restore_text(kept.path(), *since),
+                answers: vec![Answer::Restore, Answer::Later, Answer::Forget],
             },
         }
     }
@@ -393,17 +388,23 @@ impl Program {
                 self.write_document(path, then, host);
             }
             (Some(Asked::Overwrite(_, then)), Answer::SaveAs) => self.save_as(then, host),
-            (Some(Asked::Restore(kept)), Answer::Restore) => self.restore(&kept, host),
-            (Some(Asked::Restore(_)), Answer::Forget) => host.remove(StorageKey::Autosave),
+            (Some(Asked::Restore(kept, _)), Answer::Restore) => self.restore(&kept, host),
+            (Some(Asked::Restore(..)), Answer::Forget) => host.remove(StorageKey::Autosave),
+            (Some(Asked::Restore(..)), Answer::Later) => host.leave_unsaved_work(),
             _ => {}
         }
     }
 
-    /// Lets a file be chosen in the folder of the last one.
+    /// Lets a file be chosen in the folder of the last one of its kind; one that is to be written is
+    /// called `name` until the user does otherwise.
     pub(super) fn choose_file(&self, purpose: Purpose, name: &str, host: &mut dyn Host) {
-        let folder = self.preferences.last_folder.as_deref();
+        let suggested = Suggested {
+            folder: self.preferences.folder_for(purpose.kind()),
+            recent: self.preferences.recent_folders(),
+            name: name.to_owned(),
+        };
         let opened = self.session.opened();
-        host.choose_file(FileRequest { purpose, opened }, folder, name);
+        host.choose_file(FileRequest { purpose, opened }, suggested);
     }
 
     /// Puts a file first in File ▸ Open Recent.
@@ -442,6 +443,34 @@ fn unsaved(next: &Next, name: &str) -> Question {
     }
 }
 
+/// Text of the question about what an earlier run left of the document at `path`, `since` then.
+fn restore_text(path: Option<&Path>, since: Option<Duration>) -> String {
+    let ended = match path {
+        Some(path) => format!(
+            "The editor ended before changes to {} were saved.",
+            path.display()
+        ),
+        None => "The editor ended before a new document was saved.".to_owned(),
+    };
+    match since {
+        Some(since) => format!("{ended} The changes were kept {}.", ago(since)),
+        None => ended,
+    }
+}
+
+/// A time in the past, in words.
+fn ago(since: Duration) -> String {
+    let minutes = since.as_secs() / 60;
+    let (count, unit) = match minutes {
+        0 => return "less than a minute ago".to_owned(),
+        1..60 => (minutes, "minute"),
+        60..1440 => (minutes / 60, "hour"),
+        _ => (minutes / 1440, "day"),
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {unit}{plural} ago")
+}
+
 /// Whether the name of a file is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
     io::expect_extension(path, "scene").is_ok()
@@ -450,4 +479,27 @@ pub(super) fn is_scene(path: &Path) -> bool {
 /// Digest of a file; `None` if it cannot be read.
 fn digest_at(path: &Path, files: &dyn Files) -> Option<u32> {
     files.read(path).ok().map(|bytes| crc32fast::hash(&bytes))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_since_work_was_kept_is_told_in_the_largest_unit_that_fits() {
+        for (seconds, words) in [
+            (0, "less than a minute ago"),
+            (59, "less than a minute ago"),
+            (60, "1 minute ago"),
+            (185, "3 minutes ago"),
+            (3600, "1 hour ago"),
+            (86_399, "23 hours ago"),
+            (200_000, "2 days ago"),
+        ] {
+            assert_eq!(ago(Duration::from_secs(seconds)), words);
+        }
+        let told = restore_text(Some(Path::new("a.scene")), Some(Duration::from_secs(185)));
+        assert!(told.ends_with("a.scene were saved. The changes were kept 3 minutes ago."));
+        assert!(!restore_text(None, None).contains("kept"));
+    }
 }

@@ -261,9 +261,14 @@ fn is_picture(path: &Path) -> bool {
 /// Name, without an extension, of a file for a shape or a pose called `name`.
 pub(super) fn file_stem(name: &str) -> String {
     let stem: String = name
-        .to_lowercase()
         .chars()
-        .map(|c| if c.is_alphanumeric() { c } else { '-' })
+        .map(|c| {
+            if c.is_alphanumeric() || c == '_' {
+                c
+            } else {
+                '-'
+            }
+        })
         .collect();
     match stem.trim_matches('-') {
         "" => "shape".to_owned(),
@@ -292,8 +297,9 @@ mod tests {
 
     #[test]
     fn a_file_is_called_like_its_shape_without_what_file_systems_refuse() {
-        assert_eq!(file_stem("Bézier Curve"), "bézier-curve");
-        assert_eq!(file_stem("../A:b"), "a-b");
+        assert_eq!(file_stem("Bézier Curve"), "Bézier-Curve");
+        assert_eq!(file_stem("../A:b"), "A-b");
+        assert_eq!(file_stem("walk_2"), "walk_2");
         assert_eq!(file_stem("///"), "shape");
     }
 

@@ -140,12 +140,13 @@ impl Program {
     pub fn finish_frame(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> Duration {
         let more_pictures = self.save_pictures(graphics, host);
         let answered = self.take_events(host);
+        let has_start_picture = self.draw_start_picture(graphics, host);
         self.keep_preferences(host);
         self.show_title(host);
         let wait = self.autosave(host);
         self.watch_files(host);
         let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
-        if answered || pictures_due || more_pictures {
+        if answered || pictures_due || more_pictures || has_start_picture {
             Duration::ZERO
         } else {
             wait

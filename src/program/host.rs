@@ -22,9 +22,9 @@ pub trait Host {
     /// them.
     fn files(&self) -> Arc<dyn Files>;
 
-    /// Lets the user choose a file to read or to write, in `folder` if the host knows it, called
-    /// `name` if it is to be written. Answered by [`HostEvent::Chosen`], or not at all.
-    fn choose_file(&mut self, request: FileRequest, folder: Option<&Path>, name: &str);
+    /// Lets the user choose a file to read or to write. Answered by [`HostEvent::Chosen`], or not at
+    /// all.
+    fn choose_file(&mut self, request: FileRequest, suggested: Suggested);
 
     /// Shows those dialogs that the host draws with egui itself. Called in every pass, after the
     /// panels.
@@ -56,6 +56,15 @@ pub trait Host {
 
     /// Bytes that an earlier run stored under `key`, if it did.
     fn load(&self, key: StorageKey) -> Option<Vec<u8>>;
+
+    /// Time since what is stored under `key` was stored, if the host knows it.
+    fn stored_since(&self, _key: StorageKey) -> Option<Duration> {
+        None
+    }
+
+    /// Leaves the unsaved work of an earlier run as it is, for a later one: what this one stores is
+    /// stored elsewhere from now on.
+    fn leave_unsaved_work(&mut self);
 
     /// Stores `bytes` for later runs. May end in [`HostEvent::StoreFailed`].
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
@@ -143,6 +152,33 @@ impl StorageKey {
             Self::Autosave => "autosave.json",
         }
     }
+}
+
+/// Places and a name that a host suggests to whoever chooses a file.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Suggested {
+    /// Folder to begin in, if the host knows it.
+    pub folder: Option<PathBuf>,
+    /// Folders that were used last, the newest first.
+    pub recent: Vec<PathBuf>,
+    /// Name of a file that is to be written.
+    pub name: String,
+}
+
+/// Kind of files that people keep together in a folder.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize,
+)]
+#[serde(rename_all = "lowercase")]
+pub enum FileKind {
+    /// Scenes and archives of them.
+    Scenes,
+    /// Shapes, characters and curves.
+    Models,
+    /// Poses.
+    Poses,
+    /// Pictures.
+    Pictures,
 }
 
 /// Request for a file. A host keeps it, and gives it back with the answer.
@@ -264,6 +300,23 @@ impl Purpose {
             | Self::ImportCharacter
             | Self::Compare
             | Self::LoadPose(_) => &[],
+        }
+    }
+
+    /// Kind of the files, for which a folder of its own is remembered.
+    pub fn kind(self) -> FileKind {
+        match self {
+            Self::Open | Self::SaveScene | Self::SaveWithFiles => FileKind::Scenes,
+            Self::FindSource(_)
+            | Self::ImportShape
+            | Self::ImportCurve
+            | Self::ImportCharacter
+            | Self::ExportCurve(_)
+            | Self::ExportGeometry
+            | Self::ExportMaterials
+            | Self::ExportCharacter(_) => FileKind::Models,
+            Self::SavePose(..) | Self::LoadPose(_) => FileKind::Poses,
+            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => FileKind::Pictures,
         }
     }
 

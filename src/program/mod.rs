@@ -23,11 +23,12 @@ mod picture_work;
 mod preferences;
 mod running;
 mod sources;
+mod start_pictures;
 
 pub use autosave::Unsaved;
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
-pub use host::{FileRequest, Host, HostEvent, Previous, Purpose, StorageKey};
+pub use host::{FileKind, FileRequest, Host, HostEvent, Previous, Purpose, StorageKey, Suggested};
 pub use input_parts::input_parts;
 pub use job::{Job, JobResult};
 pub use preferences::last_window_size;

@@ -1,9 +1,13 @@
 use super::running::Program;
-use super::{Host, StorageKey};
+use super::{FileKind, Host, StorageKey};
 use crate::scene::{Look, Skinning};
 use crate::ui::Navigation;
 use egui::ThemePreference;
-use std::path::PathBuf;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// Number of folders that dialogs offer as recent, at most.
+const RECENT_FOLDERS: usize = 6;
 
 /// Choices that are kept from one run to the next.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -11,6 +15,8 @@ use std::path::PathBuf;
 pub(super) struct Preferences {
     /// Folder in which a file was chosen last.
     pub last_folder: Option<PathBuf>,
+    /// The same for each kind of files.
+    pub folders: BTreeMap<FileKind, PathBuf>,
     /// Colors of the panels.
     pub theme: ThemePreference,
     /// What deforms characters; whatever suits the driver if `None`.
@@ -35,6 +41,7 @@ impl Default for Preferences {
     fn default() -> Self {
         Self {
             last_folder: None,
+            folders: BTreeMap::new(),
             theme: ThemePreference::System,
             skinning: None,
             navigation: Navigation::default(),
@@ -64,6 +71,35 @@ impl Preferences {
         stored
             .and_then(|bytes| serde_json::from_slice(&bytes).ok())
             .unwrap_or_default()
+    }
+
+    /// Remembers that a file of a kind was chosen.
+    pub fn remember_folder(&mut self, kind: FileKind, file: &Path) {
+        self.last_folder = file.parent().map(Path::to_owned);
+        self.folders
+            .extend(self.last_folder.clone().map(|folder| (kind, folder)));
+    }
+
+    /// Folder for a dialog about files of a kind: the last of that kind, or else of any.
+    pub fn folder_for(&self, kind: FileKind) -> Option<PathBuf> {
+        let folder = self.folders.get(&kind);
+        folder.or(self.last_folder.as_ref()).cloned()
+    }
+
+    /// Folders that were used last, each once.
+    pub fn recent_folders(&self) -> Vec<PathBuf> {
+        let documents = self.recent.iter().filter_map(|path| path.parent());
+        let chosen = self.folders.values().map(PathBuf::as_path);
+        let all = self.last_folder.as_deref().into_iter();
+        let mut folders: Vec<PathBuf> = Vec::new();
+        for folder in all.chain(documents).chain(chosen) {
+            let is_known = folders.iter().any(|known| known == folder);
+            if !is_known && !folder.as_os_str().is_empty() {
+                folders.push(folder.to_owned());
+            }
+        }
+        folders.truncate(RECENT_FOLDERS);
+        folders
     }
 
     /// Stores them for the next run.

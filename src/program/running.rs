@@ -8,6 +8,7 @@ use super::graphics::GraphicsInfo;
 use super::job::Finished;
 use super::picture_work::PictureWork;
 use super::preferences::Preferences;
+use super::start_pictures::StartPictures;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
@@ -74,6 +75,7 @@ pub struct Program {
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
+    pub(super) start_pictures: StartPictures,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -107,6 +109,7 @@ impl Program {
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
+            start_pictures: StartPictures::default(),
             skinning_at_start: None,
         }
     }
@@ -176,6 +179,9 @@ impl Program {
             comparison.load_textures(&context);
         }
         let compare = self.comparison.as_ref().and_then(Comparison::view);
+        let is_empty = self.session.scene().shapes().is_empty();
+        let is_start_page = is_empty && compare.is_none() && self.asked.is_none();
+        self.start_pictures.notice(is_start_page, &context);
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));
         let title = self.title();
@@ -186,6 +192,7 @@ impl Program {
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
+            start_pictures: self.start_pictures.shown(),
             hovered_shape: self.hovered_shape,
             frames_per_second: self.frame_rate.shown(),
             backend: &self.graphics.description,
@@ -225,7 +232,8 @@ impl Program {
                     path,
                     files,
                 } => {
-                    self.preferences.last_folder = path.parent().map(Path::to_owned);
+                    let kind = request.purpose.kind();
+                    self.preferences.remember_folder(kind, &path);
                     if request.purpose.shape().is_some()
                         && self.is_from_another_scene(request.opened)
                     {
@@ -331,14 +339,18 @@ impl Program {
                 let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
                 self.choose_file(Purpose::ExportCurve(id), &format!("{stem}.swp"), host);
             }
-            Ask::ExportGeometry => self.choose_file(Purpose::ExportGeometry, "scene.obj", host),
+            Ask::ExportGeometry => {
+                let name = format!("{}.obj", self.document_stem());
+                self.choose_file(Purpose::ExportGeometry, &name, host);
+            }
             Ask::Screenshot(shot) => {
+                let stem = self.document_stem();
                 let name = if shot.turntable.is_some() {
-                    "turntable.gif"
+                    format!("{stem}-turntable.gif")
                 } else {
-                    "screenshot.png"
+                    format!("{stem}.png")
                 };
-                self.choose_file(Purpose::SaveScreenshot(shot), name, host);
+                self.choose_file(Purpose::SaveScreenshot(shot), &name, host);
             }
             Ask::CancelPictures => self.cancel_pictures(),
             Ask::ExportMaterials => {
@@ -400,7 +412,8 @@ impl Program {
         match action {
             CompareAction::Choose => self.choose_file(Purpose::Compare, "", host),
             CompareAction::Save => {
-                self.choose_file(Purpose::SaveComparison, "comparison.png", host)
+                let name = format!("{}-comparison.png", self.document_stem());
+                self.choose_file(Purpose::SaveComparison, &name, host);
             }
             CompareAction::Close => self.comparison = None,
             CompareAction::Set(settings) => {

@@ -134,6 +134,8 @@ pub enum Answer {
     Restore,
     /// Let go of what was not saved.
     Forget,
+    /// Ask again at the next start.
+    Later,
     /// Do nothing.
     Cancel,
 }
@@ -149,6 +151,7 @@ impl Answer {
             Self::Overwrite => "Overwrite",
             Self::Restore => "Restore",
             Self::Forget => "Discard",
+            Self::Later => "Later",
             Self::Cancel => "Cancel",
         }
     }

@@ -13,8 +13,11 @@ const ARM: f32 = 32.0;
 const END: f32 = 9.0;
 /// Distance from the view's edges to the center of the ball, in points.
 const INSET: f32 = ARM + END + 8.0;
-/// Views narrower or lower than this, in points, have no ball: it would be in the way.
-const ROOM: f32 = 160.0;
+/// Views narrower or lower than these, in points, have no ball: it would be in the way.
+const ROOM: Vec2 = vec2(256.0, 160.0);
+
+/// Height of the part of the view that the ball takes, in points.
+pub(in crate::ui) const HEIGHT: f32 = 2.0 * INSET;
 
 /// Left edge of the ball, in points; right edge of the view if there is no ball.
 pub(in crate::ui) fn left(view: Rect) -> f32 {
@@ -26,7 +29,7 @@ pub(in crate::ui) fn left(view: Rect) -> f32 {
 }
 
 fn has_room(view: Rect) -> bool {
-    view.width() >= ROOM && view.height() >= ROOM
+    view.width() >= ROOM.x && view.height() >= ROOM.y
 }
 
 /// The axis ball in the upper right corner of the view: shows the camera's orientation, and a click

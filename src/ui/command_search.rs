@@ -2,11 +2,12 @@
 
 use super::commands::{COMMANDS, Command, Entry, run, why_disabled};
 use super::state::UiState;
-use super::widgets::named;
+use super::widgets::{named, tip_beside};
 use super::{Action, Navigation};
 use crate::editor::Session;
 use egui::{
-    Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, vec2,
+    Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
+    vec2,
 };
 
 /// Words that are searched for, and the row that Enter runs.
@@ -19,6 +20,11 @@ pub(super) struct CommandSearch {
 /// Width and greatest height of the list, in points.
 const WIDTH: f32 = 420.0;
 const TALLEST: f32 = 320.0;
+
+/// Width and height in points that the window leaves to the list.
+fn room(ui: &Ui) -> Vec2 {
+    ui.ctx().content_rect().size() - vec2(48.0, 120.0)
+}
 
 /// Shows the search while it is open: arrows choose a row, Enter or a click runs it, Esc closes.
 pub(super) fn show(
@@ -37,7 +43,7 @@ pub(super) fn show(
     let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 48.0));
     let modal = Modal::new(Id::new("find command")).area(area).frame(frame);
     let shown = modal.show(root.ctx(), |ui| {
-        ui.set_width(WIDTH);
+        ui.set_width(WIDTH.min(room(ui).x));
         contents(ui, session, navigation, &mut search)
     });
     match shown.inner {
@@ -81,16 +87,15 @@ fn contents(
         _ => search.row.min(last),
     };
     let mut chosen = found.get(search.row).filter(|_| enter).copied();
-    ScrollArea::vertical().max_height(TALLEST).show(ui, |ui| {
+    let tallest = TALLEST.min(room(ui).y);
+    ScrollArea::vertical().max_height(tallest).show(ui, |ui| {
         for (row, entry) in found.iter().enumerate() {
             let why = why_disabled(entry.command, session);
             let button = Button::selectable(row == search.row, entry.label)
                 .shortcut_text(entry.first_key(ui.ctx(), navigation))
                 .min_size(vec2(ui.available_width(), 0.0));
             let item = ui.add_enabled(why.is_none(), button);
-            let item = item
-                .on_hover_text(entry.tooltip)
-                .on_disabled_hover_text(why.unwrap_or_default());
+            tip_beside(&item, entry.tooltip, why);
             if row == search.row && (up || down) {
                 item.scroll_to_me(None);
             }

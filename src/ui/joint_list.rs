@@ -1,6 +1,9 @@
 //! The joint list of a character: folding, search, selection; its rows are in `joint_rows`.
 
-use super::joint_rows::{Columns, Look, MANY, RowEvent};
+use super::joint_columns::{Columns, MANY};
+use super::joint_marks::Marks;
+use super::joint_rows::RowEvent;
+use super::joint_tree::{Row, reveal, row_with, rows_of};
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
 use super::{Action, joint_rows};
@@ -29,6 +32,8 @@ pub(super) struct JointListState {
     pub focus: Option<usize>,
     /// The joint that was selected in the last frame, to notice one selected in the view.
     pub selected: Option<(ShapeId, usize)>,
+    /// The joint that was under the pointer in the view in the last frame.
+    pub hovered_in_view: Option<usize>,
 }
 
 /// The joint list: angles of all joints, and below each root its offset, as a tree that can be
@@ -55,6 +60,9 @@ pub(super) fn show(
         reveal(skeleton, state.folded.entry(id).or_default(), joint);
     }
     state.selected = selected;
+    let hovered_in_view = session.hovered_joint().filter(|_| state.hovered.is_none());
+    let newly_hovered = hovered_in_view.filter(|_| hovered_in_view != state.hovered_in_view);
+    state.hovered_in_view = hovered_in_view;
 
     let folded = state.folded.entry(id).or_default();
     let searched = if state.searching { &state.search } else { "" };
@@ -72,7 +80,14 @@ pub(super) fn show(
     let columns = Columns::new(ui, skeleton, &rows);
     joint_rows::show_header(ui, &columns);
 
-    let shown = show_rows(ui, session, character, &rows, &columns, newly_selected);
+    let shown = show_rows(ui, session, character, &rows, &columns);
+    let wanted = match selected {
+        Some((_, joint)) if newly_selected => Some(joint),
+        _ => newly_hovered.filter(|_| shown.is_in_sight(ui)),
+    };
+    if let Some(row) = wanted.and_then(|joint| row_with(skeleton, &rows, joint)) {
+        scroll_to(ui, shown.places[row]);
+    }
     if let Some(name) = state.focus.and_then(|joint| shown.names.get(&joint)) {
         name.request_focus();
         state.focus = None;
@@ -118,10 +133,17 @@ pub(super) fn show(
 struct Rows {
     hovered: Option<usize>,
     events: Vec<(Row, RowEvent)>,
-    /// Rectangle of each row, as many as there are rows.
+    /// Rectangle of each row, with that of its offset, as many as there are rows.
     places: Vec<Rect>,
     /// Widgets of the names that were shown, by joint: only these may get the keyboard focus.
     names: HashMap<usize, Response>,
+}
+
+impl Rows {
+    /// Whether any row can be seen, or could without scrolling far: the user works with the list.
+    fn is_in_sight(&self, ui: &Ui) -> bool {
+        self.places.iter().any(|&place| ui.is_rect_visible(place))
+    }
 }
 
 fn show_rows(
@@ -130,27 +152,20 @@ fn show_rows(
     character: &CharacterShape,
     rows: &[Row],
     columns: &Columns,
-    scroll_to_selected: bool,
 ) -> Rows {
     let skeleton = character.character.skeleton();
+    let marks = Marks::new(session, character, rows);
     let mut all = Rows::default();
     for row in rows {
         let place = columns.place(ui);
-        all.places.push(place);
-        let selected = session.selected_joint() == Some(row.joint);
         let is_root = skeleton.joints()[row.joint].parent.is_none();
         let below = is_root.then(|| columns.place(ui));
         let both = place.union(below.unwrap_or(place));
-        if selected && scroll_to_selected {
-            scroll_to(ui, both);
-        }
+        all.places.push(both);
         if rows.len() > MANY && !ui.is_rect_visible(both) {
             continue;
         }
-        let look = Look {
-            selected,
-            hovered: session.hovered_joint() == Some(row.joint),
-        };
+        let look = marks.look(row);
         let shown =
             joint_rows::show_joint(ui, skeleton, character.pose(), row, place, look, columns);
         if shown.hovered {
@@ -264,116 +279,5 @@ fn search(ui: &mut Ui, state: &mut JointListState) {
     if edit.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape)) {
         state.searching = false;
         state.search.clear();
-    }
-}
-
-/// One row of the joint list.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Row {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Number of ancestors shown above it.
-    pub depth: usize,
-    /// Whether it is folded; `None` if it has no children to fold.
-    pub folded: Option<bool>,
-}
-
-/// Rows in tree order, without the descendants of folded joints; while `search` is not empty, all
-/// joints whose name contains it, in file order.
-fn rows_of(skeleton: &SkeletalModel, folded: &BTreeSet<usize>, search: &str) -> Vec<Row> {
-    let search = search.trim().to_lowercase();
-    if !search.is_empty() {
-        return found(skeleton, &search);
-    }
-    let mut rows = Vec::with_capacity(skeleton.joints().len());
-    let start = skeleton.roots().iter().rev();
-    let mut open: Vec<(usize, usize)> = start.map(|&root| (root, 0)).collect();
-    while let Some((joint, depth)) = open.pop() {
-        let children = skeleton.children(joint);
-        let is_folded = folded.contains(&joint);
-        rows.push(Row {
-            joint,
-            depth,
-            folded: (!children.is_empty()).then_some(is_folded),
-        });
-        if !is_folded {
-            open.extend(children.iter().rev().map(|&child| (child, depth + 1)));
-        }
-    }
-    rows
-}
-
-fn found(skeleton: &SkeletalModel, search: &str) -> Vec<Row> {
-    let matches = |name: &str| name.to_lowercase().contains(search);
-    skeleton
-        .joints()
-        .iter()
-        .enumerate()
-        .filter(|(_, joint)| matches(&joint.name))
-        .map(|(joint, _)| Row {
-            joint,
-            depth: 0,
-            folded: None,
-        })
-        .collect()
-}
-
-/// Unfolds all ancestors of `joint`, so that its row is shown.
-fn reveal(skeleton: &SkeletalModel, folded: &mut BTreeSet<usize>, joint: usize) {
-    let joints = skeleton.joints();
-    let parent_of = |joint: usize| joints.get(joint).and_then(|joint| joint.parent);
-    let mut above = parent_of(joint);
-    while let Some(joint) = above {
-        folded.remove(&joint);
-        above = parent_of(joint);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::character::Joint;
-    use glam::Vec3;
-
-    /// 0 → {1 → 3, 2}, and a second root 4.
-    fn skeleton() -> SkeletalModel {
-        let parents = [None, Some(0), Some(0), Some(1), None];
-        let names = ["Root", "Left hip", "Right hip", "Left knee", "Prop"];
-        let joints = parents.iter().zip(names).map(|(&parent, name)| Joint {
-            name: name.to_owned(),
-            parent,
-            offset: Vec3::Y,
-            ..Joint::default()
-        });
-        SkeletalModel::new(joints.collect()).expect("a tree")
-    }
-
-    fn joints(rows: &[Row]) -> Vec<usize> {
-        rows.iter().map(|row| row.joint).collect()
-    }
-
-    #[test]
-    fn children_stand_below_their_parent_one_step_further_in() {
-        let rows = rows_of(&skeleton(), &BTreeSet::new(), "");
-        assert_eq!(joints(&rows), [0, 1, 3, 2, 4]);
-        let depths: Vec<usize> = rows.iter().map(|row| row.depth).collect();
-        assert_eq!(depths, [0, 1, 2, 1, 0]);
-        assert_eq!(rows[1].folded, Some(false));
-        assert_eq!(rows[2].folded, None);
-    }
-
-    #[test]
-    fn a_folded_joint_hides_what_is_below_it_until_that_is_revealed() {
-        let mut folded = BTreeSet::from([0, 1]);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 4]);
-        reveal(&skeleton(), &mut folded, 3);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, "")), [0, 1, 3, 2, 4]);
-    }
-
-    #[test]
-    fn a_search_finds_folded_joints_too_whatever_the_case() {
-        let folded = BTreeSet::from([0]);
-        assert_eq!(joints(&rows_of(&skeleton(), &folded, " LEFT ")), [1, 3]);
-        assert!(rows_of(&skeleton(), &folded, "tail").is_empty());
     }
 }

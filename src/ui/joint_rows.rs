@@ -1,168 +1,29 @@
-//! Rows of the joint list: their layout, angles of a joint, offset of a root.
+//! Rows of the joint list: angles of a joint, offset of a root.
 
-use super::joint_list::Row;
-use super::number_field::{NumberField, ROOM_FOR_LETTER_AND_ANGLE};
+use super::joint_columns::{
+    Columns, OFFSET, arrow, font, name_left, offset_left, shortened, shortened_path,
+};
+use super::joint_tree::Row;
+use super::number_field::NumberField;
 use super::theme::{Palette, number_font};
-use super::widgets::{ListMove, list_move, named};
+use super::widgets::{ListMove, list_move, named, spoken};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
 use egui::{
-    Align2, Color32, FontId, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui,
-    WidgetInfo, WidgetType, pos2, vec2,
+    Align2, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, WidgetType,
+    pos2,
 };
 use glam::Vec3;
 
-const HEIGHT: f32 = 20.0;
-const INDENT: f32 = 6.0;
-/// Depth from which joints are indented no further: their names need the room.
-const DEEPEST: usize = 8;
-const ARROW: f32 = 12.0;
-const RESET: f32 = 16.0;
-const GAP: f32 = 2.0;
-/// Width of a field in points: at least that of `329.5°`.
-const FIELD: std::ops::RangeInclusive<f32> = 41.0..=64.0;
-
-/// Number of rows above which only the rows in view are shown to egui, and names are not measured:
-/// the panel must stay fast for any file.
-pub(super) const MANY: usize = 512;
-
-/// Layout of the rows: a name, three fields and a reset button. Lengths are in points.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Columns {
-    width: f32,
-    field: f32,
-    /// Whether fields are below the name, because some name leaves no room for them beside it.
-    stacked: bool,
-}
-
-impl Columns {
-    /// Fields as wide as the longest name leaves room for; below the names if that is too little:
-    /// names are never truncated.
-    pub(super) fn new(ui: &Ui, skeleton: &SkeletalModel, rows: &[Row]) -> Self {
-        let width = ui.available_width();
-        let font = font(ui);
-        let name = |row: &Row| {
-            let name = &skeleton.joints()[row.joint].name;
-            name_left(row) + text_width(ui, name, &font)
-        };
-        let is_root = |row: &&Row| skeleton.joints()[row.joint].parent.is_none();
-        let offset = |row: &Row| offset_left(row) + text_width(ui, OFFSET, &font);
-        let first = rows.iter().take(MANY);
-        let offsets = first.clone().filter(is_root).map(offset);
-        let longest = first.map(name).chain(offsets).fold(0.0, f32::max);
-        let field = ((width - longest - RESET - 3.0 * GAP - 2.0) / 3.0).floor();
-        let stacked = rows.len() > MANY || field < *FIELD.start();
-        let room = if stacked {
-            width - RESET - 3.0 * GAP - 20.0
-        } else {
-            width
-        };
-        let field = if stacked { (room / 3.0).floor() } else { field };
-        Self {
-            width,
-            field: field.clamp(*FIELD.start(), *FIELD.end()),
-            stacked,
-        }
-    }
-
-    /// Whether letters of the axes are needed above the columns, because the fields are too narrow
-    /// for their own.
-    fn need_header(&self) -> bool {
-        self.field < ROOM_FOR_LETTER_AND_ANGLE
-    }
-
-    /// Allocates the row of letters above the columns.
-    fn place_header(&self, ui: &mut Ui) -> Rect {
-        ui.allocate_space(vec2(self.width, 14.0)).1
-    }
-
-    fn top_of_fields(&self, row: Rect) -> f32 {
-        row.top() + if self.stacked { HEIGHT } else { 0.0 }
-    }
-
-    fn height(&self) -> f32 {
-        if self.stacked { 2.0 * HEIGHT } else { HEIGHT }
-    }
-
-    /// Allocates the next row.
-    pub(super) fn place(&self, ui: &mut Ui) -> Rect {
-        let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.y, 0.0);
-        let (_, rect) = ui.allocate_space(vec2(self.width, self.height()));
-        ui.spacing_mut().item_spacing.y = spacing;
-        rect
-    }
-
-    /// Rectangle of the field of `axis` in a row.
-    fn field(&self, row: Rect, axis: usize) -> Rect {
-        let right = row.right() - RESET - GAP - (2 - axis) as f32 * (self.field + GAP);
-        let top = self.top_of_fields(row);
-        Rect::from_min_max(
-            pos2(right - self.field, top + 1.0),
-            pos2(right, top + HEIGHT - 1.0),
-        )
-    }
-
-    /// Rectangle of the reset button at the end of a row.
-    fn reset(&self, row: Rect) -> Rect {
-        let top = self.top_of_fields(row);
-        Rect::from_min_size(pos2(row.right() - RESET, top + 2.0), vec2(RESET, RESET))
-    }
-
-    /// Rectangle of the name in a row, from `left` within it.
-    fn name(&self, row: Rect, left: f32) -> Rect {
-        let right = if self.stacked {
-            row.right()
-        } else {
-            self.field(row, 0).left() - GAP
-        };
-        Rect::from_min_max(
-            pos2(row.left() + left, row.top()),
-            pos2(right, row.top() + HEIGHT),
-        )
-    }
-}
-
-/// Rectangle of the arrow before a name that starts at `left` within a row.
-fn arrow(row: Rect, left: f32) -> Rect {
-    Rect::from_min_size(
-        pos2(row.left() + left - ARROW, row.top()),
-        vec2(ARROW, HEIGHT),
-    )
-}
-
-/// Left edge of the name within a row.
-fn name_left(row: &Row) -> f32 {
-    row.depth.min(DEEPEST) as f32 * INDENT + ARROW
-}
-
-/// Label of the row below a root.
-const OFFSET: &str = "Offset";
-
-/// Left edge of that label within its row: that of the names of the root's children.
-fn offset_left(root: &Row) -> f32 {
-    name_left(root) + INDENT
-}
-
-/// Font of names.
-fn font(ui: &Ui) -> FontId {
-    FontId {
-        size: 13.0,
-        ..TextStyle::Body.resolve(ui.style())
-    }
-}
-
-fn text_width(ui: &Ui, text: &str, font: &FontId) -> f32 {
-    ui.painter()
-        .layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE)
-        .size()
-        .x
-}
-
 /// Marks of a row.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Look<'a> {
     pub selected: bool,
     pub hovered: bool,
+    /// Whether the joint, or one that is folded away below it, is not at rest.
+    pub changed: bool,
+    /// Name of the joint, folded away below this one, that is selected or under the pointer.
+    pub inside: Option<&'a str>,
 }
 
 /// Input of the user in a row.
@@ -214,7 +75,6 @@ pub(super) fn show_joint(
 ) -> Shown {
     let id = ui.id().with(("joint", row.joint));
     let name = &skeleton.joints()[row.joint].name;
-    let changed = pose.is_changed(row.joint);
     let hovered = ui.rect_contains_pointer(rect);
 
     let left = name_left(row);
@@ -227,7 +87,7 @@ pub(super) fn show_joint(
     if let Some(movement) = list_move(ui, &label) {
         event = Some(RowEvent::Move(movement));
     }
-    paint_name(ui, &label, name, changed, look);
+    paint_name(ui, &label, name, columns, look);
     if row.folded.is_some() && fold_arrow(ui, id, rect, left, row, name) {
         event = Some(RowEvent::Fold);
     }
@@ -235,7 +95,9 @@ pub(super) fn show_joint(
     let degrees = pose.rotation(row.joint).degrees();
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let called = format!("{name} {letter}");
-        let field = NumberField::degrees(&called, degrees[axis]).axis(axis);
+        let field = NumberField::degrees(&called, degrees[axis])
+            .axis(axis)
+            .quiet(!look.selected);
         if let Some(value) = field.show_at(ui, id.with(("angle", axis)), columns.field(rect, axis))
         {
             event = Some(RowEvent::Turn(axis, value));
@@ -259,6 +121,11 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
     } else if look.hovered || hovered {
         ui.painter().rect_filled(rect, 3.0, palette.field);
     }
+    if look.inside.is_some() {
+        let stroke = Stroke::new(1.0, palette.selection);
+        ui.painter()
+            .rect_stroke(rect, 3.0, stroke, StrokeKind::Inside);
+    }
     if label.has_focus() {
         let stroke = Stroke::new(1.0, palette.accent);
         ui.painter()
@@ -266,17 +133,23 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
     }
 }
 
-fn paint_name(ui: &Ui, label: &Response, name: &str, changed: bool, look: Look) {
+fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Look) {
     let palette = Palette::of(ui.visuals());
-    let color = match (look.selected, changed) {
+    let color = match (look.selected, look.changed) {
         (true, _) => palette.on_selection,
         (false, true) => palette.strong,
         (false, false) => palette.text,
     };
+    let whole = columns.written(name);
+    let room = label.rect.width();
+    let shown = match look.inside {
+        Some(inside) => shortened_path(ui, whole, columns.written(inside), room),
+        None => shortened(ui, whole, room),
+    };
     let visible = label.rect.intersect(ui.clip_rect());
     let painter = ui.painter().with_clip_rect(visible);
     let at = label.rect.left_center();
-    let written = painter.text(at, Align2::LEFT_CENTER, name, font(ui), color);
+    painter.text(at, Align2::LEFT_CENTER, &shown, font(ui), color);
     label.widget_info(|| {
         WidgetInfo::selected(
             WidgetType::SelectableLabel,
@@ -285,7 +158,10 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, changed: bool, look: Look) 
             name,
         )
     });
-    if written.right() > label.rect.right() {
+    if let Some(inside) = look.inside {
+        let holds = format!("{inside} is folded away in it");
+        spoken(label.clone(), &holds).on_hover_text(format!("{name}: {holds}"));
+    } else if shown != name {
         label.clone().on_hover_text(name);
     }
 }
@@ -375,7 +251,8 @@ pub(super) fn show_offset(
         let called = format!("{called} {letter}");
         let field = NumberField::new(&called, now[axis], 0.1)
             .decimals(2..=3)
-            .axis(axis);
+            .axis(axis)
+            .quiet(true);
         if let Some(value) = field.show_at(ui, id.with(axis), columns.field(rect, axis)) {
             let mut moved = now;
             moved[axis] = value;

@@ -1,7 +1,7 @@
 use super::commands::{Command, Entry, Menu, full_label, is_on, run, why_disabled};
 use super::state::UiState;
 use super::theme::Palette;
-use super::widgets::named;
+use super::widgets::{named, tip_beside};
 use super::{Action, Ask, ViewInput, commands};
 use crate::editor::Session;
 use crate::scene::name_of_import;
@@ -83,7 +83,8 @@ impl Items<'_> {
                 let name = path.file_name().unwrap_or(path.as_os_str());
                 let item = Button::new(name.to_string_lossy().into_owned())
                     .wrap_mode(egui::TextWrapMode::Extend);
-                let item = ui.add(item).on_hover_text(path.to_string_lossy());
+                let item = ui.add(item);
+                tip_beside(&item, &path.to_string_lossy(), None);
                 if item.clicked() {
                     self.actions
                         .push(Action::Ask(Ask::OpenRecent(path.clone())));
@@ -118,9 +119,8 @@ impl Items<'_> {
         }
         submenu(ui, label, |ui| {
             for &name in names {
-                let item = ui
-                    .button(name_of_import(name))
-                    .on_hover_text("Add it at the origin");
+                let item = ui.button(name_of_import(name));
+                tip_beside(&item, "Add it at the origin", None);
                 if item.clicked() {
                     self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
                 }
@@ -172,9 +172,7 @@ impl Items<'_> {
             ui.ctx()
                 .accesskit_node_builder(item.id, |node| node.set_toggled(toggled));
         }
-        let item = item
-            .on_hover_text(entry.tooltip)
-            .on_disabled_hover_text(why.unwrap_or_default());
+        tip_beside(&item, entry.tooltip, why);
         if item.clicked() {
             self.run(entry.command);
         }

@@ -11,17 +11,29 @@ use egui::{
 use std::time::Duration;
 
 /// State of the notices over the view.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct NoticeState {
-    /// Length of the message history when it last grew, and the time of that in seconds of egui's
-    /// clock.
-    pub seen: Option<(usize, f64)>,
+    /// Notices that are shown, by [`Message::number`], with the seconds for which they have been.
+    shown: Vec<(u64, f64)>,
+    /// Time of the last frame, in seconds of egui's clock.
+    last_frame: f64,
+    /// Number of warnings and errors that have faded and were not looked up since.
+    pub faded: usize,
 }
 
 /// Number of notices shown at once; the history has all messages.
 const SHOWN: usize = 3;
-/// Seconds until notices disappear, unless one is a warning or an error.
-const STAYS: f64 = 8.0;
+/// Seconds in which a notice fades at the end of its time.
+const FADE: f64 = 0.5;
+
+/// Seconds for which a notice is shown: the more it matters, the longer.
+fn stays(severity: Severity) -> f64 {
+    match severity {
+        Severity::Info => 6.0,
+        Severity::Warning => 12.0,
+        Severity::Error => 20.0,
+    }
+}
 
 /// Icon of a message, so that its severity shows without color too.
 fn icon(severity: Severity) -> &'static str {
@@ -51,7 +63,8 @@ fn color(visuals: &Visuals, severity: Severity) -> Color32 {
     }
 }
 
-/// Notices: messages that are not dismissed yet, at the bottom of the view.
+/// Notices: messages that are not dismissed yet, at the bottom of the view. They fade by
+/// themselves, except while the pointer is over one of them.
 pub(super) fn notices(
     ui: &mut Ui,
     view: Rect,
@@ -60,49 +73,53 @@ pub(super) fn notices(
     actions: &mut Vec<Action>,
 ) {
     let fresh = session.messages.fresh();
-    if fresh.is_empty() {
-        state.seen = None;
-        return;
-    }
-    if is_over(ui, session, state) {
-        actions.push(Action::View(View::DismissMessages));
-        return;
-    }
-    let widest = (view.width() - 24.0).clamp(80.0, 560.0);
     let first = fresh.len().saturating_sub(SHOWN);
+    let ages = state.ages(ui, &fresh[first..]);
+    let widest = (view.width() - 24.0).clamp(80.0, 560.0);
     let mut foot = view.left_bottom() + vec2(12.0, -12.0);
+    let mut is_read = false;
+    let mut next = f64::INFINITY;
+    // From the last to the first, so that those before a dismissed one keep their places.
     for (index, message) in fresh.iter().enumerate().skip(first).rev() {
-        let (rect, dismissed) = notice(ui, message, foot, widest);
-        if dismissed {
+        let left = stays(message.severity) - ages[index - first];
+        let opacity = (left / FADE).clamp(0.0, 1.0);
+        next = next.min(if left > FADE { left - FADE } else { 0.0 });
+        let (rect, dismissed) = notice(ui, message, foot, widest, opacity as f32);
+        is_read |= ui.rect_contains_pointer(rect);
+        if left <= 0.0 && message.severity != Severity::Info {
+            state.faded += 1;
+        }
+        if dismissed || left <= 0.0 {
             actions.push(Action::View(View::DismissMessage(index)));
         }
         foot.y = rect.top() - 4.0;
     }
+    if is_read {
+        state.shown.iter_mut().for_each(|(_, age)| *age = 0.0);
+    } else if next.is_finite() {
+        let wait = Duration::from_secs_f64(next);
+        ui.ctx().request_repaint_after(wait);
+    }
 }
 
-/// Whether notices have been shown for long enough, and none of them is a warning or an error.
-fn is_over(ui: &Ui, session: &Session, state: &mut NoticeState) -> bool {
-    let count = session.messages.history().len();
-    let now = ui.input(|input| input.time);
-    let since = match state.seen {
-        Some((seen, since)) if seen == count => since,
-        _ => now,
-    };
-    state.seen = Some((count, since));
-    let fresh = session.messages.fresh();
-    if fresh.iter().any(|m| m.severity != Severity::Info) {
-        return false;
+impl NoticeState {
+    /// Seconds for which each of `messages` has been shown, this frame included.
+    fn ages(&mut self, ui: &Ui, messages: &[Message]) -> Vec<f64> {
+        let now = ui.input(|input| input.time);
+        let passed = now - std::mem::replace(&mut self.last_frame, now);
+        let age_of = |message: &Message| {
+            let known = self.shown.iter().find(|(of, _)| *of == message.number);
+            known.map_or(0.0, |(_, age)| age + passed)
+        };
+        let ages: Vec<f64> = messages.iter().map(age_of).collect();
+        let numbers = messages.iter().map(|message| message.number);
+        self.shown = numbers.zip(ages.iter().copied()).collect();
+        ages
     }
-    let left = STAYS - (now - since);
-    if left > 0.0 {
-        ui.ctx()
-            .request_repaint_after(Duration::from_secs_f64(left));
-    }
-    left <= 0.0
 }
 
 /// One notice with its lower left corner at `foot`; its rectangle, and whether its × was clicked.
-fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32) -> (Rect, bool) {
+fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32, opacity: f32) -> (Rect, bool) {
     const PADDING: Vec2 = vec2(8.0, 6.0);
     const SIGN: f32 = 22.0;
     const CLOSE: f32 = 20.0;
@@ -116,15 +133,16 @@ fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32) -> (Rect, boo
     let inner = vec2(SIGN + text.size().x + close, text.size().y.max(CLOSE));
     let size = inner + 2.0 * PADDING;
     let rect = Rect::from_min_size(foot - vec2(0.0, size.y), size);
-    let frame = Frame::popup(ui.style()).inner_margin(0);
-    ui.painter().add(frame.paint(rect));
-
-    let inside = rect.shrink2(PADDING);
     let mut contents = ui.new_child(
         UiBuilder::new()
-            .id_salt(("notice", foot.y as i32))
+            .id_salt(("notice", message.number))
             .max_rect(rect),
     );
+    contents.multiply_opacity(opacity);
+    let frame = Frame::popup(ui.style()).inner_margin(0);
+    contents.painter().add(frame.paint(rect));
+
+    let inside = rect.shrink2(PADDING);
     let (left, rest) = inside.split_left_right_at_x(inside.left() + SIGN);
     let color = color(ui.visuals(), message.severity);
     let sign = RichText::new(icon(message.severity)).color(color);
@@ -140,6 +158,22 @@ fn notice(ui: &mut Ui, message: &Message, foot: Pos2, widest: f32) -> (Rect, boo
     );
     let cross = cross.on_hover_text("Hide this; Help ⏵ Messages keeps it");
     (rect, cross.clicked())
+}
+
+/// A button for the status line while warnings or errors have faded that nobody has looked up;
+/// whether it was clicked.
+pub(super) fn faded(ui: &mut Ui, state: &NoticeState) -> bool {
+    let text = match state.faded {
+        0 => return false,
+        1 => "⚠ 1 message".to_owned(),
+        count => format!("⚠ {count} messages"),
+    };
+    let color = Palette::of(ui.visuals()).warning;
+    let text = RichText::new(text).small().color(color);
+    let button = ui.add(Button::new(text).frame_when_inactive(false));
+    named(button, "Show messages")
+        .on_hover_text("Warnings and errors that have faded: Help ⏵ Messages has them")
+        .clicked()
 }
 
 /// Help ▸ Messages: all messages since the program started, newest last.

@@ -12,8 +12,11 @@ mod compare;
 mod control_points;
 mod curve_panel;
 mod history;
+mod joint_columns;
 mod joint_list;
+mod joint_marks;
 mod joint_rows;
+mod joint_tree;
 mod menu_bar;
 mod messages;
 mod navigation;
@@ -42,6 +45,7 @@ pub use compare::{
 pub use navigation::Navigation;
 pub use number_field::evaluate;
 pub use scene_places::ScenePlaces;
+pub use start_page::{START_SCENES, StartPicture};
 pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
@@ -64,6 +68,8 @@ pub struct ViewInput<'a> {
     pub builtin_characters: &'a [&'static str],
     /// Names for Insert ▸ Built-in Curve; if empty, there is no such menu.
     pub builtin_curves: &'a [&'static str],
+    /// Pictures for the start page, as far as they have been drawn.
+    pub start_pictures: &'a [StartPicture],
     /// The shape under the pointer in the view.
     pub hovered_shape: Option<ShapeId>,
     /// Pictures per second, while pictures are drawn.
@@ -106,7 +112,7 @@ fn aspect(rect: Rect) -> f32 {
 }
 
 /// Least width and height of the window, in points: in smaller ones, panels overlap.
-pub const LEAST_SIZE: (u32, u32) = (640, 400);
+pub const LEAST_SIZE: (u32, u32) = (420, 400);
 
 /// Shows all panels in `root`, the `Ui` of the whole window, and handles keys.
 pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewInput) -> UiOutput {

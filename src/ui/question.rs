@@ -3,12 +3,16 @@
 use super::{Action, Answer, Ask, Question};
 use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, Ui, vec2};
 
+/// Width of the text in points, in windows that have room for it.
+const WIDTH: f32 = 400.0;
+
 /// Shows the question; Enter gives the first answer, Esc cancels.
 pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
     let frame = Frame::popup(root.style()).inner_margin(16);
     let modal = Modal::new(Id::new("question")).frame(frame);
     let modal = modal.show(root.ctx(), |ui| {
-        ui.set_width(400.0);
+        let room = ui.ctx().content_rect().width() - 64.0;
+        ui.set_width(WIDTH.min(room));
         ui.heading(&question.title);
         ui.add_space(4.0);
         ui.label(&question.text);

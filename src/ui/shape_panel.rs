@@ -7,16 +7,23 @@ use super::{Action, Ask, character_panel, commands, curve_panel, joint_list, sha
 use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::math::Transform;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
+use egui::epaint::TextShape;
 use egui::{
-    Align, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Panel, Rect,
-    RichText, ScrollArea, StrokeKind, Ui, Vec2, vec2,
+    Align, Align2, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Panel, Rect,
+    Response, RichText, ScrollArea, Sense, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo, WidgetType,
+    pos2, vec2,
 };
 use glam::Vec3;
+use std::f32::consts::FRAC_PI_2;
 
 /// Width in points, margins included, as in the course's editor.
 const WIDTH: f32 = 280.0;
 const NARROWEST: f32 = 248.0;
 const WIDEST: f32 = 560.0;
+
+/// Width of the window in points below which the panel is folded away until it is asked for: with
+/// it, the view would be too narrow to work in.
+const NARROW_WINDOW: f32 = 560.0;
 
 /// The shape panel at the right: the list of shapes, and all properties of the selected one.
 pub(super) fn show(
@@ -25,14 +32,20 @@ pub(super) fn show(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
-    if state.panel_folded {
+    state.is_narrow = root.available_width() < NARROW_WINDOW;
+    if state.is_panel_folded() {
         return folded(root, state);
     }
     let widest = (root.available_width() * 0.7).clamp(NARROWEST, WIDEST);
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let shown = Panel::right("shape panel")
+    let (id, width) = if state.is_narrow {
+        ("shape panel of a narrow window", NARROWEST)
+    } else {
+        ("shape panel", state.panel_width.unwrap_or(WIDTH))
+    };
+    let shown = Panel::right(id)
         .frame(frame)
-        .default_size(state.panel_width.unwrap_or(WIDTH))
+        .default_size(width)
         .size_range(NARROWEST..=widest)
         .show(root, |ui| {
             heading(ui, state);
@@ -47,7 +60,7 @@ pub(super) fn show(
                 .show(ui, |ui| selected(ui, session, state, actions));
         });
     // In the middle of a drag of its edge it is not worth keeping.
-    if !root.input(|input| input.pointer.any_down()) {
+    if !state.is_narrow && !root.input(|input| input.pointer.any_down()) {
         state.panel_width = Some(shown.response.rect.width().round());
     }
 }
@@ -57,7 +70,7 @@ fn heading(ui: &mut Ui, state: &mut UiState) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         if fold_button(ui, "⏵") {
-            state.panel_folded = true;
+            state.fold_panel(true);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let title = RichText::new("Shape Selector and Properties").heading();
@@ -66,15 +79,41 @@ fn heading(ui: &mut Ui, state: &mut UiState) {
     });
 }
 
-/// The strip at the right edge that is left of the folded panel: a click unfolds it.
+/// Width in points of the strip that is left of the folded panel.
+const STRIP: f32 = 24.0;
+
+/// The strip at the right edge that is left of the folded panel: a click anywhere in it unfolds it.
 fn folded(root: &mut Ui, state: &mut UiState) {
-    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(2, 4));
+    let frame = Frame::side_top_panel(root.style()).inner_margin(0);
     let strip = Panel::right("folded shape panel").frame(frame);
-    strip.resizable(false).exact_size(22.0).show(root, |ui| {
-        if fold_button(ui, "⏴") {
-            state.panel_folded = false;
+    strip.resizable(false).exact_size(STRIP).show(root, |ui| {
+        let handle = ui.max_rect();
+        let button = ui.allocate_rect(handle, Sense::click());
+        let command = Command::TogglePanel;
+        button.widget_info(|| {
+            WidgetInfo::labeled(WidgetType::Button, true, commands::label(command))
+        });
+        paint_handle(ui, &button, handle);
+        let tip = commands::tooltip(ui.ctx(), command);
+        if button.on_hover_text(tip).clicked() {
+            state.fold_panel(false);
         }
     });
+}
+
+/// Paints the folded panel's arrow, and below it what the panel is, from top to bottom.
+fn paint_handle(ui: &Ui, button: &Response, handle: Rect) {
+    let visuals = ui.style().interact(button);
+    if button.hovered() || button.has_focus() {
+        ui.painter().rect_filled(handle, 0.0, visuals.weak_bg_fill);
+    }
+    let (font, color) = (TextStyle::Body.resolve(ui.style()), visuals.text_color());
+    let top = handle.center_top() + vec2(0.0, 16.0);
+    let painter = ui.painter();
+    painter.text(top, Align2::CENTER_CENTER, "⏴", font.clone(), color);
+    let text = painter.layout_no_wrap("Shapes and Properties".to_owned(), font, color);
+    let corner = pos2(handle.center().x + text.size().y / 2.0, handle.top() + 32.0);
+    painter.add(TextShape::new(corner, text, color).with_angle(FRAC_PI_2));
 }
 
 fn fold_button(ui: &mut Ui, sign: &str) -> bool {

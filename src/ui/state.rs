@@ -24,6 +24,10 @@ pub struct UiState {
     pub skinning: Option<Skinning>,
     /// Whether the shape panel is folded away. Kept by the program, too.
     pub panel_folded: bool,
+    /// Whether the window is so narrow that the shape panel is folded away unless it is asked for.
+    pub(super) is_narrow: bool,
+    /// Whether the panel was asked for in a narrow window. Not kept: it is in the way there.
+    pub(super) unfolded_in_narrow: bool,
     /// Width of the shape panel in points, once it is known. Kept by the program, too.
     pub panel_width: Option<f32>,
     /// Whether the first help is shown: three lines for newcomers.
@@ -66,6 +70,8 @@ impl Default for UiState {
             navigation: Navigation::default(),
             skinning: None,
             panel_folded: false,
+            is_narrow: false,
+            unfolded_in_narrow: false,
             panel_width: None,
             first_help: false,
             windows: Windows::default(),
@@ -100,6 +106,24 @@ impl UiState {
         self.navigation = navigation;
         if navigation == Navigation::Mannequin {
             self.pose.tool = Tool::Pose;
+        }
+    }
+
+    /// Whether the shape panel is folded away now.
+    pub(super) fn is_panel_folded(&self) -> bool {
+        if self.is_narrow {
+            !self.unfolded_in_narrow
+        } else {
+            self.panel_folded
+        }
+    }
+
+    /// Folds the shape panel away, or unfolds it. What is done in a narrow window is not for others.
+    pub(super) fn fold_panel(&mut self, fold: bool) {
+        if self.is_narrow {
+            self.unfolded_in_narrow = !fold;
+        } else {
+            self.panel_folded = fold;
         }
     }
 

@@ -22,6 +22,8 @@ pub struct Palette {
     pub strong: Color32,
     /// Less important text: units, hints.
     pub weak: Color32,
+    /// Numbers that are as they were at rest.
+    pub rest: Color32,
     /// The one accent: keyboard focus, marks.
     pub accent: Color32,
     /// Behind what is selected.
@@ -47,6 +49,7 @@ pub const DARK: Palette = Palette {
     text: Color32::from_rgb(0xdc, 0xde, 0xe1),
     strong: Color32::from_rgb(0xff, 0xff, 0xff),
     weak: Color32::from_rgb(0xb4, 0xb8, 0xbf),
+    rest: Color32::from_rgb(0xa2, 0xa6, 0xae),
     accent: Color32::from_rgb(0x73, 0xb6, 0xfa),
     selection: Color32::from_rgb(0x2a, 0x57, 0x8c),
     on_selection: Color32::from_rgb(0xff, 0xff, 0xff),
@@ -70,6 +73,7 @@ pub const LIGHT: Palette = Palette {
     text: Color32::from_rgb(0x1f, 0x23, 0x28),
     strong: Color32::from_rgb(0x00, 0x00, 0x00),
     weak: Color32::from_rgb(0x4d, 0x53, 0x5b),
+    rest: Color32::from_rgb(0x64, 0x6a, 0x73),
     accent: Color32::from_rgb(0x0b, 0x5c, 0xb8),
     selection: Color32::from_rgb(0xc9, 0xdf, 0xf9),
     on_selection: Color32::from_rgb(0x06, 0x2f, 0x63),
@@ -277,6 +281,11 @@ mod tests {
                 contrast(p.on_selection, p.selection) >= 4.5,
                 "{name}: selection"
             );
+            // Fields at rest are dim only while they are not used.
+            for ground in [p.panel, p.field] {
+                let contrast = contrast(p.rest, ground);
+                assert!(contrast >= 4.5, "{name}: at rest: {contrast:.2}");
+            }
             assert!(contrast(p.text, p.field_active) >= 4.5, "{name}: active");
         }
     }

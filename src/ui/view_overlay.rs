@@ -5,6 +5,7 @@ use super::progress;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
+use super::windows::Dialog;
 use super::{
     Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
     start_page,
@@ -80,30 +81,40 @@ const LINES: [(&str, &str); 2] = [
     ),
     ("More", "Insert adds shapes · ? shows every key"),
 ];
-/// Size of the first help, in points.
+/// Size of the first help, in points; in narrow views each line of it is two.
 const SIZE: Vec2 = vec2(380.0, 88.0);
+const NARROW_SIZE: Vec2 = vec2(264.0, 172.0);
 
 /// First help: three lines for newcomers in the lower left corner of the view; whether their × was
 /// clicked.
 fn first_help(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
-    if view.width() < SIZE.x + 24.0 || view.height() < SIZE.y + 3.0 * BAR_HEIGHT {
+    let is_narrow = view.width() < SIZE.x + 24.0;
+    let size = if is_narrow { NARROW_SIZE } else { SIZE };
+    if view.width() < size.x + 24.0 || view.height() < size.y + 3.0 * BAR_HEIGHT {
         return false;
     }
-    let corner = pos2(view.left() + 12.0, view.bottom() - SIZE.y - 12.0);
+    let corner = pos2(view.left() + 12.0, view.bottom() - size.y - 12.0);
     let builder = UiBuilder::new()
         .id_salt("first help")
-        .max_rect(Rect::from_min_size(corner, SIZE));
+        .max_rect(Rect::from_min_size(corner, size));
     let mut inner = ui.new_child(builder);
     let mut closed = false;
+    let lines = [("Look around", look_around)].into_iter().chain(LINES);
     Frame::popup(ui.style())
         .inner_margin(Margin::symmetric(12, 8))
         .show(&mut inner, |ui| {
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
-                Grid::new("first help").num_columns(2).show(ui, |ui| {
-                    for (what, how) in [("Look around", look_around)].into_iter().chain(LINES) {
+                let columns = if is_narrow { 1 } else { 2 };
+                Grid::new("first help").num_columns(columns).show(ui, |ui| {
+                    for (what, how) in lines {
                         let strong = Palette::of(ui.visuals()).strong;
                         ui.label(RichText::new(what).color(strong));
-                        ui.label(RichText::new(how).small());
+                        if is_narrow {
+                            ui.end_row();
+                            ui.set_max_width(size.x - 48.0);
+                        }
+                        let how = Label::new(RichText::new(how).small());
+                        ui.add(if is_narrow { how.wrap() } else { how.extend() });
                         ui.end_row();
                     }
                 });
@@ -118,11 +129,21 @@ fn first_help(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
 
 /// The status line below the view: what is under the pointer and what gestures do there; at the
 /// right, pictures per second and the graphics driver.
-pub(super) fn status_line(root: &mut Ui, session: &Session, state: &UiState, input: &ViewInput) {
+pub(super) fn status_line(
+    root: &mut Ui,
+    session: &Session,
+    state: &mut UiState,
+    input: &ViewInput,
+) {
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
     Panel::bottom("status line").frame(frame).show(root, |ui| {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let weak = Palette::of(ui.visuals()).weak;
+            if state.windows.is_open(Dialog::Messages) {
+                state.notices.faded = 0;
+            } else if messages::faded(ui, &state.notices) {
+                state.windows.open(Dialog::Messages);
+            }
             let machine = machine(input);
             if !machine.is_empty() && ui.available_width() > 480.0 {
                 ui.label(RichText::new(machine).small().color(weak));

@@ -3,8 +3,8 @@
 use super::theme::Palette;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Button, EventFilter, Id, Key, Label, Layout, Modifiers, Response, RichText, TextEdit,
-    Ui, Vec2, vec2,
+    Align, Button, EventFilter, Id, Key, Label, Layout, Modifiers, RectAlign, Response, RichText,
+    TextEdit, Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -19,6 +19,35 @@ pub(super) fn spoken(sign: Response, word: &str) -> Response {
     let ctx = sign.ctx.clone();
     ctx.accesskit_node_builder(sign.id, |node| node.set_value(word));
     sign
+}
+
+/// Narrowest and widest tooltip beside an item, in points.
+const TIP: std::ops::RangeInclusive<f32> = 96.0..=320.0;
+
+/// Shows a tooltip beside an item of a menu, where it covers none of the others: `text`, or why the
+/// item is disabled.
+pub(super) fn tip_beside(item: &Response, text: &str, why_disabled: Option<&str>) {
+    const GAP: f32 = 8.0;
+    let mut tooltip = match why_disabled {
+        None => Tooltip::for_enabled(item),
+        Some(_) => Tooltip::for_disabled(item),
+    };
+    let screen = item.ctx.content_rect();
+    // The margins of the tooltip count, too.
+    let right = screen.right() - item.rect.right() - GAP - 16.0;
+    let left = item.rect.left() - screen.left() - GAP - 16.0;
+    let (side, room) = if right >= left.min(*TIP.end()) {
+        (RectAlign::RIGHT_START, right)
+    } else {
+        (RectAlign::LEFT_START, left)
+    };
+    tooltip.popup = tooltip
+        .popup
+        .align(side)
+        .align_alternatives(&[])
+        .gap(GAP)
+        .width(room.clamp(*TIP.start(), *TIP.end()));
+    tooltip.show(|ui| ui.add(Label::new(why_disabled.unwrap_or(text)).wrap()));
 }
 
 /// Selects the whole text of a field, so that typing replaces it.

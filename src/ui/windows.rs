@@ -6,7 +6,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::{Action, Navigation, ViewInput, history, messages};
 use crate::editor::Session;
-use egui::{Grid, Id, RichText, ScrollArea, Ui, Window, vec2};
+use egui::{Align, Grid, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
 /// A window over the view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,11 +118,11 @@ fn window(
 fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
     let context = ui.ctx().clone();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let room = ui.available_width();
         heading(ui, "Mouse");
         table("gestures").show(ui, |ui| {
             for gesture in navigation.gestures().chain(GESTURES) {
-                ui.label(key(ui, gesture.gesture));
-                ui.label(gesture.does);
+                row(ui, gesture.gesture, gesture.does, room);
                 ui.end_row();
             }
         });
@@ -137,8 +137,7 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
             heading(ui, title(menu));
             table(title(menu)).show(ui, |ui| {
                 for (keys, entry) in entries {
-                    ui.label(key(ui, &keys));
-                    ui.label(entry.label).on_hover_text(entry.tooltip);
+                    row(ui, &keys, entry.label, room).on_hover_text(entry.tooltip);
                     ui.end_row();
                 }
             });
@@ -149,8 +148,24 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
 fn table(id: &str) -> Grid {
     Grid::new(id)
         .num_columns(2)
-        .min_col_width(176.0)
+        .min_col_width(0.0)
         .spacing([8.0, 4.0])
+}
+
+/// One row of a table, `room` points wide: what is pressed or moved, and its effect.
+fn row(ui: &mut Ui, pressed: &str, does: &str, room: f32) -> Response {
+    let left = (room * 0.42).min(176.0);
+    let cell = |ui: &mut Ui, text: RichText, width: f32| {
+        let layout = Layout::top_down(Align::LEFT);
+        let shown = ui.allocate_ui_with_layout(vec2(width, 0.0), layout, |ui| {
+            ui.set_min_width(width);
+            ui.add(Label::new(text).wrap())
+        });
+        shown.inner
+    };
+    let pressed = key(ui, pressed);
+    cell(ui, pressed, left);
+    cell(ui, RichText::new(does), room - left - 16.0)
 }
 
 fn title(menu: Menu) -> &'static str {

@@ -377,3 +377,100 @@ fn right_goes_to_the_first_of_several_children() {
     editor.key(Key::ArrowRight);
     assert_eq!(editor.session().selected_joint(), Some(RIGHT_HIP));
 }
+
+/// Asserts that name and numbers of each joint stand beside each other, in the panel.
+fn assert_one_line_a_joint(editor: &mut Editor) {
+    let joints = editor.character().character.skeleton().joints().to_vec();
+    let window = editor.harness.ctx.content_rect();
+    for joint in joints {
+        editor.reveal(&joint.name);
+        let name = editor.widget(&joint.name).rect();
+        let mut left = name.right();
+        for axis in ["X", "Y", "Z"] {
+            let field = editor.widget(&format!("{} {axis}", joint.name)).rect();
+            let is_beside = (field.center().y - name.center().y).abs() < 1.0;
+            assert!(is_beside && field.left() >= left, "{}", joint.name);
+            assert!(field.width() >= 36.0 && field.right() <= window.right());
+            left = field.right();
+        }
+    }
+}
+
+#[test]
+fn each_joint_has_one_line_whatever_its_name_and_however_many_there_are() {
+    for (size, panel) in [((800.0, 600.0), 280.0), ((800.0, 2400.0), 280.0)] {
+        let mut editor = Editor::sized(egui::vec2(size.0, size.1));
+        editor.add_character(figure::figure());
+        let view = editor.harness.state().view;
+        assert!((size.0 - view.right() - panel).abs() < 1.0, "{view}");
+        assert_one_line_a_joint(&mut editor);
+        editor.add_character(figure::chain(60));
+        assert_one_line_a_joint(&mut editor);
+        let mut names = editor_core::character::COURSE_JOINT_NAMES;
+        names[1] = "mixamorig:Spine.001_twist";
+        names[7] = "mixamorig:RightToeBase_End_of_a_very_long_name";
+        editor.add_character(figure::figure_called(&names));
+        assert_one_line_a_joint(&mut editor);
+    }
+}
+
+#[test]
+fn a_namespace_that_all_joints_share_is_left_out_in_the_list_and_kept_in_their_names() {
+    let names: Vec<String> = editor_core::character::COURSE_JOINT_NAMES
+        .iter()
+        .map(|name| format!("mixamorig:{name}"))
+        .collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut editor = Editor::new();
+    editor.add_character(figure::figure_called(names[..].try_into().unwrap()));
+    assert!(editor.has("mixamorig:Neck"), "for who hears it");
+    let painted: Vec<String> = editor.painted().into_iter().map(|(text, _)| text).collect();
+    assert!(painted.iter().any(|text| text == "Waist"), "{painted:?}");
+    assert!(!painted.iter().any(|text| text.starts_with("mixamorig")));
+}
+
+#[test]
+fn a_folded_branch_says_which_joint_in_it_is_selected_or_under_the_pointer() {
+    const HOLDS: &str = "Left elbow is folded away in it";
+    let mut editor = Editor::with_figure();
+    editor.view(View::SelectJoint(Some(LEFT_ELBOW)));
+    editor.click("Fold Left shoulder");
+    let texts: Vec<String> = editor.painted().into_iter().map(|(text, _)| text).collect();
+    let is_it = |text: &String| text.ends_with("› Left elbow");
+    assert!(texts.iter().any(is_it), "{texts:?}");
+    assert_eq!(editor.value("Left shoulder"), HOLDS);
+    editor.view(View::SelectJoint(None));
+    assert_eq!(editor.value("Left shoulder"), "");
+    let id = editor.shape().id;
+    editor.view(View::HoverBone(Some((id, LEFT_ELBOW))));
+    assert_eq!(editor.value("Left shoulder"), HOLDS);
+}
+
+#[test]
+fn the_joint_under_the_pointer_in_the_view_scrolls_into_sight() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::chain(60));
+    editor.reveal("Joint 5");
+    let window = editor.harness.ctx.content_rect();
+    let id = editor.shape().id;
+    for joint in [50, 8, 30] {
+        editor.view(View::HoverBone(Some((id, joint))));
+        editor.harness.run_steps(40);
+        let row = editor.widget(&format!("Joint {joint}")).rect();
+        assert!(window.contains_rect(row), "{joint}: {row}");
+    }
+}
+
+#[test]
+fn the_list_stays_where_it_is_while_the_pointer_is_over_it() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::chain(60));
+    editor.reveal("Joint 20");
+    let before = editor.widget("Joint 20").rect();
+    for joint in [20, 22, 19] {
+        editor.widget(&format!("Joint {joint}")).hover();
+        editor.harness.run_steps(20);
+        assert_eq!(editor.session().hovered_joint(), Some(joint));
+    }
+    assert_eq!(editor.widget("Joint 20").rect(), before);
+}

@@ -141,18 +141,6 @@ fn no_name_of_a_joint_is_cut_at_the_courses_width() {
 }
 
 #[test]
-fn long_names_get_a_line_of_their_own() {
-    let mut names = editor_core::character::COURSE_JOINT_NAMES;
-    names[1] = "mixamorig:Spine.001_twist";
-    names[7] = "mixamorig:RightToeBase_End";
-    let mut editor = Editor::new();
-    editor.add_character(figure::figure_called(&names));
-    assert_names_whole(&editor, &names);
-    let (name, field) = (editor.widget(names[1]), editor.widget("Waist X"));
-    assert!(name.rect().right() > field.rect().left());
-}
-
-#[test]
 fn in_a_large_window_the_numbers_stay_beside_their_names() {
     let mut editor = Editor::sized(vec2(1920.0, 1080.0));
     editor.add_character(figure::figure());
@@ -192,7 +180,7 @@ fn the_panel_is_made_wider_by_its_edge_and_the_view_narrower() {
 
 #[test]
 fn the_tools_stay_in_the_view_and_off_the_axis_ball_in_every_window() {
-    for width in [640.0, 700.0, 760.0, 800.0, 1280.0] {
+    for width in [420.0, 560.0, 640.0, 700.0, 760.0, 800.0, 1280.0] {
         for key in [Key::B, Key::I] {
             let mut editor = Editor::sized(vec2(width, 400.0));
             editor.add_character(figure::figure());
@@ -213,6 +201,81 @@ fn the_tools_stay_in_the_view_and_off_the_axis_ball_in_every_window() {
                     assert!(apart, "{width}: {name} and {other} at {rect}, {place}");
                 }
             }
+        }
+    }
+}
+
+/// The smallest window that the program can have, and another narrow one.
+const SMALL: [egui::Vec2; 3] = [vec2(420.0, 400.0), vec2(420.0, 600.0), vec2(640.0, 400.0)];
+
+#[test]
+fn in_a_narrow_window_the_panel_is_folded_until_it_is_asked_for() {
+    let mut editor = Editor::sized(vec2(420.0, 600.0));
+    editor.add_character(figure::figure());
+    let view = editor.harness.state().view;
+    assert!(view.width() > 380.0 && !editor.has("Delete"), "{view}");
+    editor.key(Key::N);
+    assert!(editor.has("Delete"));
+    let narrow = editor.harness.state().view;
+    assert!(narrow.width() > 120.0, "the figure is still seen: {narrow}");
+    editor.key(Key::N);
+    assert_eq!(editor.harness.state().view, view);
+    let handle = editor.widget("Shape Panel").rect();
+    assert!(
+        handle.height() > 300.0 && handle.width() >= 20.0,
+        "{handle}"
+    );
+    editor.click("Shape Panel");
+    assert!(editor.has("Delete"));
+    assert!(
+        !editor.harness.state().state.panel_folded,
+        "wide ones keep theirs"
+    );
+}
+
+#[test]
+fn in_small_windows_menus_and_dialogs_stay_inside() {
+    for size in SMALL {
+        let mut editor = Editor::sized(size);
+        editor.add_character(figure::figure());
+        let window = editor.harness.ctx.content_rect();
+        let assert_inside = |editor: &Editor, when: &str| {
+            for (name, rect) in interactive(editor) {
+                let inside = rect.left() >= -0.5 && rect.right() <= window.right() + 0.5;
+                assert!(inside, "{when} in {size}: {name} at {rect}");
+            }
+        };
+        for menu in ["File", "Edit", "Insert", "View", "Pose", "Help"] {
+            editor.click(menu);
+            assert_inside(&editor, menu);
+            editor.key(Key::Escape);
+        }
+        for (key, dialog) in [
+            (Key::F1, "keys"),
+            (Key::F9, "messages"),
+            (Key::F12, "screenshot"),
+        ] {
+            editor.key(key);
+            editor.harness.run_steps(8);
+            assert_inside(&editor, dialog);
+            editor.key(Key::Escape);
+        }
+        let ctrl_shift = egui::Modifiers::COMMAND | egui::Modifiers::SHIFT;
+        editor.key_with(ctrl_shift, Key::P);
+        assert_inside(&editor, "search");
+    }
+}
+
+#[test]
+fn in_small_windows_the_start_page_offers_all_it_has() {
+    for size in SMALL {
+        let mut editor = Editor::sized(size);
+        let view = editor.harness.state().view;
+        for label in ["Begin: Open…", "Begin: Robot", "Begin: Turned"] {
+            editor.reveal(label);
+            editor.harness.run_steps(20);
+            let tile = editor.widget(label).rect();
+            assert!(view.contains_rect(tile), "{label} in {size}: {tile}");
         }
     }
 }

@@ -285,3 +285,55 @@ fn where_everything_is_hidden_there_is_nothing_to_fit() {
     editor.click("View");
     assert!(!editor.can_choose("Fit to View"));
 }
+
+#[test]
+fn a_tooltip_of_a_menu_covers_none_of_its_items() {
+    for size in [egui::vec2(800.0, 600.0), egui::vec2(420.0, 600.0)] {
+        for (menu, item, tip) in [
+            (
+                "File",
+                "Open…",
+                "Open a scene, or a model as a new document",
+            ),
+            ("Insert", "Cube", "Add a cube at the origin"),
+            ("Edit", "Undo", "There is nothing to undo"),
+        ] {
+            let mut editor = Editor::sized(size);
+            editor.click(menu);
+            let item = editor.widget(item).rect();
+            editor.harness.hover_at(item.center());
+            editor.harness.run_steps(20);
+            let painted = editor.painted();
+            let tip = painted.iter().find(|(text, _)| text == tip);
+            let (_, tip) = tip.unwrap_or_else(|| panic!("no tooltip in {menu}: {painted:?}"));
+            let apart = tip.left() >= item.right() || tip.right() <= item.left();
+            assert!(apart, "{menu} in {size}: {tip} over {item}");
+        }
+    }
+}
+
+#[test]
+fn an_ellipsis_says_that_a_dialog_follows_and_nothing_else_has_one() {
+    use editor_core::ui::{COMMANDS, Command};
+    for entry in COMMANDS {
+        let asks = matches!(
+            entry.command,
+            Command::Open
+                | Command::SaveAs
+                | Command::SaveWithFiles
+                | Command::Screenshot
+                | Command::ExportCurve
+                | Command::ExportGeometry
+                | Command::ExportMaterials
+                | Command::ExportCharacter
+                | Command::ImportShape
+                | Command::ImportCurve
+                | Command::ImportCharacter
+                | Command::Compare
+                | Command::SavePose
+                | Command::LoadPose
+                | Command::FindCommand
+        );
+        assert_eq!(entry.label.ends_with('…'), asks, "{}", entry.label);
+    }
+}

@@ -10,15 +10,47 @@ fn tell(editor: &mut Editor, severity: Severity, text: &str) {
     editor.settle();
 }
 
+/// Lets `seconds` pass, of which a step of the harness is a quarter.
+fn wait(editor: &mut Editor, seconds: usize) {
+    editor.harness.run_steps(4 * seconds);
+}
+
 #[test]
-fn an_error_stays_in_sight_until_it_is_dismissed_and_in_the_history_after() {
+fn an_error_fades_after_a_while_and_stays_in_the_messages() {
     let mut editor = Editor::new();
     tell(&mut editor, Severity::Error, "a.skel:3:1: no such parent");
-    editor.harness.run_steps(100);
-    assert!(editor.has("a.skel:3:1: no such parent"));
+    wait(&mut editor, 15);
+    assert!(editor.has("a.skel:3:1: no such parent"), "time to read it");
     assert!(editor.has("Error"), "the sign has a name");
+    assert!(!editor.has("Show messages"));
+    wait(&mut editor, 6);
+    assert!(!editor.has("a.skel:3:1: no such parent"));
+    editor.click("Show messages");
+    assert!(editor.has("a.skel:3:1: no such parent"));
+    editor.key(Key::Escape);
+    assert!(!editor.has("Show messages"), "they have been looked up");
+}
+
+#[test]
+fn what_is_being_read_does_not_fade() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Info, "Saved a.png");
+    let at = editor.widget("Dismiss: Saved a.png").rect().left_center();
+    editor.harness.hover_at(at - egui::vec2(8.0, 0.0));
+    wait(&mut editor, 20);
+    assert!(editor.has("Saved a.png"));
+    editor.harness.hover_at(egui::pos2(300.0, 200.0));
+    wait(&mut editor, 10);
+    assert!(!editor.has("Saved a.png"));
+}
+
+#[test]
+fn a_notice_that_is_dismissed_stays_in_the_messages() {
+    let mut editor = Editor::new();
+    tell(&mut editor, Severity::Error, "a.skel:3:1: no such parent");
     editor.click("Dismiss: a.skel:3:1: no such parent");
     assert!(!editor.has("a.skel:3:1: no such parent"));
+    assert!(!editor.has("Show messages"), "it was seen");
     editor.choose(&["Help", "Messages"]);
     assert!(editor.has("a.skel:3:1: no such parent"));
 }
@@ -70,13 +102,15 @@ fn the_history_is_copied_with_words_for_the_signs() {
 }
 
 #[test]
-fn a_warning_stays_in_sight_and_so_does_a_note_beside_it() {
+fn each_notice_has_a_time_of_its_own_and_a_warning_the_longer_one() {
     let mut editor = Editor::new();
     tell(&mut editor, Severity::Warning, "odd weights");
+    wait(&mut editor, 3);
     tell(&mut editor, Severity::Info, "Imported a.dae");
-    editor.harness.run_steps(100);
+    wait(&mut editor, 4);
     assert!(editor.has("odd weights") && editor.has("Imported a.dae"));
-    editor.click("Dismiss: odd weights");
-    editor.harness.run_steps(40);
-    assert!(!editor.has("Imported a.dae"));
+    wait(&mut editor, 2);
+    assert!(editor.has("odd weights") && !editor.has("Imported a.dae"));
+    wait(&mut editor, 4);
+    assert!(!editor.has("odd weights"));
 }

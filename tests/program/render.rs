@@ -307,10 +307,10 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
         ),
         (
             &[
-                "render", "man.obj", "--ui", "--size", "639x400", "-o", "a.png",
+                "render", "man.obj", "--ui", "--size", "419x400", "-o", "a.png",
             ],
             2,
-            "at least 640x400",
+            "at least 420x400",
         ),
         (
             &["render", "man.obj", "--drag", "1,2,3,4", "-o", "a.png"],

@@ -113,6 +113,33 @@ fn what_is_discarded_or_not_saved_on_purpose_is_not_offered_again() {
 }
 
 #[test]
+fn the_question_says_when_the_work_was_kept() {
+    let crashed = with_bent_elbow();
+    let host = MemoryHost {
+        stored: crashed.host.stored,
+        stored_since: Some(Duration::from_secs(200)),
+        ..MemoryHost::default()
+    };
+    let story = Story::start_at(host, &[]);
+    let text =
+        "The editor ended before a new document was saved. The changes were kept 3 minutes ago.";
+    assert!(story.has_text(text));
+}
+
+#[test]
+fn later_keeps_the_work_for_the_next_start_and_this_one_begins_empty() {
+    let mut story = after_crash(with_bent_elbow());
+    let kept = stored(&story).expect("unsaved work").clone();
+    story.click("Later");
+    assert!(story.names().is_empty() && !story.has("Restore"));
+    assert_eq!(story.host.left.as_ref(), Some(&kept));
+    // What is done now is kept elsewhere.
+    story.key_with(Modifiers::SHIFT, Key::C);
+    assert_ne!(stored(&story), Some(&kept));
+    assert_eq!(story.host.left, Some(kept));
+}
+
+#[test]
 fn the_question_cannot_be_passed_over() {
     let mut story = after_crash(with_bent_elbow());
     story.key(Key::Escape);

@@ -187,7 +187,8 @@ fn a_comparison_is_saved_side_by_side_and_ends_with_esc() {
     let mut story = comparing();
     while measure(&mut story) > 0 {}
     story.click("Save…");
-    assert_eq!(story.host.requests.last().unwrap().name, "comparison.png");
+    let suggested = &story.host.requests.last().unwrap().name;
+    assert_eq!(suggested, "strip-comparison.png");
     story.choose("three.png");
     let bytes = &story.host.written[Path::new("three.png")];
     let three = image::decode(Path::new("three.png"), bytes).unwrap();

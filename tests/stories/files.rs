@@ -1,6 +1,7 @@
 //! Files that are dropped, saved, exported and refused.
 
 use super::Story;
+use crate::host::MemoryHost;
 use editor_core::editor::{Edit, Severity};
 use editor_core::program::Purpose;
 use editor_core::ui::{Action, Ask};
@@ -17,7 +18,7 @@ fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file(
     let request = story.host.requests.last().unwrap();
     assert_eq!(
         (request.purpose, &*request.name),
-        (Purpose::ExportGeometry, "scene.obj")
+        (Purpose::ExportGeometry, "strip.obj")
     );
     story.choose("out/scene.obj");
     let text = story.host.text("out/scene.obj");
@@ -123,7 +124,7 @@ fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again()
     story.type_into("Elbow Z", "30");
     story.click("File");
     story.click("Export Character…");
-    assert_eq!(story.host.requests.last().unwrap().name, "strip.skel");
+    assert_eq!(story.host.requests.last().unwrap().name, "Strip.skel");
     story.choose("out/mine.skel");
     for name in ["mine.skel", "mine.attach", "mine.obj", "mine.json"] {
         let path = Path::new("out").join(name);
@@ -143,7 +144,7 @@ fn curves_are_exported_under_the_name_of_their_shape_and_read_back() {
     let mut story = Story::start(&["builtin:vase"]);
     story.click("File");
     story.click("Export Curve…");
-    assert_eq!(story.host.requests.last().unwrap().name, "vase.swp");
+    assert_eq!(story.host.requests.last().unwrap().name, "Vase.swp");
     story.choose("mine.swp");
     let bytes = story.host.written[Path::new("mine.swp")].clone();
     story.host.files.insert("mine.swp".into(), bytes);
@@ -167,7 +168,7 @@ fn kept_poses_are_saved_under_their_names_and_loaded() {
     let name = kept[0].name.clone();
     story.click("Poses (1)");
     story.click(&format!("Save {name}"));
-    assert_eq!(story.host.requests.last().unwrap().name, "pose-1.json");
+    assert_eq!(story.host.requests.last().unwrap().name, "Pose-1.json");
     story.choose("p.json");
     assert!(story.host.text("p.json").contains("\"Elbow\": [15, 0, 0]"));
 
@@ -188,7 +189,7 @@ fn kept_poses_are_saved_under_their_names_and_loaded() {
     let save = Ask::SavePose(shape, Some(1));
     let actions = vec![Action::Edit(waving), Action::Ask(save)];
     story.program.carry_out(actions, &mut story.host);
-    assert_eq!(story.host.requests.last().unwrap().name, "waving.json");
+    assert_eq!(story.host.requests.last().unwrap().name, "Waving.json");
 }
 
 #[test]
@@ -260,4 +261,57 @@ fn a_pose_dropped_where_no_character_is_selected_is_refused_with_its_reason() {
         panic!("{:?}", story.messages());
     };
     assert!(message.starts_with("bent.json: expected"), "{message}");
+}
+
+#[test]
+fn what_is_written_is_called_like_the_shape_or_the_document() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let mut suggested = |keys: &[(Modifiers, Key)], labels: &[&str]| {
+        keys.iter()
+            .for_each(|&(modifiers, key)| story.key_with(modifiers, key));
+        labels.iter().for_each(|label| story.click(label));
+        story.host.requests.last().expect("a request").name.clone()
+    };
+    let ctrl = Modifiers::COMMAND;
+    assert_eq!(suggested(&[(ctrl, Key::P)], &[]), "Adult.json");
+    let with_shift = ctrl | Modifiers::SHIFT;
+    assert_eq!(suggested(&[(with_shift, Key::E)], &[]), "adult.obj");
+    let picture = suggested(&[(Modifiers::NONE, Key::F12)], &["Save…"]);
+    assert_eq!(picture, "adult.png");
+}
+
+#[test]
+fn each_kind_of_files_has_a_folder_of_its_own_and_all_are_offered_as_recent() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let folder = |story: &Story| {
+        let request = story.host.requests.last().expect("a request");
+        request.folder.clone().map(|f| f.display().to_string())
+    };
+    story.key_with(Modifiers::COMMAND, Key::P);
+    story.choose("poses/bent.json");
+    story.key_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(folder(&story).as_deref(), Some("poses"), "the last of any");
+    story.choose("scenes/bent.scene");
+    story.key(Key::F12);
+    story.click("Save…");
+    story.choose("pictures/bent.png");
+
+    story.key_with(Modifiers::COMMAND, Key::P);
+    assert_eq!(folder(&story).as_deref(), Some("poses"));
+    story.key_with(Modifiers::COMMAND, Key::O);
+    assert_eq!(folder(&story).as_deref(), Some("scenes"));
+    story.key(Key::F8);
+    assert_eq!(folder(&story).as_deref(), Some("pictures"));
+    let recent = &story.host.requests.last().expect("a request").recent;
+    let recent: Vec<_> = recent.iter().map(|folder| folder.display()).collect();
+    let recent: Vec<_> = recent.iter().map(ToString::to_string).collect();
+    assert_eq!(recent, ["pictures", "scenes", "poses"]);
+
+    let host = MemoryHost {
+        stored: story.host.stored,
+        ..MemoryHost::default()
+    };
+    let mut next = Story::start_at(host, &["models/strip.obj"]);
+    next.key_with(Modifiers::COMMAND, Key::P);
+    assert_eq!(folder(&next).as_deref(), Some("poses"), "at the next start");
 }

@@ -201,6 +201,14 @@ impl Story {
         self.node(label).is_some()
     }
 
+    /// Whether a text is shown.
+    fn has_text(&self, text: &str) -> bool {
+        let nodes = self.widgets.iter().flat_map(|update| &update.nodes);
+        nodes
+            .into_iter()
+            .any(|(_, node)| node.value() == Some(text))
+    }
+
     /// The middle of the widget of that name.
     fn place(&self, label: &str) -> Pos2 {
         let node = self.node(label);

@@ -135,7 +135,7 @@ fn a_turntable_shows_the_scene_from_all_around_and_the_window_goes_on_meanwhile(
     story.type_into("Turntable pictures", "8");
     story.click("Save…");
     let request = story.host.requests.last().unwrap();
-    assert_eq!(request.name, "turntable.gif");
+    assert_eq!(request.name, "strip-turntable.gif");
     assert_eq!(request.purpose.written(), [("GIF", "gif")]);
     story.host.choose("strip.gif");
     for _ in 0..3 {

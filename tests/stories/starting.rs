@@ -218,3 +218,38 @@ fn an_empty_document_offers_what_to_begin_with() {
     story.click("Begin: Showcase");
     assert!(story.names().len() > 2);
 }
+
+#[test]
+fn an_empty_scene_shows_pictures_of_what_can_be_begun_with() {
+    let mut story = Story::start(&[]);
+    let place = |story: &Story, label: &str| {
+        let at = story.place(label);
+        let picture = story.picture();
+        // The upper half of a tile is the middle of its picture.
+        let colors = (-16..16).map(|x| {
+            let pixel = (at.y as usize - 10) * picture.width as usize;
+            let first = 4 * (pixel + (at.x as i32 + x) as usize);
+            picture.rgba[first..first + 3].to_vec()
+        });
+        let colors: std::collections::HashSet<_> = colors.collect();
+        colors.len()
+    };
+    for label in ["Begin: Adult", "Begin: Robot", "Begin: Showcase"] {
+        assert!(place(&story, label) > 8, "{label} has no picture");
+    }
+    story.click("Begin: Robot");
+    assert_eq!(story.names(), ["Robot"]);
+    assert!(!story.has("Begin: Adult"), "the page is gone");
+}
+
+#[test]
+fn recent_documents_are_on_the_start_page() {
+    let mut story = Story::start(&["builtin:gem"]);
+    story.key_with(Modifiers::COMMAND, Key::S);
+    story.choose("work/stone.scene");
+    story.key_with(Modifiers::COMMAND, Key::N);
+    assert!(story.names().is_empty());
+    story.click("Begin: stone.scene");
+    assert_eq!(story.names(), ["Gem"]);
+    assert_eq!(story.host.title, "stone.scene — Editor");
+}

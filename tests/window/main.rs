@@ -165,7 +165,7 @@ fn a_screenshot_with_panels_shows_the_window_without_the_dialogs_that_asked_for_
     program.picture();
     program.keys(&["Return"]);
     program.picture();
-    let saved = image::open(models.join("screenshot.png")).expect("a saved picture");
+    let saved = image::open(models.join("robot.png")).expect("a saved picture");
     let saved = saved.to_rgb8();
     let plain = Program::colors(&plain, saved.width(), saved.height());
     let differ = saved
@@ -202,7 +202,7 @@ fn a_picture_of_the_same_scene_is_compared_and_not_a_pixel_differs() {
     program.picture();
     program.keys(&["Return"]);
     program.picture();
-    let saved = image::open(models.join("comparison.png")).expect("a saved comparison");
+    let saved = image::open(models.join("robot-comparison.png")).expect("a saved comparison");
     let saved = saved.to_rgba8();
     let part = |x: u32| image::imageops::crop_imm(&saved, x, 0, 800, 600).to_image();
     assert_eq!((saved.width() % 800, saved.height()), (16, 600));

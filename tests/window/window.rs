@@ -41,7 +41,7 @@ fn the_window_has_a_least_size() {
     home_with_character(home.path());
     let program = Program::start(&desktop, home.path(), &[]);
     let least = XClient::connect(&desktop.display).least_size(&program.window);
-    assert_eq!(least, Some((640, 400)));
+    assert_eq!(least, Some((420, 400)));
 }
 
 #[test]

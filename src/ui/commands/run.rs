@@ -52,7 +52,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::History => state.windows.open(Dialog::History),
         Command::Undo => return Some(Action::History(HistoryMove::Undo)),
         Command::Redo => return Some(Action::History(HistoryMove::Redo)),
-        Command::TogglePanel => state.panel_folded = !state.panel_folded,
+        Command::TogglePanel => state.fold_panel(!state.is_panel_folded()),
         Command::SetTheme(theme) => state.theme = theme,
         Command::SetNavigation(navigation) => state.set_navigation(navigation),
         Command::OpenScene(name) => return Some(Action::Ask(Ask::OpenBuiltin(name))),
@@ -160,7 +160,7 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
     match command {
         Command::ToggleAxis => Some(view.axis),
         Command::ToggleGrid => Some(view.grid && view.look != Look::Course),
-        Command::TogglePanel => Some(!state.panel_folded),
+        Command::TogglePanel => Some(!state.is_panel_folded()),
         Command::SetLook(look) => Some(view.look == look),
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),

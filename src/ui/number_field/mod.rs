@@ -45,6 +45,7 @@ pub(super) struct NumberField<'a> {
     decimals: RangeInclusive<usize>,
     axis: Option<usize>,
     wrap: Option<f64>,
+    quiet: bool,
 }
 
 /// A number that is being dragged.
@@ -72,6 +73,7 @@ impl<'a> NumberField<'a> {
             decimals: 0..=3,
             axis: None,
             wrap: None,
+            quiet: false,
         }
     }
 
@@ -113,6 +115,12 @@ impl<'a> NumberField<'a> {
             axis: Some(axis),
             ..self
         }
+    }
+
+    /// If `quiet`, dims the field and leaves out its frame while its value is the one at rest: in a long list
+    /// the others stand out.
+    pub(super) fn quiet(self, quiet: bool) -> Self {
+        Self { quiet, ..self }
     }
 
     /// Shows the field; returns the new value if the user changed it.
@@ -247,13 +255,22 @@ impl<'a> NumberField<'a> {
         let visuals = ui.style().interact(response);
         let palette = Palette::of(ui.visuals());
         let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
-        painter.rect(
-            rect,
-            visuals.corner_radius,
-            visuals.weak_bg_fill,
-            visuals.bg_stroke,
-            StrokeKind::Inside,
-        );
+        let is_used = response.hovered() || response.dragged() || response.has_focus();
+        let is_dim = self.quiet && self.value == self.rest && !is_used;
+        let text_color = match (is_dim, self.quiet) {
+            (true, _) => palette.rest,
+            (false, true) => palette.strong,
+            (false, false) => visuals.text_color(),
+        };
+        if !is_dim {
+            painter.rect(
+                rect,
+                visuals.corner_radius,
+                visuals.weak_bg_fill,
+                visuals.bg_stroke,
+                StrokeKind::Inside,
+            );
+        }
         let font = number_font();
         let mut room = rect.width() - 2.0 * EDGE;
         if let Some(axis) = self.axis {
@@ -268,19 +285,20 @@ impl<'a> NumberField<'a> {
                     pos2(rect.left() + 2.0, rect.bottom() - 2.0),
                     pos2(rect.right() - 2.0, rect.bottom() - 1.0),
                 );
-                painter.rect_filled(line, 0.0, color.gamma_multiply(0.7));
+                let strength = if is_dim { 0.35 } else { 0.7 };
+                painter.rect_filled(line, 0.0, color.gamma_multiply(strength));
             }
         }
         let decimals = self.decimals.clone();
         let text = fitted(self.shown(), self.unit, decimals, self.wrap, |text| {
             painter
-                .layout_no_wrap(text.to_owned(), font.clone(), visuals.text_color())
+                .layout_no_wrap(text.to_owned(), font.clone(), text_color)
                 .size()
                 .x
                 <= room
         });
         let at = rect.right_center() - vec2(EDGE, 0.0);
-        painter.text(at, Align2::RIGHT_CENTER, text, font, visuals.text_color());
+        painter.text(at, Align2::RIGHT_CENTER, text, font, text_color);
     }
 
     fn asked_by_assistive_technology(&self, ui: &Ui, id: Id) -> Option<f64> {

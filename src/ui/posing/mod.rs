@@ -4,7 +4,9 @@ mod held;
 mod ik;
 mod paint;
 mod pointer;
+mod readout;
 mod tool_bar;
+mod tool_icons;
 
 pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
 pub(super) use pointer::{pointer, roll_by_keys};
@@ -86,7 +88,10 @@ pub(super) fn show(
         }
     }
     if let Some(gesture) = gesture {
-        paint::readout(ui, whole, session, gesture);
+        let pointer = ui.ctx().input(|input| input.pointer.latest_pos());
+        let under = pointer.and_then(|at| places.at(at));
+        let place = under.or_else(|| places.get(0));
+        readout::show(ui, whole, place, session, gesture);
     }
     tool_bar::show(ui, whole, session, state, actions);
 }

@@ -1,15 +1,12 @@
 //! Painting of bones, gizmos and inverse kinematics over a picture of the scene.
 
-use super::held::{Gizmo, Held, PoseGesture};
+use super::held::{Gizmo, PoseGesture};
 use super::ik::{followed, lost_pins, pinned};
-use super::joint_name;
 use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::scene_places::Place;
-use crate::ui::theme::Palette;
 use crate::ui::view_gestures::is_pickable;
-use egui::text::{LayoutJob, TextWrapping};
-use egui::{Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Ui, Vec2, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 
 /// Colors of joints, as in the skeleton where that is shown.
 const HOVERED: Color32 = Color32::from_rgb(0x1a, 0xd9, 0xff);
@@ -135,8 +132,6 @@ const HOT: Color32 = Color32::from_rgb(0xff, 0xd8, 0x3d);
 const HANDLE_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0x78);
 /// Length of an arrow's head, in points.
 const HEAD: f32 = 12.0;
-/// Least distance of the readout from the edges of the view, in points.
-const AWAY_FROM_EDGE: f32 = 4.0;
 
 /// Paints a gizmo; the handle `hot` is highlighted, and the others are dimmed while it is `held`.
 pub(super) fn gizmo(
@@ -156,38 +151,6 @@ pub(super) fn gizmo(
         Gizmo::Turn { rings, .. } => brush.rings(rings),
         Gizmo::Move { arrows, .. } => brush.arrows(arrows),
     }
-}
-
-/// Paints the readout of a gesture beside the pointer: what it holds, and by how much that has
-/// turned or moved.
-pub(super) fn readout(ui: &Ui, view: Rect, session: &Session, gesture: &PoseGesture) {
-    let pointer = ui.ctx().input(|input| input.pointer.latest_pos());
-    let text = gesture.active().map(Held::readout);
-    let (Some(text), Some(pointer)) = (text, pointer) else {
-        return;
-    };
-    let palette = Palette::of(ui.visuals());
-    let painter = ui.painter();
-    let (font, color) = (FontId::proportional(13.0), palette.strong);
-    let value = painter.layout_no_wrap(text, font.clone(), color);
-    let (margin, gap) = (vec2(6.0, 3.0), 8.0);
-    // Names come from files and may be of any length: the value must stay readable.
-    let room = view.width() - value.size().x - gap - 2.0 * (margin.x + AWAY_FROM_EDGE);
-    let held = gesture.held();
-    let name = joint_name(session, held.shape(), held.named()).unwrap_or_default();
-    let mut line = LayoutJob::simple_singleline(name, font, color);
-    line.wrap = TextWrapping::truncate_at_width(room.max(0.0));
-    let name = painter.layout_job(line);
-
-    let content = vec2(name.size().x + gap + value.size().x, value.size().y);
-    let size = content + 2.0 * margin;
-    let first = view.min + Vec2::splat(AWAY_FROM_EDGE);
-    let last = (view.max - size - Vec2::splat(AWAY_FROM_EDGE)).max(first);
-    let at = (pointer + vec2(18.0, 14.0)).clamp(first, last);
-    painter.rect_filled(Rect::from_min_size(at, size), 4.0, palette.panel);
-    let after_name = at + margin + vec2(name.size().x + gap, 0.0);
-    painter.galley(at + margin, name, color);
-    painter.galley(after_name, value, color);
 }
 
 /// Painter of a gizmo.

@@ -1,7 +1,7 @@
 //! The tool bar: tools, and the settings of the IK tool.
 
-use super::PoseState;
 use super::ik::{self, joint_to_pin};
+use super::{PoseState, tool_icons};
 use crate::character::Facing;
 use crate::editor::{Edit, GizmoAxes, Session, Tool};
 use crate::scene::{CharacterShape, IkPole, IkSettings, ShapeId};
@@ -11,7 +11,9 @@ use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{axis_ball, commands};
-use egui::{Button, ComboBox, Frame, Margin, Rect, Sense, Ui, UiBuilder, vec2};
+use egui::{
+    Atom, Button, Color32, ComboBox, Frame, Id, Margin, Rect, Sense, TextStyle, Ui, UiBuilder, vec2,
+};
 
 /// Height of the tool bar with its margins, in points; a second line for the IK tool adds at most
 /// as much.
@@ -33,7 +35,9 @@ pub(super) fn show(
     state: &mut PoseState,
     actions: &mut Vec<Action>,
 ) {
-    let place = Rect::from_min_size(view.min + vec2(8.0, 8.0), vec2(480.0, 24.0));
+    let corner = view.min + vec2(8.0, 8.0);
+    let room = (axis_ball::left(view) - corner.x - 8.0).max(0.0);
+    let place = Rect::from_min_size(corner, vec2(room.min(480.0), 24.0));
     // Clicks between the buttons must not reach the scene behind them.
     let builder = UiBuilder::new()
         .id_salt("tools")
@@ -46,11 +50,14 @@ pub(super) fn show(
         .corner_radius(4)
         .inner_margin(Margin::same(2));
     frame.show(&mut inner, |ui| {
-        ui.horizontal(|ui| {
+        let has_words = width_with_words(ui) <= room;
+        ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
+            if !has_words {
+                ui.spacing_mut().button_padding.x = 6.0;
+            }
             for (tool, word) in TOOLS {
-                let command = Command::SetTool(tool);
-                if button(ui, word, state.tool == tool, command) {
+                if tool_button(ui, tool, has_words.then_some(word), state.tool == tool) {
                     state.tool = tool;
                 }
             }
@@ -63,10 +70,46 @@ pub(super) fn show(
             }
         });
         if state.tool == Tool::Ik {
-            let room = axis_ball::left(view) - place.left();
             ik_settings(ui, room, session, actions);
         }
     });
+}
+
+/// Width of the bar in points if all of it has words. It is the same for all tools, so that buttons
+/// stay where they are.
+fn width_with_words(ui: &Ui) -> f32 {
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |word: &str| {
+        let painter = ui.painter();
+        let text = painter.layout_no_wrap(word.to_owned(), font.clone(), Color32::WHITE);
+        text.size().x + 2.0 * ui.spacing().button_padding.x + 2.0
+    };
+    let icon = tool_icons::SIZE.x + ui.spacing().icon_spacing;
+    let tools: f32 = TOOLS.iter().map(|(_, word)| icon + width(word)).sum();
+    tools + width("Local") + 16.0
+}
+
+/// Button of a tool, with a word beside its icon if there is room for it.
+fn tool_button(ui: &mut Ui, tool: Tool, word: Option<&str>, on: bool) -> bool {
+    let command = Command::SetTool(tool);
+    let icon = Id::new("icon of a tool");
+    let atom = Atom::custom(icon, tool_icons::SIZE);
+    let button = match word {
+        Some(word) => Button::selectable(on, (atom, word)),
+        None => Button::selectable(on, atom),
+    };
+    let shown = button.atom_ui(ui);
+    if let Some(rect) = shown.rect(icon) {
+        let color = if on {
+            ui.visuals().selection.stroke.color
+        } else {
+            ui.style().interact(&shown.response).text_color()
+        };
+        tool_icons::paint(ui.painter(), rect, tool, color);
+    }
+    named(shown.response, commands::label(command))
+        .on_hover_text(commands::tooltip(ui.ctx(), command))
+        .clicked()
 }
 
 fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
@@ -79,9 +122,11 @@ fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
 
 /// Width of the bar from which on the settings fit on one line, in points.
 const ONE_LINE: f32 = 368.0;
+/// The same for two lines; below it there are three.
+const TWO_LINES: f32 = 212.0;
 
 /// Settings of the IK tool for the selected character, or for all if none is selected: in one line,
-/// or in two if there is no room for that. `room` is in points.
+/// or in more if there is no room for that. `room` is in points.
 fn ik_settings(ui: &mut Ui, room: f32, session: &Session, actions: &mut Vec<Action>) {
     let characters = characters(session);
     let shown = characters.first().map(|(_, shape)| &shape.ik);
@@ -91,24 +136,28 @@ fn ik_settings(ui: &mut Ui, room: f32, session: &Session, actions: &mut Vec<Acti
         .map(|(_, shape)| shape.character.skeleton().facing())
         .unwrap_or_default();
     let in_line = |ui: &mut Ui, show: &mut dyn FnMut(&mut Ui)| {
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing.x = 4.0;
             show(ui);
         });
     };
-    if room < ONE_LINE {
-        in_line(ui, &mut |ui| chain(ui, facing, &mut ik));
+    if room < TWO_LINES {
+        in_line(ui, &mut |ui| chain_length(ui, &mut ik));
+        in_line(ui, &mut |ui| bend(ui, facing, &mut ik));
+    } else if room < ONE_LINE {
         in_line(ui, &mut |ui| {
-            keep_orientation(ui, &mut ik);
-            pins(ui, session, actions);
-        });
-    } else {
-        in_line(ui, &mut |ui| {
-            chain(ui, facing, &mut ik);
-            keep_orientation(ui, &mut ik);
-            pins(ui, session, actions);
+            chain_length(ui, &mut ik);
+            bend(ui, facing, &mut ik);
         });
     }
+    in_line(ui, &mut |ui| {
+        if room >= ONE_LINE {
+            chain_length(ui, &mut ik);
+            bend(ui, facing, &mut ik);
+        }
+        keep_orientation(ui, &mut ik);
+        pins(ui, session, actions);
+    });
     if shown.is_some_and(|shown| *shown != ik) {
         let with_own_pins = |(id, shape): &(ShapeId, &CharacterShape)| {
             let pins = shape.ik.pins.clone();
@@ -132,8 +181,7 @@ fn characters(session: &Session) -> Vec<(ShapeId, &CharacterShape)> {
     }
 }
 
-/// Length and bend of the chain.
-fn chain(ui: &mut Ui, facing: Facing, ik: &mut IkSettings) {
+fn chain_length(ui: &mut Ui, ik: &mut IkSettings) {
     ui.label("Chain").on_hover_text(
         "How many joints turn: 2 for an arm or a leg, more for a spine or a tail. \
          A root or a pin ends it before.",
@@ -145,6 +193,9 @@ fn chain(ui: &mut Ui, facing: Facing, ik: &mut IkSettings) {
     if let Some(length) = length.show(ui, vec2(32.0, 20.0)) {
         ik.length = (length.round() as usize).clamp(1, IkSettings::LONGEST);
     }
+}
+
+fn bend(ui: &mut Ui, facing: Facing, ik: &mut IkSettings) {
     ui.label("Bend").on_hover_text(
         "Where knees and elbows point to, as the character stands at rest. Its front follows from \
          which joints are left and right, by name or place; +Z where nothing says.",

@@ -1,0 +1,121 @@
+//! Small pictures of the built-in characters and scenes, for the start page.
+
+use super::Host;
+use super::graphics::Graphics;
+use super::running::Program;
+use crate::editor::{Session, View};
+use crate::geometry::Picture;
+use crate::io::Loaded;
+use crate::io::builtin::{self, BuiltinKind};
+use crate::render::{Background, Frame, LargePicture, Marks};
+use crate::scene::{Look, ViewSettings};
+use crate::ui::{START_SCENES, StartPicture, picture_texture};
+use egui::{Context, TextureHandle};
+use glam::vec2;
+use std::path::PathBuf;
+
+/// Width and height of a picture, in pixels: enough for screens with two pixels a point.
+const SIZE: (u32, u32) = (192, 144);
+
+/// Pictures that have been drawn so far. One is drawn a frame, and only while the start page is
+/// shown, so that nobody waits for them.
+#[derive(Default)]
+pub(super) struct StartPictures {
+    is_wanted: bool,
+    /// Number of the names of [`names`] that have been drawn, or cannot be.
+    done: usize,
+    /// Pictures that have no texture yet.
+    drawn: Vec<(&'static str, Picture)>,
+    /// Textures, which live as long as their handles.
+    textures: Vec<TextureHandle>,
+    shown: Vec<StartPicture>,
+}
+
+impl StartPictures {
+    /// Takes note of whether the start page is shown, and makes textures of what has been drawn.
+    pub fn notice(&mut self, is_wanted: bool, context: &Context) {
+        self.is_wanted = is_wanted;
+        for (name, picture) in self.drawn.drain(..) {
+            let texture = picture_texture(context, name, &picture);
+            self.shown.push(StartPicture {
+                name,
+                texture: texture.id(),
+            });
+            self.textures.push(texture);
+        }
+    }
+
+    /// Pictures that can be shown.
+    pub fn shown(&self) -> &[StartPicture] {
+        &self.shown
+    }
+}
+
+impl Program {
+    /// Draws the next picture of the start page, if there is one to draw; whether there was.
+    pub(super) fn draw_start_picture(
+        &mut self,
+        graphics: &mut Graphics,
+        host: &mut dyn Host,
+    ) -> bool {
+        let pictures = &mut self.start_pictures;
+        let next = names().nth(pictures.done).filter(|_| pictures.is_wanted);
+        let Some(name) = next else {
+            return false;
+        };
+        pictures.done += 1;
+        // Without its picture there is still its name.
+        let picture = scene(name, host).and_then(|session| {
+            let frame = Frame {
+                scene: session.scene(),
+                evaluated: session.evaluated(),
+                view: session.view(),
+                marks: Marks::default(),
+            };
+            let asked = LargePicture {
+                size: SIZE,
+                samples: graphics.samples(),
+                background: Background::Look,
+                tile: None,
+            };
+            let mut parts = graphics.picture_parts(&asked);
+            while !parts.is_complete() {
+                graphics.draw_part(&mut parts, &frame).ok()?;
+            }
+            Some(parts.into_picture())
+        });
+        pictures
+            .drawn
+            .extend(picture.map(|picture| (name, picture)));
+        true
+    }
+}
+
+/// Names of built-in files that the start page shows, in its order.
+fn names() -> impl Iterator<Item = &'static str> {
+    let catalogue = builtin::catalogue().into_iter();
+    let characters = catalogue.filter(|builtin| builtin.kind == BuiltinKind::Character);
+    let scenes = START_SCENES.iter().map(|(name, _)| *name);
+    characters.map(|builtin| builtin.name).chain(scenes)
+}
+
+/// A built-in file, seen as it is when it is opened, or else from the front and a little from above.
+fn scene(name: &str, host: &dyn Host) -> Option<Session> {
+    let mut loaded = Loaded::default();
+    let path = PathBuf::from(format!("builtin:{name}"));
+    loaded.add(&*host.files(), &path).ok()?;
+    if let Some(view) = loaded.view {
+        return Some(Session::with_shapes(loaded.shapes, view));
+    }
+    let mut view = ViewSettings {
+        look: Look::Studio,
+        axis: false,
+        ..ViewSettings::default()
+    };
+    view.camera.orbit(vec2(-0.4, 0.15));
+    let mut session = Session::with_shapes(loaded.shapes, view);
+    session.look(View::Select(None));
+    let aspect = SIZE.0 as f32 / SIZE.1 as f32;
+    session.look(View::Fit { aspect });
+    Some(session)
+}
