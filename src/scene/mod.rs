@@ -1,5 +1,6 @@
 //! The scene: shapes with their placement, what follows from them, and the camera.
 
+mod box_picking;
 mod camera;
 mod character_shape;
 mod color_presets;
@@ -14,6 +15,7 @@ mod shape;
 mod shape_manager;
 mod view_settings;
 
+pub use box_picking::pick_in_box;
 pub use camera::Camera;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,

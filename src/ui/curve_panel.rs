@@ -24,6 +24,9 @@ pub(super) struct CurveState {
     pub unfolded: HashMap<(ShapeId, usize), bool>,
     /// Curve and control point whose row was under the pointer in the last frame.
     pub hovered: Option<(usize, usize)>,
+    /// The control point that was clicked or dragged last, if nothing else was since then: its
+    /// shape, curve and index.
+    pub clicked: Option<(ShapeId, usize, usize)>,
     /// The control point that is being dragged.
     pub gesture: Option<Grab<ControlPointDrag>>,
 }

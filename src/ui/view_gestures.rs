@@ -1,7 +1,7 @@
 //! Gestures in the view: camera, selection, and the protocol of everything that is dragged.
 
 use super::scene_places::{Picked, Place, ScenePlaces};
-use super::{Action, GestureStep, UiState, control_points, posing};
+use super::{Action, GestureStep, UiState, box_select, control_points, posing};
 use crate::editor::{Edit, Session, Tool, View, for_all_selected};
 use crate::scene::ShapeId;
 use egui::{
@@ -27,6 +27,26 @@ pub fn view_gestures(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
+    let shape = gestures(view, places, session, state, actions);
+    control_points::forget_clicked(&mut state.curves, actions);
+    shape
+}
+
+fn gestures(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut UiState,
+    actions: &mut Vec<Action>,
+) -> Option<ShapeId> {
+    let navigation = state.navigation;
+    let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
+        let boxed = (&mut state.box_select, navigation);
+        box_select::pointer(view, places, session, boxed, under, actions)
+    };
+    if box_of(state, None, actions) == PointerUse::Holding {
+        return None;
+    }
     let mut pointer = PointerUse::Free;
     if state.pose.gesture.is_none() {
         pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
@@ -35,7 +55,9 @@ pub fn view_gestures(
         let list = state.joints.hovered;
         pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
     }
-    if pointer == PointerUse::Holding {
+    if pointer == PointerUse::Holding
+        || box_of(state, Some(pointer), actions) == PointerUse::Holding
+    {
         return None;
     }
     let delta = view.drag_delta() / places.points_per_pixel;
@@ -143,14 +165,34 @@ pub(super) trait Follow {
     /// Edit that brings it to the pointer at `pixel` of a picture, if that changes anything; in
     /// steps if `snap`.
     fn follow(&mut self, session: &Session, place: Place, pixel: Vec2, snap: bool) -> Option<Edit>;
+
+    /// Whether it was ended by the keyboard, and its changes are to be kept.
+    fn is_confirmed(&self) -> bool {
+        false
+    }
+
+    /// Whether it follows by a tenth of the way while Shift is held.
+    fn is_finer_with_shift(&self) -> bool {
+        false
+    }
 }
 
-/// A drag of something in the view, from the press of the left button to its release.
+/// Part of its way by which the pointer moves a thing with Shift.
+const FINE: f32 = 0.1;
+
+/// A drag of something in the view, from the press of the left button to its release; or from a key
+/// to a click or Enter.
 #[derive(Clone, Debug)]
 pub(super) struct Grab<H> {
     held: H,
     /// Index of the picture of the scene in which it was grabbed.
     index: usize,
+    /// Whether it follows the pointer without a button.
+    by_key: bool,
+    /// The pointer in the last frame, as a pixel.
+    last: Option<Vec2>,
+    /// From the pointer to where the thing follows it, in pixels: what Shift has held back.
+    held_back: Vec2,
     /// A drag that ended early waits for the buttons to be released, so that the rest of it does
     /// not become another gesture.
     ended: bool,
@@ -177,13 +219,50 @@ impl<H> Grab<H> {
         Some(Self {
             held,
             index,
+            by_key: false,
+            last: None,
+            held_back: Vec2::ZERO,
             ended: false,
         })
+    }
+
+    /// Begins a gesture that a key asked for and that goes on without a button, in the picture
+    /// under the pointer or else the first one, if `take` grabs something with the pointer there.
+    pub(super) fn begin_by_key(
+        view: &Response,
+        places: &ScenePlaces,
+        actions: &mut Vec<Action>,
+        take: impl FnOnce(Place, Vec2) -> Option<H>,
+    ) -> Option<Self> {
+        let pointer = view.ctx.input(|input| input.pointer.latest_pos());
+        let index = pointer.and_then(|at| places.index_at(at)).unwrap_or(0);
+        let place = places.get(index)?;
+        let pixel = place.pixel(pointer.unwrap_or(place.rect.center()));
+        let held = take(place, pixel)?;
+        actions.push(Action::Gesture(GestureStep::Begin));
+        Some(Self {
+            held,
+            index,
+            by_key: true,
+            last: Some(pixel),
+            held_back: Vec2::ZERO,
+            ended: false,
+        })
+    }
+
+    /// The thing that was grabbed, to take keys.
+    pub(super) fn held_mut(&mut self) -> &mut H {
+        &mut self.held
     }
 
     /// The thing that was grabbed.
     pub(super) fn held(&self) -> &H {
         &self.held
+    }
+
+    /// Whether a key began it, so that no button is held.
+    pub(super) fn is_by_key(&self) -> bool {
+        self.by_key
     }
 
     /// The thing that was grabbed, unless the drag ended early.
@@ -201,7 +280,7 @@ impl<H: Follow> Grab<H> {
         session: &Session,
         actions: &mut Vec<Action>,
     ) -> bool {
-        let hand = Hand::read(view);
+        let hand = Hand::read(view, self.by_key);
         if self.ended {
             return hand.any_down;
         }
@@ -211,19 +290,32 @@ impl<H: Follow> Grab<H> {
             hand.cancel.then_some(GestureStep::Cancel)
         };
         if let Some(step) = early {
-            actions.push(Action::Gesture(step));
-            self.ended = true;
-            return hand.any_down;
+            return self.end(step, &hand, actions);
         }
-        if let Some((place, position)) = places.get(self.index).zip(hand.position) {
-            let pixel = place.pixel(position);
-            let edit = self.held.follow(session, place, pixel, hand.snap);
+        let place = places.get(self.index);
+        let pointed = place.zip(hand.position).map(|(place, at)| place.pixel(at));
+        if let Some((place, pixel)) = place.zip(pointed.or(self.last)) {
+            let way = pixel - self.last.unwrap_or(pixel);
+            if hand.fine && self.held.is_finer_with_shift() {
+                self.held_back -= way * (1.0 - FINE);
+            }
+            self.last = Some(pixel);
+            let followed = pixel + self.held_back;
+            let edit = self.held.follow(session, place, followed, hand.snap);
             actions.extend(edit.map(|edit| Action::Edit(for_all_selected(session, edit))));
         }
-        if !hand.left_down {
-            actions.push(Action::Gesture(GestureStep::Commit));
+        let released = !self.by_key && !hand.left_down;
+        if released || self.held.is_confirmed() || (self.by_key && hand.left_pressed) {
+            return self.end(GestureStep::Commit, &hand, actions);
         }
-        hand.left_down
+        true
+    }
+
+    /// Ends the gesture; whether buttons are still held, which must not begin another one.
+    fn end(&mut self, step: GestureStep, hand: &Hand, actions: &mut Vec<Action>) -> bool {
+        actions.push(Action::Gesture(step));
+        self.ended = true;
+        hand.any_down
     }
 }
 
@@ -238,31 +330,37 @@ struct Hand {
     position: Option<Pos2>,
     cancel: bool,
     left_down: bool,
+    left_pressed: bool,
     any_down: bool,
     snap: bool,
+    fine: bool,
 }
 
 impl Hand {
-    fn read(view: &Response) -> Self {
+    /// `without_button`: the pointer counts wherever it is.
+    fn read(view: &Response, without_button: bool) -> Self {
         let position = view.interact_pointer_pos();
         view.ctx.input_mut(|input| {
             // Consumed, so that these keys do nothing else in this frame.
             let escape = input.consume_key(Modifiers::NONE, Key::Escape)
                 || input.consume_key(Modifiers::COMMAND, Key::Z);
             let pointer = &input.pointer;
+            let anywhere = pointer.latest_pos().filter(|_| without_button);
             Self {
-                position: released_at(input).or(position),
+                position: released_at(input).or(anywhere).or(position),
                 cancel: escape || pointer.button_pressed(PointerButton::Secondary),
                 left_down: pointer.primary_down(),
+                left_pressed: pointer.primary_pressed(),
                 any_down: pointer.any_down(),
                 snap: input.modifiers.command,
+                fine: input.modifiers.shift,
             }
         })
     }
 }
 
 /// Where the left button was released in this frame: the pointer may have moved since.
-fn released_at(input: &InputState) -> Option<Pos2> {
+pub(super) fn released_at(input: &InputState) -> Option<Pos2> {
     input.events.iter().find_map(|event| match event {
         Event::PointerButton {
             pos,

@@ -3,7 +3,7 @@
 use super::table::{CTRL, entry_of};
 use super::{COMMANDS, Command, Entry};
 use crate::ui::Navigation;
-use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
 /// A mouse gesture, as Help ▸ Keys and Mouse lists it.
 #[derive(Clone, Copy, Debug)]
@@ -36,10 +36,31 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Pose: click a bone", "Show rings that turn it"),
     gesture("Move: drag a bone", "Move its root, with Shift every root"),
     gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
-    gesture("Drag a ring", "Turn the joint about it, with Ctrl by 15°"),
+    gesture("Drag a ring", "Turn about it, with Ctrl by 15°"),
     gesture(
         "Drag an arrow or a square",
         "Move along it, with Ctrl by 0.1",
+    ),
+    gesture(
+        "Scale: drag a handle or the ring",
+        "Scale along it, or all axes; with Ctrl by 0.1",
+    ),
+    gesture("Shift in a drag of a shape", "Follow the pointer finely"),
+    gesture(
+        "X, Y, Z in a drag",
+        "One axis alone; again: local or global, then all",
+    ),
+    gesture(
+        "A number in a drag",
+        "Exactly so far; Enter or a click keeps it",
+    ),
+    gesture(
+        "Box Select, then a left drag",
+        "Select in a box; Shift adds, Ctrl takes out",
+    ),
+    gesture(
+        "Click a control point, Delete",
+        "Delete this point of the curve",
     ),
     gesture("IK: drag a bone", "Move its end; a chain follows"),
     gesture("IK: drag the root", "Move it all; pinned joints stay"),
@@ -65,6 +86,9 @@ impl Entry {
         &self,
         navigation: Navigation,
     ) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        let walks = move |shortcut: &&KeyboardShortcut| {
+            shortcut.modifiers.is_none() && navigation.walks_by(shortcut.logical_key)
+        };
         let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
             None => COMMANDS.iter().any(|other| {
@@ -73,7 +97,7 @@ impl Entry {
         };
         self.shortcuts
             .iter()
-            .filter(move |shortcut| !is_overridden(shortcut))
+            .filter(move |shortcut| !is_overridden(shortcut) && !walks(shortcut))
     }
 
     /// All its shortcuts as text, such as `?, F1`; empty if it has none.
@@ -94,7 +118,8 @@ impl Entry {
     }
 
     fn with_key(&self, ctx: &Context, words: &str) -> String {
-        match self.first_key(ctx, Navigation::default()) {
+        let navigation = ctx.data(|data| data.get_temp(Id::NULL));
+        match self.first_key(ctx, navigation.unwrap_or_default()) {
             key if key.is_empty() => words.to_owned(),
             key => format!("{words} ({key})"),
         }
@@ -108,7 +133,12 @@ fn short(shortcut: &str) -> String {
         .replace("Questionmark", "?")
 }
 
-/// Tooltip of `command`, with its shortcut in the default navigation.
+/// Remembers the navigation, whose shortcuts tooltips show.
+pub(in crate::ui) fn remember_navigation(ctx: &Context, navigation: Navigation) {
+    ctx.data_mut(|data| data.insert_temp(Id::NULL, navigation));
+}
+
+/// Tooltip of `command`, with its shortcut.
 pub(in crate::ui) fn tooltip(ctx: &Context, command: Command) -> String {
     let entry = entry_of(command);
     entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))

@@ -4,7 +4,9 @@ mod held;
 mod ik;
 mod paint;
 mod pointer;
+mod shown_gizmo;
 mod tool_bar;
+mod typed;
 
 pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
 pub(super) use pointer::{pointer, roll_by_keys};
@@ -14,7 +16,7 @@ use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
-use egui::{Painter, Response, Ui};
+use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
 
 /// State of the tools.
@@ -26,6 +28,8 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
+    /// What a command asked to be done to the selection with the pointer from now on.
+    pub asked: Option<Tool>,
     /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
@@ -81,6 +85,9 @@ pub(super) fn show(
             paint::hovered_bones(&painter, place, session);
         }
         show_gizmo(&painter, place, view, session, state);
+        if let Some(axis) = gesture.and_then(|gesture| gesture.active()?.typed_axis(session)) {
+            paint::axis(&painter, place, session, axis);
+        }
         if state.tool == Tool::Ik {
             paint::ik(&painter, place, session, state.hovered_grip, gesture);
         }
@@ -98,7 +105,7 @@ fn show_gizmo(
     session: &Session,
     state: &PoseState,
 ) {
-    let Some(gizmo) = held::shown_gizmo(session, state, place) else {
+    let Some(gizmo) = shown_gizmo::shown_gizmo(session, state, place) else {
         return;
     };
     let held = state.held_handle();
@@ -107,6 +114,13 @@ fn show_gizmo(
         .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
     paint::gizmo(painter, place, &gizmo, hot, held.is_some());
+}
+
+/// Takes the numbers and axes that are typed for the drag under way. To be called before the panels.
+pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) {
+    if let Some(gesture) = &mut state.gesture {
+        gesture.held_mut().take_keys(ctx);
+    }
 }
 
 /// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
@@ -126,8 +140,10 @@ pub(super) fn status(
     if let Some(gesture) = &state.gesture {
         let held = gesture.held();
         let over = joint_name(session, held.shape(), held.named());
-        let next = if held.snaps() {
-            "Ctrl snaps · Esc or right click cancels"
+        let next = if gesture.is_by_key() {
+            "Click or Enter keeps it · X, Y, Z or a number, typed · Ctrl snaps · Esc cancels"
+        } else if held.snaps() {
+            "X, Y, Z or a number, typed · Ctrl snaps · Esc or right click cancels"
         } else {
             "Esc or right click cancels"
         };
@@ -152,6 +168,7 @@ pub(super) fn status(
             "Drag to move it and what hangs on it · Shift: all roots · Ctrl snaps",
         ),
         Tool::Ik => (Some(hit.joint), "Drag to bring it somewhere"),
+        Tool::Rotate | Tool::Scale => return None,
     };
     Some((joint_name(session, hit.shape, joint), next))
 }

@@ -1,9 +1,10 @@
 //! Painting of bones, gizmos and inverse kinematics over a picture of the scene.
 
-use super::held::{Gizmo, Held, PoseGesture};
+use super::held::{Held, PoseGesture};
 use super::ik::{followed, lost_pins, pinned};
 use super::joint_name;
-use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, Session, Tool};
+use super::shown_gizmo::Gizmo;
+use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, ScaleGizmo, Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::scene_places::Place;
 use crate::ui::theme::Palette;
@@ -20,7 +21,7 @@ const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 /// With a tool for bones, paints the bones of the selected joint over everything, and thin lines
 /// for bones that are hidden by the mesh of the selected character.
 pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session, tool: Tool) {
-    if tool != Tool::Select {
+    if tool.takes_bones() {
         let selected = session.selected();
         let shown = |id: ShapeId| {
             let character = session.scene().character(id);
@@ -135,6 +136,8 @@ const HOT: Color32 = Color32::from_rgb(0xff, 0xd8, 0x3d);
 const HANDLE_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0x78);
 /// Length of an arrow's head, in points.
 const HEAD: f32 = 12.0;
+/// Half the side of the square at the end of a handle that scales, in points.
+const SCALE_HANDLE: f32 = 5.0;
 /// Least distance of the readout from the edges of the view, in points.
 const AWAY_FROM_EDGE: f32 = 4.0;
 
@@ -153,8 +156,25 @@ pub(super) fn gizmo(
         held,
     };
     match shown {
-        Gizmo::Turn { rings, .. } => brush.rings(rings),
+        Gizmo::Turn { rings, .. } | Gizmo::TurnShapes(rings) => brush.rings(rings),
         Gizmo::Move { arrows, .. } => brush.arrows(arrows),
+        Gizmo::Scale(handles) => brush.scale_handles(handles),
+    }
+}
+
+/// Paints the line of an axis that was typed, through a point: as much of it as is before the eye.
+pub(super) fn axis(
+    painter: &Painter,
+    place: Place,
+    session: &Session,
+    (axis, direction, through): (usize, glam::Vec3, glam::Vec3),
+) {
+    let screen = place.screen(session);
+    let reach = direction * (through.distance(screen.camera.eye()) * 0.9);
+    let ends = [through - reach, through + reach].map(|end| screen.pixel(end));
+    if let [Some(from), Some(to)] = ends {
+        let line = [place.position(from), place.position(to)];
+        painter.line_segment(line, Stroke::new(1.5, AXES[axis]));
     }
 }
 
@@ -285,6 +305,33 @@ impl Brush<'_> {
             .circle_stroke(center, MoveGizmo::DISC, Stroke::new(3.5, HANDLE_SHADE));
         self.painter
             .circle_stroke(center, MoveGizmo::DISC, Stroke::new(1.5, free));
+    }
+
+    fn scale_handles(&self, handles: &ScaleGizmo) {
+        let center = self.at(handles.center_pixel());
+        let ring = self.color(Handle::FreeRing, FREE);
+        let shade = Stroke::new(3.5, HANDLE_SHADE);
+        self.painter
+            .circle_stroke(center, ScaleGizmo::RADIUS, shade);
+        self.painter
+            .circle_stroke(center, ScaleGizmo::RADIUS, Stroke::new(1.5, ring));
+        for (axis, color) in AXES.into_iter().enumerate() {
+            let color = self.color(Handle::Arrow(axis), color);
+            if let Some((start, end)) = handles.handle(axis) {
+                let (start, end) = (self.at(start), self.at(end));
+                self.line(&[start, end], 2.5, color);
+                self.square(end, SCALE_HANDLE, color);
+            }
+        }
+        let free = self.color(Handle::Center, FREE);
+        self.square(center, ScaleGizmo::SQUARE, free);
+    }
+
+    fn square(&self, center: Pos2, half: f32, color: Color32) {
+        let square = Rect::from_center_size(center, Vec2::splat(2.0 * half));
+        self.painter
+            .rect_filled(square.expand(1.0), 1.0, HANDLE_SHADE);
+        self.painter.rect_filled(square, 0.0, color);
     }
 
     fn arrow(&self, start: Pos2, end: Pos2, color: Color32) {

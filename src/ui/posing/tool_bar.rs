@@ -18,11 +18,13 @@ use egui::{Button, ComboBox, Frame, Margin, Rect, Sense, Ui, UiBuilder, vec2};
 pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
 
 /// The tools, with their labels in the bar.
-const TOOLS: [(Tool, &str); 4] = [
+const TOOLS: [(Tool, &str); 6] = [
     (Tool::Select, "Select"),
     (Tool::Pose, "Pose"),
-    (Tool::Move, "Move"),
     (Tool::Ik, "IK"),
+    (Tool::Move, "Move"),
+    (Tool::Rotate, "Rotate"),
+    (Tool::Scale, "Scale"),
 ];
 
 /// The tool bar in the upper left corner of the view.
@@ -54,7 +56,7 @@ pub(super) fn show(
                     state.tool = tool;
                 }
             }
-            if matches!(state.tool, Tool::Pose | Tool::Move) {
+            if matches!(state.tool, Tool::Pose | Tool::Move | Tool::Rotate) {
                 ui.separator();
                 let local = state.axes == GizmoAxes::Local;
                 if button(ui, "Local", local, Command::ToggleLocalAxes) {
