@@ -82,13 +82,18 @@ impl JointTurn {
     /// Edit that turns the joint from its start by `angle` radians about `axis`, a unit vector in
     /// the character's space; its angles are the nearest to those that it has in `session`.
     pub fn turned(&self, session: &Session, axis: DVec3, angle: f64) -> Option<Edit> {
+        let character = session.scene().character(self.shape)?;
+        self.turned_near(axis, angle, character.pose().rotation(self.joint))
+    }
+
+    /// The same with the angles that are nearest to those at the start.
+    pub fn turned_exactly(&self, axis: DVec3, angle: f64) -> Option<Edit> {
+        self.turned_near(axis, angle, self.start)
+    }
+
+    fn turned_near(&self, axis: DVec3, angle: f64, shown: Euler) -> Option<Edit> {
         let in_parent = self.model_from_parent.inverse() * axis;
         let turn = DMat3::from_axis_angle(in_parent.try_normalize()?, angle);
-        let shown = session
-            .scene()
-            .character(self.shape)?
-            .pose()
-            .rotation(self.joint);
         Some(Edit::SetJointTransform {
             shape: self.shape,
             joint: self.joint,
@@ -188,9 +193,9 @@ impl BoneDrag {
 
     /// Edit that turns the joint by exactly this angle in radians about the axis away from the eye,
     /// wherever the cursor is.
-    pub fn turned_by(&mut self, session: &Session, angle: f64) -> Option<Edit> {
+    pub fn turned_by(&mut self, angle: f64) -> Option<Edit> {
         self.angle = angle;
-        self.turn.turned(session, self.axis, self.angle)
+        self.turn.turned_exactly(self.axis, self.angle)
     }
 
     /// Angle by which the joint has turned about the axis away from the eye, in radians.
@@ -292,9 +297,9 @@ impl RingDrag {
 
     /// Edit that turns the joint by exactly this angle in radians about the ring's axis, wherever
     /// the cursor is.
-    pub fn turned_by(&mut self, session: &Session, angle: f64) -> Option<Edit> {
+    pub fn turned_by(&mut self, angle: f64) -> Option<Edit> {
         self.angle = angle;
-        self.turn.turned(session, self.swing.axis(), self.angle)
+        self.turn.turned_exactly(self.swing.axis(), self.angle)
     }
 
     /// The ring's axis in the character's space, of unit length.

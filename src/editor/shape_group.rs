@@ -66,16 +66,17 @@ impl ShapeGroup {
     }
 
     /// Edit that turns all by `angle` radians about the line through the pivot along `axis`, a unit
-    /// vector in the world. The angles are the nearest to those that the shapes have in `session`.
-    pub fn turned(&self, session: &Session, axis: DVec3, angle: f64) -> Edit {
+    /// vector in the world. The angles are the nearest to those that the shapes have in `shown`, or
+    /// else to those at the start.
+    pub fn turned(&self, axis: DVec3, angle: f64, shown: Option<&Session>) -> Edit {
         let turn = DMat3::from_axis_angle(axis, angle);
         let turned = |&(id, start): &(ShapeId, Placement)| {
             let from = start.transform;
-            let shape = session.scene().shape(id);
-            let shown = shape.map_or(from.rotation, |shape| shape.placement.transform.rotation);
+            let shape = shown.and_then(|session| session.scene().shape(id));
+            let near = shape.map_or(from.rotation, |shape| shape.placement.transform.rotation);
             let rotation = match angle {
                 0.0 => from.rotation,
-                _ => Euler::nearest((turn * from.rotation.to_dmat3()).as_mat3(), shown),
+                _ => Euler::nearest((turn * from.rotation.to_dmat3()).as_mat3(), near),
             };
             let transform = Transform {
                 position: self.about_pivot(from.position, turn),

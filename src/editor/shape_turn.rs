@@ -49,14 +49,14 @@ impl ShapeTurn {
         let angle = self.swing.and_then(|swing| swing.angle(&ray, self.wanted));
         self.wanted = angle.unwrap_or(self.wanted);
         self.angle = snapped(self.wanted, snap);
-        self.group.turned(session, self.axis, self.angle)
+        self.group.turned(self.axis, self.angle, Some(session))
     }
 
     /// Edit that turns the shapes by exactly this angle in radians about the axis, wherever the
     /// cursor is.
-    pub fn turned_by(&mut self, session: &Session, angle: f64) -> Edit {
+    pub fn turned_by(&mut self, angle: f64) -> Edit {
         self.angle = angle;
-        self.group.turned(session, self.axis, angle)
+        self.group.turned(self.axis, angle, None)
     }
 
     /// The axis in the world, of unit length.

@@ -75,9 +75,7 @@ impl Euler {
         let about_x = Mat3::from_rotation_x(self.radians.x);
         let about_z = self.to_mat3() * Vec3::Z;
         let along = [Vec3::X, about_x * Vec3::Y, about_z].map(|own| own.dot(axis));
-        let most = along
-            .into_iter()
-            .max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        let most = along.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()));
         most.map_or(1.0, f32::signum)
     }
 
@@ -236,7 +234,11 @@ mod tests {
             let turned = Mat3::from_axis_angle(axis.normalize_or(Vec3::X), 0.01) * angles.to_mat3();
             let change = Euler::nearest(turned, angles).radians - angles.radians;
             let most = change.abs().max_position();
-            assert_eq!(change[most].signum(), expected, "{angles:?} {axis}: {change}");
+            assert_eq!(
+                change[most].signum(),
+                expected,
+                "{angles:?} {axis}: {change}"
+            );
         }
     }
 

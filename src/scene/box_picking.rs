@@ -60,7 +60,7 @@ impl Frustum {
         let rays = corners.map(|corner| camera.ray(corner, size).direction);
         let eye = camera.eye();
         let side = |i: usize| {
-            let normal = rays[(i + 1) % 4].cross(rays[i]).try_normalize()?;
+            let normal = rays[i].cross(rays[(i + 1) % 4]).try_normalize()?;
             Some((normal, -normal.dot(eye)))
         };
         let forward = camera.forward();
@@ -162,11 +162,12 @@ mod tests {
         let camera = Camera {
             target: Vec3::new(0.0, 0.0, -1.0),
             radius: 1.2,
-            theta: 0.0,
-            phi: 0.0,
             ..Camera::default()
         };
         let ahead = |x: f32, y: f32| Vec3::new(x, y, -1.0);
-        assert_eq!(picked(ahead(-0.1, -0.1), ahead(0.1, 0.1), camera), [ShapeId(1)]);
+        assert_eq!(
+            picked(ahead(-0.1, -0.1), ahead(0.1, 0.1), camera),
+            [ShapeId(1)]
+        );
     }
 }

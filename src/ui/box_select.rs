@@ -69,9 +69,7 @@ pub(super) fn pointer(
     let alt = view.ctx.input(|input| input.modifiers.alt);
     let begins = match under {
         None => state.armed,
-        Some(under) => {
-            under == PointerUse::Free && navigation == Navigation::Blender && !alt
-        }
+        Some(under) => under == PointerUse::Free && navigation == Navigation::Blender && !alt,
     };
     if state.drawn.is_none() && begins && view.drag_started_by(PointerButton::Primary) {
         state.drawn = begin(view, places);
@@ -92,7 +90,12 @@ pub(super) fn pointer(
         let at = released_at(input).or(pointer.latest_pos());
         (pointer.primary_down(), pointer.any_down(), secondary, at)
     });
-    drawn.to = at.unwrap_or(drawn.to);
+    let to = at.unwrap_or(drawn.to);
+    if to != drawn.to {
+        // The box is shown in the next frame.
+        drawn.to = to;
+        view.ctx.request_repaint();
+    }
     drawn.cancelled |= secondary;
     view.ctx.set_cursor_icon(CursorIcon::Crosshair);
     let drawn = *drawn;
@@ -102,7 +105,6 @@ pub(super) fn pointer(
         state.drawn = None;
         actions.extend(selection(view, places, session, drawn));
     }
-    view.ctx.request_repaint();
     PointerUse::Holding
 }
 

@@ -89,7 +89,7 @@ const BLENDER: &[Drag] = &[
 ];
 const BLENDER_GESTURES: &[Gesture] = &[gesture(
     "Left drag in the view",
-    "Select in a box; Shift adds, Ctrl takes out",
+    "Select in a box; Shift adds to it",
 )];
 
 /// A key that moves the eye while it is held, along the picture's right, the world's up and the

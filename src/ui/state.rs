@@ -115,9 +115,7 @@ impl UiState {
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing
     /// else.
     pub fn gesture_under_way(&self) -> bool {
-        self.curves.gesture.is_some()
-            || self.pose.gesture.is_some()
-            || self.box_select.is_drawing()
+        self.curves.gesture.is_some() || self.pose.gesture.is_some() || self.box_select.is_drawing()
     }
 
     /// Drops everything about shapes if another scene was opened.

@@ -152,7 +152,7 @@ proptest! {
         let mut session = cubes(Camera::default(), &[place]);
         let ray = Camera::default().ray(SIZE * 0.3, SIZE);
         let mut turn = ShapeTurn::begin(group(&session), Vec3::Z, Vec3::X, &ray).unwrap();
-        let edit = turn.turned_by(&session, degrees.to_radians());
+        let edit = turn.turned_by(degrees.to_radians());
         let across = (Vec3::X, Vec3::Y);
         let mut scale = ShapeScale::begin(group(&session), ScaleBy::Distance, across, &ray).along(Some(1));
         session.edit(edit).unwrap();
@@ -215,7 +215,7 @@ fn hidden_and_locked_shapes_stay_where_they_are() {
     session.edit(Edit::SetVisible(ShapeId(2), false)).unwrap();
     let ray = Camera::default().ray(SIZE * 0.3, SIZE);
     let mut turn = ShapeTurn::begin(group(&session), Vec3::Z, Vec3::X, &ray).unwrap();
-    let edit = turn.turned_by(&session, 1.0);
+    let edit = turn.turned_by(1.0);
     session.edit(edit).unwrap();
     let now = places(&session);
     assert_eq!(now[..2], [beside, beside]);

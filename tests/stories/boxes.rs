@@ -10,7 +10,7 @@ use glam::Vec3;
 fn in_a_row(navigation: Navigation) -> Story {
     let mut story = Story::start(&[]);
     story.program.ui_mut().set_navigation(navigation);
-    for (key, x) in [(Key::C, "-2"), (Key::S, "0"), (Key::P, "2")] {
+    for (key, x) in [(Key::C, "-1.5"), (Key::S, "0"), (Key::P, "1.5")] {
         story.key_with(Modifiers::SHIFT, key);
         story.type_into("Position X", x);
     }
@@ -55,14 +55,14 @@ fn drag_with(story: &mut Story, modifiers: Modifiers, from: f32, to: f32) {
 fn a_left_drag_in_the_blender_navigation_selects_what_is_in_the_box() {
     let mut story = in_a_row(Navigation::Blender);
     let (camera, document) = (story.session().view().camera, story.session().document());
-    drag_with(&mut story, Modifiers::NONE, -2.8, 0.2);
+    drag_with(&mut story, Modifiers::NONE, -2.1, 0.2);
     assert_eq!(selected(&story), "Cube Sphere");
     assert_eq!(story.session().view().camera, camera, "the camera stays");
-    drag_with(&mut story, Modifiers::SHIFT, 1.8, 2.9);
+    drag_with(&mut story, Modifiers::SHIFT, 1.4, 2.1);
     assert_eq!(selected(&story), "Cube Sphere Pyramid", "Shift adds");
-    drag_with(&mut story, Modifiers::COMMAND, -0.3, 0.3);
+    drag_with(&mut story, Modifiers::COMMAND, -0.2, 0.2);
     assert_eq!(selected(&story), "Cube Pyramid", "Ctrl takes out");
-    drag_with(&mut story, Modifiers::NONE, -1.2, -1.0);
+    drag_with(&mut story, Modifiers::NONE, -0.85, -0.65);
     assert_eq!(selected(&story), "", "an empty box");
     assert_eq!(story.session().document(), document, "no edit");
 }
@@ -73,11 +73,11 @@ fn in_every_navigation_q_lets_the_next_left_drag_draw_a_box_and_only_that() {
         let mut story = in_a_row(navigation);
         let camera = story.session().view().camera;
         story.key(Key::Q);
-        drag_with(&mut story, Modifiers::NONE, -0.4, 2.9);
+        drag_with(&mut story, Modifiers::NONE, -0.4, 2.1);
         assert_eq!(selected(&story), "Sphere Pyramid", "{navigation:?}");
         assert_eq!(story.session().view().camera, camera, "{navigation:?}");
         if navigation != Navigation::Blender {
-            drag_with(&mut story, Modifiers::NONE, -2.8, -1.0);
+            drag_with(&mut story, Modifiers::NONE, -2.1, -0.8);
             assert_ne!(story.session().view().camera, camera, "{navigation:?}");
             assert_eq!(selected(&story), "Sphere Pyramid", "{navigation:?}");
         }
@@ -87,7 +87,7 @@ fn in_every_navigation_q_lets_the_next_left_drag_draw_a_box_and_only_that() {
 #[test]
 fn a_box_is_seen_while_it_is_drawn_and_esc_cancels_it() {
     let mut story = in_a_row(Navigation::Blender);
-    let (from, to) = (Vec3::new(-2.8, 1.2, 0.0), Vec3::new(2.9, -1.2, 0.0));
+    let (from, to) = (Vec3::new(-2.1, 1.2, 0.0), Vec3::new(2.1, -1.2, 0.0));
     let (from, to) = (at(&story, from), at(&story, to));
     story.point(to);
     story.settle();
@@ -101,7 +101,7 @@ fn a_box_is_seen_while_it_is_drawn_and_esc_cancels_it() {
     story.key(Key::Q);
     story.key(Key::Escape);
     story.program.ui_mut().set_navigation(Navigation::Orbit);
-    drag_with(&mut story, Modifiers::NONE, -2.8, 2.9);
+    drag_with(&mut story, Modifiers::NONE, -2.1, 2.1);
     assert_eq!(selected(&story), "", "Esc also takes back the key");
 }
 
@@ -128,7 +128,10 @@ fn delete_after_a_click_on_a_control_point_deletes_that_point_alone() {
     story.key(Key::Delete);
     assert_eq!(points(&story).len(), 4);
     let (severity, text) = *story.messages().last().expect("it says why");
-    assert!(severity == Severity::Warning && text.contains("as few points"), "{text}");
+    assert!(
+        severity == Severity::Warning && text.contains("as few points"),
+        "{text}"
+    );
     story.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(points(&story), before);
 
@@ -142,9 +145,13 @@ fn a_second_duplicate_stands_beside_the_first() {
     let mut story = Story::start(&[]);
     story.key_with(Modifiers::SHIFT, Key::C);
     for copies in 1..=3 {
+        story.wait(1.0);
         story.click("[1] Cube (ID: 1)");
         story.key_with(Modifiers::COMMAND, Key::D);
         let x = story.shape().placement.transform.position.x;
-        assert!((x - 1.1 * copies as f32).abs() < 1e-4, "copy {copies} at {x}");
+        assert!(
+            (x - 1.1 * copies as f32).abs() < 1e-4,
+            "copy {copies} at {x}"
+        );
     }
 }

@@ -73,7 +73,14 @@ fn r_z_45_and_s_y_half_do_exactly_that() {
     let degrees = story.transform().rotation.degrees();
     assert!(degrees.abs_diff_eq(Vec3::Z * 45.0, 1e-4), "{degrees}");
     assert_eq!(story.done(), Some("Rotate Cube"));
-    story.keys(&[Key::S, Key::Y, Key::Num0, Key::Period, Key::Num5, Key::Enter]);
+    story.keys(&[
+        Key::S,
+        Key::Y,
+        Key::Num0,
+        Key::Period,
+        Key::Num5,
+        Key::Enter,
+    ]);
     assert_eq!(story.transform().scale, Vec3::new(1.0, 0.5, 1.0));
     assert_eq!(story.done(), Some("Scale Cube"));
     story.keys(&[Key::S, Key::Num2, Key::Enter]);
@@ -99,7 +106,15 @@ fn an_axis_pressed_again_is_the_shape_s_own_and_backspace_corrects() {
     story.type_into("Rotation Z", "90");
     let beside = story.at(Vec3::new(1.0, 0.5, 0.0));
     story.point(beside);
-    story.keys(&[Key::G, Key::X, Key::X, Key::Num3, Key::Backspace, Key::Num1, Key::Enter]);
+    story.keys(&[
+        Key::G,
+        Key::X,
+        Key::X,
+        Key::Num3,
+        Key::Backspace,
+        Key::Num1,
+        Key::Enter,
+    ]);
     let position = story.transform().position;
     assert!(position.abs_diff_eq(Vec3::Y, 1e-6), "{position}");
 }
@@ -107,7 +122,10 @@ fn an_axis_pressed_again_is_the_shape_s_own_and_backspace_corrects() {
 #[test]
 fn after_g_the_shape_follows_the_pointer_without_a_button_until_a_click() {
     let mut story = Story::with_cube_in_blender();
-    let (from, to) = (story.at(Vec3::new(1.0, 0.5, 0.0)), story.at(Vec3::new(1.6, 0.1, 0.0)));
+    let (from, to) = (
+        story.at(Vec3::new(1.0, 0.5, 0.0)),
+        story.at(Vec3::new(1.6, 0.1, 0.0)),
+    );
     story.key(Key::G);
     story.point(to);
     story.settle();
@@ -115,7 +133,11 @@ fn after_g_the_shape_follows_the_pointer_without_a_button_until_a_click() {
     assert!(story.transform().position.abs_diff_eq(moved, 1e-3));
     let document = story.session().document();
     story.click_at(to);
-    assert_eq!(story.session().document(), document, "the click only ends it");
+    assert_eq!(
+        story.session().document(),
+        document,
+        "the click only ends it"
+    );
     assert_eq!(story.shape().name, "Cube", "and deselects nothing");
     story.point(from);
     story.settle();
@@ -165,11 +187,18 @@ fn in_the_other_navigations_keys_choose_the_tools_and_the_pointer_waits_for_a_ha
     let mut story = Story::with_cube_in_blender();
     story.program.ui_mut().set_navigation(Navigation::Orbit);
     let before = story.transform();
-    for (key, tool) in [(Key::W, "Move tool"), (Key::E, "Rotate tool"), (Key::R, "Scale tool")] {
+    for (key, tool) in [
+        (Key::W, "Move tool"),
+        (Key::E, "Rotate tool"),
+        (Key::R, "Scale tool"),
+    ] {
         story.key(key);
         let node = story.node(tool).expect("a button");
         let on = egui::accesskit::Toggled::True;
-        assert!(node.is_selected() == Some(true) || node.toggled() == Some(on), "{tool}");
+        assert!(
+            node.is_selected() == Some(true) || node.toggled() == Some(on),
+            "{tool}"
+        );
         let away = story.at(Vec3::new(-1.0, -1.0, 0.0));
         story.point(away);
         story.settle();
@@ -181,12 +210,14 @@ fn in_the_other_navigations_keys_choose_the_tools_and_the_pointer_waits_for_a_ha
 fn a_ring_turns_and_a_handle_scales_and_a_number_typed_meanwhile_counts() {
     let mut story = Story::with_cube_in_blender();
     story.key(Key::E);
-    // The ring about Z faces the eye: 72 points to the right of the middle, and a quarter around.
+    // The ring about Z faces the eye, 72 points from the middle.
     let middle = story.at(Vec3::ZERO);
-    story.drag(middle + vec2(72.0, 0.0), middle + vec2(0.0, -72.0));
+    let on_ring = |degrees: f32| middle + 72.0 * egui::Vec2::angled(-degrees.to_radians());
+    story.drag(on_ring(30.0), on_ring(120.0));
     let degrees = story.transform().rotation.degrees();
-    assert!(degrees.abs_diff_eq(Vec3::Z * 90.0, 1e-2), "{degrees}");
-    story.press_and_drag(middle + vec2(72.0, 0.0), middle + vec2(60.0, -30.0));
+    assert!(degrees.abs_diff_eq(Vec3::Z * 90.0, 1.0), "{degrees}");
+    story.type_into("Rotation Z", "90");
+    story.press_and_drag(on_ring(30.0), on_ring(60.0));
     story.keys(&[Key::Minus, Key::Num9, Key::Num0]);
     story.key(Key::Enter);
     story.button(false);
@@ -199,11 +230,11 @@ fn a_ring_turns_and_a_handle_scales_and_a_number_typed_meanwhile_counts() {
     let right = middle + vec2(84.0, 0.0);
     story.drag(right, middle + vec2(168.0, 0.0));
     let scale = story.transform().scale;
-    assert!(scale.abs_diff_eq(Vec3::new(2.0, 1.0, 1.0), 1e-2), "{scale}");
+    assert!(scale.abs_diff_eq(Vec3::new(2.0, 1.0, 1.0), 5e-2), "{scale}");
     assert!(!story.shape().placement.uniform_scaling);
     story.drag(middle, middle + vec2(0.0, -72.0));
     let twice = story.transform().scale;
-    assert!(twice.abs_diff_eq(scale * 2.0, 2e-2), "{twice}");
+    assert!(twice.abs_diff_eq(scale * 2.0, 5e-2), "{twice}");
 }
 
 #[test]
@@ -218,12 +249,20 @@ fn all_that_is_selected_turns_and_grows_about_the_active_shape() {
         let cube = story.session().scene().shape(ShapeId(1)).unwrap();
         cube.placement.transform
     };
-    assert!(cube(&story).position.abs_diff_eq(Vec3::new(2.0, -2.0, 0.0), 1e-5));
+    assert!(
+        cube(&story)
+            .position
+            .abs_diff_eq(Vec3::new(2.0, -2.0, 0.0), 1e-5)
+    );
     assert!((cube(&story).rotation.degrees().z - 90.0).abs() < 1e-3);
     assert_eq!(story.transform().position, Vec3::X * 2.0);
-    assert_eq!(story.done(), Some("Place 2 shapes"));
+    assert_eq!(story.done(), Some("Rotate 2 shapes"));
     story.keys(&[Key::S, Key::Num3, Key::Enter]);
-    assert!(cube(&story).position.abs_diff_eq(Vec3::new(2.0, -6.0, 0.0), 1e-5));
+    assert!(
+        cube(&story)
+            .position
+            .abs_diff_eq(Vec3::new(2.0, -6.0, 0.0), 1e-5)
+    );
     assert_eq!(cube(&story).scale, Vec3::splat(3.0));
     story.key_with(Modifiers::COMMAND, Key::Z);
     story.key_with(Modifiers::COMMAND, Key::Z);

@@ -41,27 +41,12 @@ pub const GESTURES: &[Gesture] = &[
         "Drag an arrow or a square",
         "Move along it, with Ctrl by 0.1",
     ),
-    gesture(
-        "Scale: drag a handle or the ring",
-        "Scale along it, or all axes; with Ctrl by 0.1",
-    ),
+    gesture("Scale: drag a handle", "Scale along it, with Ctrl by 0.1"),
+    gesture("Scale: drag the ring", "Scale along all axes"),
     gesture("Shift in a drag of a shape", "Follow the pointer finely"),
-    gesture(
-        "X, Y, Z in a drag",
-        "One axis alone; again: local or global, then all",
-    ),
-    gesture(
-        "A number in a drag",
-        "Exactly so far; Enter or a click keeps it",
-    ),
-    gesture(
-        "Box Select, then a left drag",
-        "Select in a box; Shift adds, Ctrl takes out",
-    ),
-    gesture(
-        "Click a control point, Delete",
-        "Delete this point of the curve",
-    ),
+    gesture("X, Y, Z in a drag", "That axis alone; again: local, all"),
+    gesture("A number in a drag", "Exactly so far; Enter keeps it"),
+    gesture("Click a point, Delete", "Delete that point of the curve"),
     gesture("IK: drag a bone", "Move its end; a chain follows"),
     gesture("IK: drag the root", "Move it all; pinned joints stay"),
     gesture("IK: click a bone", "Select the joint at its nearer end"),

@@ -7,7 +7,9 @@ mod table;
 pub use keys::{GESTURES, Gesture};
 pub use table::{COMMANDS, Entry, Menu};
 
-pub(super) use keys::{gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key};
+pub(super) use keys::{
+    gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key,
+};
 pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, why_disabled};
 pub(super) use table::{entries, label};
 

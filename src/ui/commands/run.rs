@@ -199,7 +199,9 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
             Some("No shape is selected")
         }
         Command::Begin(_) => why_nothing_begins(session),
-        Command::SelectAll | Command::BoxSelect | Command::ExportGeometry if session.scene().shapes().is_empty() => {
+        Command::SelectAll | Command::BoxSelect | Command::ExportGeometry
+            if session.scene().shapes().is_empty() =>
+        {
             Some("There is no shape")
         }
         Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {

@@ -2,8 +2,8 @@
 
 use super::typed::Typed;
 use crate::editor::{
-    BoneDrag, Edit, GizmoAxes, Handle, IkDrag, JointTurn, MoveAlong, MoveDrag, MoveTarget, RingDrag,
-    ShapeScale, ShapeTurn, Session,
+    BoneDrag, Edit, GizmoAxes, Handle, IkDrag, JointTurn, MoveAlong, MoveDrag, MoveTarget,
+    RingDrag, Session, ShapeScale, ShapeTurn,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -204,12 +204,7 @@ fn ik_readout(drag: &IkDrag) -> String {
 }
 
 /// Direction in the world of an axis along which a target moves.
-fn move_axis(
-    session: &Session,
-    target: MoveTarget,
-    axes: GizmoAxes,
-    axis: usize,
-) -> Option<Vec3> {
+fn move_axis(session: &Session, target: MoveTarget, axes: GizmoAxes, axis: usize) -> Option<Vec3> {
     let shape = session.scene().shape(target.shape())?;
     let own = shape.placement.transform.rotation.to_mat3();
     Some(match axes {
@@ -274,11 +269,11 @@ impl Follow for Held {
         let radians = typed.map(|degrees| degrees.to_radians() * self.sign());
         match &mut self.drag {
             Drag::Bone(drag) => match radians {
-                Some(angle) => drag.turned_by(session, angle),
+                Some(angle) => drag.turned_by(angle),
                 None => drag.update(session, &ray, snap),
             },
             Drag::Ring(drag) => match radians {
-                Some(angle) => drag.turned_by(session, angle),
+                Some(angle) => drag.turned_by(angle),
                 None => drag.update(session, &ray, snap),
             },
             Drag::Move(drag) => Some(match typed {
@@ -286,7 +281,7 @@ impl Follow for Held {
                 None => drag.update(&ray, snap),
             }),
             Drag::Turn(drag) => Some(match radians {
-                Some(angle) => drag.turned_by(session, angle),
+                Some(angle) => drag.turned_by(angle),
                 None => drag.update(session, &ray, snap),
             }),
             Drag::Scale(drag) => Some(match typed {

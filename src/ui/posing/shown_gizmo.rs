@@ -143,12 +143,7 @@ fn turn_shapes(
 
 /// Scaling of the selected shapes by a handle: along its axis, by the distance from the pivot, or
 /// from the middle twice for each such distance as a handle is long.
-fn scale_shapes(
-    session: &Session,
-    place: Place,
-    handle: Handle,
-    ray: &Ray,
-) -> Option<ShapeScale> {
+fn scale_shapes(session: &Session, place: Place, handle: Handle, ray: &Ray) -> Option<ShapeScale> {
     let group = ShapeGroup::of_selected(session)?;
     let by = match handle {
         Handle::Arrow(axis) => ScaleBy::Axis(axis),
@@ -176,7 +171,9 @@ pub(super) fn begin_by_key(
     let ray = place.screen(session).ray(pixel);
     let camera = &session.view().camera;
     let shape = session.selected().filter(|&id| is_pickable(session, id))?;
-    let joint = session.selected_joint().filter(|_| state.tool.takes_bones());
+    let joint = session
+        .selected_joint()
+        .filter(|_| state.tool.takes_bones());
     let drag = match (does, joint) {
         (Tool::Move, _) => {
             let target = match joint.filter(|_| state.tool == Tool::Move) {

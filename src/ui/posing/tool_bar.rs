@@ -42,6 +42,8 @@ pub(super) fn show(
         .max_rect(place)
         .sense(Sense::click_and_drag());
     let mut inner = ui.new_child(builder);
+    let room = axis_ball::left(view) - place.left();
+    let has_axes = matches!(state.tool, Tool::Pose | Tool::Move | Tool::Rotate);
     let fill = Palette::of(ui.visuals()).panel;
     let frame = Frame::new()
         .fill(fill)
@@ -56,19 +58,26 @@ pub(super) fn show(
                     state.tool = tool;
                 }
             }
-            if matches!(state.tool, Tool::Pose | Tool::Move | Tool::Rotate) {
+            if has_axes && room >= WITH_AXES {
                 ui.separator();
-                let local = state.axes == GizmoAxes::Local;
-                if button(ui, "Local", local, Command::ToggleLocalAxes) {
-                    state.axes = state.axes.other();
-                }
+                local_axes(ui, state);
             }
         });
+        if has_axes && room < WITH_AXES {
+            ui.horizontal(|ui| local_axes(ui, state));
+        }
         if state.tool == Tool::Ik {
-            let room = axis_ball::left(view) - place.left();
             ik_settings(ui, room, session, actions);
         }
     });
+}
+
+/// The switch between the axes of the world and those of the joint or shape.
+fn local_axes(ui: &mut Ui, state: &mut PoseState) {
+    let local = state.axes == GizmoAxes::Local;
+    if button(ui, "Local", local, Command::ToggleLocalAxes) {
+        state.axes = state.axes.other();
+    }
 }
 
 fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
@@ -79,6 +88,8 @@ fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
         .clicked()
 }
 
+/// Width of the bar from which on the switch between axes fits beside the tools, in points.
+const WITH_AXES: f32 = 360.0;
 /// Width of the bar from which on the settings fit on one line, in points.
 const ONE_LINE: f32 = 368.0;
 
