@@ -91,13 +91,26 @@ impl Selection {
 /// turned by the same angles about their own origins and scaled by the same factors. An edit that
 /// is about one shape alone stays as it is.
 pub fn for_all_selected(session: &Session, edit: Edit) -> Edit {
+    for_selected_where(session, edit, |_| true)
+}
+
+/// The same for an edit by a drag in the view, where shapes that are hidden or locked stay as they
+/// are.
+pub fn for_all_in_view(session: &Session, edit: Edit) -> Edit {
+    for_selected_where(session, edit, |id| {
+        let shape = session.evaluated().shape(id);
+        shape.is_some_and(|shape| shape.pickable)
+    })
+}
+
+fn for_selected_where(session: &Session, edit: Edit, takes_part: impl Fn(ShapeId) -> bool) -> Edit {
     let scene = session.scene();
     let Some(active) = session.selected().and_then(|id| scene.shape(id)) else {
         return edit;
     };
     let others = session
         .selected_shapes()
-        .filter(|shape| shape.id != active.id);
+        .filter(|shape| shape.id != active.id && takes_part(shape.id));
     let same: Option<Vec<Edit>> = others.map(|other| same_of(&edit, active, other)).collect();
     match same {
         Some(same) if !same.is_empty() => {

@@ -180,7 +180,9 @@ impl Navigation {
             Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
             Self::Orbit => "Left drag turns the scene · right drag moves it · wheel zooms",
             Self::Mannequin => "Left drag turns the scene · right drag zooms · W, S, A, D walk",
-            Self::Blender => "Middle drag turns the scene · with Shift moves it · wheel zooms",
+            Self::Blender => {
+                "Middle drag turns the scene · with Shift moves it · left drag selects"
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use super::{Action, GestureStep, UiState, box_select, control_points, posing};
-use crate::editor::{Edit, Session, Tool, View, for_all_selected};
+use crate::editor::{Edit, Session, Tool, View, for_all_in_view};
 use crate::scene::ShapeId;
 use egui::{
     Event, InputState, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Response,
@@ -302,7 +302,7 @@ impl<H: Follow> Grab<H> {
             self.last = Some(pixel);
             let followed = pixel + self.held_back;
             let edit = self.held.follow(session, place, followed, hand.snap);
-            actions.extend(edit.map(|edit| Action::Edit(for_all_selected(session, edit))));
+            actions.extend(edit.map(|edit| Action::Edit(for_all_in_view(session, edit))));
         }
         let released = !self.by_key && !hand.left_down;
         if released || self.held.is_confirmed() || (self.by_key && hand.left_pressed) {

@@ -16,6 +16,7 @@ use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
+use crate::ui::view_gestures::is_pickable;
 use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
 
@@ -139,7 +140,7 @@ pub(super) fn status(
 ) -> Option<(Option<String>, &'static str)> {
     if let Some(gesture) = &state.gesture {
         let held = gesture.held();
-        let over = joint_name(session, held.shape(), held.named());
+        let over = held_name(session, held);
         let next = if gesture.is_by_key() {
             "Click or Enter keeps it · X, Y, Z or a number, typed · Ctrl snaps · Esc cancels"
         } else if held.snaps() {
@@ -187,6 +188,16 @@ fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     } else {
         "Drag to bring it somewhere, the chain follows · P pins"
     }
+}
+
+/// Name of what is dragged: of a joint or a shape, or how many shapes.
+fn held_name(session: &Session, held: &Held) -> Option<String> {
+    let free = session.selected_shapes();
+    let shapes = free.filter(|shape| is_pickable(session, shape.id)).count();
+    if held.joint().is_none() && shapes > 1 {
+        return Some(format!("{shapes} shapes"));
+    }
+    joint_name(session, held.shape(), held.named())
 }
 
 /// Name of a joint, or else of its shape.

@@ -1,8 +1,8 @@
 //! Painting of bones, gizmos and inverse kinematics over a picture of the scene.
 
 use super::held::{Held, PoseGesture};
+use super::held_name;
 use super::ik::{followed, lost_pins, pinned};
-use super::joint_name;
 use super::shown_gizmo::Gizmo;
 use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, ScaleGizmo, Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
@@ -194,7 +194,7 @@ pub(super) fn readout(ui: &Ui, view: Rect, session: &Session, gesture: &PoseGest
     // Names come from files and may be of any length: the value must stay readable.
     let room = view.width() - value.size().x - gap - 2.0 * (margin.x + AWAY_FROM_EDGE);
     let held = gesture.held();
-    let name = joint_name(session, held.shape(), held.named()).unwrap_or_default();
+    let name = held_name(session, held).unwrap_or_default();
     let mut line = LayoutJob::simple_singleline(name, font, color);
     line.wrap = TextWrapping::truncate_at_width(room.max(0.0));
     let name = painter.layout_job(line);

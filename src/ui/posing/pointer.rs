@@ -189,7 +189,13 @@ fn take(
     let shape = state.picked.shape_at(session, pixel, place.size())?;
     let target = MoveTarget::Shape(shape);
     let drag = MoveDrag::begin(session, target, across_view(session), &ray)?;
-    select(session, shape, None, actions);
+    if session.is_selected(shape) && session.selected() != Some(shape) {
+        // Taken out and added again it is the active one, and all others stay selected.
+        let toggle = Action::View(View::ToggleSelected(shape));
+        actions.extend([toggle.clone(), toggle]);
+    } else {
+        select(session, shape, None, actions);
+    }
     Some(Held::new(Drag::Move(drag), None, ray, state.axes))
 }
 
