@@ -11,6 +11,7 @@ mod mesh_cache;
 mod mesh_programs;
 mod offscreen;
 mod outline_pass;
+mod picture_parts;
 mod read_back;
 mod renderer;
 mod skeleton_pass;
@@ -21,6 +22,7 @@ mod upload_cache;
 
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use compose::{compose, view_place};
-pub use offscreen::{LargePicture, Offscreen, OffscreenError, read_picture};
+pub use offscreen::{Offscreen, OffscreenError, read_picture};
+pub use picture_parts::{LargePicture, MOST_PIXELS, PictureParts};
 pub use read_back::read_back_skinning;
 pub use renderer::{Background, Frame, Marks, RenderError, Renderer};

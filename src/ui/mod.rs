@@ -20,8 +20,10 @@ mod messages;
 mod navigation;
 mod number_field;
 mod posing;
+mod progress;
 mod question;
 mod scene_places;
+mod screenshot;
 mod shape_list;
 mod shape_panel;
 mod start_page;
@@ -32,7 +34,7 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
-pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot};
+pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
 pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use compare::{
     CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
@@ -46,7 +48,7 @@ pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Session, Tool, View};
-use crate::scene::{Look, ShapeId};
+use crate::scene::ShapeId;
 use egui::{Rect, Response, Ui};
 use std::path::PathBuf;
 
@@ -76,6 +78,8 @@ pub struct ViewInput<'a> {
     pub keys_are_taken: bool,
     /// The comparison under way: its pictures replace the view of the scene.
     pub compare: Option<&'a CompareView<'a>>,
+    /// Work that takes a while: what is done, and how much of it, from 0 to 1.
+    pub progress: Option<(&'a str, f32)>,
 }
 
 /// Output of one frame of the panels.
@@ -153,8 +157,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     view_overlay::status_line(root, session, state, input);
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        let look_is_course = session.view().look == Look::Course;
-        compare::panel(root, look_is_course, compare, settings, &mut actions);
+        compare::panel(root, session, compare, settings, &mut actions);
     }
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);

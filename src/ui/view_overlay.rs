@@ -1,6 +1,7 @@
 //! What lies over the view, and the status line below it.
 
 use super::posing::BAR_HEIGHT;
+use super::progress;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
@@ -61,6 +62,9 @@ pub(super) fn show(
         start_page::show(&mut over, rect, input, actions);
     }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
+    if let Some(work) = input.progress {
+        progress::show(&mut over, rect, work, actions);
+    }
     // It must not hide messages.
     if state.first_help && session.messages.fresh().is_empty() {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
