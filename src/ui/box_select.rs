@@ -1,8 +1,8 @@
 //! Selection of the shapes in a box that is drawn over the view.
 
+use super::grab::{PointerUse, released_at};
 use super::scene_places::ScenePlaces;
 use super::theme::Palette;
-use super::view_gestures::{PointerUse, released_at};
 use super::{Action, Navigation};
 use crate::editor::{BoxMode, Session, View};
 use crate::scene::pick_in_box;

@@ -2,10 +2,10 @@
 
 use super::Action;
 use super::curve_panel::CurveState;
+use super::grab::{Follow, Grab, PointerUse};
 use super::number_field::NumberField;
 use super::scene_places::{Place, ScenePlaces};
 use super::theme::Palette;
-use super::view_gestures::{Follow, Grab, PointerUse};
 use super::widgets::named;
 use crate::editor::{ControlPointDrag, Edit, Session, View, control_point_at};
 use crate::geometry::{Basis, Curve, CurveForm};

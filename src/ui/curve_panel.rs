@@ -2,9 +2,9 @@
 
 use super::commands::{REVOLUTION_STEPS, curves};
 use super::control_points::Listed;
+use super::grab::Grab;
 use super::number_field::NumberField;
 use super::theme::Palette;
-use super::view_gestures::Grab;
 use super::widgets::{labelled, named, titled_choice};
 use super::{Action, control_points};
 use crate::editor::{ControlPointDrag, Edit, Session};

@@ -12,6 +12,7 @@ mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod grab;
 mod history;
 mod joint_list;
 mod joint_rows;

@@ -199,6 +199,7 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::editor::Tool;
     use crate::ui::commands::table::{NONE, SHIFT};
     use crate::ui::commands::{Menu, Primitive};
 
@@ -236,6 +237,30 @@ mod tests {
             command_of(Modifiers::CTRL, Key::T, Navigation::Course),
             None
         );
+    }
+
+    #[test]
+    fn keys_that_walk_choose_no_tool_and_those_of_blender_begin_at_once() {
+        let command = |key, navigation| command_of(NONE, key, navigation);
+        let moves = Some(Command::SetTool(Tool::Move));
+        assert_eq!(command(Key::W, Navigation::Orbit), moves);
+        assert_eq!(command(Key::W, Navigation::Mannequin), None);
+        assert_eq!(command(Key::G, Navigation::Mannequin), moves);
+        let begins = Some(Command::Begin(Tool::Move));
+        assert_eq!(command(Key::G, Navigation::Blender), begins);
+        for navigation in Navigation::ALL {
+            assert_eq!(command(Key::Q, navigation), Some(Command::BoxSelect));
+        }
+    }
+
+    #[test]
+    fn a_tooltip_names_the_key_of_the_navigation_that_is_chosen() {
+        let ctx = Context::default();
+        for (navigation, key) in [(Navigation::Course, "(G)"), (Navigation::Blender, "(W)")] {
+            remember_navigation(&ctx, navigation);
+            let tooltip = tooltip(&ctx, Command::SetTool(Tool::Move));
+            assert!(tooltip.ends_with(key), "{tooltip}");
+        }
     }
 
     #[test]

@@ -7,8 +7,8 @@ use crate::editor::{
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
+use crate::ui::grab::{Follow, Grab};
 use crate::ui::scene_places::Place;
-use crate::ui::view_gestures::{Follow, Grab};
 use glam::{Vec2, Vec3};
 
 /// A drag of a bone, a gizmo's handle, a root or a shape.

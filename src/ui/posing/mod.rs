@@ -3,6 +3,7 @@
 mod held;
 mod ik;
 mod paint;
+mod paint_gizmo;
 mod pointer;
 mod shown_gizmo;
 mod tool_bar;
@@ -16,7 +17,7 @@ use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
-use crate::ui::view_gestures::is_pickable;
+use crate::ui::grab::is_pickable;
 use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
 
@@ -87,7 +88,7 @@ pub(super) fn show(
         }
         show_gizmo(&painter, place, view, session, state);
         if let Some(axis) = gesture.and_then(|gesture| gesture.active()?.typed_axis(session)) {
-            paint::axis(&painter, place, session, axis);
+            paint_gizmo::axis(&painter, place, session, axis);
         }
         if state.tool == Tool::Ik {
             paint::ik(&painter, place, session, state.hovered_grip, gesture);
@@ -114,7 +115,7 @@ fn show_gizmo(
         .hover_pos()
         .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
-    paint::gizmo(painter, place, &gizmo, hot, held.is_some());
+    paint_gizmo::gizmo(painter, place, &gizmo, hot, held.is_some());
 }
 
 /// Takes the numbers and axes that are typed for the drag under way. To be called before the panels.

@@ -9,8 +9,8 @@ use crate::editor::{
 };
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
+use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::scene_places::{Place, ScenePlaces};
-use crate::ui::view_gestures::{Grab, PointerUse, is_pickable};
 use crate::ui::{Action, Navigation, UiState};
 use egui::{Context, CursorIcon, Key, Modifiers, Pos2, Response};
 use glam::Vec2;

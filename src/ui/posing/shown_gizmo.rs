@@ -8,8 +8,8 @@ use crate::editor::{
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
+use crate::ui::grab::is_pickable;
 use crate::ui::scene_places::Place;
-use crate::ui::view_gestures::is_pickable;
 use glam::Vec2;
 
 /// A gizmo in the view.
