@@ -37,7 +37,7 @@ impl BoxSelect {
     /// What the status line says while a box is to be drawn.
     pub(super) fn status(&self) -> Option<&'static str> {
         (self.armed || self.is_drawing())
-            .then_some("Drag a box around shapes · Shift adds · Ctrl takes out · Esc cancels")
+            .then_some("Drag a box · Shift adds · Ctrl takes out · Esc cancels")
     }
 }
 

@@ -180,9 +180,7 @@ impl Navigation {
             Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
             Self::Orbit => "Left drag turns the scene · right drag moves it · wheel zooms",
             Self::Mannequin => "Left drag turns the scene · right drag zooms · W, S, A, D walk",
-            Self::Blender => {
-                "Middle drag turns the scene · with Shift moves it · left drag selects"
-            }
+            Self::Blender => "Middle drag turns, with Shift moves · left drag selects",
         }
     }
 

@@ -143,9 +143,9 @@ pub(super) fn status(
         let held = gesture.held();
         let over = held_name(session, held);
         let next = if gesture.is_by_key() {
-            "Click or Enter keeps it · X, Y, Z or a number, typed · Ctrl snaps · Esc cancels"
+            "Type X, Y, Z, a number · click keeps it · Esc cancels"
         } else if held.snaps() {
-            "X, Y, Z or a number, typed · Ctrl snaps · Esc or right click cancels"
+            "Type X, Y, Z, a number · Ctrl snaps · Esc cancels"
         } else {
             "Esc or right click cancels"
         };
