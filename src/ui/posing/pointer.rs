@@ -37,6 +37,12 @@ pub(in crate::ui) fn pointer(
         state.gesture = Grab::begin(view, places, actions, |place, pixel, actions| {
             take(session, state, place, pixel, all, actions)
         });
+        let is_toggle = |action: &Action| matches!(action, Action::View(View::ToggleSelected(_)));
+        if state.gesture.is_some() && actions.iter().any(is_toggle) {
+            // Another shape is active from the next frame on, and all others follow that one.
+            view.ctx.request_repaint();
+            return PointerUse::Holding;
+        }
     }
     if let Some(gesture) = &mut state.gesture {
         let held = gesture.held();
