@@ -52,6 +52,8 @@ enum ToolName {
     Select,
     Pose,
     Move,
+    Rotate,
+    Scale,
     Ik,
 }
 
@@ -62,6 +64,8 @@ impl ToolName {
             Self::Select => Tool::Select,
             Self::Pose => Tool::Pose,
             Self::Move => Tool::Move,
+            Self::Rotate => Tool::Rotate,
+            Self::Scale => Tool::Scale,
             Self::Ik => Tool::Ik,
         };
         let is_it = |entry: &&Entry| entry.command == Command::SetTool(tool);

@@ -1,3 +1,4 @@
+use super::BoxMode;
 use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
@@ -198,6 +199,8 @@ pub enum View {
     SelectTo(ShapeId),
     /// Selects all shapes.
     SelectAll,
+    /// Selects the shapes in a box, or adds them to those that are selected, or takes them out.
+    SelectInBox(Vec<ShapeId>, BoxMode),
     /// Selects a joint of the selected shape, or none.
     SelectJoint(Option<usize>),
     /// Highlights the joint of the selected shape that the pointer is over, or none.
@@ -207,6 +210,8 @@ pub enum View {
     /// Highlights the control point of the selected shape that the pointer is over, by the indices
     /// of its curve and of the point in it; or none.
     HoverControlPoint(Option<(usize, usize)>),
+    /// Tells the user why something was not done.
+    Tell(&'static str),
     /// Dismisses the fresh message at an index; the history keeps it.
     DismissMessage(usize),
 }

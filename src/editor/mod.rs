@@ -14,19 +14,28 @@ mod move_tool;
 mod rotate_tool;
 mod selection;
 mod session;
+mod shape_group;
+mod shape_scale;
+mod shape_turn;
 mod step_name;
+mod swing;
 
 pub use apply::{Change, EditError, apply};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use edit::{Edit, View};
-pub use gizmo::{GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, Screen};
+pub use gizmo::{
+    GizmoAxes, GizmoHit, Handle, MoveGizmo, RingPoint, RotationGizmo, ScaleGizmo, Screen,
+};
 pub use ik_grip::IkGrip;
 pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
-pub use selection::{duplicates, for_all_selected, scene_of_selected};
+pub use selection::{BoxMode, duplicates, for_all_in_view, for_all_selected, scene_of_selected};
 pub use session::Session;
+pub use shape_group::ShapeGroup;
+pub use shape_scale::{ScaleBy, ShapeScale};
+pub use shape_turn::ShapeTurn;
 
 /// Tool of the view: what a left drag does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -38,6 +47,17 @@ pub enum Tool {
     Pose,
     /// Moves the root above the bone, or the shape, under the pointer ([`MoveDrag`]).
     Move,
+    /// Turns the selected shapes by the rings of a gizmo ([`ShapeTurn`]).
+    Rotate,
+    /// Scales the selected shapes by the handles of a gizmo ([`ShapeScale`]).
+    Scale,
     /// Moves the end of the bone under the pointer by inverse kinematics ([`IkDrag`]).
     Ik,
+}
+
+impl Tool {
+    /// Whether it takes the bones under the pointer.
+    pub fn takes_bones(self) -> bool {
+        matches!(self, Self::Pose | Self::Move | Self::Ik)
+    }
 }

@@ -7,6 +7,9 @@ use glam::{DMat3, DVec3, Vec3};
 /// Step of a movement that snaps, in the world.
 const SNAP: f64 = 0.1;
 
+/// Cosine of the angle to a plane's normal below which an axis counts as lying in the plane.
+const ACROSS: f32 = 0.99;
+
 /// Target of a move gesture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveTarget {
@@ -99,6 +102,8 @@ pub struct MoveDrag {
     /// Point of the line or plane, in the world.
     anchor: DVec3,
     along: MoveAlong,
+    /// The cursor at the start.
+    grabbed_by: Ray,
     /// Point that was grabbed, in the world.
     from: DVec3,
     moved: DVec3,
@@ -142,9 +147,21 @@ impl MoveDrag {
             start,
             anchor,
             along,
+            grabbed_by: *ray,
             from,
             moved: DVec3::ZERO,
         })
+    }
+
+    /// The same drag from its start, along another line or plane.
+    pub fn constrained(&self, along: MoveAlong) -> Self {
+        Self {
+            along,
+            // A cursor that is parallel to it has grabbed the target itself.
+            from: meeting(&self.grabbed_by, self.anchor, along).unwrap_or(self.anchor),
+            moved: DVec3::ZERO,
+            ..self.clone()
+        }
     }
 
     /// Edit that moves the target for the cursor on `ray`; with `snap` in steps of 0.1 along the
@@ -156,6 +173,24 @@ impl MoveDrag {
                 self.snap();
             }
         }
+        self.edit()
+    }
+
+    /// Edit that moves the target by exactly this length along the line, wherever the cursor is; in
+    /// a plane, along the first axis of the world that is not its normal.
+    pub fn moved_by(&mut self, length: f64) -> Edit {
+        let direction = match self.along {
+            MoveAlong::Line(line) => line,
+            MoveAlong::Plane(normal) => {
+                let is_across = |axis: &Vec3| axis.dot(normal.normalize_or_zero()).abs() < ACROSS;
+                Vec3::AXES.into_iter().find(is_across).unwrap_or(Vec3::X)
+            }
+        };
+        self.moved = direction.as_dvec3().normalize_or_zero() * length;
+        self.edit()
+    }
+
+    fn edit(&self) -> Edit {
         match &self.start {
             Start::Shape(transform) => {
                 let mut transform = *transform;
@@ -175,6 +210,11 @@ impl MoveDrag {
                 Edit::SetPose(self.target.shape(), pose)
             }
         }
+    }
+
+    /// Line or plane along which the target moves.
+    pub fn along(&self) -> MoveAlong {
+        self.along
     }
 
     /// Target that is moved.

@@ -1,7 +1,8 @@
-use super::{Edit, Session};
+use super::swing::{Swing, angle_about, snapped, unwound};
+use super::{Edit, GizmoAxes, Session};
 use crate::math::{DRay, Euler, Ray};
 use crate::scene::ShapeId;
-use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Vec3};
+use glam::{DMat3, DMat4, DQuat, DVec3, Vec3};
 
 /// Joint that is being turned by a gesture, with its rotation at the start, from which each step of
 /// the gesture is computed.
@@ -11,7 +12,7 @@ use glam::{DMat3, DMat4, DQuat, DVec3, EulerRot, Vec3};
 pub struct JointTurn {
     shape: ShapeId,
     joint: usize,
-    start: DMat3,
+    start: Euler,
     /// Rotation from the parent's frame to the character's space.
     model_from_parent: DQuat,
     world_from_model: DMat4,
@@ -37,16 +38,10 @@ impl JointTurn {
         let center = frame.w_axis.truncate().as_dvec3();
         let sound =
             model_from_world.is_finite() && model_from_parent.is_finite() && center.is_finite();
-        let [x, y, z] = character
-            .pose()
-            .rotation(joint)
-            .radians
-            .as_dvec3()
-            .to_array();
         sound.then(|| Self {
             shape,
             joint,
-            start: DMat3::from_euler(EulerRot::XYZ, x, y, z),
+            start: character.pose().rotation(joint),
             model_from_parent,
             world_from_model,
             model_from_world,
@@ -87,42 +82,43 @@ impl JointTurn {
     /// Edit that turns the joint from its start by `angle` radians about `axis`, a unit vector in
     /// the character's space; its angles are the nearest to those that it has in `session`.
     pub fn turned(&self, session: &Session, axis: DVec3, angle: f64) -> Option<Edit> {
+        let character = session.scene().character(self.shape)?;
+        self.turned_near(axis, angle, character.pose().rotation(self.joint))
+    }
+
+    /// The same with the angles that are nearest to those at the start.
+    pub fn turned_exactly(&self, axis: DVec3, angle: f64) -> Option<Edit> {
+        self.turned_near(axis, angle, self.start)
+    }
+
+    fn turned_near(&self, axis: DVec3, angle: f64, shown: Euler) -> Option<Edit> {
         let in_parent = self.model_from_parent.inverse() * axis;
         let turn = DMat3::from_axis_angle(in_parent.try_normalize()?, angle);
-        let shown = session
-            .scene()
-            .character(self.shape)?
-            .pose()
-            .rotation(self.joint);
         Some(Edit::SetJointTransform {
             shape: self.shape,
             joint: self.joint,
-            rotation: Euler::nearest((turn * self.start).as_mat3(), shown),
+            rotation: Euler::nearest((turn * self.start.to_dmat3()).as_mat3(), shown),
         })
     }
-}
 
-/// `angle` in radians, rounded to whole steps of 15° if `snap`.
-fn snapped(angle: f64, snap: bool) -> f64 {
-    let step = 15.0_f64.to_radians();
-    if snap {
-        (angle / step).round() * step
-    } else {
-        angle
+    /// Axis of a gizmo as it was at the start: 0 for x, 1 for y, 2 for z; in the character's space,
+    /// of unit length.
+    pub fn axis(&self, axes: GizmoAxes, axis: usize) -> Option<DVec3> {
+        match axes {
+            GizmoAxes::Local => Some(self.model_from_parent * self.start.to_dmat3().col(axis)),
+            GizmoAxes::World => {
+                let stretch = DMat3::from_mat4(self.world_from_model);
+                stretch.transpose().col(axis).try_normalize()
+            }
+        }
     }
-}
 
-/// Angle about the unit vector `axis`, in radians from -π to π, by which `from` turns to `to`; both
-/// are of unit length and across the axis.
-fn angle_about(axis: DVec3, from: DVec3, to: DVec3) -> f64 {
-    axis.dot(from.cross(to)).atan2(from.dot(to))
-}
-
-/// `angle` in radians, moved by whole turns as near to `to` as possible, so that a gesture can go
-/// around more than once.
-fn unwound(angle: f64, to: f64) -> f64 {
-    let turn = std::f64::consts::TAU;
-    angle + ((to - angle) / turn).round() * turn
+    /// 1 if a turn about `axis`, in the character's space, makes the angle in the panel larger that
+    /// it changes most at the start, or else -1.
+    pub fn panel_sign(&self, axis: DVec3) -> f64 {
+        let in_parent = self.model_from_parent.inverse() * axis;
+        f64::from(self.start.sign_of_turn(in_parent.as_vec3()))
+    }
 }
 
 /// Angle by which the Left and Right keys roll a bone, in radians.
@@ -195,9 +191,21 @@ impl BoneDrag {
         self.turn.turned(session, self.axis, self.angle)
     }
 
-    /// Angle by which the joint has turned, in radians.
+    /// Edit that turns the joint by exactly this angle in radians about the axis away from the eye,
+    /// wherever the cursor is.
+    pub fn turned_by(&mut self, angle: f64) -> Option<Edit> {
+        self.angle = angle;
+        self.turn.turned_exactly(self.axis, self.angle)
+    }
+
+    /// Angle by which the joint has turned about the axis away from the eye, in radians.
     pub fn angle(&self) -> f64 {
         self.angle
+    }
+
+    /// 1 if the angle has the sign of the angle in the panel that changes most, or else -1.
+    pub fn panel_sign(&self) -> f64 {
+        self.turn.panel_sign(self.axis)
     }
 
     /// Joint that is turned.
@@ -236,38 +244,16 @@ pub fn roll(session: &Session, shape: ShapeId, bone: usize, angle: f32) -> Optio
     turn.turned(session, axis, f64::from(angle))
 }
 
-/// Sine of the angle of view below which a ring is pulled along its tangent, since the intersection
-/// of its plane with the cursor's ray is badly conditioned.
-const EDGE_ON: f64 = 0.2;
-
 /// Drag of a ring of the rotation gizmo: the joint turns about the ring's axis.
 #[derive(Clone, Debug)]
 pub struct RingDrag {
     turn: JointTurn,
-    /// Axis in the character's space, of unit length.
-    axis: DVec3,
-    how: How,
+    /// In the character's space.
+    swing: Swing,
     /// Angle of the cursor, in radians.
     wanted: f64,
     /// Angle of the joint, in radians: in steps if it snaps.
     angle: f64,
-}
-
-/// Way to find an angle from the cursor. Vectors are in the character's space.
-#[derive(Clone, Copy, Debug)]
-enum How {
-    /// By the direction from the joint to the point of the ring's plane under the cursor.
-    Plane {
-        /// That direction at the start, of unit length.
-        from: DVec3,
-    },
-    /// By the distance along the ring's tangent at the grabbed point.
-    Tangent {
-        grabbed: DVec3,
-        tangent: DVec3,
-        radius: f64,
-        start: f64,
-    },
 }
 
 impl RingDrag {
@@ -283,28 +269,16 @@ impl RingDrag {
         ray: &Ray,
     ) -> Option<Self> {
         let turn = JointTurn::begin(session, shape, joint)?;
-        let axis = axis.as_dvec3().try_normalize()?;
-        let model_ray = turn.model_ray(ray);
-        let flat = model_ray.direction.try_normalize()?.dot(axis).abs();
-        let on_plane = in_plane(&turn, axis, ray);
-        let how = match on_plane.filter(|_| flat > EDGE_ON) {
-            Some(from) => How::Plane { from },
-            None => {
-                let grabbed = turn.model_point(grabbed);
-                let arm = (grabbed - turn.center()).reject_from_normalized(axis);
-                let tangent = axis.cross(arm).try_normalize()?;
-                How::Tangent {
-                    grabbed,
-                    tangent,
-                    radius: arm.length(),
-                    start: model_ray.nearest_on_line(grabbed, tangent)?,
-                }
-            }
-        };
+        Self::of(turn, axis.as_dvec3(), grabbed, ray)
+    }
+
+    /// The same for a joint as it was when another drag of it began.
+    pub fn of(turn: JointTurn, axis: DVec3, grabbed: Vec3, ray: &Ray) -> Option<Self> {
+        let (grabbed, ray) = (turn.model_point(grabbed), turn.model_ray(ray));
+        let swing = Swing::begin(turn.center(), axis, grabbed, &ray)?;
         Some(Self {
             turn,
-            axis,
-            how,
+            swing,
             wanted: 0.0,
             angle: 0.0,
         })
@@ -313,76 +287,38 @@ impl RingDrag {
     /// Edit that turns the joint for the cursor on `ray`; with `snap` in steps of 15° from the
     /// start.
     pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Option<Edit> {
-        if let Some(angle) = self.angle_at(ray) {
+        let ray = self.turn.model_ray(ray);
+        if let Some(angle) = self.swing.angle(&ray, self.wanted) {
             self.wanted = angle;
         }
         self.angle = snapped(self.wanted, snap);
-        self.turn.turned(session, self.axis, self.angle)
+        self.turn.turned(session, self.swing.axis(), self.angle)
     }
 
-    /// Angle by which the joint has turned, in radians.
+    /// Edit that turns the joint by exactly this angle in radians about the ring's axis, wherever
+    /// the cursor is.
+    pub fn turned_by(&mut self, angle: f64) -> Option<Edit> {
+        self.angle = angle;
+        self.turn.turned_exactly(self.swing.axis(), self.angle)
+    }
+
+    /// The ring's axis in the character's space, of unit length.
+    pub fn axis(&self) -> DVec3 {
+        self.swing.axis()
+    }
+
+    /// Angle by which the joint has turned about the ring's axis, in radians.
     pub fn angle(&self) -> f64 {
         self.angle
+    }
+
+    /// 1 if the angle has the sign of the angle in the panel that changes most, or else -1.
+    pub fn panel_sign(&self) -> f64 {
+        self.turn.panel_sign(self.swing.axis())
     }
 
     /// Joint that is turned.
     pub fn turn(&self) -> &JointTurn {
         &self.turn
-    }
-
-    fn angle_at(&self, ray: &Ray) -> Option<f64> {
-        match self.how {
-            How::Plane { from } => {
-                let to = in_plane(&self.turn, self.axis, ray)?;
-                Some(unwound(angle_about(self.axis, from, to), self.wanted))
-            }
-            How::Tangent {
-                grabbed,
-                tangent,
-                radius,
-                start,
-            } => {
-                let at = self.turn.model_ray(ray).nearest_on_line(grabbed, tangent)?;
-                Some((at - start) / radius)
-            }
-        }
-    }
-}
-
-/// Direction, of unit length, from the joint to the point where the ray meets the plane
-/// perpendicular to `axis`; `None` if it does not, or meets the joint itself.
-fn in_plane(turn: &JointTurn, axis: DVec3, ray: &Ray) -> Option<DVec3> {
-    let arm = turn.model_ray(ray).meet_plane(turn.center(), axis)? - turn.center();
-    arm.reject_from_normalized(axis).try_normalize()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_angle_snaps_to_the_nearest_fifteen_degrees_on_either_side() {
-        for (degrees, expected) in [(7.0, 0.0), (8.0, 15.0), (-8.0, -15.0), (52.0, 45.0)] {
-            let found = snapped(f64::to_radians(degrees), true).to_degrees();
-            assert!((found - expected).abs() < 1e-9, "{degrees}: {found}");
-            assert_eq!(snapped(degrees, false), degrees);
-        }
-    }
-
-    #[test]
-    fn an_angle_that_goes_round_more_than_once_does_not_jump_back() {
-        let near = |degrees: f64, to: f64| unwound(degrees.to_radians(), to.to_radians());
-        for (degrees, to, expected) in [
-            (-170.0, 175.0, 190.0),
-            (10.0, 355.0, 370.0),
-            (170.0, -175.0, -190.0),
-            (0.0, 719.0, 720.0),
-        ] {
-            let found = near(degrees, to).to_degrees();
-            assert!(
-                (found - expected).abs() < 1e-9,
-                "{degrees} near {to}: {found}"
-            );
-        }
     }
 }

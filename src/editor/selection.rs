@@ -3,6 +3,17 @@ use crate::math::{Euler, Transform};
 use crate::scene::{NewShape, Scene, Shape, ShapeId};
 use glam::Vec3;
 
+/// What the shapes in a box become.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BoxMode {
+    /// The selection, instead of what was selected.
+    Replace,
+    /// Selected, with what was selected.
+    Add,
+    /// Not selected any more.
+    TakeOut,
+}
+
 /// Selected shapes, and the joint of the active one that is selected.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Selection {
@@ -50,6 +61,27 @@ impl Selection {
         }
     }
 
+    /// Changes the selection by the shapes in a box. The active shape stays active, with its joint,
+    /// if it stays selected.
+    pub fn join(&mut self, shapes: &[ShapeId], mode: BoxMode) {
+        let before: Vec<ShapeId> = self.others.iter().copied().chain(self.shape).collect();
+        let is_in = |shape: &ShapeId| shapes.contains(shape);
+        let selected: Vec<ShapeId> = match mode {
+            BoxMode::Replace => shapes.to_vec(),
+            BoxMode::Add => {
+                let more = shapes.iter().filter(|shape| !before.contains(shape));
+                before.iter().chain(more).copied().collect()
+            }
+            BoxMode::TakeOut => before.into_iter().filter(|shape| !is_in(shape)).collect(),
+        };
+        let active = self.shape.filter(|shape| selected.contains(shape));
+        let joint = self.joint.filter(|_| active.is_some());
+        *self = Self {
+            joint,
+            ..Self::all(selected.into_iter(), active)
+        };
+    }
+
     pub fn has(&self, shape: ShapeId) -> bool {
         self.shape == Some(shape) || self.others.contains(&shape)
     }
@@ -59,13 +91,26 @@ impl Selection {
 /// turned by the same angles about their own origins and scaled by the same factors. An edit that
 /// is about one shape alone stays as it is.
 pub fn for_all_selected(session: &Session, edit: Edit) -> Edit {
+    for_selected_where(session, edit, |_| true)
+}
+
+/// The same for an edit by a drag in the view, where shapes that are hidden or locked stay as they
+/// are.
+pub fn for_all_in_view(session: &Session, edit: Edit) -> Edit {
+    for_selected_where(session, edit, |id| {
+        let shape = session.evaluated().shape(id);
+        shape.is_some_and(|shape| shape.pickable)
+    })
+}
+
+fn for_selected_where(session: &Session, edit: Edit, takes_part: impl Fn(ShapeId) -> bool) -> Edit {
     let scene = session.scene();
     let Some(active) = session.selected().and_then(|id| scene.shape(id)) else {
         return edit;
     };
     let others = session
         .selected_shapes()
-        .filter(|shape| shape.id != active.id);
+        .filter(|shape| shape.id != active.id && takes_part(shape.id));
     let same: Option<Vec<Edit>> = others.map(|other| same_of(&edit, active, other)).collect();
     match same {
         Some(same) if !same.is_empty() => {
@@ -114,10 +159,13 @@ pub fn scene_of_selected(session: &Session) -> Scene {
     session.selected_shapes().map(copy).collect()
 }
 
-/// Copies of the selected shapes, beside them in the direction of X.
+/// Copies of the selected shapes, beside them in the direction of X; farther away where an earlier
+/// copy stands already.
 pub fn duplicates(session: &Session) -> Vec<NewShape> {
     /// Gap between a shape and its copy, relative to the width of both.
     const GAP: f32 = 0.1;
+    /// Distance, relative to that width, below which two shapes of a kind look like one.
+    const TOO_NEAR: f32 = 0.01;
     let evaluated = session.selected_shapes();
     let bounds = evaluated
         .filter_map(|shape| session.evaluated().shape(shape.id))
@@ -129,7 +177,21 @@ pub fn duplicates(session: &Session) -> Vec<NewShape> {
     } else {
         bounds.size().x
     };
-    let beside = Vec3::X * width * (1.0 + GAP);
+    let step = Vec3::X * width * (1.0 + GAP);
+    let shapes = session.scene().shapes();
+    let is_taken = |beside: Vec3| {
+        session.selected_shapes().any(|shape| {
+            let place = shape.placement.transform.position + beside;
+            shapes.iter().any(|other| {
+                let off = other.placement.transform.position - place;
+                other.kind == shape.kind && off.length() < width * TOO_NEAR
+            })
+        })
+    };
+    // Each shape takes at most one place of each selected one, so one of these is free.
+    let most = shapes.len() * session.selected_shapes().count() + 1;
+    let mut places = (1..=most).map(|count| step * count as f32);
+    let beside = places.find(|&place| !is_taken(place)).unwrap_or(step);
     let moved = |shape: &Shape| {
         let mut new = copy(shape);
         new.placement.transform.position += beside;

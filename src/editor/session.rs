@@ -1,6 +1,6 @@
 use super::apply::{EditError, apply};
 use super::history::{History, State};
-use super::messages::Messages;
+use super::messages::{Messages, Severity};
 use super::selection::Selection;
 use super::step_name::step_name;
 use super::{Change, Edit, View};
@@ -237,6 +237,8 @@ impl Session {
                 let all = self.scene.shapes().iter().map(|shape| shape.id);
                 self.selection = Selection::all(all, self.selected());
             }
+            View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),
+            View::Tell(why) => self.messages.tell(Severity::Warning, why),
             View::SelectJoint(joint) => self.selection.joint = joint,
             View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
             View::HoverBone(bone) => self.hovered_bone = bone,

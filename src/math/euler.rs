@@ -63,6 +63,22 @@ impl Euler {
         Self::from_radians(nearest_angles(rotation.as_dmat3(), from).as_vec3())
     }
 
+    /// The rotation `Rx · Ry · Rz` in double precision.
+    pub fn to_dmat3(self) -> DMat3 {
+        let [x, y, z] = self.radians.as_dvec3().to_array();
+        DMat3::from_euler(EulerRot::XYZ, x, y, z)
+    }
+
+    /// 1 if a small turn about `axis`, in the space that these angles turn into, makes the angle
+    /// larger that it changes most, or else -1.
+    pub fn sign_of_turn(self, axis: Vec3) -> f32 {
+        let about_x = Mat3::from_rotation_x(self.radians.x);
+        let about_z = self.to_mat3() * Vec3::Z;
+        let along = [Vec3::X, about_x * Vec3::Y, about_z].map(|own| own.dot(axis));
+        let most = along.into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()));
+        most.map_or(1.0, f32::signum)
+    }
+
     /// The rotation `Rx · Ry · Rz` without translation.
     pub fn to_mat4(self) -> Mat4 {
         Mat4::from_mat3(self.to_mat3())
@@ -201,6 +217,28 @@ mod tests {
             let change = found.degrees() - shown.degrees();
             assert!((change.x + 5.0).abs() < 0.01, "{y}: {change}");
             assert!((change.z.abs() - 5.0).abs() < 0.01, "{y}: {change}");
+        }
+    }
+
+    #[test]
+    fn a_turn_has_the_sign_of_the_angle_that_it_changes_most() {
+        let half_turn = Euler::from_degrees(Vec3::new(180.0, 0.0, 0.0));
+        for (angles, axis, expected) in [
+            (Euler::ZERO, Vec3::Z, 1.0),
+            (Euler::ZERO, Vec3::NEG_Z, -1.0),
+            (Euler::ZERO, Vec3::new(0.5, -0.8, 0.1), -1.0),
+            (half_turn, Vec3::Z, -1.0),
+            (half_turn, Vec3::X, 1.0),
+        ] {
+            assert_eq!(angles.sign_of_turn(axis), expected, "{angles:?} {axis}");
+            let turned = Mat3::from_axis_angle(axis.normalize_or(Vec3::X), 0.01) * angles.to_mat3();
+            let change = Euler::nearest(turned, angles).radians - angles.radians;
+            let most = change.abs().max_position();
+            assert_eq!(
+                change[most].signum(),
+                expected,
+                "{angles:?} {axis}: {change}"
+            );
         }
     }
 

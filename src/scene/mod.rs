@@ -1,5 +1,6 @@
 //! The scene: shapes with their placement, what follows from them, and the camera.
 
+mod box_picking;
 mod camera;
 mod character_shape;
 mod color_presets;
@@ -16,6 +17,7 @@ mod shape_manager;
 mod turntable;
 mod view_settings;
 
+pub use box_picking::pick_in_box;
 pub use camera::Camera;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,

@@ -2,15 +2,15 @@
 
 use super::Action;
 use super::curve_panel::CurveState;
+use super::grab::{Follow, Grab, PointerUse};
 use super::number_field::NumberField;
 use super::scene_places::{Place, ScenePlaces};
 use super::theme::Palette;
-use super::view_gestures::{Follow, Grab, PointerUse};
 use super::widgets::named;
 use crate::editor::{ControlPointDrag, Edit, Session, View, control_point_at};
 use crate::geometry::{Basis, Curve, CurveForm};
 use crate::scene::ShapeId;
-use egui::{Button, CursorIcon, Label, Rect, Response, RichText, Ui, vec2};
+use egui::{Button, CursorIcon, Label, Rect, Response, RichText, Stroke, Ui, vec2};
 use glam::Vec2;
 
 /// Number of control points above which only the rows in view are shown to egui: the panel must
@@ -192,6 +192,8 @@ pub(super) fn pointer(
         });
     }
     if let Some(gesture) = &mut state.gesture {
+        let (curve, point) = gesture.held().control_point();
+        state.clicked = Some((gesture.held().shape(), curve, point));
         let goes_on = gesture.follow(view, places, session, actions);
         let point = gesture.active().map(ControlPointDrag::control_point);
         if !goes_on {
@@ -203,11 +205,98 @@ pub(super) fn pointer(
     }
     let in_view = hovered(view, places, session);
     mark(session, in_view.or(state.hovered), actions);
-    if in_view.is_none() {
+    let Some((curve, point)) = in_view else {
         return PointerUse::Free;
+    };
+    if view.clicked() {
+        state.clicked = session.selected().map(|shape| (shape, curve, point));
     }
     view.ctx.set_cursor_icon(CursorIcon::Grab);
     PointerUse::Over
+}
+
+/// Deletes the control point that was clicked last, or tells why it has to stay; `None` if none was,
+/// or it does not exist any more.
+pub(super) fn delete_clicked(session: &Session, state: &CurveState) -> Option<Action> {
+    let (shape, curve, point) = clicked(session, state)?;
+    let points = session.scene().curve(shape)?.curves().curve(curve)?;
+    Some(if points.can_lose_point(point) {
+        Action::Edit(Edit::RemoveControlPoint {
+            shape,
+            curve,
+            point,
+        })
+    } else {
+        Action::View(View::Tell(why_it_stays_in_words(points, point)))
+    })
+}
+
+/// Why Delete leaves a control point, as a sentence.
+fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
+    match curve.form() {
+        CurveForm::Spline {
+            basis: Basis::Bezier,
+            ..
+        } if !point.is_multiple_of(3) => {
+            "A handle is not deleted by itself: it goes with the point on the curve beside it"
+        }
+        _ => {
+            "This point stays: its curve has as few points as its kind needs. To delete all of the \
+             shape, use Edit ⏵ Delete"
+        }
+    }
+}
+
+/// The control point that was clicked last, if the shape is still the only one selected.
+fn clicked(session: &Session, state: &CurveState) -> Option<(ShapeId, usize, usize)> {
+    let (shape, curve, point) = state.clicked?;
+    let is_only = session.selected() == Some(shape) && session.selected_shapes().count() == 1;
+    let points = session.scene().curve(shape)?.curves().curve(curve)?;
+    (is_only && point < points.control_points().len()).then_some((shape, curve, point))
+}
+
+/// Forgets the control point that was clicked last once something else is selected or edited:
+/// Delete is about that then.
+pub(super) fn forget_clicked(state: &mut CurveState, actions: &[Action]) {
+    let is_other = |action: &Action| match action {
+        Action::Edit(edit) => !matches!(edit, Edit::SetControlPoint { .. }),
+        Action::View(view) => matches!(
+            view,
+            View::Select(_)
+                | View::ToggleSelected(_)
+                | View::SelectTo(_)
+                | View::SelectAll
+                | View::SelectInBox(..)
+        ),
+        Action::History(_) => true,
+        Action::Gesture(_) | Action::Ask(_) => false,
+    };
+    if actions.iter().any(is_other) {
+        state.clicked = None;
+    }
+}
+
+/// Marks the control point that was clicked last, which Delete is about.
+pub(super) fn show_clicked(ui: &Ui, places: &ScenePlaces, session: &Session, state: &CurveState) {
+    let place_in_world = || {
+        let (shape, curve, point) = clicked(session, state)?;
+        let is_shown = session.scene().curve(shape)?.display.control_points;
+        let evaluated = session.evaluated().shape(shape)?;
+        let curves = session.scene().curve(shape)?.curves();
+        let position = *curves.curve(curve)?.control_points().get(point)?;
+        let world = evaluated.world_from_model.transform_point3(position);
+        (is_shown && evaluated.visible).then_some(world)
+    };
+    let Some(world) = place_in_world() else {
+        return;
+    };
+    let color = Palette::of(ui.visuals()).accent;
+    for place in places.iter() {
+        if let Some(pixel) = place.screen(session).pixel(world) {
+            let painter = ui.painter().with_clip_rect(place.rect);
+            painter.circle_stroke(place.position(pixel), 8.0, Stroke::new(2.0, color));
+        }
+    }
 }
 
 /// Marks a control point as hovered, or none.

@@ -2,9 +2,9 @@
 
 use super::commands::{REVOLUTION_STEPS, curves};
 use super::control_points::Listed;
+use super::grab::Grab;
 use super::number_field::NumberField;
 use super::theme::Palette;
-use super::view_gestures::Grab;
 use super::widgets::{labelled, named, titled_choice};
 use super::{Action, control_points};
 use crate::editor::{ControlPointDrag, Edit, Session};
@@ -24,6 +24,9 @@ pub(super) struct CurveState {
     pub unfolded: HashMap<(ShapeId, usize), bool>,
     /// Curve and control point whose row was under the pointer in the last frame.
     pub hovered: Option<(usize, usize)>,
+    /// The control point that was clicked or dragged last, if nothing else was since then: its
+    /// shape, curve and index.
+    pub clicked: Option<(ShapeId, usize, usize)>,
     /// The control point that is being dragged.
     pub gesture: Option<Grab<ControlPointDrag>>,
 }

@@ -5,12 +5,14 @@
 
 mod action;
 mod axis_ball;
+mod box_select;
 mod character_panel;
 mod command_search;
 mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod grab;
 mod history;
 mod joint_columns;
 mod joint_list;
@@ -127,6 +129,11 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // The root was made before the style was set.
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
+    commands::remember_navigation(&ctx, state.navigation);
+    if !input.keys_are_taken {
+        posing::take_keys(&ctx, &mut state.pose);
+        box_select::cancel_by_esc(&ctx, &mut state.box_select);
+    }
     let mut actions = finish_typing(&ctx, session, state, input.keys_are_taken);
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
@@ -347,6 +354,12 @@ fn press(
         && session
             .selected()
             .is_some_and(|id| session.scene().character(id).is_some());
+    if command == Command::Delete
+        && let Some(action) = control_points::delete_clicked(session, &state.curves)
+    {
+        actions.push(action);
+        return;
+    }
     let command = match command {
         Command::Delete if joint_at_hand => Command::ResetJoint,
         Command::Copy if poses => Command::CopyPose,

@@ -87,6 +87,10 @@ const BLENDER: &[Drag] = &[
     drag(MIDDLE, NONE, Motion::Orbit, "Middle drag in the view", "Turn the scene with the pointer"),
     drag(LEFT, Modifiers::ALT, Motion::Orbit, "Alt and left drag", "Turn the scene, without a middle button"),
 ];
+const BLENDER_GESTURES: &[Gesture] = &[gesture(
+    "Left drag in the view",
+    "Select in a box; Shift adds to it",
+)];
 
 /// A key that moves the eye while it is held, along the picture's right, the world's up and the
 /// direction of view (x, y and z of `along`); or that turns it about the target.
@@ -155,11 +159,17 @@ impl Navigation {
         }
     }
 
+    /// Whether a key moves the camera while it is held.
+    pub(super) fn walks_by(self, key: Key) -> bool {
+        self == Self::Mannequin && STEPS.iter().any(|step| step.key == key)
+    }
+
     /// Gestures that move the camera, for Help ▸ Keys and Mouse.
     pub(super) fn gestures(self) -> impl Iterator<Item = &'static Gesture> {
         let steps = match self {
             Self::Mannequin => STEP_GESTURES,
-            _ => &[],
+            Self::Blender => BLENDER_GESTURES,
+            Self::Course | Self::Orbit => &[],
         };
         self.drags().iter().map(|drag| &drag.row).chain(steps)
     }
@@ -170,7 +180,7 @@ impl Navigation {
             Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
             Self::Orbit => "Left drag turns the scene · right drag moves it · wheel zooms",
             Self::Mannequin => "Left drag turns the scene · right drag zooms · W, S, A, D walk",
-            Self::Blender => "Middle drag turns the scene · with Shift moves it · wheel zooms",
+            Self::Blender => "Middle drag turns, with Shift moves · left drag selects",
         }
     }
 

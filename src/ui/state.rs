@@ -1,4 +1,5 @@
 use super::Navigation;
+use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
 use super::curve_panel::CurveState;
@@ -48,6 +49,7 @@ pub struct UiState {
     pub(super) renaming: Option<Renaming>,
     pub(super) curves: CurveState,
     pub(super) pose: PoseState,
+    pub(super) box_select: BoxSelect,
     pub(super) notices: NoticeState,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
@@ -84,6 +86,7 @@ impl Default for UiState {
             renaming: None,
             curves: CurveState::default(),
             pose: PoseState::default(),
+            box_select: BoxSelect::default(),
             notices: NoticeState::default(),
             camera_before_drag: None,
             keys_were_taken: false,
@@ -136,7 +139,7 @@ impl UiState {
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing
     /// else.
     pub fn gesture_under_way(&self) -> bool {
-        self.curves.gesture.is_some() || self.pose.gesture.is_some()
+        self.curves.gesture.is_some() || self.pose.gesture.is_some() || self.box_select.is_drawing()
     }
 
     /// Drops everything about shapes if another scene was opened.
@@ -152,6 +155,7 @@ impl UiState {
         self.renaming = None;
         self.curves = CurveState::default();
         self.pose.forget_shapes();
+        self.box_select = BoxSelect::default();
         self.camera_before_drag = None;
     }
 }

@@ -1,12 +1,11 @@
-//! Gestures in the view: camera, selection, and the protocol of everything that is dragged.
+//! Gestures in the view: what takes the pointer, the camera, and selection.
 
-use super::scene_places::{Picked, Place, ScenePlaces};
-use super::{Action, GestureStep, UiState, control_points, posing};
-use crate::editor::{Edit, Session, Tool, View, for_all_selected};
+use super::grab::PointerUse;
+use super::scene_places::{Picked, ScenePlaces};
+use super::{Action, UiState, box_select, control_points, posing};
+use crate::editor::{Session, Tool, View};
 use crate::scene::ShapeId;
-use egui::{
-    Event, InputState, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, Response,
-};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
 use glam::Vec2;
 
 /// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
@@ -27,6 +26,26 @@ pub fn view_gestures(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
+    let shape = gestures(view, places, session, state, actions);
+    control_points::forget_clicked(&mut state.curves, actions);
+    shape
+}
+
+fn gestures(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut UiState,
+    actions: &mut Vec<Action>,
+) -> Option<ShapeId> {
+    let navigation = state.navigation;
+    let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
+        let boxed = (&mut state.box_select, navigation);
+        box_select::pointer(view, places, session, boxed, under, actions)
+    };
+    if box_of(state, None, actions) == PointerUse::Holding {
+        return None;
+    }
     let mut pointer = PointerUse::Free;
     if state.pose.gesture.is_none() {
         pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
@@ -35,7 +54,9 @@ pub fn view_gestures(
         let list = state.joints.hovered;
         pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
     }
-    if pointer == PointerUse::Holding {
+    if pointer == PointerUse::Holding
+        || box_of(state, Some(pointer), actions) == PointerUse::Holding
+    {
         return None;
     }
     let delta = view.drag_delta() / places.points_per_pixel;
@@ -121,155 +142,5 @@ fn notches(context: &egui::Context) -> f32 {
             _ => 0.0,
         });
         wheel.sum()
-    })
-}
-
-/// How a kind of thing in the view uses the pointer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum PointerUse {
-    /// Not at all.
-    Free,
-    /// One is under it, and takes its clicks and left drags.
-    Over,
-    /// One is being dragged; nothing else uses the pointer.
-    Holding,
-}
-
-/// Something that follows the pointer while it is dragged.
-pub(super) trait Follow {
-    /// The shape that it changes.
-    fn shape(&self) -> ShapeId;
-
-    /// Edit that brings it to the pointer at `pixel` of a picture, if that changes anything; in
-    /// steps if `snap`.
-    fn follow(&mut self, session: &Session, place: Place, pixel: Vec2, snap: bool) -> Option<Edit>;
-}
-
-/// A drag of something in the view, from the press of the left button to its release.
-#[derive(Clone, Debug)]
-pub(super) struct Grab<H> {
-    held: H,
-    /// Index of the picture of the scene in which it was grabbed.
-    index: usize,
-    /// A drag that ended early waits for the buttons to be released, so that the rest of it does
-    /// not become another gesture.
-    ended: bool,
-}
-
-impl<H> Grab<H> {
-    /// Begins a gesture if a left drag began in this frame and `take` grabs something, at the pixel
-    /// of a picture where the button went down: egui recognizes a drag only once the pointer has
-    /// moved. Actions of `take` come before the gesture.
-    pub(super) fn begin(
-        view: &Response,
-        places: &ScenePlaces,
-        actions: &mut Vec<Action>,
-        take: impl FnOnce(Place, Vec2, &mut Vec<Action>) -> Option<H>,
-    ) -> Option<Self> {
-        if !view.drag_started_by(PointerButton::Primary) {
-            return None;
-        }
-        let pressed = view.ctx.input(|input| input.pointer.press_origin())?;
-        let index = places.index_at(pressed)?;
-        let place = places.get(index)?;
-        let held = take(place, place.pixel(pressed), actions)?;
-        actions.push(Action::Gesture(GestureStep::Begin));
-        Some(Self {
-            held,
-            index,
-            ended: false,
-        })
-    }
-
-    /// The thing that was grabbed.
-    pub(super) fn held(&self) -> &H {
-        &self.held
-    }
-
-    /// The thing that was grabbed, unless the drag ended early.
-    pub(super) fn active(&self) -> Option<&H> {
-        Some(&self.held).filter(|_| !self.ended)
-    }
-}
-
-impl<H: Follow> Grab<H> {
-    /// Follows the pointer, and commits or cancels the gesture; whether to go on in the next frame.
-    pub(super) fn follow(
-        &mut self,
-        view: &Response,
-        places: &ScenePlaces,
-        session: &Session,
-        actions: &mut Vec<Action>,
-    ) -> bool {
-        let hand = Hand::read(view);
-        if self.ended {
-            return hand.any_down;
-        }
-        let early = if !is_pickable(session, self.held.shape()) {
-            Some(GestureStep::Commit)
-        } else {
-            hand.cancel.then_some(GestureStep::Cancel)
-        };
-        if let Some(step) = early {
-            actions.push(Action::Gesture(step));
-            self.ended = true;
-            return hand.any_down;
-        }
-        if let Some((place, position)) = places.get(self.index).zip(hand.position) {
-            let pixel = place.pixel(position);
-            let edit = self.held.follow(session, place, pixel, hand.snap);
-            actions.extend(edit.map(|edit| Action::Edit(for_all_selected(session, edit))));
-        }
-        if !hand.left_down {
-            actions.push(Action::Gesture(GestureStep::Commit));
-        }
-        hand.left_down
-    }
-}
-
-/// Whether gestures in the view may change a shape: it is neither hidden nor locked.
-pub(super) fn is_pickable(session: &Session, shape: ShapeId) -> bool {
-    let evaluated = session.evaluated().shape(shape);
-    evaluated.is_some_and(|shape| shape.pickable)
-}
-
-/// Input to a drag in one frame.
-struct Hand {
-    position: Option<Pos2>,
-    cancel: bool,
-    left_down: bool,
-    any_down: bool,
-    snap: bool,
-}
-
-impl Hand {
-    fn read(view: &Response) -> Self {
-        let position = view.interact_pointer_pos();
-        view.ctx.input_mut(|input| {
-            // Consumed, so that these keys do nothing else in this frame.
-            let escape = input.consume_key(Modifiers::NONE, Key::Escape)
-                || input.consume_key(Modifiers::COMMAND, Key::Z);
-            let pointer = &input.pointer;
-            Self {
-                position: released_at(input).or(position),
-                cancel: escape || pointer.button_pressed(PointerButton::Secondary),
-                left_down: pointer.primary_down(),
-                any_down: pointer.any_down(),
-                snap: input.modifiers.command,
-            }
-        })
-    }
-}
-
-/// Where the left button was released in this frame: the pointer may have moved since.
-fn released_at(input: &InputState) -> Option<Pos2> {
-    input.events.iter().find_map(|event| match event {
-        Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed: false,
-            ..
-        } => Some(*pos),
-        _ => None,
     })
 }

@@ -7,8 +7,8 @@ use super::theme::Palette;
 use super::widgets::named;
 use super::windows::Dialog;
 use super::{
-    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
-    start_page,
+    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, box_select, compare,
+    control_points, messages, posing, start_page,
 };
 use crate::editor::Session;
 use egui::{
@@ -55,6 +55,8 @@ pub(super) fn show(
         &mut state.pose,
         actions,
     );
+    control_points::show_clicked(&over, &places, session, &state.curves);
+    box_select::show(&over, &places, &state.box_select);
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
     let is_empty = session.scene().shapes().is_empty();
     if is_empty && input.compare.is_none() && input.question.is_none() {
@@ -171,8 +173,11 @@ fn machine(input: &ViewInput) -> String {
 /// Name of what is under the pointer, if anything, and what gestures do there.
 fn status(session: &Session, state: &UiState, input: &ViewInput) -> (Option<String>, &'static str) {
     let navigation = state.navigation;
+    if let Some(next) = state.box_select.status() {
+        return (None, next);
+    }
     if let Some(point) = hovered_control_point(session) {
-        let next = "Drag to move it · Esc or right click cancels";
+        let next = "Drag to move it · click it, and Delete removes it";
         return (Some(point), next);
     }
     if let Some((over, next)) = posing::status(session, &state.pose) {

@@ -559,3 +559,46 @@ fn a_joint_clicked_in_the_list_shows_its_rings_though_its_bone_was_just_turned()
     let expected = Vec3::new(0.0, 0.0, 30.0);
     assert!(turned.abs_diff_eq(expected, 1.5), "{turned}");
 }
+
+#[test]
+fn the_angle_beside_the_pointer_has_the_sign_of_the_number_in_the_panel() {
+    for by in [vec2(-20.0, 60.0), vec2(10.0, -60.0)] {
+        let mut editor = Editor::with_hands(Key::B);
+        let before = editor.character().pose().rotation(LEFT_ELBOW).degrees();
+        let from = editor.on_bone(LEFT_ELBOW);
+        editor.take(from);
+        editor.point(from + by);
+        let turned = editor.character().pose().rotation(LEFT_ELBOW).degrees() - before;
+        let most = turned[turned.abs().max_position()];
+        let painted = editor.painted_over_view();
+        let label = painted.iter().find_map(|text| text.strip_suffix('°'));
+        let label: f32 = label.expect("a readout").parse().expect("a number");
+        assert!(
+            label.signum() == most.signum() && label != 0.0,
+            "{label} {turned}"
+        );
+        editor.let_go(from + by);
+    }
+}
+
+#[test]
+fn a_number_typed_while_a_bone_is_dragged_is_shown_and_turns_it_by_exactly_that() {
+    let mut editor = Editor::with_hands(Key::B);
+    let from = editor.on_bone(LEFT_ELBOW);
+    editor.take(from);
+    editor.point(from + vec2(-20.0, 60.0));
+    for key in [Key::Z, Key::Num4, Key::Num5, Key::Period, Key::Num5] {
+        editor.key(key);
+    }
+    let painted = editor.painted_over_view();
+    assert!(painted.iter().any(|text| text == "z 45.5|°"), "{painted:?}");
+    editor.key(Key::Enter);
+    let turned = editor.joint(LEFT_ELBOW);
+    editor.point(from + vec2(50.0, 10.0));
+    assert_eq!(editor.joint(LEFT_ELBOW), turned, "Enter has ended it");
+    editor.let_go(from);
+    let matrix = editor.character().pose().rotation(LEFT_ELBOW).to_mat3();
+    let (_, angle) = glam::Quat::from_mat3(&matrix).to_axis_angle();
+    assert!((angle.to_degrees() - 45.5).abs() < 1e-2, "{turned}");
+    assert_eq!(editor.session().done_steps(), 2);
+}

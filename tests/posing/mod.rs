@@ -5,4 +5,5 @@ mod ik;
 mod mirroring;
 mod moving;
 mod picking;
+mod shapes;
 mod support;

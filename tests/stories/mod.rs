@@ -2,6 +2,7 @@
 //! panels and real pictures, without a window, a disk or a clock that goes by itself.
 
 mod autosaving;
+mod boxes;
 mod comparing;
 mod documents;
 mod files;
@@ -12,6 +13,7 @@ mod posing;
 mod several;
 mod sources;
 mod starting;
+mod transforming;
 mod undoing;
 
 use crate::host::MemoryHost;

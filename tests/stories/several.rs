@@ -179,6 +179,34 @@ fn a_drag_of_the_move_tool_moves_all_of_them_and_esc_puts_all_back() {
 }
 
 #[test]
+fn a_drag_of_any_of_them_takes_the_others_along_but_none_that_is_locked() {
+    let mut story = with_three();
+    for (row, x) in [("[1] Cube (ID: 1)", "-1.5"), ("[3] Pyramid (ID: 3)", "1.5")] {
+        story.click(row);
+        story.type_into("Position X", x);
+    }
+    story.key_with(Modifiers::SHIFT, Key::L);
+    story.key_with(CTRL, Key::A);
+    story.key(Key::G);
+    let before = positions(&story);
+    let view = story.view();
+    let size = glam::Vec2::new(view.width(), view.height());
+    let on_cube = Vec3::new(-1.3, 0.2, 0.5);
+    let at = story.session().view().camera.pixel(on_cube, size).unwrap();
+    let from = view.min + vec2(at.x, at.y);
+    story.drag(from, from + vec2(0.0, -50.0));
+    let by: Vec<Vec3> = positions(&story)
+        .iter()
+        .zip(&before)
+        .map(|(now, was)| *now - *was)
+        .collect();
+    assert!(by[0].y > 0.1 && by[1].abs_diff_eq(by[0], 1e-5), "{by:?}");
+    assert_eq!(by[2], Vec3::ZERO, "locked");
+    assert_eq!(selected(&story), ["Cube", "Sphere", "Pyramid"]);
+    assert_eq!(story.shape().name, "Cube");
+}
+
+#[test]
 fn all_of_them_have_an_outline() {
     let mut story = with_three();
     story.type_into("Position X", "2");

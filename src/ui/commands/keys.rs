@@ -3,7 +3,7 @@
 use super::table::{CTRL, entry_of};
 use super::{COMMANDS, Command, Entry};
 use crate::ui::Navigation;
-use egui::{Context, Event, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
 /// A mouse gesture, as Help ▸ Keys and Mouse lists it.
 #[derive(Clone, Copy, Debug)]
@@ -36,11 +36,17 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Pose: click a bone", "Show rings that turn it"),
     gesture("Move: drag a bone", "Move its root, with Shift every root"),
     gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
-    gesture("Drag a ring", "Turn the joint about it, with Ctrl by 15°"),
+    gesture("Drag a ring", "Turn about it, with Ctrl by 15°"),
     gesture(
         "Drag an arrow or a square",
         "Move along it, with Ctrl by 0.1",
     ),
+    gesture("Scale: drag a handle", "Scale along it, with Ctrl by 0.1"),
+    gesture("Scale: drag the ring", "Scale along all axes"),
+    gesture("Shift in a drag of a shape", "Follow the pointer finely"),
+    gesture("X, Y, Z in a drag", "That axis alone; again: local, all"),
+    gesture("A number in a drag", "Exactly so far; Enter keeps it"),
+    gesture("Click a point, Delete", "Delete that point of the curve"),
     gesture("IK: drag a bone", "Move its end; a chain follows"),
     gesture("IK: drag the root", "Move it all; pinned joints stay"),
     gesture("IK: click a bone", "Select the joint at its nearer end"),
@@ -65,6 +71,9 @@ impl Entry {
         &self,
         navigation: Navigation,
     ) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        let walks = move |shortcut: &&KeyboardShortcut| {
+            shortcut.modifiers.is_none() && navigation.walks_by(shortcut.logical_key)
+        };
         let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
             None => COMMANDS.iter().any(|other| {
@@ -73,7 +82,7 @@ impl Entry {
         };
         self.shortcuts
             .iter()
-            .filter(move |shortcut| !is_overridden(shortcut))
+            .filter(move |shortcut| !is_overridden(shortcut) && !walks(shortcut))
     }
 
     /// All its shortcuts as text, such as `?, F1`; empty if it has none.
@@ -94,7 +103,8 @@ impl Entry {
     }
 
     fn with_key(&self, ctx: &Context, words: &str) -> String {
-        match self.first_key(ctx, Navigation::default()) {
+        let navigation = ctx.data(|data| data.get_temp(Id::NULL));
+        match self.first_key(ctx, navigation.unwrap_or_default()) {
             key if key.is_empty() => words.to_owned(),
             key => format!("{words} ({key})"),
         }
@@ -108,7 +118,12 @@ fn short(shortcut: &str) -> String {
         .replace("Questionmark", "?")
 }
 
-/// Tooltip of `command`, with its shortcut in the default navigation.
+/// Remembers the navigation, whose shortcuts tooltips show.
+pub(in crate::ui) fn remember_navigation(ctx: &Context, navigation: Navigation) {
+    ctx.data_mut(|data| data.insert_temp(Id::NULL, navigation));
+}
+
+/// Tooltip of `command`, with its shortcut.
 pub(in crate::ui) fn tooltip(ctx: &Context, command: Command) -> String {
     let entry = entry_of(command);
     entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))
@@ -184,6 +199,7 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::editor::Tool;
     use crate::ui::commands::table::{NONE, SHIFT};
     use crate::ui::commands::{Menu, Primitive};
 
@@ -221,6 +237,30 @@ mod tests {
             command_of(Modifiers::CTRL, Key::T, Navigation::Course),
             None
         );
+    }
+
+    #[test]
+    fn keys_that_walk_choose_no_tool_and_those_of_blender_begin_at_once() {
+        let command = |key, navigation| command_of(NONE, key, navigation);
+        let moves = Some(Command::SetTool(Tool::Move));
+        assert_eq!(command(Key::W, Navigation::Orbit), moves);
+        assert_eq!(command(Key::W, Navigation::Mannequin), None);
+        assert_eq!(command(Key::G, Navigation::Mannequin), moves);
+        let begins = Some(Command::Begin(Tool::Move));
+        assert_eq!(command(Key::G, Navigation::Blender), begins);
+        for navigation in Navigation::ALL {
+            assert_eq!(command(Key::Q, navigation), Some(Command::BoxSelect));
+        }
+    }
+
+    #[test]
+    fn a_tooltip_names_the_key_of_the_navigation_that_is_chosen() {
+        let ctx = Context::default();
+        for (navigation, key) in [(Navigation::Course, "(G)"), (Navigation::Blender, "(W)")] {
+            remember_navigation(&ctx, navigation);
+            let tooltip = tooltip(&ctx, Command::SetTool(Tool::Move));
+            assert!(tooltip.ends_with(key), "{tooltip}");
+        }
     }
 
     #[test]

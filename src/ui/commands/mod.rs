@@ -7,7 +7,9 @@ mod table;
 pub use keys::{GESTURES, Gesture};
 pub use table::{COMMANDS, Entry, Menu};
 
-pub(super) use keys::{gesture, pressed, pressed_with_ctrl, tooltip, with_key};
+pub(super) use keys::{
+    gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key,
+};
 pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, why_disabled};
 pub(super) use table::{entries, label};
 
@@ -62,6 +64,8 @@ pub enum Command {
     Duplicate,
     /// Selects all shapes.
     SelectAll,
+    /// Lets the next drag in the view draw a box, which selects the shapes in it.
+    BoxSelect,
     /// Inserts a shape.
     Insert(Primitive),
     /// Imports a shape.
@@ -114,6 +118,8 @@ pub enum Command {
     SetSkinning(Option<Skinning>),
     /// Chooses a tool.
     SetTool(Tool),
+    /// Does what a tool does to the selection, with the pointer from now on until a click.
+    Begin(Tool),
     /// Switches gizmos between local and world axes.
     ToggleLocalAxes,
     /// Resets the selected joint.

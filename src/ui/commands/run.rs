@@ -35,6 +35,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
     if why_disabled(command, session).is_some() {
         return None;
     }
+    state.box_select.armed = command == Command::BoxSelect;
     let view = session.view();
     match command {
         Command::New => return Some(Action::Ask(Ask::New)),
@@ -61,6 +62,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::SetSkinning(skinning) => state.skinning = skinning,
         Command::SetTool(tool) => state.pose.tool = tool,
+        Command::Begin(tool) => state.pose.asked = Some(tool),
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
         Command::ResetJoint
         | Command::ResetPose
@@ -95,6 +97,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
         Command::Duplicate => return Some(Action::Edit(Edit::Insert(duplicates(session)))),
+        Command::BoxSelect => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
         Command::Copy => return Some(Action::Ask(Ask::CopyShapes)),
@@ -200,7 +203,11 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         {
             Some("No shape is selected")
         }
-        Command::SelectAll | Command::ExportGeometry | Command::ExportMaterials
+        Command::Begin(_) => why_nothing_begins(session),
+        Command::SelectAll
+        | Command::BoxSelect
+        | Command::ExportGeometry
+        | Command::ExportMaterials
             if session.scene().shapes().is_empty() =>
         {
             Some("There is no shape")
@@ -217,6 +224,16 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         }
         _ => None,
     }
+}
+
+/// Why nothing can be done to the selection with the pointer.
+fn why_nothing_begins(session: &Session) -> Option<&'static str> {
+    let Some(id) = session.selected() else {
+        return Some("No shape is selected");
+    };
+    let shape = session.evaluated().shape(id);
+    let is_free = shape.is_some_and(|shape| shape.pickable);
+    (!is_free).then_some("The selected shape is hidden or locked")
 }
 
 /// Steps of a new surface of revolution, per turn.

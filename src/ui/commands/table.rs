@@ -163,6 +163,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Paste, Menu::Clipboard, "Paste", "Add the shapes on the clipboard, or apply the pose on it to the selected character", &[key(CTRL, Key::V)]),
     entry(Command::Duplicate, Menu::Clipboard, "Duplicate", "Add copies of the selected shapes beside them", &[key(CTRL, Key::D)]),
     entry(Command::SelectAll, Menu::Clipboard, "Select All", "Select every shape; Ctrl and Shift with a click select several", &[key(CTRL, Key::A)]),
+    entry(Command::BoxSelect, Menu::Clipboard, "Box Select", "Draw a box with the next left drag in the view: shapes of which any part is in it are selected; Shift adds them, Ctrl takes them out", &[key(NONE, Key::Q)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
     entry(Command::Insert(Primitive::Sphere), Menu::Insert, "Sphere", "Add a sphere at the origin", &[key(SHIFT, Key::S)]),
@@ -182,6 +183,9 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Delete, Menu::Shape, "Delete", "Delete the selected shape", &[key(NONE, Key::Delete)]),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]),
     entry(Command::Rename, Menu::Shape, "Rename", "Type a new name for the selected shape in the list; a double click there does it, too", &[]),
+    only_in(Navigation::Blender, entry(Command::Begin(Tool::Move), Menu::Shape, "Move with Pointer", "Move what is selected with the pointer until a click or Enter; X, Y, Z and a number can be typed, Esc puts it back", &[key(NONE, Key::G)])),
+    only_in(Navigation::Blender, entry(Command::Begin(Tool::Rotate), Menu::Shape, "Rotate with Pointer", "Turn what is selected with the pointer until a click or Enter; X, Y, Z and degrees can be typed, Esc puts it back", &[key(NONE, Key::R)])),
+    only_in(Navigation::Blender, entry(Command::Begin(Tool::Scale), Menu::Shape, "Scale with Pointer", "Scale what is selected with the pointer until a click or Enter; X, Y, Z and a factor can be typed, Esc puts it back", &[key(NONE, Key::S)])),
     entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]),
     entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or unlock it", &[key(SHIFT, Key::L)]),
 
@@ -217,7 +221,9 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
-    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G)]),
+    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G), key(NONE, Key::W)]),
+    entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate tool", "Rings turn the selected shapes about the origin of the active one", &[key(NONE, Key::E)]),
+    entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
     entry(Command::PinJoint, Menu::Tools, "Pin joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]),

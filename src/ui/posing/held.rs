@@ -1,24 +1,31 @@
-//! Drags with the Pose, Move and IK tools, and the gizmos that they can use.
+//! Drags with the tools: what is held, and how it follows the pointer or what is typed.
 
-use super::PoseState;
+use super::typed::Typed;
 use crate::editor::{
-    BoneDrag, Edit, GizmoHit, Handle, IkDrag, MoveDrag, MoveGizmo, MoveTarget, RingDrag,
-    RotationGizmo, Session, Tool, root_of,
+    BoneDrag, Edit, GizmoAxes, Handle, IkDrag, JointTurn, MoveAlong, MoveDrag, MoveTarget,
+    RingDrag, Session, ShapeScale, ShapeTurn,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
+use crate::ui::grab::{Follow, Grab};
 use crate::ui::scene_places::Place;
-use crate::ui::view_gestures::{Follow, Grab, is_pickable};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// A drag of a bone, a gizmo's handle, a root or a shape.
 pub(super) type PoseGesture = Grab<Held>;
 
-/// A drag with one of the tools, and the gizmo's handle that it uses, if any.
+/// A drag with one of the tools, the gizmo's handle that it uses, if any, and what was typed.
 #[derive(Clone, Debug)]
 pub(in crate::ui) struct Held {
+    /// As it began, without an axis that was typed.
+    begun: Drag,
     drag: Drag,
     handle: Option<Handle>,
+    /// The pointer at the start.
+    pointer: Ray,
+    /// Axes of the gizmos.
+    axes: GizmoAxes,
+    typed: Typed,
 }
 
 /// A drag of the object that a tool moves.
@@ -27,18 +34,26 @@ pub(super) enum Drag {
     Bone(BoneDrag),
     Ring(RingDrag),
     Move(MoveDrag),
+    Turn(ShapeTurn),
+    Scale(ShapeScale),
     Ik(IkDrag),
     /// A joint that the IK tool cannot move: the drag must not move the camera instead.
     Stuck(ShapeId, usize),
 }
 
-impl From<Drag> for Held {
-    fn from(drag: Drag) -> Self {
-        Self { drag, handle: None }
-    }
-}
-
 impl Held {
+    /// A drag that began with the pointer on `pointer`, while gizmos had these axes.
+    pub(super) fn new(drag: Drag, handle: Option<Handle>, pointer: Ray, axes: GizmoAxes) -> Self {
+        Self {
+            begun: drag.clone(),
+            drag,
+            handle,
+            pointer,
+            axes,
+            typed: Typed::default(),
+        }
+    }
+
     /// The gizmo's handle that it uses.
     pub(super) fn handle(&self) -> Option<Handle> {
         self.handle
@@ -50,6 +65,8 @@ impl Held {
             Drag::Bone(drag) => drag.turn().shape(),
             Drag::Ring(drag) => drag.turn().shape(),
             Drag::Move(drag) => drag.target().shape(),
+            Drag::Turn(drag) => drag.group().active(),
+            Drag::Scale(drag) => drag.group().active(),
             Drag::Ik(drag) => drag.shape(),
             Drag::Stuck(shape, _) => *shape,
         }
@@ -61,6 +78,7 @@ impl Held {
             Drag::Bone(drag) => Some(drag.turn().joint()),
             Drag::Ring(drag) => Some(drag.turn().joint()),
             Drag::Move(drag) => drag.target().joint(),
+            Drag::Turn(_) | Drag::Scale(_) => None,
             Drag::Ik(drag) => Some(drag.grip().joint()),
             Drag::Stuck(_, joint) => Some(*joint),
         }
@@ -74,7 +92,7 @@ impl Held {
         }
     }
 
-    /// Whether it snaps to steps while Ctrl is held.
+    /// Whether it snaps to steps while Ctrl is held, and takes numbers and axes that are typed.
     pub(super) fn snaps(&self) -> bool {
         !matches!(self.drag, Drag::Ik(_) | Drag::Stuck(..))
     }
@@ -87,29 +105,154 @@ impl Held {
         }
     }
 
-    /// By how much it has turned or moved, as text.
+    /// Takes what is typed for it in this frame.
+    pub(super) fn take_keys(&mut self, ctx: &egui::Context) {
+        if self.snaps() {
+            self.typed.take_keys(ctx);
+        }
+    }
+
+    /// The axis that was typed: 0 for x, 1 for y, 2 for z, with its direction in the world and the
+    /// point that it goes through.
+    pub(super) fn typed_axis(&self, session: &Session) -> Option<(usize, Vec3, Vec3)> {
+        let (axis, axes) = self.typed.axis(self.axes)?;
+        match &self.drag {
+            Drag::Turn(drag) => Some((axis, drag.group().axis(axes, axis), drag.group().pivot())),
+            Drag::Scale(drag) => {
+                let own = drag.group().axis(GizmoAxes::Local, axis);
+                Some((axis, own, drag.group().pivot()))
+            }
+            Drag::Move(drag) => {
+                let direction = move_axis(session, drag.target(), axes, axis)?;
+                Some((axis, direction, drag.target().place(session)?))
+            }
+            Drag::Bone(_) | Drag::Ring(_) | Drag::Ik(_) | Drag::Stuck(..) => None,
+        }
+    }
+
+    /// By how much it has turned or moved, as text, or what is typed for that.
     pub(super) fn readout(&self) -> String {
-        let turned = |angle: f64| format!("{:+.1}°", angle.to_degrees() + 0.0);
+        let typed = self.typed.shown();
+        let axis = self.typed.axis(self.axes).map(|(axis, _)| axis);
+        let letter = axis.map_or("", |axis| ["x ", "y ", "z "][axis]);
+        let turned = |angle: f64| match &typed {
+            Some(typed) => format!("{letter}{typed}°"),
+            None => format!("{letter}{:+.1}°", (angle * self.sign()).to_degrees() + 0.0),
+        };
         match &self.drag {
             Drag::Bone(drag) => turned(drag.angle()),
             Drag::Ring(drag) => turned(drag.angle()),
-            Drag::Move(drag) => {
-                let by = drag.moved();
-                format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
+            Drag::Turn(drag) => turned(drag.angle()),
+            Drag::Scale(drag) => {
+                let letter = drag.only().map_or("", |axis| ["x ", "y ", "z "][axis]);
+                match typed {
+                    Some(typed) => format!("{letter}× {typed}"),
+                    None => format!("{letter}× {:.2}", drag.factor()),
+                }
             }
-            Drag::Ik(drag) if drag.off() > IkDrag::OUT_OF_REACH => {
-                format!("out of reach by {:.2}", drag.off())
-            }
-            Drag::Ik(drag) if drag.lost_pins().len() == 1 => "a pin is out of reach".to_owned(),
-            Drag::Ik(drag) if !drag.lost_pins().is_empty() => {
-                format!("{} pins are out of reach", drag.lost_pins().len())
-            }
-            Drag::Ik(drag) => match drag.chain().map(|chain| chain.joints().len()) {
-                Some(1) => "1 joint follows".to_owned(),
-                Some(count) => format!("{count} joints follow"),
-                None => "all of it follows".to_owned(),
+            Drag::Move(drag) => match typed {
+                Some(typed) => format!("{letter}{typed}"),
+                None => {
+                    let by = drag.moved();
+                    format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
+                }
             },
+            Drag::Ik(drag) => ik_readout(drag),
             Drag::Stuck(..) => "a pin holds it".to_owned(),
+        }
+    }
+
+    /// Sign that an angle has where it is shown and typed: about an axis that was typed that of the
+    /// turn about it, else that of the number in the panel.
+    fn sign(&self) -> f64 {
+        match &self.drag {
+            _ if self.typed.axis(self.axes).is_some() => 1.0,
+            Drag::Bone(drag) => drag.panel_sign(),
+            Drag::Ring(drag) => drag.panel_sign(),
+            Drag::Turn(drag) => drag.panel_sign(),
+            Drag::Move(_) | Drag::Scale(_) | Drag::Ik(_) | Drag::Stuck(..) => 1.0,
+        }
+    }
+
+    /// Brings the kind of the drag up to the axis that was typed.
+    fn constrain(&mut self, session: &Session) {
+        let constrained = match self.typed.axis(self.axes) {
+            None => None,
+            Some((axis, axes)) => self.begun.along_axis(session, axes, axis, &self.pointer),
+        };
+        let drag = constrained.unwrap_or_else(|| self.begun.clone());
+        if !self.drag.is_constrained_like(&drag) {
+            self.drag = drag;
+        }
+    }
+}
+
+fn ik_readout(drag: &IkDrag) -> String {
+    if drag.off() > IkDrag::OUT_OF_REACH {
+        return format!("out of reach by {:.2}", drag.off());
+    }
+    match drag.lost_pins().len() {
+        0 => {}
+        1 => return "a pin is out of reach".to_owned(),
+        lost => return format!("{lost} pins are out of reach"),
+    }
+    match drag.chain().map(|chain| chain.joints().len()) {
+        Some(1) => "1 joint follows".to_owned(),
+        Some(count) => format!("{count} joints follow"),
+        None => "all of it follows".to_owned(),
+    }
+}
+
+/// Direction in the world of an axis along which a target moves.
+fn move_axis(session: &Session, target: MoveTarget, axes: GizmoAxes, axis: usize) -> Option<Vec3> {
+    let shape = session.scene().shape(target.shape())?;
+    let own = shape.placement.transform.rotation.to_mat3();
+    Some(match axes {
+        GizmoAxes::World => Vec3::AXES[axis],
+        GizmoAxes::Local => own.col(axis),
+    })
+}
+
+impl Drag {
+    /// The same drag, as it begins along or about an axis alone; `None` if it has no such axis.
+    fn along_axis(
+        &self,
+        session: &Session,
+        axes: GizmoAxes,
+        axis: usize,
+        pointer: &Ray,
+    ) -> Option<Self> {
+        let ring = |turn: &JointTurn| {
+            let grabbed = pointer.at(turn.world_center().as_vec3().distance(pointer.origin));
+            let ring = RingDrag::of(turn.clone(), turn.axis(axes, axis)?, grabbed, pointer);
+            ring.map(Drag::Ring)
+        };
+        match self {
+            Self::Bone(drag) => ring(drag.turn()),
+            Self::Ring(drag) => ring(drag.turn()),
+            Self::Move(drag) => {
+                let line = MoveAlong::Line(move_axis(session, drag.target(), axes, axis)?);
+                Some(Drag::Move(drag.constrained(line)))
+            }
+            Self::Turn(drag) => {
+                let group = drag.group().clone();
+                let grabbed = pointer.at(group.pivot().distance(pointer.origin));
+                let about = group.axis(axes, axis);
+                ShapeTurn::begin(group, about, grabbed, pointer).map(Drag::Turn)
+            }
+            Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(axis)))),
+            Self::Ik(_) | Self::Stuck(..) => None,
+        }
+    }
+
+    /// Whether both go along or about the same line, so that one goes on with what it knows.
+    fn is_constrained_like(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Ring(one), Self::Ring(other)) => one.axis() == other.axis(),
+            (Self::Move(one), Self::Move(other)) => one.along() == other.along(),
+            (Self::Turn(one), Self::Turn(other)) => one.axis() == other.axis(),
+            (Self::Scale(one), Self::Scale(other)) => one.only() == other.only(),
+            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }
 }
@@ -120,115 +263,45 @@ impl Follow for Held {
     }
 
     fn follow(&mut self, session: &Session, place: Place, pixel: Vec2, snap: bool) -> Option<Edit> {
+        self.constrain(session);
         let ray = place.screen(session).ray(pixel);
+        let typed = self.typed.amount();
+        let radians = typed.map(|degrees| degrees.to_radians() * self.sign());
         match &mut self.drag {
-            Drag::Bone(drag) => drag.update(session, &ray, snap),
-            Drag::Ring(drag) => drag.update(session, &ray, snap),
-            Drag::Move(drag) => Some(drag.update(&ray, snap)),
+            Drag::Bone(drag) => match radians {
+                Some(angle) => drag.turned_by(angle),
+                None => drag.update(session, &ray, snap),
+            },
+            Drag::Ring(drag) => match radians {
+                Some(angle) => drag.turned_by(angle),
+                None => drag.update(session, &ray, snap),
+            },
+            Drag::Move(drag) => Some(match typed {
+                Some(length) => drag.moved_by(length),
+                None => drag.update(&ray, snap),
+            }),
+            Drag::Turn(drag) => Some(match radians {
+                Some(angle) => drag.turned_by(angle),
+                None => drag.update(session, &ray, snap),
+            }),
+            Drag::Scale(drag) => Some(match typed {
+                Some(factor) => drag.scaled_by(factor),
+                None => drag.update(&ray, snap),
+            }),
             Drag::Ik(drag) => drag.update(session, &ray),
             Drag::Stuck(..) => None,
         }
     }
-}
 
-/// A gizmo in the view.
-#[derive(Clone, Debug)]
-pub(super) enum Gizmo {
-    Turn {
-        rings: RotationGizmo,
-        shape: ShapeId,
-        joint: usize,
-    },
-    Move {
-        arrows: MoveGizmo,
-        target: MoveTarget,
-    },
-}
-
-/// The tool's gizmo for the selection: rings for a joint with the Pose tool, arrows for its root,
-/// or else for the shape, with the Move tool. `None` while something else is dragged, and for a
-/// shape that is hidden or locked.
-pub(super) fn shown_gizmo(session: &Session, state: &PoseState, place: Place) -> Option<Gizmo> {
-    if state.gesture.is_some() && state.held_handle().is_none() {
-        return None;
-    }
-    let shape = session.selected().filter(|&id| is_pickable(session, id))?;
-    let joint = session.selected_joint();
-    match state.tool {
-        Tool::Select | Tool::Ik => None,
-        Tool::Pose => {
-            let joint = joint.filter(|&joint| state.without_gizmo != Some((shape, joint)))?;
-            let rings = RotationGizmo::new(session, shape, joint, state.axes, place.size())?;
-            Some(Gizmo::Turn {
-                rings,
-                shape,
-                joint,
-            })
-        }
-        Tool::Move => {
-            let target = match joint {
-                Some(joint) => MoveTarget::Root {
-                    shape,
-                    joint: root_of(session, shape, joint)?,
-                },
-                None => MoveTarget::Shape(shape),
-            };
-            let arrows = MoveGizmo::new(session, target, state.axes, place.size())?;
-            Some(Gizmo::Move { arrows, target })
-        }
-    }
-}
-
-impl Gizmo {
-    /// The handle under a pixel of the picture.
-    pub(super) fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
-        match self {
-            Self::Turn { rings, .. } => rings.hit(pixel),
-            Self::Move { arrows, .. } => arrows.hit(pixel),
-        }
+    fn is_confirmed(&self) -> bool {
+        self.typed.is_confirmed()
     }
 
-    /// Begins a drag of a handle with the pointer on `ray`; with `all`, the gizmo of a root moves
-    /// all roots.
-    pub(super) fn take(
-        &self,
-        session: &Session,
-        hit: GizmoHit,
-        ray: &Ray,
-        all: bool,
-    ) -> Option<Held> {
-        let drag = match (self, hit.handle) {
-            (&Self::Turn { shape, joint, .. }, Handle::FreeRing) => {
-                let eye = session.view().camera.eye();
-                Drag::Bone(BoneDrag::begin(session, shape, joint, eye, hit.point)?)
-            }
-            (
-                Self::Turn {
-                    rings,
-                    shape,
-                    joint,
-                },
-                Handle::Ring(axis),
-            ) => {
-                let axis = rings.axis(axis)?;
-                Drag::Ring(RingDrag::begin(
-                    session, *shape, *joint, axis, hit.point, ray,
-                )?)
-            }
-            (Self::Move { arrows, target }, handle) => {
-                let target = if all { target.all_roots() } else { *target };
-                Drag::Move(MoveDrag::begin(
-                    session,
-                    target,
-                    arrows.along(handle)?,
-                    ray,
-                )?)
-            }
-            _ => return None,
-        };
-        Some(Held {
-            drag,
-            handle: Some(hit.handle),
-        })
+    fn is_finer_with_shift(&self) -> bool {
+        match &self.drag {
+            Drag::Turn(_) | Drag::Scale(_) => true,
+            Drag::Move(drag) => matches!(drag.target(), MoveTarget::Shape(_)),
+            Drag::Bone(_) | Drag::Ring(_) | Drag::Ik(_) | Drag::Stuck(..) => false,
+        }
     }
 }

@@ -3,10 +3,13 @@
 mod held;
 mod ik;
 mod paint;
+mod paint_gizmo;
 mod pointer;
 mod readout;
+mod shown_gizmo;
 mod tool_bar;
 mod tool_icons;
+mod typed;
 
 pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
 pub(super) use pointer::{pointer, roll_by_keys};
@@ -16,7 +19,8 @@ use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
-use egui::{Painter, Response, Ui};
+use crate::ui::grab::is_pickable;
+use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
 
 /// State of the tools.
@@ -28,6 +32,8 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
+    /// What a command asked to be done to the selection with the pointer from now on.
+    pub asked: Option<Tool>,
     /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
@@ -83,6 +89,9 @@ pub(super) fn show(
             paint::hovered_bones(&painter, place, session);
         }
         show_gizmo(&painter, place, view, session, state);
+        if let Some(axis) = gesture.and_then(|gesture| gesture.active()?.typed_axis(session)) {
+            paint_gizmo::axis(&painter, place, session, axis);
+        }
         if state.tool == Tool::Ik {
             paint::ik(&painter, place, session, state.hovered_grip, gesture);
         }
@@ -103,7 +112,7 @@ fn show_gizmo(
     session: &Session,
     state: &PoseState,
 ) {
-    let Some(gizmo) = held::shown_gizmo(session, state, place) else {
+    let Some(gizmo) = shown_gizmo::shown_gizmo(session, state, place) else {
         return;
     };
     let held = state.held_handle();
@@ -111,7 +120,14 @@ fn show_gizmo(
         .hover_pos()
         .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
-    paint::gizmo(painter, place, &gizmo, hot, held.is_some());
+    paint_gizmo::gizmo(painter, place, &gizmo, hot, held.is_some());
+}
+
+/// Takes the numbers and axes that are typed for the drag under way. To be called before the panels.
+pub(super) fn take_keys(ctx: &Context, state: &mut PoseState) {
+    if let Some(gesture) = &mut state.gesture {
+        gesture.held_mut().take_keys(ctx);
+    }
 }
 
 /// Shows the gizmo of a joint that is selected by a click, in the view or in the list.
@@ -130,9 +146,11 @@ pub(super) fn status(
 ) -> Option<(Option<String>, &'static str)> {
     if let Some(gesture) = &state.gesture {
         let held = gesture.held();
-        let over = joint_name(session, held.shape(), held.named());
-        let next = if held.snaps() {
-            "Ctrl snaps · Esc or right click cancels"
+        let over = held_name(session, held);
+        let next = if gesture.is_by_key() {
+            "Type X, Y, Z, a number · click keeps it · Esc cancels"
+        } else if held.snaps() {
+            "Type X, Y, Z, a number · Ctrl snaps · Esc cancels"
         } else {
             "Esc or right click cancels"
         };
@@ -157,6 +175,7 @@ pub(super) fn status(
             "Drag to move it and what hangs on it · Shift: all roots · Ctrl snaps",
         ),
         Tool::Ik => (Some(hit.joint), "Drag to bring it somewhere"),
+        Tool::Rotate | Tool::Scale => return None,
     };
     Some((joint_name(session, hit.shape, joint), next))
 }
@@ -175,6 +194,16 @@ fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     } else {
         "Drag to bring it somewhere, the chain follows · P pins"
     }
+}
+
+/// Name of what is dragged: of a joint or a shape, or how many shapes.
+fn held_name(session: &Session, held: &Held) -> Option<String> {
+    let free = session.selected_shapes();
+    let shapes = free.filter(|shape| is_pickable(session, shape.id)).count();
+    if held.joint().is_none() && shapes > 1 {
+        return Some(format!("{shapes} shapes"));
+    }
+    joint_name(session, held.shape(), held.named())
 }
 
 /// Name of a joint, or else of its shape.

@@ -1,11 +1,11 @@
-//! Painting of bones, gizmos and inverse kinematics over a picture of the scene.
+//! Painting of bones, readouts and inverse kinematics over a picture of the scene.
 
-use super::held::{Gizmo, PoseGesture};
+use super::held::PoseGesture;
 use super::ik::{followed, lost_pins, pinned};
-use crate::editor::{Handle, IkGrip, MoveGizmo, RotationGizmo, Session, Tool};
+use crate::editor::{IkGrip, Session, Tool};
 use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
+use crate::ui::grab::is_pickable;
 use crate::ui::scene_places::Place;
-use crate::ui::view_gestures::is_pickable;
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
 
 /// Colors of joints, as in the skeleton where that is shown.
@@ -17,7 +17,7 @@ const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 /// With a tool for bones, paints the bones of the selected joint over everything, and thin lines
 /// for bones that are hidden by the mesh of the selected character.
 pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session, tool: Tool) {
-    if tool != Tool::Select {
+    if tool.takes_bones() {
         let selected = session.selected();
         let shown = |id: ShapeId| {
             let character = session.scene().character(id);
@@ -120,148 +120,6 @@ fn bones(
         .for_each(|&line| _ = painter.line_segment(line, look.line));
     dots.iter()
         .for_each(|&dot| _ = painter.circle_filled(dot, look.dot, look.line.color));
-}
-
-const AXES: [Color32; 3] = [
-    Color32::from_rgb(0xf2, 0x4f, 0x46),
-    Color32::from_rgb(0x6c, 0xc4, 0x3c),
-    Color32::from_rgb(0x4a, 0x90, 0xf7),
-];
-const FREE: Color32 = Color32::from_rgb(0xe6, 0xe6, 0xe6);
-const HOT: Color32 = Color32::from_rgb(0xff, 0xd8, 0x3d);
-const HANDLE_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0x78);
-/// Length of an arrow's head, in points.
-const HEAD: f32 = 12.0;
-
-/// Paints a gizmo; the handle `hot` is highlighted, and the others are dimmed while it is `held`.
-pub(super) fn gizmo(
-    painter: &Painter,
-    place: Place,
-    shown: &Gizmo,
-    hot: Option<Handle>,
-    held: bool,
-) {
-    let brush = Brush {
-        painter,
-        place,
-        hot,
-        held,
-    };
-    match shown {
-        Gizmo::Turn { rings, .. } => brush.rings(rings),
-        Gizmo::Move { arrows, .. } => brush.arrows(arrows),
-    }
-}
-
-/// Painter of a gizmo.
-struct Brush<'a> {
-    painter: &'a Painter,
-    place: Place,
-    hot: Option<Handle>,
-    held: bool,
-}
-
-impl Brush<'_> {
-    fn color(&self, handle: Handle, plain: Color32) -> Color32 {
-        if self.hot == Some(handle) {
-            HOT
-        } else if self.held {
-            plain.gamma_multiply(0.25)
-        } else {
-            plain
-        }
-    }
-
-    fn at(&self, pixel: glam::Vec2) -> Pos2 {
-        self.place.position(pixel)
-    }
-
-    fn line(&self, points: &[Pos2], width: f32, color: Color32) {
-        let shade = Stroke::new(
-            width + 2.0,
-            HANDLE_SHADE.gamma_multiply(color.a() as f32 / 255.0),
-        );
-        self.painter.add(Shape::line(points.to_vec(), shade));
-        self.painter
-            .add(Shape::line(points.to_vec(), Stroke::new(width, color)));
-    }
-
-    fn rings(&self, rings: &RotationGizmo) {
-        let center = self.at(rings.center_pixel());
-        let free = self.color(Handle::FreeRing, FREE);
-        let radius = RotationGizmo::FREE_RADIUS;
-        self.painter
-            .circle_stroke(center, radius, Stroke::new(3.5, HANDLE_SHADE));
-        self.painter
-            .circle_stroke(center, radius, Stroke::new(1.5, free));
-        for (axis, color) in AXES.into_iter().enumerate() {
-            let color = self.color(Handle::Ring(axis), color);
-            let mut front: Vec<Pos2> = Vec::new();
-            for piece in rings.ring(axis).windows(2) {
-                let ends = [self.at(piece[0].pixel), self.at(piece[1].pixel)];
-                if piece[0].front && piece[1].front {
-                    if front.last() != Some(&ends[0]) {
-                        self.flush(&mut front, color);
-                        front.push(ends[0]);
-                    }
-                    front.push(ends[1]);
-                } else {
-                    let faint = Stroke::new(1.0, color.gamma_multiply(0.35));
-                    self.painter.line_segment(ends, faint);
-                }
-            }
-            self.flush(&mut front, color);
-        }
-        self.painter.circle_filled(center, 3.0, FREE);
-    }
-
-    /// Paints the part of a ring in front, and clears it.
-    fn flush(&self, front: &mut Vec<Pos2>, color: Color32) {
-        if front.len() > 1 {
-            self.line(front, 2.5, color);
-        }
-        front.clear();
-    }
-
-    fn arrows(&self, arrows: &MoveGizmo) {
-        for (axis, color) in AXES.into_iter().enumerate() {
-            let color = self.color(Handle::Plane(axis), color);
-            if let Some(corners) = arrows.square(axis) {
-                let corners = corners.map(|pixel| self.at(pixel)).to_vec();
-                let fill = color.gamma_multiply(0.45);
-                self.painter.add(Shape::convex_polygon(
-                    corners,
-                    fill,
-                    Stroke::new(1.0, color),
-                ));
-            }
-        }
-        for (axis, color) in AXES.into_iter().enumerate() {
-            let color = self.color(Handle::Arrow(axis), color);
-            if let Some((start, end)) = arrows.arrow(axis) {
-                self.arrow(self.at(start), self.at(end), color);
-            }
-        }
-        let center = self.at(arrows.center_pixel());
-        let free = self.color(Handle::Center, FREE);
-        self.painter
-            .circle_stroke(center, MoveGizmo::DISC, Stroke::new(3.5, HANDLE_SHADE));
-        self.painter
-            .circle_stroke(center, MoveGizmo::DISC, Stroke::new(1.5, free));
-    }
-
-    fn arrow(&self, start: Pos2, end: Pos2, color: Color32) {
-        let along = (end - start).normalized();
-        let neck = end - along * HEAD;
-        self.line(&[start, neck], 2.5, color);
-        let across: Vec2 = along.rot90() * (HEAD * 0.45);
-        let head = vec![end, neck + across, neck - across];
-        self.painter.add(Shape::convex_polygon(
-            head,
-            color,
-            Stroke::new(1.0, HANDLE_SHADE),
-        ));
-    }
 }
 
 const CHAIN: Color32 = HOVERED;

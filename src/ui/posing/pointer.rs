@@ -1,6 +1,7 @@
 //! What the pointer and the arrow keys do to bones, gizmos and shapes with the chosen tool.
 
-use super::held::{Drag, Held, shown_gizmo};
+use super::held::{Drag, Held};
+use super::shown_gizmo::{begin_by_key, shown_gizmo};
 use super::{PoseState, ik};
 use crate::editor::{
     BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
@@ -8,8 +9,8 @@ use crate::editor::{
 };
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
+use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::scene_places::{Place, ScenePlaces};
-use crate::ui::view_gestures::{Grab, PointerUse, is_pickable};
 use crate::ui::{Action, Navigation, UiState};
 use egui::{Context, CursorIcon, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
@@ -26,11 +27,22 @@ pub(in crate::ui) fn pointer(
     actions: &mut Vec<Action>,
 ) -> PointerUse {
     state.over_view = view.hovered();
+    if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
+        state.gesture = Grab::begin_by_key(view, places, actions, |place, pixel| {
+            begin_by_key(session, state, does, place, pixel)
+        });
+    }
     if state.gesture.is_none() {
         let all = view.ctx.input(|input| input.modifiers.shift);
         state.gesture = Grab::begin(view, places, actions, |place, pixel, actions| {
             take(session, state, place, pixel, all, actions)
         });
+        let is_toggle = |action: &Action| matches!(action, Action::View(View::ToggleSelected(_)));
+        if state.gesture.is_some() && actions.iter().any(is_toggle) {
+            // Another shape is active from the next frame on, and all others follow that one.
+            view.ctx.request_repaint();
+            return PointerUse::Holding;
+        }
     }
     if let Some(gesture) = &mut state.gesture {
         let held = gesture.held();
@@ -118,8 +130,12 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
     Under::Nothing
 }
 
-/// The bone under the pointer. With the Select tool, only where bones are displayed.
+/// The bone under the pointer: with tools that take no bones only where bones are displayed, and
+/// with those that turn and scale shapes none.
 fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<BoneHit> {
+    if matches!(tool, Tool::Rotate | Tool::Scale) {
+        return None;
+    }
     let camera = &session.view().camera;
     let hit = pick_bone(
         session.scene(),
@@ -129,13 +145,13 @@ fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<B
         place.size(),
     )?;
     let display = session.scene().character(hit.shape)?.display;
-    (tool != Tool::Select || display.mode != ModelDisplay::Mesh).then_some(hit)
+    (tool.takes_bones() || display.mode != ModelDisplay::Mesh).then_some(hit)
 }
 
 /// The joint that a tool acts on when it takes a bone.
 fn target_joint(session: &Session, tool: Tool, hit: &BoneHit, place: Place) -> usize {
     let meant = match tool {
-        Tool::Select | Tool::Pose => None,
+        Tool::Select | Tool::Pose | Tool::Rotate | Tool::Scale => None,
         Tool::Move => root_of(session, hit.shape, hit.joint),
         Tool::Ik => IkGrip::of(session, hit, &place.screen(session)).map(IkGrip::joint),
     };
@@ -160,7 +176,7 @@ fn take(
     if let Some(gizmo) = shown_gizmo(session, state, place)
         && let Some(hit) = gizmo.hit(pixel)
     {
-        return gizmo.take(session, hit, &ray, all);
+        return gizmo.take(session, state, place, (hit, pixel), all);
     }
     if let Some(hit) = bone_at(session, state.tool, place, pixel) {
         let drag = match state.tool {
@@ -171,7 +187,7 @@ fn take(
         state.taken = Some(hit);
         let joint = target_joint(session, state.tool, &hit, place);
         select(session, hit.shape, Some(joint), actions);
-        return Some(drag.into());
+        return Some(Held::new(drag, None, ray, state.axes));
     }
     if state.tool != Tool::Move {
         return None;
@@ -179,8 +195,14 @@ fn take(
     let shape = state.picked.shape_at(session, pixel, place.size())?;
     let target = MoveTarget::Shape(shape);
     let drag = MoveDrag::begin(session, target, across_view(session), &ray)?;
-    select(session, shape, None, actions);
-    Some(Drag::Move(drag).into())
+    if session.is_selected(shape) && session.selected() != Some(shape) {
+        // Taken out and added again it is the active one, and all others stay selected.
+        let toggle = Action::View(View::ToggleSelected(shape));
+        actions.extend([toggle.clone(), toggle]);
+    } else {
+        select(session, shape, None, actions);
+    }
+    Some(Held::new(Drag::Move(drag), None, ray, state.axes))
 }
 
 fn turn_bone(session: &Session, state: &mut PoseState, hit: BoneHit) -> Option<Drag> {
@@ -201,7 +223,7 @@ fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Dr
 }
 
 /// Movement in the plane parallel to the picture.
-fn across_view(session: &Session) -> MoveAlong {
+pub(super) fn across_view(session: &Session) -> MoveAlong {
     MoveAlong::Plane(session.view().camera.forward())
 }
 

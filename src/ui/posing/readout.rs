@@ -1,7 +1,7 @@
 //! The readout of a gesture: what it holds, and by how much that has turned or moved.
 
 use super::held::{Held, PoseGesture};
-use super::joint_name;
+use super::held_name;
 use crate::editor::Session;
 use crate::scene::bones_in_world;
 use crate::ui::scene_places::Place;
@@ -37,7 +37,7 @@ pub(super) fn show(
     // Names come from files and may be of any length: the value must stay readable.
     let room = view.width() - value.size().x - gap - 2.0 * (margin.x + AWAY_FROM_EDGE);
     let held = gesture.held();
-    let name = joint_name(session, held.shape(), held.named()).unwrap_or_default();
+    let name = held_name(session, held).unwrap_or_default();
     let mut line = LayoutJob::simple_singleline(name, font, color);
     line.wrap = TextWrapping::truncate_at_width(room.max(0.0));
     let name = painter.layout_job(line);

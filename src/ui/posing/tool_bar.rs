@@ -20,11 +20,13 @@ use egui::{
 pub(in crate::ui) const BAR_HEIGHT: f32 = 36.0;
 
 /// The tools, with their labels in the bar.
-const TOOLS: [(Tool, &str); 4] = [
+const TOOLS: [(Tool, &str); 6] = [
     (Tool::Select, "Select"),
     (Tool::Pose, "Pose"),
-    (Tool::Move, "Move"),
     (Tool::Ik, "IK"),
+    (Tool::Move, "Move"),
+    (Tool::Rotate, "Rotate"),
+    (Tool::Scale, "Scale"),
 ];
 
 /// The tool bar in the upper left corner of the view.
@@ -44,6 +46,8 @@ pub(super) fn show(
         .max_rect(place)
         .sense(Sense::click_and_drag());
     let mut inner = ui.new_child(builder);
+    let room = axis_ball::left(view) - place.left();
+    let has_axes = matches!(state.tool, Tool::Pose | Tool::Move | Tool::Rotate);
     let fill = Palette::of(ui.visuals()).panel;
     let frame = Frame::new()
         .fill(fill)
@@ -61,14 +65,14 @@ pub(super) fn show(
                     state.tool = tool;
                 }
             }
-            if matches!(state.tool, Tool::Pose | Tool::Move) {
+            if has_axes && room >= WITH_AXES {
                 ui.separator();
-                let local = state.axes == GizmoAxes::Local;
-                if button(ui, "Local", local, Command::ToggleLocalAxes) {
-                    state.axes = state.axes.other();
-                }
+                local_axes(ui, state);
             }
         });
+        if has_axes && room < WITH_AXES {
+            ui.horizontal(|ui| local_axes(ui, state));
+        }
         if state.tool == Tool::Ik {
             ik_settings(ui, room, session, actions);
         }
@@ -112,6 +116,14 @@ fn tool_button(ui: &mut Ui, tool: Tool, word: Option<&str>, on: bool) -> bool {
         .clicked()
 }
 
+/// The switch between the axes of the world and those of the joint or shape.
+fn local_axes(ui: &mut Ui, state: &mut PoseState) {
+    let local = state.axes == GizmoAxes::Local;
+    if button(ui, "Local", local, Command::ToggleLocalAxes) {
+        state.axes = state.axes.other();
+    }
+}
+
 fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
     let button = ui.add(Button::selectable(on, word));
     let button = named(button, commands::label(command));
@@ -120,6 +132,8 @@ fn button(ui: &mut Ui, word: &str, on: bool, command: Command) -> bool {
         .clicked()
 }
 
+/// Width of the bar from which on the switch between axes fits beside the tools, in points.
+const WITH_AXES: f32 = 360.0;
 /// Width of the bar from which on the settings fit on one line, in points.
 const ONE_LINE: f32 = 368.0;
 /// The same for two lines; below it there are three.

@@ -16,8 +16,10 @@ pub(super) fn paint(painter: &Painter, rect: Rect, tool: Tool, color: Color32) {
     };
     match tool {
         Tool::Select => brush.arrow(),
-        Tool::Pose => brush.turn(),
+        Tool::Pose => brush.bone(),
         Tool::Move => brush.cross(),
+        Tool::Rotate => brush.turn(),
+        Tool::Scale => brush.growth(),
         Tool::Ik => brush.chain(),
     }
 }
@@ -52,7 +54,32 @@ impl Brush<'_> {
             .line_segment(tail, Stroke::new(2.0, self.color));
     }
 
-    /// Three quarters of a circle that end in an arrow, around a joint.
+    /// A bone that swings about its lower joint.
+    fn bone(&self) {
+        let joint = self.at(0.2, 0.85);
+        let end = self.at(0.45, 0.3);
+        self.painter
+            .line_segment([joint, end], Stroke::new(2.0, self.color));
+        for end in [joint, end] {
+            self.painter.circle_filled(end, 2.2, self.color);
+        }
+        let swing = (0..=8).map(|piece| {
+            let angle = -0.2 * TAU + 0.17 * TAU * piece as f32 / 8.0;
+            self.at(0.2 + 0.75 * angle.cos(), 0.85 + 0.75 * angle.sin())
+        });
+        self.painter
+            .add(Shape::line(swing.collect(), Stroke::new(1.0, self.color)));
+    }
+
+    /// A square that grows along an arrow.
+    fn growth(&self) {
+        self.filled(&[(0.0, 0.6), (0.4, 0.6), (0.4, 1.0), (0.0, 1.0)]);
+        let arrow = [self.at(0.45, 0.55), self.at(0.75, 0.25)];
+        self.painter.line_segment(arrow, self.stroke());
+        self.filled(&[(1.0, 0.0), (0.95, 0.5), (0.5, 0.05)]);
+    }
+
+    /// Three quarters of a circle that end in an arrow.
     fn turn(&self) {
         const PIECES: usize = 24;
         let on_circle = |part: f32| {

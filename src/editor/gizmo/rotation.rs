@@ -1,0 +1,180 @@
+use super::{GizmoAxes, GizmoHit, Handle, Nearest, Screen};
+use crate::editor::rotate_tool::JointTurn;
+use crate::editor::{Session, ShapeGroup};
+use crate::scene::ShapeId;
+use glam::{Mat3, Vec2, Vec3};
+
+/// Number of segments of a ring, which is drawn and hit as a polygon.
+const PIECES: usize = 64;
+/// Cosine of the angle between a ring's axis and the line of sight above which the whole ring is in
+/// front.
+const FACING: f32 = 0.9;
+
+/// Gizmo to rotate a joint or shapes: three rings about axes, and one about the line of sight.
+///
+/// Rotations of a joint happen in the character's space, so if the shape is scaled non-uniformly,
+/// a ring is the ellipse along which a point would really move. Shapes turn in the world.
+#[derive(Clone, Debug)]
+pub struct RotationGizmo {
+    screen: Screen,
+    center: Vec3,
+    center_pixel: Vec2,
+    rings: [Option<Ring>; 3],
+}
+
+#[derive(Clone, Debug)]
+struct Ring {
+    /// Axis in the character's space, or for shapes in the world, of unit length.
+    axis: Vec3,
+    points: Vec<RingPoint>,
+}
+
+/// Point of a ring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RingPoint {
+    /// Position in the world.
+    pub world: Vec3,
+    /// Position in the picture, in pixels from the top left.
+    pub pixel: Vec2,
+    /// Whether it is on the half that faces the eye: the other half cannot be grabbed.
+    pub front: bool,
+}
+
+impl RotationGizmo {
+    /// Radius of the rings, in pixels.
+    pub const RADIUS: f32 = 72.0;
+    /// Radius of the ring about the line of sight, in pixels.
+    pub const FREE_RADIUS: f32 = 88.0;
+
+    /// Gizmo of `joint`, in a picture of `size` pixels with the session's camera. `None` if there
+    /// is no such joint, or it is not in front of the camera.
+    pub fn new(
+        session: &Session,
+        shape: ShapeId,
+        joint: usize,
+        axes: GizmoAxes,
+        size: Vec2,
+    ) -> Option<Self> {
+        let screen = Screen {
+            camera: session.view().camera,
+            size,
+        };
+        let turn = JointTurn::begin(session, shape, joint)?;
+        let evaluated = session.evaluated().shape(shape)?;
+        let figure = evaluated.geometry.figure.as_ref()?;
+        let frame = Mat3::from_mat4(*figure.model_from_joint.get(joint)?);
+        let stretch = Mat3::from_mat4(evaluated.world_from_model);
+        let center = turn.world_center().as_vec3();
+        let radius = Self::RADIUS * screen.world_per_pixel(center)?;
+        let rings = [0, 1, 2].map(|axis| {
+            let axis = match axes {
+                GizmoAxes::Local => frame.col(axis),
+                // Normal, in the character's space, of the plane perpendicular to an axis of the
+                // world.
+                GizmoAxes::World => stretch.transpose().col(axis),
+            };
+            ring(&screen, center, stretch, axis.try_normalize()?, radius)
+        });
+        Some(Self {
+            screen,
+            center,
+            center_pixel: screen.pixel(center)?,
+            rings,
+        })
+    }
+
+    /// Gizmo of the selected shapes, about their pivot (see [`ShapeGroup`]), like
+    /// [`RotationGizmo::new`].
+    pub fn of_shapes(session: &Session, axes: GizmoAxes, size: Vec2) -> Option<Self> {
+        let screen = Screen {
+            camera: session.view().camera,
+            size,
+        };
+        let group = ShapeGroup::of_selected(session)?;
+        let center = group.pivot();
+        let radius = Self::RADIUS * screen.world_per_pixel(center)?;
+        let rings = [0, 1, 2].map(|axis| {
+            let axis = group.axis(axes, axis);
+            ring(&screen, center, Mat3::IDENTITY, axis, radius)
+        });
+        Some(Self {
+            screen,
+            center,
+            center_pixel: screen.pixel(center)?,
+            rings,
+        })
+    }
+
+    /// Position of the joint in the picture, in pixels.
+    pub fn center_pixel(&self) -> Vec2 {
+        self.center_pixel
+    }
+
+    /// Points of the ring about an axis, the last one equal to the first; empty if the shape is
+    /// scaled to zero.
+    pub fn ring(&self, axis: usize) -> &[RingPoint] {
+        self.rings[axis].as_ref().map_or(&[], |ring| &ring.points)
+    }
+
+    /// Axis of a ring, a unit vector in the character's space, or for shapes in the world.
+    pub fn axis(&self, axis: usize) -> Option<Vec3> {
+        self.rings[axis].as_ref().map(|ring| ring.axis)
+    }
+
+    /// Handle under `pixel`, with the point where it is grabbed.
+    pub fn hit(&self, pixel: Vec2) -> Option<GizmoHit> {
+        let mut nearest = Nearest::new(pixel);
+        for axis in 0..3 {
+            for piece in self.ring(axis).windows(2) {
+                let (a, b) = (piece[0], piece[1]);
+                if a.front && b.front {
+                    let handle = Handle::Ring(axis);
+                    nearest.segment(handle, (a.pixel, b.pixel), (a.world, b.world));
+                }
+            }
+        }
+        let distance = pixel.distance(self.center_pixel);
+        let ray = self.screen.ray(pixel);
+        let hit = GizmoHit {
+            handle: Handle::FreeRing,
+            point: ray.at(self.center.distance(ray.origin)),
+        };
+        nearest.offer((distance - Self::FREE_RADIUS).abs(), hit);
+        nearest.found()
+    }
+}
+
+fn ring(screen: &Screen, center: Vec3, stretch: Mat3, axis: Vec3, radius: f32) -> Option<Ring> {
+    let (u, v) = axis.any_orthonormal_pair();
+    let (u, v) = (stretch * u, stretch * v);
+    let widest = longest_axis(u, v);
+    let share = radius / widest;
+    if !share.is_finite() {
+        return None;
+    }
+    let to_eye = (screen.camera.eye() - center).try_normalize()?;
+    let facing = u.cross(v).normalize_or_zero().dot(to_eye).abs();
+    // No part of a ring that faces the eye is behind the joint.
+    let slack = if facing > FACING { -1.0 } else { -0.02 };
+    let points = (0..=PIECES).map(|i| {
+        let angle = i as f32 / PIECES as f32 * std::f32::consts::TAU;
+        let (sin, cos) = angle.sin_cos();
+        let arm = (u * cos + v * sin) * share;
+        Some(RingPoint {
+            world: center + arm,
+            pixel: screen.pixel(center + arm)?,
+            front: arm.dot(to_eye) >= slack * radius,
+        })
+    });
+    Some(Ring {
+        axis,
+        points: points.collect::<Option<_>>()?,
+    })
+}
+
+/// Semi-major axis of the ellipse `u cos + v sin`.
+fn longest_axis(u: Vec3, v: Vec3) -> f32 {
+    let (a, b) = (u.length_squared(), v.length_squared());
+    let mean = (a + b) * 0.5;
+    (mean + ((a - b) * 0.5).hypot(u.dot(v))).sqrt()
+}

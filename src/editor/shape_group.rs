@@ -1,0 +1,133 @@
+use super::{Edit, GizmoAxes, Session};
+use crate::math::{Euler, Transform};
+use crate::scene::{Placement, ShapeId};
+use glam::{DMat3, DVec3, Vec3};
+
+/// Least and greatest scale along an axis: a shape must neither vanish nor leave what can be drawn.
+const SCALES: (f32, f32) = (0.001, 10_000.0);
+
+/// The selected shapes as they were when a gesture began, to be turned or scaled together about the
+/// origin of the active one. Those that are hidden or locked stay as they are.
+#[derive(Clone, Debug)]
+pub struct ShapeGroup {
+    active: ShapeId,
+    pivot: Vec3,
+    /// Own axes of the active shape.
+    own: DMat3,
+    shapes: Vec<(ShapeId, Placement)>,
+}
+
+impl ShapeGroup {
+    /// The selected shapes; `None` if there is no active one, or it is hidden or locked.
+    pub fn of_selected(session: &Session) -> Option<Self> {
+        let active = session.scene().shape(session.selected()?)?;
+        let is_free = |id| {
+            let shape = session.evaluated().shape(id);
+            shape.is_some_and(|shape| shape.pickable)
+        };
+        let transform = &active.placement.transform;
+        let all = session.selected_shapes();
+        is_free(active.id).then(|| Self {
+            active: active.id,
+            pivot: transform.position,
+            own: transform.rotation.to_dmat3(),
+            shapes: all
+                .filter(|shape| is_free(shape.id))
+                .map(|shape| (shape.id, shape.placement))
+                .collect(),
+        })
+    }
+
+    /// The active shape.
+    pub fn active(&self) -> ShapeId {
+        self.active
+    }
+
+    /// Origin of the active shape, in the world: all turn and grow about it.
+    pub fn pivot(&self) -> Vec3 {
+        self.pivot
+    }
+
+    /// Axis of the world, or of the active shape: 0 for x, 1 for y, 2 for z; of unit length, in the
+    /// world.
+    pub fn axis(&self, axes: GizmoAxes, axis: usize) -> Vec3 {
+        match axes {
+            GizmoAxes::World => Vec3::AXES[axis],
+            GizmoAxes::Local => self.own.col(axis).as_vec3(),
+        }
+    }
+
+    /// 1 if a turn about `axis`, in the world, makes the angle of the active shape larger that it
+    /// changes most, or else -1.
+    pub fn panel_sign(&self, axis: DVec3) -> f64 {
+        let active = self.shapes.iter().find(|(id, _)| *id == self.active);
+        let rotation = active.map_or(Euler::ZERO, |(_, start)| start.transform.rotation);
+        f64::from(rotation.sign_of_turn(axis.as_vec3()))
+    }
+
+    /// Edit that turns all by `angle` radians about the line through the pivot along `axis`, a unit
+    /// vector in the world. The angles are the nearest to those that the shapes have in `shown`, or
+    /// else to those at the start.
+    pub fn turned(&self, axis: DVec3, angle: f64, shown: Option<&Session>) -> Edit {
+        let turn = DMat3::from_axis_angle(axis, angle);
+        let turned = |&(id, start): &(ShapeId, Placement)| {
+            let from = start.transform;
+            let shape = shown.and_then(|session| session.scene().shape(id));
+            let near = shape.map_or(from.rotation, |shape| shape.placement.transform.rotation);
+            let rotation = match angle {
+                0.0 => from.rotation,
+                _ => Euler::nearest((turn * from.rotation.to_dmat3()).as_mat3(), near),
+            };
+            let transform = Transform {
+                position: self.about_pivot(from.position, turn),
+                rotation,
+                ..from
+            };
+            Edit::SetTransform(id, transform)
+        };
+        Edit::Together(self.shapes.iter().map(turned).collect())
+    }
+
+    /// Edit that scales each by `factors` along its own axes, and its distance from the pivot along
+    /// those of the active shape. Scales stay away from 0. Uneven factors turn uniform scaling off.
+    pub fn scaled(&self, factors: DVec3) -> Edit {
+        let spread = self.own * DMat3::from_diagonal(factors) * self.own.transpose();
+        let is_even = factors.x == factors.y && factors.y == factors.z;
+        let mut edits = Vec::new();
+        for &(id, start) in &self.shapes {
+            let from = start.transform;
+            let scales = [0, 1, 2].map(|axis| scaled(from.scale[axis], factors[axis]));
+            let transform = Transform {
+                position: self.about_pivot(from.position, spread),
+                scale: Vec3::from(scales),
+                ..from
+            };
+            // Also back on where the factors have become even again.
+            if start.uniform_scaling {
+                edits.push(Edit::SetUniformScaling(id, is_even));
+            }
+            edits.push(Edit::SetTransform(id, transform));
+        }
+        Edit::Together(edits)
+    }
+
+    /// A point of the world after a linear map about the pivot; the pivot itself stays exactly.
+    fn about_pivot(&self, position: Vec3, map: DMat3) -> Vec3 {
+        let arm = (position - self.pivot).as_dvec3();
+        self.pivot + (map * arm).as_vec3()
+    }
+}
+
+/// A scale times a factor, with the sign of the product, within [`SCALES`]; a scale of 0 stays.
+fn scaled(scale: f32, factor: f64) -> f32 {
+    let product = (f64::from(scale) * factor) as f32;
+    if scale == 0.0 || product.is_nan() || factor == 1.0 {
+        return scale;
+    }
+    let (least, greatest) = SCALES;
+    // A scale that was beyond the bounds before must not jump.
+    let size = product
+        .abs()
+        .clamp(least.min(scale.abs()), greatest.max(scale.abs()));
+    size.copysign(product)
+}
