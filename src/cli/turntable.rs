@@ -2,7 +2,7 @@
 
 use super::CliError;
 use crate::math::Aabb;
-use crate::scene::Camera;
+use crate::scene::{Camera, FitArea};
 use std::f32::consts::TAU;
 use std::path::{Path, PathBuf};
 
@@ -37,7 +37,7 @@ pub(super) fn cameras(camera: Camera, frames: u32) -> impl Iterator<Item = Camer
 pub(super) fn fit(camera: &mut Camera, frames: u32, bounds: &Aabb, aspect: f32) {
     let fitted: Vec<Camera> = cameras(*camera, frames)
         .map(|mut camera| {
-            camera.fit(bounds, aspect);
+            camera.fit(bounds, FitArea::whole(aspect));
             camera
         })
         .collect();

@@ -2,7 +2,7 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, IkSettings, Look, NewShape, Shading, ShapeColor,
+    Camera, CharacterDisplay, CurveDisplay, FitArea, IkSettings, Look, NewShape, Shading, ShapeColor,
     ShapeId, ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
@@ -178,10 +178,9 @@ pub enum View {
     ResetCamera,
     /// Fits the selected shape, or everything visible if no visible shape is selected, into the
     /// picture.
-    Fit {
-        /// Width over height of the picture.
-        aspect: f32,
-    },
+    Fit(FitArea),
+    /// Sets the camera, and makes it the one with which the document was opened.
+    BeginAt(Camera),
     /// Shows or hides the axes.
     SetAxis(bool),
     /// Shows or hides the Studio look's grid.

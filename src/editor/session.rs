@@ -218,9 +218,13 @@ impl Session {
             View::SetCamera(camera) => self.view.camera = camera,
             View::From(direction) => self.view.camera = Camera::preset(direction),
             View::ResetCamera => self.view.camera = Camera::default(),
-            View::Fit { aspect } => {
+            View::Fit(area) => {
                 let bounds = self.bounds_to_fit();
-                self.view.camera.fit(&bounds, aspect);
+                self.view.camera.fit(&bounds, area);
+            }
+            View::BeginAt(camera) => {
+                self.view.camera = camera;
+                self.start_camera = camera;
             }
             View::SetAxis(axis) => self.view.axis = axis,
             View::SetGrid(grid) => self.view.grid = grid,

@@ -1,7 +1,7 @@
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
-use crate::render::{Frame, InterfacePainter, Marks, RenderError, Renderer, compose, read_picture};
+use crate::render::{Backdrop, Frame, InterfacePainter, Marks, RenderError, Renderer, compose, read_picture};
 use crate::revision::Revision;
 use crate::scene::{Skinning, ViewSettings};
 use egui::FullOutput;
@@ -47,6 +47,7 @@ pub struct GraphicsInfo {
 struct SceneKey {
     document: Revision,
     view: ViewSettings,
+    backdrop: Backdrop,
     marks: Marks,
 }
 
@@ -167,6 +168,7 @@ impl Graphics {
         let key = SceneKey {
             document,
             view: *frame.view,
+            backdrop: frame.backdrop,
             marks: frame.marks.clone(),
         };
         if self.shown.as_ref() == Some(&key) {

@@ -11,6 +11,7 @@ mod clipboard;
 mod comparison;
 mod document;
 mod files;
+mod first_view;
 mod frame;
 mod frame_rate;
 pub mod globals;

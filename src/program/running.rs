@@ -9,9 +9,9 @@ use super::preferences::Preferences;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
+use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::ShapeId;
-use crate::scene::Skinning;
+use crate::scene::{FitArea, Look, ShapeId, Skinning};
 use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
@@ -39,6 +39,8 @@ pub struct Program {
     /// Preferences as they were stored last.
     pub(super) stored: Preferences,
     pub(super) comparison: Option<Comparison>,
+    /// Look from before the comparison.
+    look_before_comparison: Option<Look>,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
     /// Pictures that are saved at the end of this frame.
@@ -66,6 +68,12 @@ pub struct Program {
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
+    /// Brightness of what is behind the scene: that of the panels.
+    pub(super) backdrop: Backdrop,
+    /// The picture of the scene as it was shown last.
+    pub(super) fit_area: FitArea,
+    /// Whether everything is to be fitted into the picture as soon as its size is known.
+    pub(super) fit_due: bool,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -80,6 +88,7 @@ impl Program {
             preferences: Preferences::default(),
             stored: Preferences::default(),
             comparison: None,
+            look_before_comparison: None,
             pending_pictures: Vec::new(),
             due_pictures: Vec::new(),
             paste_into: None,
@@ -96,6 +105,9 @@ impl Program {
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
+            backdrop: Backdrop::default(),
+            fit_area: FitArea::whole(4.0 / 3.0),
+            fit_due: false,
             skinning_at_start: None,
         }
     }
@@ -182,6 +194,15 @@ impl Program {
             compare: compare.as_ref(),
         };
         let mut output = ui::show(root, &self.session, &mut self.ui, &input);
+        self.backdrop = match context.theme() {
+            egui::Theme::Dark => Backdrop::Dark,
+            egui::Theme::Light => Backdrop::Light,
+        };
+        self.fit_area = output.fit_area(&self.ui);
+        let fits = std::mem::take(&mut self.fit_due);
+        if fits {
+            self.fit_all(self.fit_area);
+        }
         if pass == Pass::Input {
             self.hovered_shape = ui::view_gestures(
                 &output.view,
@@ -193,7 +214,7 @@ impl Program {
         }
         host.show_dialogs(&context);
         let actions = std::mem::take(&mut output.actions);
-        let mut changed = self.carry_out(actions, host);
+        let mut changed = fits | self.carry_out(actions, host);
         changed |= self.take_events(host);
         Shown {
             panels: output,
@@ -264,8 +285,11 @@ impl Program {
                     true
                 }
                 Action::View(view) => {
-                    if let View::SetLook(look) = view {
-                        self.preferences.look = look;
+                    // The look that pictures are compared in is for that time only.
+                    if let View::SetLook(look) = view
+                        && self.comparison.is_none()
+                    {
+                        self.preferences.look = Some(look);
                     }
                     self.session.look(view);
                     true
@@ -371,12 +395,30 @@ impl Program {
             CompareAction::Save => {
                 self.choose_file(Purpose::SaveComparison, "comparison.png", host)
             }
-            CompareAction::Close => self.comparison = None,
+            CompareAction::Close => self.end_comparison(),
             CompareAction::Set(settings) => {
                 if let Some(comparison) = &mut self.comparison {
                     comparison.set(settings, host.now());
                 }
             }
+        }
+    }
+
+    /// Begins a comparison, in the Course look, which reference pictures have.
+    pub(super) fn begin_comparison(&mut self, comparison: Comparison) {
+        if self.comparison.is_none() {
+            self.look_before_comparison = Some(self.session.view().look);
+        }
+        self.session.look(View::SetLook(Look::Course));
+        self.comparison = Some(comparison);
+    }
+
+    /// Ends the comparison, and goes back to the look from before it unless another was chosen.
+    pub(super) fn end_comparison(&mut self) {
+        self.comparison = None;
+        let before = self.look_before_comparison.take();
+        if let Some(before) = before.filter(|_| self.session.view().look == Look::Course) {
+            self.session.look(View::SetLook(before));
         }
     }
 

@@ -1,6 +1,7 @@
 //! The scene: shapes with their placement, what follows from them, and the camera.
 
 mod camera;
+mod camera_fit;
 mod character_shape;
 mod color_presets;
 mod curve_shape;
@@ -15,6 +16,7 @@ mod shape_manager;
 mod view_settings;
 
 pub use camera::Camera;
+pub use camera_fit::FitArea;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,
 };

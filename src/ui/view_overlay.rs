@@ -8,7 +8,8 @@ use super::{
     Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
     start_page,
 };
-use crate::editor::Session;
+use crate::editor::{Session, Tool};
+use crate::scene::FitArea;
 use egui::{
     Align, Button, Frame, Grid, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
     UiBuilder, Vec2, WidgetInfo, WidgetType, pos2, vec2,
@@ -66,6 +67,18 @@ pub(super) fn show(
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
+}
+
+/// Picture that things are fitted into, `aspect` times as wide as high: what the tool bar leaves free
+/// of it, and as much at the bottom, so that what is fitted is in the middle.
+pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
+    const LEAST: f32 = 0.5;
+    let rows = if state.pose.tool == Tool::Ik { 2.0 } else { 1.0 };
+    let covered = 2.0 * rows * BAR_HEIGHT / state.view_rect.height().max(1.0);
+    FitArea {
+        aspect,
+        free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
+    }
 }
 
 /// First steps besides moving the camera.

@@ -1,7 +1,7 @@
 //! Contexts for tests, and ways to look at pictures.
 
 use editor_core::gpu::{Api, Backend, DrawState, Framebuffer, Gl, HeadlessContext, Program};
-use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::render::{Backdrop, Frame, Marks, Renderer};
 use editor_core::scene::{Evaluator, Scene, ViewSettings};
 use glam::Vec4;
 
@@ -91,6 +91,7 @@ pub fn draw_scene(
         scene,
         evaluated: &evaluated,
         view,
+        backdrop: Backdrop::default(),
         marks,
     };
     let target = Framebuffer::new(gl, width, height, 0).expect("a picture");
