@@ -107,26 +107,14 @@ fn geometry(args: &Args, session: &Session) -> Result<Files, CliError> {
     }
     let stem = args.output.file_stem().unwrap_or_default();
     let written = io::export_obj_with_materials(scene, evaluated, &stem.to_string_lossy());
-    let written = written.map_err(failed)?;
-    let beside = written.beside.into_iter();
-    let mut files: Files = beside
-        .map(|(name, bytes)| (args.output.with_file_name(name), bytes))
-        .collect();
-    files.push((args.output.clone(), written.obj.into_bytes()));
-    Ok(files)
+    Ok(written.map_err(failed)?.into_files(&args.output))
 }
 
 fn character(args: &Args, session: &Session) -> Result<Files, CliError> {
     let (shape, character) = chosen(args, session)?;
     let written = io::export_character(shape, character)
         .map_err(|error| Diagnostic::new(&args.output, error.to_string()))?;
-    let beside = |extension: &str| args.output.with_extension(extension);
-    Ok(vec![
-        (beside("json"), written.pose.into_bytes()),
-        (args.output.clone(), written.skel.into_bytes()),
-        (beside("attach"), written.attach.into_bytes()),
-        (beside("obj"), written.obj.into_bytes()),
-    ])
+    Ok(written.into_files(&args.output))
 }
 
 /// The character to write.

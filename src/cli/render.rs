@@ -11,8 +11,11 @@ use crate::geometry::Picture;
 use crate::gpu::Backend;
 use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic};
-use crate::render::{Backdrop, Background, Frame, LargePicture, Marks, Offscreen};
-use crate::scene::{Camera, FitArea, Look, ViewDirection, ViewSettings};
+use crate::render::{Backdrop, Background, Frame, LargePicture, MOST_PIXELS, Marks, Offscreen};
+use crate::scene::{
+    Camera, FitArea, Look, ViewDirection, ViewSettings, fit_turntable, turntable_cameras,
+    turntable_milliseconds,
+};
 use std::path::PathBuf;
 
 /// Draw scenes, characters and shapes into a picture, without a window or a display.
@@ -176,8 +179,6 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     Ok(disk::write_all_whole(&files)?)
 }
 
-/// Most pixels of a picture: as many as one of 16384×16384, which take 1 GiB.
-const MOST_PIXELS: u64 = 1 << 28;
 /// Most pixels a side of a JPEG or GIF.
 const MOST_A_SIDE: u32 = 65_535;
 
@@ -262,7 +263,8 @@ impl Painter<'_> {
         output: &turntable::Output,
         encode: impl Fn(&Picture) -> Result<Vec<u8>, CliError>,
     ) -> Result<Vec<(PathBuf, Vec<u8>)>, CliError> {
-        let cameras = turntable::cameras(self.session.view().camera, frames);
+        let args = self.args;
+        let cameras = turntable_cameras(self.session.view().camera, frames);
         let mut pictures = cameras.enumerate().map(|(index, camera)| {
             let view = ViewSettings {
                 camera,
@@ -272,9 +274,13 @@ impl Painter<'_> {
         });
         match output {
             turntable::Output::Gif => {
-                let time = turntable::milliseconds(frames);
-                let gif = io::animated_gif(pictures, time)?;
-                Ok(vec![(self.args.output.clone(), gif)])
+                let failed = |message| Diagnostic::new(&args.output, message);
+                let time = turntable_milliseconds(frames);
+                let mut animation = io::Animation::new(time).map_err(failed)?;
+                for picture in pictures {
+                    animation.add(picture?).map_err(failed)?;
+                }
+                Ok(vec![(args.output.clone(), animation.finish())])
             }
             turntable::Output::Frames(names) => {
                 let numbered = (1..).zip(&mut pictures);
@@ -308,7 +314,7 @@ fn session(args: &Args) -> Result<Session, CliError> {
         let bounds = session.evaluated().world_bounds();
         let aspect = width as f32 / height as f32;
         match args.turntable {
-            Some(frames) => turntable::fit(&mut camera, frames, &bounds, aspect),
+            Some(frames) => fit_turntable(&mut camera, frames, &bounds, aspect),
             None => camera.fit(&bounds, FitArea::whole(aspect)),
         }
         session.look(View::SetCamera(camera));

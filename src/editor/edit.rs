@@ -2,8 +2,8 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, FitArea, IkSettings, Look, NewShape, Shading, ShapeColor,
-    ShapeId, ShapeKind, Source, ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, FitArea, IkSettings, Look, NewShape, Shading,
+    ShapeColor, ShapeId, ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -176,7 +176,7 @@ pub enum View {
     From(ViewDirection),
     /// Sets the camera to the course's initial view.
     ResetCamera,
-    /// Fits the selected shape, or everything visible if no visible shape is selected, into the
+    /// Fits the selected shapes, or everything visible if no visible shape is selected, into the
     /// picture.
     Fit(FitArea),
     /// Sets the camera, and makes it the one with which the document was opened.

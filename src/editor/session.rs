@@ -4,9 +4,10 @@ use super::messages::Messages;
 use super::selection::Selection;
 use super::step_name::step_name;
 use super::{Change, Edit, View};
-use crate::math::Aabb;
 use crate::revision::Revision;
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, Shape, ShapeId, ViewSettings};
+use crate::scene::{
+    Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, Shape, ShapeId, ViewSettings,
+};
 
 /// Displayed time of playback, in seconds: there is no timeline yet.
 const SHOWN_TIME: f64 = 0.0;
@@ -219,8 +220,15 @@ impl Session {
             View::From(direction) => self.view.camera = Camera::preset(direction),
             View::ResetCamera => self.view.camera = Camera::default(),
             View::Fit(area) => {
-                let bounds = self.bounds_to_fit();
-                self.view.camera.fit(&bounds, area);
+                let is_selected = |shape: &&EvaluatedShape| self.selection.has(shape.id);
+                let visible = self.evaluated.shapes.iter().filter(|shape| shape.visible);
+                let selected = visible.clone().filter(is_selected);
+                let camera = &mut self.view.camera;
+                if selected.clone().next().is_some() {
+                    camera.fit_shapes(selected, area);
+                } else {
+                    camera.fit_shapes(visible, area);
+                }
             }
             View::BeginAt(camera) => {
                 self.view.camera = camera;
@@ -400,15 +408,5 @@ impl Session {
                 .and_then(|curves| curves.curve(curve))
                 .is_some_and(|curve| point < curve.control_points().len())
         });
-    }
-
-    fn bounds_to_fit(&self) -> Aabb {
-        self.selected()
-            .and_then(|id| self.evaluated.shape(id))
-            .filter(|shape| shape.visible)
-            .map_or_else(
-                || self.evaluated.world_bounds(),
-                |shape| shape.world_bounds(),
-            )
     }
 }

@@ -1,34 +1,79 @@
+//! Animated pictures.
+
 use crate::geometry::Picture;
 use ::image::codecs::gif::{GifEncoder, Repeat};
 use ::image::{Delay, Frame, RgbaImage};
+use std::io::Write;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// From 1, slow, to 30, as for single pictures.
 const SPEED: i32 = 10;
 
-/// Pictures of one size as an animated GIF that starts anew when it ends, each shown for
-/// `milliseconds`, in steps of 10.
-///
-/// # Errors
-/// The first of a frame, or if the format cannot hold a picture.
-pub fn animated_gif<E: From<String>>(
-    pictures: impl Iterator<Item = Result<Picture, E>>,
-    milliseconds: u32,
-) -> Result<Vec<u8>, E> {
-    let mut bytes = Vec::new();
-    let mut encoder = GifEncoder::new_with_speed(&mut bytes, SPEED);
-    let failed = |error| E::from(format!("the animation cannot be written: {error}"));
-    encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
-    for picture in pictures {
-        let picture = picture?;
-        let (width, height) = (picture.width, picture.height);
-        let Some(pixels) = RgbaImage::from_raw(width, height, picture.rgba) else {
-            let message = format!("expected 4 bytes for each of {width}×{height} pixels");
-            return Err(E::from(message));
-        };
-        let delay = Delay::from_numer_denom_ms(milliseconds, 1);
-        let frame = Frame::from_parts(pixels, 0, 0, delay);
-        encoder.encode_frame(frame).map_err(failed)?;
+/// An animated GIF that starts anew when it ends, written picture by picture.
+pub struct Animation {
+    encoder: GifEncoder<Bytes>,
+    bytes: Bytes,
+    delay: Delay,
+}
+
+/// Bytes that are written by an encoder, which does not hand back what it writes to.
+#[derive(Clone, Debug, Default)]
+struct Bytes(Arc<Mutex<Vec<u8>>>);
+
+impl Bytes {
+    fn with<R>(&self, change: impl FnOnce(&mut Vec<u8>) -> R) -> R {
+        // A vector of bytes is whole even if a writer panicked.
+        change(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
-    drop(encoder);
-    Ok(bytes)
+}
+
+impl Write for Bytes {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.with(|all| all.write(bytes))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+impl Animation {
+    /// An animation without any picture yet, each to be shown for `milliseconds`, in steps of 10.
+    ///
+    /// # Errors
+    /// If it cannot be begun.
+    pub fn new(milliseconds: u32) -> Result<Self, String> {
+        let bytes = Bytes::default();
+        let mut encoder = GifEncoder::new_with_speed(bytes.clone(), SPEED);
+        encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
+        Ok(Self {
+            encoder,
+            bytes,
+            delay: Delay::from_numer_denom_ms(milliseconds, 1),
+        })
+    }
+
+    /// Adds a picture, as large as the others.
+    ///
+    /// # Errors
+    /// If the format cannot hold it.
+    pub fn add(&mut self, picture: Picture) -> Result<(), String> {
+        let (width, height) = (picture.width, picture.height);
+        let pixels = RgbaImage::from_raw(width, height, picture.rgba)
+            .ok_or_else(|| format!("expected 4 bytes for each of {width}×{height} pixels"))?;
+        let frame = Frame::from_parts(pixels, 0, 0, self.delay);
+        self.encoder.encode_frame(frame).map_err(failed)
+    }
+
+    /// The content of the file.
+    pub fn finish(self) -> Vec<u8> {
+        let Self { encoder, bytes, .. } = self;
+        // The end of the file is written when the encoder goes.
+        drop(encoder);
+        bytes.with(std::mem::take)
+    }
+}
+
+fn failed(error: ::image::ImageError) -> String {
+    format!("the animation cannot be written: {error}")
 }

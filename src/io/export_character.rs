@@ -9,7 +9,7 @@ use glam::{DMat3, DQuat, EulerRot, Mat4, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Content of the files of a character.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,6 +22,19 @@ pub struct CharacterFiles {
     pub obj: String,
     /// The `POSE.json` of the current pose.
     pub pose: String,
+}
+
+impl CharacterFiles {
+    /// All files to write for a `.skel` file at `path`; the `.obj` file, by which a character is
+    /// opened, comes last.
+    pub fn into_files(self, path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+        vec![
+            (path.with_extension("json"), self.pose.into_bytes()),
+            (path.to_owned(), self.skel.into_bytes()),
+            (path.with_extension("attach"), self.attach.into_bytes()),
+            (path.with_extension("obj"), self.obj.into_bytes()),
+        ]
+    }
 }
 
 /// Reason why a character cannot be written in the course's format.

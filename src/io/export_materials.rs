@@ -10,6 +10,7 @@ use glam::{Mat3, Vec3};
 use std::collections::HashMap;
 use std::fmt::Write;
 use std::ops::Range;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// An `.obj` file and what belongs to it.
@@ -19,6 +20,18 @@ pub struct ObjWithMaterials {
     pub obj: String,
     /// Names and content of the files beside it: pictures, and the `.mtl` file that names them.
     pub beside: Vec<(String, Vec<u8>)>,
+}
+
+impl ObjWithMaterials {
+    /// All files to write for an `.obj` file at `path`, which comes last: it must not be there
+    /// without the others.
+    pub fn into_files(self, path: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+        let beside = self.beside.into_iter();
+        let beside = beside.map(|(name, bytes)| (path.with_file_name(name), bytes));
+        beside
+            .chain([(path.to_owned(), self.obj.into_bytes())])
+            .collect()
+    }
 }
 
 /// The geometry of a scene as [`super::export_obj`] writes it, with the same vertices in the same

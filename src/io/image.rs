@@ -1,6 +1,6 @@
-//! Pictures as files: PNG, JPEG and GIF; and the pictures that other files name.
+//! Pictures as files: PNG, JPEG and GIF.
 
-use super::{Diagnostic, Files, file_access};
+use super::{Diagnostic, file_access};
 use crate::geometry::Picture;
 use ::image::codecs::gif::GifEncoder;
 use ::image::codecs::jpeg::JpegEncoder;
@@ -10,10 +10,8 @@ use ::image::{
     ColorType, ExtendedColorType, ImageDecoder, ImageEncoder, ImageError, ImageFormat, ImageReader,
     Limits,
 };
-use std::collections::HashMap;
 use std::io::Cursor;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 
 /// The kinds of picture that this program writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,6 +103,14 @@ const MOST_ALLOC: u64 = 1 << 28;
 /// Bytes a pixel that the decoder of JPEG takes beside the picture, if the picture is stored in
 /// several passes: a coefficient of two bytes for each of three colors.
 const JPEG_COEFFICIENTS: usize = 6;
+
+/// Bytes that the picture in `bytes` takes when it is decoded, told by its first bytes alone.
+///
+/// # Errors
+/// As [`decode`], as far as can be told.
+pub(super) fn decoded_size(path: &Path, bytes: &[u8]) -> Result<usize, Diagnostic> {
+    Ok(4 * open(path, bytes)?.pixels)
+}
 
 /// Reads a PNG, JPEG or GIF by its content, not its name; of several frames the first. It takes as
 /// much memory as the [`Picture`], or as its pixels as they are stored if these are more.
@@ -263,62 +269,6 @@ fn damaged(path: &Path, name: &str, error: &ImageError) -> Diagnostic {
     Diagnostic::new(path, message)
 }
 
-/// Bytes of all pictures of a file together, when decoded.
-const MOST_BYTES: usize = 1 << 29;
-
-/// The pictures that a file names, each read once and shared by all that show it.
-pub(super) struct Pictures<'a> {
-    files: &'a dyn Files,
-    read: HashMap<PathBuf, Result<Arc<Picture>, Diagnostic>>,
-    /// Bytes that may still be read.
-    left: usize,
-}
-
-impl<'a> Pictures<'a> {
-    /// None yet; they will come from `files`.
-    pub fn new(files: &'a dyn Files) -> Self {
-        Self {
-            files,
-            read: HashMap::new(),
-            left: MOST_BYTES,
-        }
-    }
-
-    /// Whether there is a file at `path`.
-    pub fn exists(&self, path: &Path) -> bool {
-        self.files.exists(path)
-    }
-
-    /// The picture at `path`.
-    ///
-    /// # Errors
-    /// If it cannot be read, or all pictures together would have too many bytes. Asking again
-    /// gives the same error.
-    pub fn get(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
-        if let Some(known) = self.read.get(path) {
-            return known.clone();
-        }
-        let read = self.read(path);
-        self.read.insert(path.to_owned(), read.clone());
-        read
-    }
-
-    fn read(&mut self, path: &Path) -> Result<Arc<Picture>, Diagnostic> {
-        let bytes = self.files.read(path)?;
-        // Asked before it is decoded, which takes time and that much memory.
-        let size = 4 * open(path, &bytes)?.pixels;
-        let Some(left) = self.left.checked_sub(size) else {
-            let message = format!(
-                "expected at most {MOST_BYTES} bytes of pictures, found more: this one is left out"
-            );
-            return Err(Diagnostic::new(path, message));
-        };
-        let picture = decode(path, &bytes)?;
-        self.left = left;
-        Ok(Arc::new(picture))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -451,33 +401,5 @@ mod tests {
         assert!(encode(&wide, PictureFormat::Gif).is_err());
         assert!(encode(&wide, PictureFormat::Jpeg).is_err());
         assert!(decode(Path::new("a.png"), b"no picture").is_err());
-    }
-
-    #[test]
-    fn pictures_are_shared_and_what_exceeds_the_limit_is_left_out() {
-        let png = |width: u32| {
-            let picture = Picture {
-                width,
-                height: 1,
-                rgba: vec![7; width as usize * 4],
-            };
-            encode(&picture, PictureFormat::Png).unwrap()
-        };
-        let paths = ["a.png", "b.png", "c.png"].map(PathBuf::from);
-        let widths = [20, 5, 4];
-        let files = HashMap::from_iter(paths.iter().cloned().zip(widths.map(png)));
-        let mut pictures = Pictures {
-            left: 97,
-            ..Pictures::new(&files)
-        };
-        let [a, b, c] = &paths;
-        let first = pictures.get(a).unwrap();
-        assert!(Arc::ptr_eq(&first, &pictures.get(a).unwrap()));
-        let error = pictures.get(b).unwrap_err().to_string();
-        let expected = "b.png: expected at most 536870912 bytes of pictures, found more";
-        assert!(error.starts_with(expected), "{error}");
-        // Smaller ones still have room.
-        assert_eq!(pictures.get(c).unwrap().width, 4);
-        assert_eq!(pictures.left, 1);
     }
 }

@@ -129,8 +129,11 @@ impl<'a> ShapeReader<'a> {
 
     fn finish(mut self) -> Result<Imported<Mesh>, Diagnostic> {
         let (faces, face_warnings) = self.faces.finish(&self.scanner)?;
-        let (materials, material_warnings) =
-            mtl::with_pictures(self.files, self.folder, self.libraries.into_materials());
+        let (materials, material_warnings) = mtl::with_pictures(
+            self.files,
+            self.scanner.path(),
+            self.libraries.into_materials(),
+        );
         let mesh = self.data.mesh(&faces, &self.uses, &materials);
         // If a library is missing, which has a warning of its own, so may the material be.
         if !self.materials_missing {

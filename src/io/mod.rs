@@ -21,6 +21,7 @@ mod json_node;
 mod json_text;
 mod mtl;
 mod obj;
+mod pictures;
 mod pose_data;
 mod pose_file;
 mod recorder;
@@ -29,7 +30,7 @@ mod scene;
 mod skel;
 mod swp;
 
-pub use animation::animated_gif;
+pub use animation::Animation;
 pub use archive::{WithArchives, to_zip};
 pub use attach::read_attach;
 pub use diagnostic::{Diagnostic, Imported, Position};

@@ -1,7 +1,7 @@
 //! Materials of `.mtl` files: `tobj` reads them, line by line as far as they are well formed.
 
 use super::diagnostic::Warnings;
-use super::image::Pictures;
+use super::pictures::{MissingPictures, Pictures};
 use super::scanner::{Scanner, quoted};
 use super::{Diagnostic, Files};
 use crate::geometry::Material;
@@ -128,20 +128,30 @@ fn check_color(scanner: &mut Scanner) -> Result<(), Diagnostic> {
 }
 
 /// The materials that `tobj` read, by name, the last of several; with their pictures, whose paths
-/// are relative to `folder`. A picture that cannot be read is a warning, and the color stays.
+/// are relative to the folder of `path`, the file that has asked for them. A picture that cannot be
+/// read is a warning, and the color stays.
 pub(super) fn with_pictures(
     files: &dyn Files,
-    folder: &Path,
+    path: &Path,
     read: Vec<tobj::Material>,
 ) -> (HashMap<String, Material>, Warnings) {
+    let folder = path.parent().unwrap_or(Path::new(""));
     let mut warnings = Warnings::default();
     let mut told = HashSet::new();
+    let mut missing = MissingPictures::default();
     let mut pictures = Pictures::new(files);
     let materials = read
         .into_iter()
         .map(|material| {
             let texture = material.diffuse_texture.and_then(|named| {
-                let path = picture_path(&pictures, folder, &named);
+                let Some(path) = picture_path(&pictures, folder, &named) else {
+                    missing.add(if named.starts_with('-') {
+                        last_word(&named)
+                    } else {
+                        &named
+                    });
+                    return None;
+                };
                 let picture = pictures.get(&path);
                 picture
                     .map_err(|warning| told.insert(path).then(|| warnings.push_with(|| warning)))
@@ -158,19 +168,29 @@ pub(super) fn with_pictures(
             (read.name.clone(), read)
         })
         .collect();
+    if let Some(message) = missing.warning() {
+        warnings.push_with(|| Diagnostic::new(path, message));
+    }
     (materials, warnings)
 }
 
-/// The picture that a `map_Kd` line names: all of it as a path, or, where options come before
-/// it, its last word.
-fn picture_path(pictures: &Pictures, folder: &Path, named: &str) -> PathBuf {
-    let whole = beside(folder, named);
-    if pictures.exists(&whole) {
-        whole
-    } else {
-        let last = named.split_whitespace().next_back().unwrap_or(named);
-        beside(folder, last)
-    }
+/// The picture that a `map_Kd` line names: all of it as a path; where options come before it, its
+/// last word; and, for a path of the author's own machine, the file's name alone. `None` if there is
+/// no such file.
+fn picture_path(pictures: &Pictures, folder: &Path, named: &str) -> Option<PathBuf> {
+    let last = last_word(named);
+    let name = |path: &str| {
+        let name = path.rsplit(['/', '\\']).next();
+        name.unwrap_or_default().to_owned()
+    };
+    let candidates = [named.to_owned(), last.to_owned(), name(named), name(last)];
+    let paths = candidates.iter().map(|candidate| beside(folder, candidate));
+    paths.into_iter().find(|path| pictures.exists(path))
+}
+
+/// What is left of a `map_Kd` line after its options.
+fn last_word(named: &str) -> &str {
+    named.split_whitespace().next_back().unwrap_or(named)
 }
 
 /// The file that another one in `folder` names; it may have been made on Windows.
@@ -203,9 +223,9 @@ mod tests {
         let named = |name: &str, file: &str| format!("newmtl {name}\nmap_Kd {file}\n");
         let mtl = [
             named("a", "a.png"),
-            named("b", "a.png"),
+            named("b", r"C:\Users\ann\My Pictures\a.png"),
             named("c", "gone.png"),
-            named("d", "gone.png"),
+            named("d", "-s 2 2 2 gone.png") + &named("e", "lost.png"),
         ];
         let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned()
             + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl c\nf 1 2 3\nusemtl d\nf 1 2 3\n";
@@ -232,6 +252,8 @@ mod tests {
             "white shows a picture as it is"
         );
         let told: Vec<String> = read.warnings.iter().map(|w| w.to_string()).collect();
-        assert_eq!(told, ["gone.png: there is no such file"]);
+        let expected = "a.obj: expected 2 pictures, found no files for “gone.png” and 1 other";
+        // An option is no part of a name.
+        assert_eq!(told, [expected]);
     }
 }

@@ -1,5 +1,5 @@
 use super::Host;
-use super::job::{Job, JobResult, Outcome, Step};
+use super::job::{CompareWork, Compared, Job, Outcome, Step, Work};
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::geometry::Picture;
 use crate::revision::Revision;
@@ -189,7 +189,7 @@ impl Comparison {
         };
         let live = Arc::clone(&self.live.as_ref()?.picture);
         self.measuring.running = Some(wanted);
-        host.start_job(Job {
+        host.start_job(Job(Work::Compare(CompareWork {
             of: wanted,
             step,
             pictures: PictureJob {
@@ -198,12 +198,12 @@ impl Comparison {
                 threshold: self.settings.threshold,
                 ignore: self.settings.masks.clone(),
             },
-        });
+        })));
         None
     }
 
     /// Takes in the result of a job. That of an earlier comparison is ignored.
-    pub fn take_result(&mut self, result: JobResult) {
+    pub fn take_result(&mut self, result: Compared) {
         if self.measuring.running != Some(result.of) {
             return;
         }

@@ -196,7 +196,9 @@ impl Program {
                 self.document.saved = self.session.document();
                 self.forget_autosave(host);
                 self.keep_at_end(host);
-                host.quit();
+                // A picture that was asked for is written first.
+                self.quitting = true;
+                self.quit_after_pictures(host);
             }
         }
     }

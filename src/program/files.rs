@@ -81,15 +81,9 @@ impl Program {
             Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
             Purpose::Compare => self.compare_with(&path, reader),
             Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
-            Purpose::ExportGeometry => {
-                match io::export_obj(self.session.scene(), self.session.evaluated()) {
-                    Ok(text) => self.write(&path, "obj", text, host),
-                    Err(error) => {
-                        let error = Diagnostic::new(&path, error.to_string());
-                        self.tell_written(&path, Err(error));
-                    }
-                }
-            }
+            Purpose::ExportGeometry => self.export_geometry(&path, host),
+            Purpose::ExportMaterials => self.export_materials(&path, host),
+            Purpose::ExportCharacter(shape) => self.export_character(shape, &path, host),
             Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),
             Purpose::SaveScreenshot(shot) => {
                 // Large pictures take their time: what cannot be written is said before.
@@ -152,18 +146,6 @@ impl Program {
         let name = path.file_name().unwrap_or(path.as_os_str());
         let name = name.to_string_lossy().into_owned();
         Ok(Comparison::new(name, picture, self.compare_settings()))
-    }
-
-    fn export_curve(&mut self, shape: ShapeId, path: &Path, host: &mut dyn Host) {
-        // It may have been deleted while the dialog was open.
-        let curves = self.session.scene().curve(shape);
-        match curves.map(|shape| io::to_swp(shape.curves())) {
-            Some(text) => self.write(path, "swp", text, host),
-            None => self.tell(
-                Severity::Error,
-                format!("Not saved: there is no curve with ID {shape} any more"),
-            ),
-        }
     }
 
     fn save_pose(&mut self, shape: ShapeId, kept: Option<usize>, path: &Path, host: &mut dyn Host) {
@@ -236,7 +218,13 @@ impl Program {
     /// Writes `text`. A name without the extension that it needs to be read again is refused
     /// rather than changed: the file dialog has asked whether to replace a file of the name that
     /// was typed.
-    fn write(&mut self, path: &Path, extension: &str, text: String, host: &mut dyn Host) {
+    pub(super) fn write(
+        &mut self,
+        path: &Path,
+        extension: &str,
+        text: String,
+        host: &mut dyn Host,
+    ) {
         match io::expect_extension(path, extension) {
             Ok(()) => host.write_file(path, text.into_bytes(), Previous::Replace),
             Err(error) => self.tell_written(path, Err(error)),

@@ -140,7 +140,8 @@ impl Program {
     /// Fits everything into the picture `area`, in which the document is shown first.
     pub(super) fn fit_all(&mut self, area: FitArea) {
         let mut camera = self.session.view().camera;
-        camera.fit(&self.session.evaluated().world_bounds(), area);
+        let shapes = self.session.evaluated().shapes.iter();
+        camera.fit_shapes(shapes.filter(|shape| shape.visible), area);
         self.session.look(View::BeginAt(camera));
     }
 }

@@ -133,19 +133,19 @@ impl Program {
         self.take_events(host)
     }
 
-    /// Ends a frame: writes the pictures that were asked for, and stores preferences that changed
-    /// and unsaved work.
+    /// Ends a frame: draws a part of the pictures that were asked for, and stores preferences that
+    /// changed and unsaved work.
     /// Returns how long no frame is needed for their sake. A host that calls [`Program::show`] and
     /// [`Program::draw`] itself calls this after.
     pub fn finish_frame(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> Duration {
-        self.save_pictures(graphics, host);
+        let more_pictures = self.save_pictures(graphics, host);
         let answered = self.take_events(host);
         self.keep_preferences(host);
         self.show_title(host);
         let wait = self.autosave(host);
         self.watch_files(host);
         let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
-        if answered || pictures_due {
+        if answered || pictures_due || more_pictures {
             Duration::ZERO
         } else {
             wait
@@ -265,29 +265,6 @@ impl Program {
                 let text = format!("The comparison ended, since it cannot be drawn: {error}");
                 self.tell(Severity::Error, text);
                 true
-            }
-        }
-    }
-
-    /// Draws and writes the pictures that are due.
-    fn save_pictures(&mut self, graphics: &mut Graphics, host: &mut dyn Host) {
-        for (path, shot) in std::mem::take(&mut self.due_pictures) {
-            let picture = if shot.with_panels {
-                graphics.read_window().map_err(RenderError::from)
-            } else {
-                let frame = frame(&self.session, self.backdrop, Marks::default());
-                graphics.picture(&frame, shot.size).map(Some)
-            };
-            match picture {
-                Ok(Some(picture)) => self.save_picture(&path, &picture, host),
-                Ok(None) => {
-                    let text = "Not saved: pictures with panels cannot be taken here";
-                    self.tell(Severity::Error, text);
-                }
-                Err(error) => {
-                    let text = format!("The picture could not be drawn: {error}");
-                    self.tell(Severity::Error, text);
-                }
             }
         }
     }

@@ -1,7 +1,10 @@
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
-use crate::render::{Backdrop, Frame, InterfacePainter, Marks, RenderError, Renderer, compose, read_picture};
+use crate::render::{
+    Backdrop, Frame, InterfacePainter, LargePicture, Marks, PictureParts, RenderError, Renderer,
+    compose, read_picture,
+};
 use crate::revision::Revision;
 use crate::scene::{Skinning, ViewSettings};
 use egui::FullOutput;
@@ -200,20 +203,32 @@ impl Graphics {
         self.compared = None;
     }
 
-    /// Draws `frame` once, in `size` or in that of the view.
+    /// Width and height of the view in pixels.
+    pub(super) fn view_size(&self) -> (u32, u32) {
+        let view = self.scene.as_ref().map(|s| (s.width(), s.height()));
+        view.unwrap_or((800, 600))
+    }
+
+    /// Samples a pixel of pictures of the scene, 0 for none.
+    pub(super) fn samples(&self) -> u32 {
+        self.samples
+    }
+
+    /// The parts that `asked` is drawn in.
+    pub(super) fn picture_parts(&self, asked: &LargePicture) -> PictureParts {
+        PictureParts::new(asked, self.gl.info())
+    }
+
+    /// Draws the next of `parts`, which are those of `frame`.
     ///
     /// # Errors
-    /// See [`Renderer::draw`], and when there is no room for the picture.
-    pub(super) fn picture(
+    /// See [`PictureParts::draw_next`].
+    pub(super) fn draw_part(
         &mut self,
+        parts: &mut PictureParts,
         frame: &Frame,
-        size: Option<(u32, u32)>,
-    ) -> Result<Picture, RenderError> {
-        let view = self.scene.as_ref().map(|s| (s.width(), s.height()));
-        let (width, height) = size.or(view).unwrap_or((800, 600));
-        let target = Framebuffer::new(&self.gl, width, height, self.samples)?;
-        self.renderer.draw(frame, &target)?;
-        Ok(read_picture(&target)?)
+    ) -> Result<(), RenderError> {
+        parts.draw_next(&self.gl, &mut self.renderer, frame)
     }
 
     /// Puts the scene's picture at `place` of the window's and paints the panels over it.

@@ -40,8 +40,8 @@ pub trait Host {
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
     /// Writes several files, in order, each whole or not at all, and makes the folders that they
-    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Ends with the first that cannot be written. Answered by one [`HostEvent::Written`]
-    /// about `path`.
+    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Ends with the
+    /// first that cannot be written. Answered by one [`HostEvent::Written`] about `path`.
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
 
     /// Watches these files, and no others, for changes by other programs, which are
@@ -176,6 +176,10 @@ pub enum Purpose {
     ExportCurve(ShapeId),
     /// Writing the geometry of the scene.
     ExportGeometry,
+    /// Writing the geometry of the scene with its materials.
+    ExportMaterials,
+    /// Writing a character as `.skel`, `.attach` and `.obj`.
+    ExportCharacter(ShapeId),
     /// Writing a picture of the view or of the window.
     SaveScreenshot(Screenshot),
     /// Reading a picture to compare the view with.
@@ -203,6 +207,12 @@ impl Purpose {
             Self::ImportCurve => "Import Curve",
             Self::ExportCurve(_) => "Export Curve",
             Self::ExportGeometry => "Export Geometry",
+            Self::ExportMaterials => {
+                "Export with Materials (.obj, with .mtl and pictures beside it)"
+            }
+            Self::ExportCharacter(_) => {
+                "Export Character (.skel, with .attach, .obj and .json beside it)"
+            }
             Self::SaveScreenshot(_) => "Save Screenshot",
             Self::Compare => "Compare with Picture",
             Self::SaveComparison => "Save Comparison",
@@ -221,7 +231,10 @@ impl Purpose {
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
-            Self::ExportGeometry => "Geometry (.obj)",
+            Self::ExportGeometry | Self::ExportMaterials => "Geometry (.obj)",
+            Self::ExportCharacter(_) => "Skeletons (.skel)",
+            Self::SaveScreenshot(shot) if shot.turntable.is_some() => "Animations (.gif)",
+            Self::SaveScreenshot(shot) if shot.transparent => "Pictures (.png)",
             Self::SavePose(..) | Self::LoadPose(_) => "Poses (.json)",
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
                 "Pictures (.png, .jpg, .gif)"
@@ -236,7 +249,10 @@ impl Purpose {
             Self::SaveScene => &[("Scenes", "scene")],
             Self::SaveWithFiles => &[("Archives", "zip"), ("Scene with a folder", "scene")],
             Self::ExportCurve(_) => &[("Curves", "swp")],
-            Self::ExportGeometry => &[("Geometry", "obj")],
+            Self::ExportGeometry | Self::ExportMaterials => &[("Geometry", "obj")],
+            Self::ExportCharacter(_) => &[("Skeletons", "skel")],
+            Self::SaveScreenshot(shot) if shot.turntable.is_some() => &[("GIF", "gif")],
+            Self::SaveScreenshot(shot) if shot.transparent => &[("PNG", "png")],
             Self::SavePose(..) => &[("Poses", "json")],
             Self::SaveScreenshot(_) | Self::SaveComparison => {
                 &[("PNG", "png"), ("JPEG", "jpg"), ("GIF", "gif")]
@@ -255,6 +271,7 @@ impl Purpose {
     pub(super) fn shape(self) -> Option<ShapeId> {
         match self {
             Self::ExportCurve(id)
+            | Self::ExportCharacter(id)
             | Self::SavePose(id, _)
             | Self::LoadPose(id)
             | Self::FindSource(id) => Some(id),
@@ -265,6 +282,7 @@ impl Purpose {
             | Self::ImportCurve
             | Self::ImportCharacter
             | Self::ExportGeometry
+            | Self::ExportMaterials
             | Self::SaveScreenshot(_)
             | Self::Compare
             | Self::SaveComparison => None,
@@ -306,7 +324,8 @@ impl Purpose {
             Self::ImportCharacter => {
                 extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
             }
-            Self::ExportGeometry => extension == "obj",
+            Self::ExportGeometry | Self::ExportMaterials => extension == "obj",
+            Self::ExportCharacter(_) => extension == "skel",
             Self::SavePose(..) | Self::LoadPose(_) => extension == "json",
             Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {

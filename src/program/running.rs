@@ -5,6 +5,8 @@ use super::files::file_stem;
 use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
+use super::job::Finished;
+use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};
@@ -16,7 +18,7 @@ use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
 };
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, VecDeque};
 use std::path::{Path, PathBuf};
 
 /// Options that the program is started with.
@@ -43,8 +45,14 @@ pub struct Program {
     look_before_comparison: Option<Look>,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
-    /// Pictures that are saved at the end of this frame.
+    /// Pictures that are taken at the end of this frame.
     pub(super) due_pictures: Vec<(PathBuf, Screenshot)>,
+    /// Pictures that are being drawn, the first of them now.
+    pub(super) pictures: VecDeque<PictureWork>,
+    /// Number of pictures that are drawn and being made files of.
+    pub(super) encoding: usize,
+    /// Whether the program ends as soon as all pictures are written.
+    pub(super) quitting: bool,
     /// The document that gets what is on the clipboard, once its text is there, and the character
     /// that a pose would be for.
     pub(super) paste_into: Option<(Revision, Option<ShapeId>)>,
@@ -91,6 +99,9 @@ impl Program {
             look_before_comparison: None,
             pending_pictures: Vec::new(),
             due_pictures: Vec::new(),
+            pictures: VecDeque::new(),
+            encoding: 0,
+            quitting: false,
             paste_into: None,
             hovered_shape: None,
             frame_rate: FrameRate::default(),
@@ -180,6 +191,7 @@ impl Program {
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));
         let title = self.title();
+        let progress = self.picture_progress();
         let input = ui::ViewInput {
             title: &title,
             recent: &self.preferences.recent,
@@ -192,6 +204,7 @@ impl Program {
             gesture_under_way: self.ui.gesture_under_way(),
             keys_are_taken: host.is_dialog_open() || pass == Pass::Display,
             compare: compare.as_ref(),
+            progress: progress.as_ref().map(|(text, part)| (text.as_str(), *part)),
         };
         let mut output = ui::show(root, &self.session, &mut self.ui, &input);
         self.backdrop = match context.theme() {
@@ -251,11 +264,14 @@ impl Program {
                 HostEvent::CloseRequested => self.ui.close(),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
                 HostEvent::Pasted(text) => self.paste(&text, host),
-                HostEvent::Finished(result) => {
-                    if let Some(comparison) = &mut self.comparison {
-                        comparison.take_result(result);
+                HostEvent::Finished(result) => match result.0 {
+                    Finished::Compared(result) => {
+                        if let Some(comparison) = &mut self.comparison {
+                            comparison.take_result(result);
+                        }
                     }
-                }
+                    Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),
+                },
             }
         }
         any
@@ -341,7 +357,22 @@ impl Program {
             }
             Ask::ExportGeometry => self.choose_file(Purpose::ExportGeometry, "scene.obj", host),
             Ask::Screenshot(shot) => {
-                self.choose_file(Purpose::SaveScreenshot(shot), "screenshot.png", host)
+                let name = if shot.turntable.is_some() {
+                    "turntable.gif"
+                } else {
+                    "screenshot.png"
+                };
+                self.choose_file(Purpose::SaveScreenshot(shot), name, host);
+            }
+            Ask::CancelPictures => self.cancel_pictures(),
+            Ask::ExportMaterials => {
+                let name = format!("{}.obj", self.document_stem());
+                self.choose_file(Purpose::ExportMaterials, &name, host);
+            }
+            Ask::ExportCharacter(id) => {
+                let shape = self.session.scene().shape(id);
+                let stem = file_stem(shape.map_or("character", |shape| &shape.name));
+                self.choose_file(Purpose::ExportCharacter(id), &format!("{stem}.skel"), host);
             }
             Ask::SavePose(shape, kept) => {
                 let name = self.name_of_pose(shape, kept);

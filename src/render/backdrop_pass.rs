@@ -139,7 +139,10 @@ pub(super) fn draw_axis(
     immediate.load_matrix(context.clip_from_world);
     immediate.line_width(1.0);
     immediate.begin(Mode::Lines);
-    for (axis, color) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().zip(context.colors.axes) {
+    for (axis, color) in [Vec3::X, Vec3::Y, Vec3::Z]
+        .into_iter()
+        .zip(context.colors.axes)
+    {
         let ends = [axis * -AXIS_REACH, axis * AXIS_REACH];
         let lowest = floor.unwrap_or(f32::NEG_INFINITY) - ON_FLOOR;
         if ends[1].y < lowest {

@@ -154,10 +154,12 @@ impl GroundPass {
         let is_shown = context.background == Background::Look;
         let is_opaque = hides_below(context, camera);
         self.program.set_f32("opaque", f32::from(is_opaque));
-        self.program.set_f32("lit", if is_opaque { LIT } else { 0.0 });
+        self.program
+            .set_f32("lit", if is_opaque { LIT } else { 0.0 });
         self.program.set_f32("grid", f32::from(is_shown));
         set_gradient(&self.program, context);
-        self.program.set_f32("picture_height", context.height as f32);
+        self.program
+            .set_f32("picture_height", context.height as f32);
         self.program.set_vec3("ground", context.colors.ground);
         self.program.set_vec3("line_color", context.colors.grid);
         self.program.set_f32("darkness", context.colors.darkness);

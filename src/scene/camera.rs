@@ -171,7 +171,11 @@ impl Camera {
     /// `held`, in the world, stays under the pointer.
     pub fn pan_with_pointer(&mut self, delta: Vec2, height: f32, held: Vec3) {
         let depth = self.depth(held);
-        let depth = if depth > self.near { depth } else { self.radius };
+        let depth = if depth > self.near {
+            depth
+        } else {
+            self.radius
+        };
         let world_per_pixel = self.pixel_at_depth(depth, height);
         self.target += (self.up() * delta.y - self.right() * delta.x) * world_per_pixel;
     }

@@ -1,11 +1,14 @@
-use super::Camera;
 use super::camera::NEAREST;
+use super::{Camera, EvaluatedShape};
 use crate::math::Aabb;
 use glam::{Vec2, Vec3, Vec4};
 
 /// Least distance between the eye and a target one unit away from the origin: nearer, `f32` could
 /// hardly tell the two apart.
 const LEAST_RADIUS: f32 = 1e-4;
+
+/// Room for what is fitted, over its size.
+const MARGIN: f32 = 1.1;
 
 /// Picture that something is fitted into.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,7 +47,6 @@ impl Camera {
         if bounds.is_empty() {
             return;
         }
-        const MARGIN: f32 = 1.1;
         let half_height = (self.fovy * 0.5).tan();
         let half_width = half_height * area.aspect * area.free.x;
         let half_height = half_height * area.free.y;
@@ -71,6 +73,46 @@ impl Camera {
         self.near = course
             .near
             .min((radius - half_depth).max(radius * 1e-3) * 0.5);
+    }
+
+    /// Fits shapes into the free part of a picture, as [`Camera::fit`] does, but by their vertices: as
+    /// near as they let it, and in the middle of the picture. No shapes change nothing.
+    pub fn fit_shapes<'a>(
+        &mut self,
+        shapes: impl Iterator<Item = &'a EvaluatedShape> + Clone,
+        area: FitArea,
+    ) {
+        let bounds = |shape: &EvaluatedShape| shape.world_bounds();
+        let bounds = shapes.clone().map(bounds).fold(Aabb::EMPTY, Aabb::union);
+        self.fit(&bounds, area);
+        if bounds.is_empty() {
+            return;
+        }
+        let half_height = (self.fovy * 0.5).tan();
+        let half = Vec2::new(half_height * area.aspect, half_height) * area.free / MARGIN;
+        let (right, up, outward) = (self.right(), self.up(), self.outward());
+        // A point with the coordinates `at` and `near` along these three is in the picture if
+        // |at − middle| ≤ half · (radius − near): the planes farthest out on both sides.
+        let (mut most, mut least) = (Vec2::NEG_INFINITY, Vec2::NEG_INFINITY);
+        let mut nearest = f32::NEG_INFINITY;
+        for shape in shapes {
+            for_each_point(shape, |point| {
+                let offset = point - self.target;
+                let at = Vec2::new(offset.dot(right), offset.dot(up));
+                let near = offset.dot(outward);
+                most = most.max(at + half * near);
+                least = least.max(half * near - at);
+                nearest = nearest.max(near);
+            });
+        }
+        let radius = ((most + least) / (2.0 * half)).max_element();
+        // Rounding, and what has no size, leave it as it is.
+        if radius.is_finite() && radius > nearest && radius < self.radius {
+            let middle = (most - least) * 0.5;
+            self.target += right * middle.x + up * middle.y;
+            self.radius = radius.max(self.target.abs().max_element() * LEAST_RADIUS);
+            self.near = self.near.min((radius - nearest).max(radius * 1e-3) * 0.5);
+        }
     }
 
     /// Whether any part of `bounds`, in the world, may be in a picture of `aspect` (width over
@@ -111,6 +153,18 @@ impl Camera {
         corners
             .map(|corner| clip_from_world * corner.extend(1.0))
             .collect()
+    }
+}
+
+/// Calls `take` with the vertices of a shape, in the world; with the corners of its box if it shows
+/// curves, which lie between few points.
+fn for_each_point(shape: &EvaluatedShape, mut take: impl FnMut(Vec3)) {
+    let positions = shape.geometry.positions();
+    if shape.geometry.curves.is_some() || positions.is_empty() {
+        shape.world_bounds().corners().into_iter().for_each(take);
+    } else {
+        let in_world = |&point| shape.world_from_model.transform_point3(point);
+        positions.iter().for_each(|point| take(in_world(point)));
     }
 }
 

@@ -13,6 +13,7 @@ mod import_curve;
 mod picking;
 mod shape;
 mod shape_manager;
+mod turntable;
 mod view_settings;
 
 pub use camera::Camera;
@@ -29,4 +30,5 @@ pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SE
 pub use picking::{BoneHit, bones_in_world, pick_bone, pick_control_point, pick_shape};
 pub use shape::{Importer, MissingShape, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
 pub use shape_manager::{Scene, name_of_import};
+pub use turntable::{TURNTABLE_FRAMES, fit_turntable, turntable_cameras, turntable_milliseconds};
 pub use view_settings::{Look, Shading, Skinning, ViewDirection, ViewSettings};

@@ -77,8 +77,14 @@ pub enum Ask {
     ExportCurve(ShapeId),
     /// Choose a file, and write the geometry of the scene to it as `.obj`.
     ExportGeometry,
+    /// Choose a file, and write the geometry of the scene to it with its materials beside it.
+    ExportMaterials,
+    /// Choose a file, and write a character to it as `.skel`, with the others beside it.
+    ExportCharacter(ShapeId),
     /// Choose a file, and save a picture of the view to it.
     Screenshot(Screenshot),
+    /// Give up the pictures that are being drawn.
+    CancelPictures,
     /// Copy the selected shapes to the clipboard, and delete them.
     CutShapes,
     /// Copy the selected shapes to the clipboard.
@@ -149,10 +155,23 @@ impl Answer {
 }
 
 /// Contents and size of a picture of the view.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Screenshot {
     /// Whether it shows the panels, too.
     pub with_panels: bool,
     /// Width and height in pixels; those of the window if `None`, as for every picture with panels.
     pub size: Option<(u32, u32)>,
+    /// Whether the background is left out.
+    pub transparent: bool,
+    /// Pictures from all around in place of a single one.
+    pub turntable: Option<Turntable>,
+}
+
+/// Pictures on the way once round the point that the camera looks at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Turntable {
+    /// Number of pictures, one of [`crate::scene::TURNTABLE_FRAMES`].
+    pub frames: u32,
+    /// Whether the camera is moved so that everything is in all of them.
+    pub fit: bool,
 }

@@ -19,8 +19,10 @@ mod messages;
 mod navigation;
 mod number_field;
 mod posing;
+mod progress;
 mod question;
 mod scene_places;
+mod screenshot;
 mod shape_list;
 mod shape_panel;
 mod start_page;
@@ -31,7 +33,7 @@ mod view_overlay;
 mod widgets;
 mod windows;
 
-pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot};
+pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
 pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use compare::{
     CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
@@ -75,6 +77,8 @@ pub struct ViewInput<'a> {
     pub keys_are_taken: bool,
     /// The comparison under way: its pictures replace the view of the scene.
     pub compare: Option<&'a CompareView<'a>>,
+    /// Work that takes a while: what is done, and how much of it, from 0 to 1.
+    pub progress: Option<(&'a str, f32)>,
 }
 
 /// Output of one frame of the panels.

@@ -1,6 +1,7 @@
 //! What lies over the view, and the status line below it.
 
 use super::posing::BAR_HEIGHT;
+use super::progress;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
@@ -60,6 +61,9 @@ pub(super) fn show(
         start_page::show(&mut over, rect, input, actions);
     }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
+    if let Some(work) = input.progress {
+        progress::show(&mut over, rect, work, actions);
+    }
     // It must not hide messages.
     if state.first_help && session.messages.fresh().is_empty() {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
@@ -73,7 +77,11 @@ pub(super) fn show(
 /// of it, and as much at the bottom, so that what is fitted is in the middle.
 pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
     const LEAST: f32 = 0.5;
-    let rows = if state.pose.tool == Tool::Ik { 2.0 } else { 1.0 };
+    let rows = if state.pose.tool == Tool::Ik {
+        2.0
+    } else {
+        1.0
+    };
     let covered = 2.0 * rows * BAR_HEIGHT / state.view_rect.height().max(1.0);
     FitArea {
         aspect,

@@ -1,16 +1,12 @@
-//! Windows over the view: Keys and Mouse, Messages, History, About, Screenshot.
+//! Windows over the view: Keys and Mouse, Messages, History, About; which of them are open.
 
 use super::commands::{GESTURES, Menu, entries};
-use super::number_field::NumberField;
+use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::widgets::labelled;
-use super::{Action, Ask, Navigation, Screenshot, ViewInput, history, messages};
+use super::{Action, Navigation, ViewInput, history, messages};
 use crate::editor::Session;
-use egui::{
-    Align, Button, Frame, Grid, Id, Key, Layout, Modal, Modifiers, RichText, ScrollArea, Ui,
-    Window, vec2,
-};
+use egui::{Grid, Id, RichText, ScrollArea, Ui, Window, vec2};
 
 /// A window over the view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,7 +73,9 @@ pub(super) fn show(
     window(root, windows, Dialog::About, "About", |ui| {
         about(ui, input.backend);
     });
-    if windows.is_open(Dialog::Screenshot) && screenshot(root, &mut windows.screenshot, actions) {
+    if windows.is_open(Dialog::Screenshot)
+        && screenshot::show(root, &mut windows.screenshot, actions)
+    {
         windows.close(Dialog::Screenshot);
     }
 }
@@ -199,119 +197,4 @@ fn about(ui: &mut Ui, backend: &str) {
     if !backend.is_empty() {
         ui.label(format!("Draws with {backend}"));
     }
-}
-
-/// Allowed width and height of a picture, in pixels.
-const SIDES: std::ops::RangeInclusive<f64> = 16.0..=8192.0;
-
-/// Settings of File ▸ Screenshot.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct ScreenshotForm {
-    with_panels: bool,
-    own_size: bool,
-    width: u32,
-    height: u32,
-}
-
-impl Default for ScreenshotForm {
-    fn default() -> Self {
-        Self {
-            with_panels: false,
-            own_size: false,
-            width: 1920,
-            height: 1080,
-        }
-    }
-}
-
-impl ScreenshotForm {
-    fn asked(&self) -> Screenshot {
-        let own_size = self.own_size && !self.with_panels;
-        Screenshot {
-            with_panels: self.with_panels,
-            size: own_size.then_some((self.width, self.height)),
-        }
-    }
-}
-
-/// File ▸ Screenshot; whether to close it.
-fn screenshot(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>) -> bool {
-    let frame = Frame::popup(ui.style()).inner_margin(16);
-    let modal = Modal::new(Id::new("screenshot")).frame(frame);
-    let modal = modal.show(ui.ctx(), |ui| {
-        ui.set_width(344.0);
-        ui.heading("Screenshot");
-        ui.label(RichText::new("Saves a picture as PNG, JPEG or GIF.").weak());
-        ui.add_space(8.0);
-        // Asked before a field gives up the keyboard because of the same Enter.
-        let typing = ui.ctx().text_edit_focused();
-        contents(ui, form);
-        ui.add_space(12.0);
-        buttons(ui, form, !typing, actions)
-    });
-    modal.inner || modal.should_close()
-}
-
-fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
-    labelled(ui, "Show", |ui, _| {
-        ui.spacing_mut().item_spacing.x = 16.0;
-        ui.radio_value(&mut form.with_panels, false, "The view alone");
-        ui.radio_value(&mut form.with_panels, true, "With panels");
-    });
-    ui.add_enabled_ui(!form.with_panels, |ui| {
-        const WHY: &str = "Panels are drawn for the window, so the picture has its size";
-        labelled(ui, "Size", |ui, _| {
-            ui.spacing_mut().item_spacing.x = 16.0;
-            ui.radio_value(&mut form.own_size, false, "As in the window")
-                .on_disabled_hover_text(WHY);
-            ui.radio_value(&mut form.own_size, true, "Custom")
-                .on_disabled_hover_text(WHY);
-        });
-        ui.add_enabled_ui(form.own_size, |ui| {
-            labelled(ui, "", |ui, size| {
-                let each = vec2((size.x - 20.0) / 2.0, size.y);
-                side(ui, "Picture width", &mut form.width, 1920.0, each);
-                ui.label("×");
-                side(ui, "Picture height", &mut form.height, 1080.0, each);
-            });
-        });
-    });
-}
-
-fn side(ui: &mut Ui, name: &str, value: &mut u32, rest: f32, size: egui::Vec2) {
-    let field = NumberField::new(name, *value as f32, 1.0)
-        .rest(rest)
-        .range(SIDES)
-        .decimals(0..=0)
-        .unit(" px");
-    if let Some(given) = field.show(ui, size) {
-        *value = given.round() as u32;
-    }
-}
-
-/// Save and Cancel; whether one of them was used.
-fn buttons(
-    ui: &mut Ui,
-    form: &ScreenshotForm,
-    enter_saves: bool,
-    actions: &mut Vec<Action>,
-) -> bool {
-    let elsewhere = ui.memory(|memory| memory.focused().is_some());
-    let enter_saves = enter_saves && !elsewhere;
-    let enter = enter_saves && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
-    // At the right, as in the file dialog that follows.
-    let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
-    let layout = Layout::right_to_left(Align::Center);
-    ui.allocate_ui_with_layout(line, layout, |ui| {
-        let save = ui
-            .add(Button::new("Save…"))
-            .on_hover_text("Choose where to save (Enter)");
-        let cancel = ui.add(Button::new("Cancel")).on_hover_text("Close (Esc)");
-        if save.clicked() || enter {
-            actions.push(Action::Ask(Ask::Screenshot(form.asked())));
-            return true;
-        }
-        cancel.clicked()
-    })
-    .inner
 }

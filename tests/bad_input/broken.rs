@@ -24,7 +24,7 @@ fn the_good_files_are_good() {
     let warnings: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     let expected = [
         "man.attach:5:1: 1 vertex with weights that do not sum up to 1",
-        "box.png: there is no such file",
+        "box.obj: expected a picture, found no file “box.png”",
     ];
     assert_eq!(warnings, expected);
 }

@@ -3,7 +3,7 @@
 use crate::interface::Editor;
 use editor_core::editor::View;
 use editor_core::scene::{Camera, Look, Shading, Skinning};
-use editor_core::ui::{Ask, Screenshot};
+use editor_core::ui::{Ask, Screenshot, Turntable};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::NodeT;
 
@@ -210,9 +210,37 @@ fn a_screenshot_is_asked_for_at_the_size_and_with_the_parts_that_were_chosen() {
     editor.choose(&["File", "Screenshot…", "With panels", "Save…"]);
     let asked: Vec<_> = [(false, None), (false, Some((1280, 720))), (true, None)]
         .into_iter()
-        .map(|(with_panels, size)| Ask::Screenshot(Screenshot { with_panels, size }))
+        .map(|(with_panels, size)| {
+            Ask::Screenshot(Screenshot {
+                with_panels,
+                size,
+                ..Screenshot::default()
+            })
+        })
         .collect();
     assert_eq!(editor.asked(), asked);
+}
+
+#[test]
+fn a_turntable_is_asked_for_with_as_many_pictures_as_were_typed_and_never_without_background() {
+    let mut editor = Editor::new();
+    editor.choose(&["File", "Screenshot…", "Transparent", "Turntable"]);
+    editor.type_into("Turntable pictures", "24");
+    editor.click("Save…");
+    editor.choose(&["File", "Screenshot…", "Still", "Save…"]);
+    let turntable = Turntable {
+        frames: 24,
+        fit: true,
+    };
+    let [turning, still] =
+        [(false, Some(turntable)), (true, None)].map(|(transparent, turntable)| {
+            Ask::Screenshot(Screenshot {
+                transparent,
+                turntable,
+                ..Screenshot::default()
+            })
+        });
+    assert_eq!(editor.asked(), [turning, still]);
 }
 
 #[test]

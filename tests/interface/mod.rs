@@ -272,6 +272,7 @@ impl Shell {
         let compare = self.comparing.as_ref().map(compare::Comparing::view);
         let input = ViewInput {
             compare: compare.as_ref(),
+            progress: None,
             title: "Editor",
             builtin_characters: BUILT_IN,
             builtin_curves: &["vase"],

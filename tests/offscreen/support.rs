@@ -81,9 +81,35 @@ pub fn flat_program(gl: &Gl) -> Program {
 pub fn draw_scene(
     renderer: &mut Renderer,
     gl: &Gl,
-    (width, height): (u32, u32),
+    size: (u32, u32),
     scene: &Scene,
     view: &ViewSettings,
+    marks: Marks,
+) -> Picture {
+    draw_frame(
+        renderer,
+        gl,
+        size,
+        (scene, view, Backdrop::default()),
+        marks,
+    )
+}
+
+/// The same without marks, before a backdrop.
+pub fn draw_before(
+    renderer: &mut Renderer,
+    gl: &Gl,
+    size: (u32, u32),
+    shown: (&Scene, &ViewSettings, Backdrop),
+) -> Picture {
+    draw_frame(renderer, gl, size, shown, Marks::default())
+}
+
+fn draw_frame(
+    renderer: &mut Renderer,
+    gl: &Gl,
+    (width, height): (u32, u32),
+    (scene, view, backdrop): (&Scene, &ViewSettings, Backdrop),
     marks: Marks,
 ) -> Picture {
     let evaluated = Evaluator::new().evaluate(scene, 0.0);
@@ -91,7 +117,7 @@ pub fn draw_scene(
         scene,
         evaluated: &evaluated,
         view,
-        backdrop: Backdrop::default(),
+        backdrop,
         marks,
     };
     let target = Framebuffer::new(gl, width, height, 0).expect("a picture");

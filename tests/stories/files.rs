@@ -1,18 +1,12 @@
 //! Files that are dropped, saved, exported and refused.
 
 use super::Story;
-use editor_core::editor::{Edit, Severity, View};
-use editor_core::io::image;
+use editor_core::editor::{Edit, Severity};
 use editor_core::program::Purpose;
 use editor_core::ui::{Action, Ask};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 use std::path::Path;
-
-fn decoded(story: &Story, path: &str) -> editor_core::geometry::Picture {
-    let bytes = &story.host.written[Path::new(path)];
-    image::decode(Path::new(path), bytes).expect("a picture")
-}
 
 #[test]
 fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file() {
@@ -98,54 +92,50 @@ fn a_dropped_file_is_an_import_a_pose_or_a_picture_to_compare_with() {
 }
 
 #[test]
-fn a_screenshot_of_the_view_has_the_size_that_was_asked_for_and_no_marks() {
+fn a_scene_is_exported_with_its_materials_and_never_over_the_files_it_comes_from() {
     let mut story = Story::start(&["models/strip.obj"]);
-    story.save_view((320, 200), "strip.png");
-    let picture = decoded(&story, "strip.png");
-    assert_eq!((picture.width, picture.height), (320, 200));
-    let background = &picture.rgba[..4];
-    let drawn = picture.rgba.chunks_exact(4).filter(|p| *p != background);
-    assert!(drawn.count() > 500, "the strip is in the picture");
+    story.click("File");
+    story.click("Export with Materials…");
+    assert_eq!(story.host.requests.last().unwrap().name, "strip.obj");
+    story.choose("out/mine.obj");
+    let text = |name: &str| {
+        let bytes = story.host.files[Path::new(name)].clone();
+        String::from_utf8(bytes).unwrap()
+    };
+    assert!(text("out/mine.obj").starts_with("mtllib mine.mtl\n"));
+    assert!(text("out/mine.mtl").contains("newmtl"));
+    let before = story.host.files[Path::new("models/strip.obj")].clone();
 
-    let nothing = Action::View(View::Select(None));
-    story.program.carry_out(vec![nothing], &mut story.host);
-    story.key(Key::F12);
-    story.click("Save…");
-    story.choose("unmarked.png");
-    let unmarked = decoded(&story, "unmarked.png");
-    assert_eq!(super::differing(&picture, &unmarked), 0);
-
-    // A name that says no format is refused before anything is drawn.
-    story.key(Key::F12);
-    story.click("Save…");
-    story.choose("strip.bmp");
-    let messages = story.messages();
+    story.click("File");
+    story.click("Export with Materials…");
+    story.choose("models/strip.obj");
+    let told = story.messages().last().unwrap().1;
     assert!(
-        messages
-            .last()
-            .unwrap()
-            .1
-            .starts_with("Not saved: strip.bmp: expected")
+        told.starts_with("Not saved: models/strip.obj: expected a name"),
+        "{told}"
     );
+    assert_eq!(story.host.files[Path::new("models/strip.obj")], before);
 }
 
 #[test]
-fn a_screenshot_with_panels_waits_until_the_dialog_is_gone() {
+fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again() {
     let mut story = Story::start(&["models/strip.obj"]);
-    let shown = story.picture();
-    story.key(Key::F12);
-    story.click("With panels");
-    story.click("Save…");
-    story.host.dialog_is_open = true;
-    story.choose("window.png");
-    assert!(story.host.written.is_empty());
-    story.host.dialog_is_open = false;
-    story.point(egui::pos2(-10.0, -10.0));
+    story.type_into("Elbow Z", "30");
+    story.click("File");
+    story.click("Export Character…");
+    assert_eq!(story.host.requests.last().unwrap().name, "strip.skel");
+    story.choose("out/mine.skel");
+    for name in ["mine.skel", "mine.attach", "mine.obj", "mine.json"] {
+        let path = Path::new("out").join(name);
+        assert!(story.host.files.contains_key(&path), "{name}");
+    }
+    story.host.drop_file("out/mine.obj");
     story.settle();
-    let saved = decoded(&story, "window.png");
-    assert_eq!((saved.width, saved.height), (shown.width, shown.height));
-    // Where the pointer was, and how often frames came, may show.
-    assert!(super::differing(&saved, &shown) < 4_000);
+    story.host.drop_file("out/mine.json");
+    story.settle();
+    assert_eq!(story.names(), ["Strip", "Mine"]);
+    assert!((story.degrees("Elbow").z - 30.0).abs() < 1e-4);
+    assert_eq!(story.character().character.skeleton().joints().len(), 3);
 }
 
 #[test]
@@ -230,7 +220,7 @@ fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
 }
 
 #[test]
-fn opening_a_file_without_a_camera_of_its_own_keeps_the_view() {
+fn opening_a_file_without_a_camera_of_its_own_shows_it_from_the_front() {
     let mut story = Story::start(&["builtin:gem"]);
     story.key_with(Modifiers::COMMAND, Key::Num3);
     let camera = story.session().view().camera;
@@ -238,7 +228,9 @@ fn opening_a_file_without_a_camera_of_its_own_keeps_the_view() {
     story.program.carry_out(vec![open], &mut story.host);
     story.settle();
     assert_eq!(story.names(), ["Robot"]);
-    assert_eq!(story.session().view().camera, camera);
+    let now = story.session().view().camera;
+    assert_ne!(now, camera);
+    assert!(now.eye().z > 1.0, "{now:?}");
 }
 
 #[test]

@@ -5,8 +5,10 @@ mod autosaving;
 mod comparing;
 mod documents;
 mod files;
+mod first_views;
 mod hosts;
 mod looking;
+mod picturing;
 mod posing;
 mod several;
 mod sources;
@@ -294,7 +296,14 @@ impl Story {
         self.type_into("Picture width", &width.to_string());
         self.type_into("Picture height", &height.to_string());
         self.click("Save…");
+        self.save_picture(path);
+    }
+
+    /// Answers the request for a picture's file, and waits until the picture is written.
+    fn save_picture(&mut self, path: &str) {
         self.choose(path);
+        self.host.run_jobs();
+        self.settle();
     }
 
     /// Answers the newest request for a file, and lets the program use it.

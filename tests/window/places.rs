@@ -67,6 +67,7 @@ fn middle_in(
             });
             let input = ViewInput {
                 compare: compare.as_ref(),
+                progress: None,
                 ..ViewInput::default()
             };
             ui::show(ui, &session, &mut state, &input);

@@ -5,11 +5,11 @@ use super::document::{Dae, Impact, Node, child, children};
 use super::quoted;
 use super::sources::{count, floats, text};
 use crate::geometry::{Material, Picture};
-use crate::io::image::Pictures;
+use crate::io::pictures::{MissingPictures, Pictures};
 use crate::io::{Diagnostic, Files};
 use glam::Vec3;
 use roxmltree::NodeId;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -213,9 +213,9 @@ fn image<'a>(
 /// The pictures of a document, each read once.
 pub(super) struct Textures<'a> {
     pictures: Pictures<'a>,
-    /// The first of which there is no file, with its place; and all such.
-    first_missing: Option<(Node<'a>, &'a str)>,
-    missing: HashSet<&'a str>,
+    missing: MissingPictures,
+    /// Place of the first that is missing.
+    first_missing: Option<Node<'a>>,
     read: HashMap<NodeId, Option<Arc<Picture>>>,
 }
 
@@ -224,8 +224,8 @@ impl<'a> Textures<'a> {
     pub fn new(files: &'a dyn Files) -> Self {
         Self {
             pictures: Pictures::new(files),
+            missing: MissingPictures::default(),
             first_missing: None,
-            missing: HashSet::new(),
             read: HashMap::new(),
         }
     }
@@ -256,8 +256,8 @@ impl<'a> Textures<'a> {
             .map(|candidate| folder.join(candidate))
             .find(|path| self.pictures.exists(path));
         let Some(path) = path else {
-            self.first_missing.get_or_insert((init, url));
-            self.missing.insert(url);
+            self.first_missing.get_or_insert(init);
+            self.missing.add(url);
             return Ok(None);
         };
         self.pictures.get(&path).map(Some)
@@ -265,19 +265,9 @@ impl<'a> Textures<'a> {
 
     /// Keeps one warning about all missing pictures, which names the first.
     fn warn_of_missing(&self, dae: &Dae<'a>) {
-        let Some((place, url)) = self.first_missing else {
-            return;
-        };
-        let (first, count) = (quoted(url), self.missing.len());
-        let message = match count {
-            1 => format!("expected a picture, found no file {first}"),
-            2 => format!("expected 2 pictures, found no files for {first} and 1 other"),
-            _ => {
-                let others = count - 1;
-                format!("expected {count} pictures, found no files for {first} and {others} others")
-            }
-        };
-        dae.warn(Impact::Color, place, message);
+        if let Some((place, message)) = self.first_missing.zip(self.missing.warning()) {
+            dae.warn(Impact::Color, place, message);
+        }
     }
 }
 

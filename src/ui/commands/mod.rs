@@ -40,6 +40,10 @@ pub enum Command {
     ExportCurve,
     /// Exports the geometry of the scene.
     ExportGeometry,
+    /// Exports the geometry of the scene with its materials.
+    ExportMaterials,
+    /// Exports the selected character.
+    ExportCharacter,
     /// Closes the last dialog that was opened, else ends the program.
     Quit,
     /// Undoes the last step.

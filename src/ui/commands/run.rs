@@ -83,6 +83,11 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::MakeSweep => return sweep(session),
         Command::ExportCurve => return export_curves(session),
         Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
+        Command::ExportMaterials => return Some(Action::Ask(Ask::ExportMaterials)),
+        Command::ExportCharacter => {
+            let (character, _) = selected_character(session)?;
+            return Some(Action::Ask(Ask::ExportCharacter(character)));
+        }
         Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
@@ -198,8 +203,13 @@ pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option
         {
             Some("No shape is selected")
         }
-        Command::SelectAll | Command::ExportGeometry if session.scene().shapes().is_empty() => {
+        Command::SelectAll | Command::ExportGeometry | Command::ExportMaterials
+            if session.scene().shapes().is_empty() =>
+        {
             Some("There is no shape")
+        }
+        Command::ExportCharacter if selected_character(session).is_none() => {
+            Some("No character is selected")
         }
         Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
             why_no_curves(command, session)

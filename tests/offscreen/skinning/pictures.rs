@@ -29,7 +29,8 @@ fn fitted(scene: &Scene, shading: Shading) -> ViewSettings {
     view.camera.theta = 1.2;
     view.camera.phi = 0.2;
     let bounds = Evaluator::new().evaluate(scene, 0.0).world_bounds();
-    view.camera.fit(&bounds, FitArea::whole(SIZE.0 as f32 / SIZE.1 as f32));
+    view.camera
+        .fit(&bounds, FitArea::whole(SIZE.0 as f32 / SIZE.1 as f32));
     view
 }
 

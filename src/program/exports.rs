@@ -1,0 +1,92 @@
+//! Geometry, characters and curves written for other programs.
+
+use super::Host;
+use super::running::Program;
+use crate::editor::Severity;
+use crate::io::{self, Diagnostic};
+use crate::scene::ShapeId;
+use std::path::{Path, PathBuf};
+
+impl Program {
+    pub(super) fn export_curve(&mut self, shape: ShapeId, path: &Path, host: &mut dyn Host) {
+        // It may have been deleted while the dialog was open.
+        let curves = self.session.scene().curve(shape);
+        match curves.map(|shape| io::to_swp(shape.curves())) {
+            Some(text) => self.write(path, "swp", text, host),
+            None => self.tell(
+                Severity::Error,
+                format!("Not saved: there is no curve with ID {shape} any more"),
+            ),
+        }
+    }
+
+    /// Writes the geometry of the scene as one `.obj` file, bare.
+    pub(super) fn export_geometry(&mut self, path: &Path, host: &mut dyn Host) {
+        match io::export_obj(self.session.scene(), self.session.evaluated()) {
+            Ok(text) => self.write(path, "obj", text, host),
+            Err(error) => self.tell_written(path, Err(Diagnostic::new(path, error.to_string()))),
+        }
+    }
+
+    /// Writes the geometry of the scene as an `.obj` file with its materials and pictures beside it.
+    pub(super) fn export_materials(&mut self, path: &Path, host: &mut dyn Host) {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let (scene, evaluated) = (self.session.scene(), self.session.evaluated());
+        let files = io::expect_extension(path, "obj").and_then(|()| {
+            io::export_obj_with_materials(scene, evaluated, &stem)
+                .map(|written| written.into_files(path))
+                .map_err(|error| Diagnostic::new(path, error.to_string()))
+        });
+        self.write_exported(path, files, host);
+    }
+
+    /// Writes a character as a `.skel` file with `.attach`, `.obj` and its pose beside it.
+    pub(super) fn export_character(&mut self, id: ShapeId, path: &Path, host: &mut dyn Host) {
+        let scene = self.session.scene();
+        // It may have been deleted while the dialog was open.
+        let Some((shape, character)) = scene.shape(id).zip(scene.character(id)) else {
+            let text = "Not saved: the character does not exist any more";
+            return self.tell(Severity::Error, text);
+        };
+        let files = io::expect_extension(path, "skel").and_then(|()| {
+            io::export_character(shape, character)
+                .map(|written| written.into_files(path))
+                .map_err(|error| Diagnostic::new(path, error.to_string()))
+        });
+        self.write_exported(path, files, host);
+    }
+
+    /// Writes files of which only the one at `path` was chosen. None of them takes the place of a
+    /// file that the document needs.
+    fn write_exported(
+        &mut self,
+        path: &Path,
+        files: Result<Vec<(PathBuf, Vec<u8>)>, Diagnostic>,
+        host: &mut dyn Host,
+    ) {
+        let checked = files.and_then(|files| {
+            match files.iter().find(|(file, _)| self.is_source(file)) {
+                Some((file, _)) => Err(Diagnostic::new(
+                    path,
+                    format!(
+                        "expected a name whose files are not those of the document, which needs {}",
+                        file.display()
+                    ),
+                )),
+                None => Ok(files),
+            }
+        });
+        match checked {
+            Ok(files) => host.write_files(path, files),
+            Err(error) => self.tell_written(path, Err(error)),
+        }
+    }
+
+    /// Whether a shape of the document comes from `file`, or from one that is read with it: those
+    /// of a character differ in their extensions alone.
+    fn is_source(&self, file: &Path) -> bool {
+        let sources = self.session.scene().shapes().iter();
+        let mut files = sources.filter_map(|shape| Some(&shape.source.as_ref()?.file));
+        files.any(|source| Path::new(source).with_extension("") == file.with_extension(""))
+    }
+}
