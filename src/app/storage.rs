@@ -3,6 +3,7 @@ use crate::io::Diagnostic;
 use crate::program::{HostEvent, StorageKey, globals};
 use std::fs::File;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::thread::JoinHandle;
 
 /// Size of the largest file of the program's own that is read, in bytes.
@@ -19,6 +20,8 @@ pub(super) struct Storage {
     folder: Option<PathBuf>,
     autosave: Option<Slot>,
     writing: Option<JoinHandle<Result<(), Diagnostic>>>,
+    /// Why unsaved work could not be kept last, until somebody asks.
+    failure: Option<Diagnostic>,
 }
 
 struct Slot {
@@ -41,6 +44,7 @@ impl Storage {
             folder,
             autosave,
             writing: None,
+            failure: None,
         }
     }
 
@@ -55,20 +59,33 @@ impl Storage {
 
     /// Stores `bytes`, unsaved work in the background.
     pub fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
-        let Some(path) = self.path(key) else {
-            return;
-        };
-        match key {
-            StorageKey::Preferences => {
+        match (key, self.path(key)) {
+            (StorageKey::Preferences, Some(path)) => {
                 // Nothing that the user made is lost.
                 let _ = disk::write_whole(&path, &bytes);
             }
-            StorageKey::Autosave => {
-                self.wait();
-                let write = move || disk::write_whole(&path, &bytes);
-                let thread = std::thread::Builder::new().name("autosave".to_owned());
-                self.writing = thread.spawn(write).ok();
+            (StorageKey::Preferences, None) => {}
+            (StorageKey::Autosave, Some(path)) => self.keep(path, Arc::new(bytes)),
+            (StorageKey::Autosave, None) => {
+                let folder = self.folder.clone();
+                let folder = folder.unwrap_or_else(|| PathBuf::from(globals::SETTINGS_FOLDER));
+                self.failure = Some(Diagnostic::new(
+                    &folder,
+                    "expected a folder of the program's own that can be written to",
+                ));
             }
+        }
+    }
+
+    /// Writes unsaved work in the background, or at once if there is no thread to spare.
+    fn keep(&mut self, path: PathBuf, bytes: Arc<Vec<u8>>) {
+        self.wait();
+        let (there, copy) = (path.clone(), Arc::clone(&bytes));
+        let write = move || disk::write_whole(&there, &copy);
+        let thread = std::thread::Builder::new().name("autosave".to_owned());
+        match thread.spawn(write) {
+            Ok(writing) => self.writing = Some(writing),
+            Err(_) => self.failure = disk::write_whole(&path, &bytes).err(),
         }
     }
 
@@ -87,15 +104,17 @@ impl Storage {
 
     /// The outcome of the last writing in the background, once, if it failed.
     pub fn failure(&mut self) -> Option<HostEvent> {
-        let finished = self.writing.take_if(|writing| writing.is_finished())?;
-        let failed = finished.join().ok()?.err()?;
-        Some(HostEvent::StoreFailed(failed))
+        if self.writing.as_ref().is_some_and(JoinHandle::is_finished) {
+            self.wait();
+        }
+        self.failure.take().map(HostEvent::StoreFailed)
     }
 
     /// Waits until nothing is being written.
     pub fn wait(&mut self) {
         if let Some(writing) = self.writing.take() {
-            let _ = writing.join();
+            // A thread that panicked wrote nothing, and the hook has told of it.
+            self.failure = writing.join().ok().and_then(Result::err);
         }
     }
 

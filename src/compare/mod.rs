@@ -13,6 +13,7 @@ mod flip;
 mod mesh;
 mod pair;
 mod picture_comparison;
+mod place;
 mod rules;
 mod ssim;
 #[cfg(test)]
@@ -29,6 +30,7 @@ pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{
     Allowance, Judgment, Measured, PictureComparison, PictureJob, PictureOptions,
 };
+pub use rules::sentence;
 
 /// Why two things cannot be compared at all.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -58,6 +58,8 @@ pub struct Judgment {
     /// What is wrong, the most telling first.
     #[serde(serialize_with = "with_messages")]
     pub findings: Vec<Finding>,
+    /// The area round what is drawn, which findings are placed in; see [`Pair::figure`].
+    pub figure: Option<Area>,
 }
 
 /// A comparison of two pictures in two steps, [`PictureJob::measure`] and [`PictureJob::judge`].
@@ -116,6 +118,7 @@ impl Pair<'_> {
             ssim: self.ssim(),
             flip: self.flip().mean,
             findings: self.findings(),
+            figure: self.figure(),
         }
     }
 
@@ -215,6 +218,9 @@ impl fmt::Display for PictureComparison {
         write!(f, "\nFLIP                {:.6}", self.judgment.flip)?;
         for finding in &self.judgment.findings {
             write!(f, "\nfound: {finding}")?;
+            if let Some((area, figure)) = finding.area().zip(self.judgment.figure) {
+                write!(f, "\n       {}", area.place_in(figure))?;
+            }
         }
         if differing_pixels > 0 && self.judgment.findings.is_empty() {
             write!(f, "\nno single cause explains the differences")?;
@@ -270,6 +276,7 @@ mod tests {
             ssim: Some(1.0),
             flip: 0.0,
             findings: Vec::new(),
+            figure: "20,10,20,20".parse().ok(),
         };
         assert_eq!(job.judge().unwrap(), equal);
     }

@@ -72,7 +72,7 @@ pub(super) fn with_messages<F: Serialize + Display, S: Serializer>(
 }
 
 /// A text as a sentence: with a capital letter and a full stop.
-pub(super) fn sentence(text: &str) -> String {
+pub fn sentence(text: &str) -> String {
     let mut letters = text.chars();
     let first = letters.next().map(char::to_uppercase);
     let first: String = first.into_iter().flatten().collect();

@@ -106,7 +106,9 @@ impl Session {
         self.document = Revision::new();
         if let Some(&added) = change.added.last() {
             self.select(Some(added));
-            self.selection = Selection::all(change.added.iter().copied(), Some(added));
+            if !change.opened {
+                self.selection = Selection::all(change.added.iter().copied(), Some(added));
+            }
         } else if self
             .selected()
             .is_some_and(|id| self.index_of(id).is_none())

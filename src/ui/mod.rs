@@ -47,7 +47,7 @@ pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Session, Tool, View};
-use crate::scene::{FitArea, Look, ShapeId};
+use crate::scene::{FitArea, ShapeId};
 use egui::{Rect, Response, Ui};
 use std::path::PathBuf;
 
@@ -156,8 +156,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     view_overlay::status_line(root, session, state, input);
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        let look_is_course = session.view().look == Look::Course;
-        compare::panel(root, look_is_course, compare, settings, &mut actions);
+        compare::panel(root, session, compare, settings, &mut actions);
     }
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);

@@ -319,6 +319,7 @@ fn differences_below_the_threshold_are_not_called_equal() {
             ssim: None,
             flip: 0.125,
             findings: Vec::new(),
+            figure: None,
         }),
         ..CompareReport::default()
     };
@@ -432,6 +433,7 @@ fn numbers_and_causes_are_told_in_words() {
             ssim: Some(0.5),
             flip: 0.25,
             findings: vec![Finding::Shifted { dx: 1, dy: 0 }],
+            figure: None,
         }),
         measuring: false,
         problem: None,

@@ -23,7 +23,12 @@ fn comparing() -> Story {
     );
     story.choose("mine.png");
     assert!(story.has("Stop comparing"));
-    // The saved picture has them.
+    smooth_edges(&mut story);
+    story
+}
+
+/// Gives the live view smooth edges, which pictures that are saved here have.
+fn smooth_edges(story: &mut Story) {
     let settings = CompareSettings {
         smooth_edges: true,
         ..CompareSettings::default()
@@ -31,7 +36,6 @@ fn comparing() -> Story {
     let set = Action::Ask(Ask::Compare(CompareAction::Set(settings)));
     story.program.carry_out(vec![set], &mut story.host);
     story.settle();
-    story
 }
 
 /// Runs the jobs that wait, and lets the program take what came of them.
@@ -73,6 +77,31 @@ fn moving_a_joint_is_measured_again_and_only_the_newest_state_is_judged() {
     story.button(false);
     while measure(&mut story) > 0 {}
     assert!(!has_text(&story, "0 of 60000"), "{:?}", texts(&story));
+}
+
+const BENT: &str = r#"{"joints": {"Left elbow": [0, 0, 25]}}"#;
+
+#[test]
+fn a_difference_is_placed_by_the_joint_next_to_it() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.save_view((600, 450), "rest.png");
+    let saved = story.host.written[Path::new("rest.png")].clone();
+    story.host.files.insert("rest.png".into(), saved);
+    story.host.files.insert("bent.json".into(), BENT.into());
+    story.host.drop_file("bent.json");
+    story.settle();
+    story.key(Key::F8);
+    story.choose("rest.png");
+    smooth_edges(&mut story);
+    while measure(&mut story) > 0 {}
+    story.host.time += Duration::from_millis(200);
+    story.settle();
+    while measure(&mut story) > 0 {}
+    assert!(
+        has_text(&story, "Near Left elbow, in about"),
+        "{:?}",
+        texts(&story)
+    );
 }
 
 #[test]

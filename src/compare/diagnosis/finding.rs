@@ -166,6 +166,37 @@ impl Finding {
     pub fn sentence(&self) -> String {
         sentence(&self.to_string())
     }
+
+    /// Where it shows: the area round all of it, unless it is about the pictures as a whole.
+    pub fn area(&self) -> Option<Area> {
+        match *self {
+            Self::NearlySame { area, .. } => area,
+            Self::Highlight { area, .. }
+            | Self::HighlightChanged { area, .. }
+            | Self::Edges { area, .. }
+            | Self::Detail { area, .. }
+            | Self::Shading { area, .. } => Some(area),
+            Self::Outline { area_a, area_b, .. } => {
+                let areas = || area_a.into_iter().chain(area_b);
+                let corners = areas().flat_map(|area| {
+                    let last = (area.x + area.width - 1, area.y + area.height - 1);
+                    [(area.x, area.y), last]
+                });
+                Area::around(corners)
+            }
+            Self::Blank { .. }
+            | Self::Transparent { .. }
+            | Self::Shifted { .. }
+            | Self::Mirrored { .. }
+            | Self::Scaled { .. }
+            | Self::RedBlueExchanged
+            | Self::Gray
+            | Self::Background { .. }
+            | Self::Opacity { .. }
+            | Self::Brightness { .. }
+            | Self::Gamma { .. } => None,
+        }
+    }
 }
 
 impl Which {

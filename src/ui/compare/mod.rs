@@ -5,6 +5,7 @@
 mod masks;
 mod panel;
 mod pictures;
+mod place;
 mod settings;
 
 pub(super) use panel::show as panel;

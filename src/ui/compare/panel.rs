@@ -1,6 +1,7 @@
+use super::place::place;
 use super::{CompareReport, CompareView, masks};
-use crate::compare::{Differences, Finding, Judgment};
-use crate::editor::View;
+use crate::compare::{Differences, Judgment};
+use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
@@ -22,11 +23,12 @@ const UNKNOWN: &str = "…";
 /// The panel below the view while a picture is compared with it.
 pub(in crate::ui) fn show(
     root: &mut Ui,
-    look_is_course: bool,
+    session: &Session,
     compare: &CompareView,
     changed: &mut CompareSettings,
     actions: &mut Vec<Action>,
 ) {
+    let look_is_course = session.view().look == Look::Course;
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
     let highest = (root.available_height() * 0.6).max(LOWEST);
     Panel::bottom("compare")
@@ -42,7 +44,7 @@ pub(in crate::ui) fn show(
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     if ui.available_width() < ROOM_FOR_COLUMNS {
-                        findings(ui, look_is_course, compare);
+                        findings(ui, session, compare);
                         numbers(ui, compare.report);
                         ui.separator();
                         settings(ui, look_is_course, compare, changed, actions);
@@ -54,7 +56,7 @@ pub(in crate::ui) fn show(
                             }
                             let [left, middle, right] = columns;
                             numbers(left, compare.report);
-                            findings(middle, look_is_course, compare);
+                            findings(middle, session, compare);
                             settings(right, look_is_course, compare, changed, actions);
                         });
                     }
@@ -257,7 +259,8 @@ fn line(ui: &mut Ui, name: &str, value: &str, color: egui::Color32, hint: &str) 
 }
 
 /// What is wrong, in words.
-fn findings(ui: &mut Ui, look_is_course: bool, compare: &CompareView) {
+fn findings(ui: &mut Ui, session: &Session, compare: &CompareView) {
+    let look_is_course = session.view().look == Look::Course;
     let palette = Palette::of(ui.visuals());
     ui.vertical(|ui| {
         let mut say = |text: &str, color| {
@@ -285,8 +288,12 @@ fn findings(ui: &mut Ui, look_is_course: bool, compare: &CompareView) {
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
-                for sentence in judgment.findings.iter().map(Finding::sentence) {
-                    say(&sentence, palette.strong);
+                for finding in &judgment.findings {
+                    say(&finding.sentence(), palette.strong);
+                    if let Some((area, figure)) = finding.area().zip(judgment.figure) {
+                        let place = place(session, area, figure, compare.size());
+                        say(&place, palette.text);
+                    }
                 }
                 if judgment.findings.is_empty() {
                     say("No single cause explains the differences.", palette.text);
