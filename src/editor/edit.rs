@@ -174,7 +174,7 @@ pub enum View {
     SetCamera(Camera),
     /// Sets the camera to one of the six views of the View menu.
     From(ViewDirection),
-    /// Sets the camera to the course's initial view.
+    /// Sets the camera to the one with which the document was opened.
     ResetCamera,
     /// Fits the selected shapes, or everything visible if no visible shape is selected, into the
     /// picture.

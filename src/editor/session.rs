@@ -220,7 +220,7 @@ impl Session {
         match view {
             View::SetCamera(camera) => self.view.camera = camera,
             View::From(direction) => self.view.camera = Camera::preset(direction),
-            View::ResetCamera => self.view.camera = Camera::default(),
+            View::ResetCamera => self.view.camera = self.start_camera,
             View::Fit(area) => {
                 let is_selected = |shape: &&EvaluatedShape| self.selection.has(shape.id);
                 let visible = self.evaluated.shapes.iter().filter(|shape| shape.visible);

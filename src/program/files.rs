@@ -125,13 +125,18 @@ impl Program {
 
     /// Compares the view with the picture at `path` from now on, with what was chosen before.
     fn compare_with(&mut self, path: &Path, files: &dyn Files) {
-        match self.comparison_with(path, files) {
-            Ok(comparison) => self.begin_comparison(comparison),
+        match self.reference_picture(path, files) {
+            Ok((name, picture)) => self.begin_comparison(name, picture),
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }
 
-    fn comparison_with(&self, path: &Path, files: &dyn Files) -> Result<Comparison, Diagnostic> {
+    /// A picture to compare with, after the name of its file.
+    fn reference_picture(
+        &self,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<(String, Picture), Diagnostic> {
         let picture = image::decode(path, &files.read(path)?)?;
         let (width, height) = (picture.width, picture.height);
         let most = self.graphics.max_texture_side;
@@ -144,8 +149,7 @@ impl Program {
             ));
         }
         let name = path.file_name().unwrap_or(path.as_os_str());
-        let name = name.to_string_lossy().into_owned();
-        Ok(Comparison::new(name, picture, self.compare_settings()))
+        Ok((name.to_string_lossy().into_owned(), picture))
     }
 
     fn save_pose(&mut self, shape: ShapeId, kept: Option<usize>, path: &Path, host: &mut dyn Host) {

@@ -257,7 +257,7 @@ impl Program {
             return false;
         }
         // Marks would count as differences, and so would a backdrop that goes with the panels.
-        let frame = frame(&self.session, Backdrop::default(), Marks::default());
+        let frame = frame(&self.session, comparison.backdrop(), Marks::default());
         match graphics.compared_picture(&frame, comparison.size(), smooth_edges) {
             Ok(picture) => comparison.take_live(picture, wanted, host.now()),
             Err(error) => {

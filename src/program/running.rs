@@ -13,7 +13,7 @@ use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::{FitArea, Look, ShapeId, Skinning};
+use crate::scene::{FitArea, ShapeId, Skinning};
 use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
@@ -41,8 +41,6 @@ pub struct Program {
     /// Preferences as they were stored last.
     pub(super) stored: Preferences,
     pub(super) comparison: Option<Comparison>,
-    /// Look from before the comparison.
-    look_before_comparison: Option<Look>,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
     /// Pictures that are taken at the end of this frame.
@@ -96,7 +94,6 @@ impl Program {
             preferences: Preferences::default(),
             stored: Preferences::default(),
             comparison: None,
-            look_before_comparison: None,
             pending_pictures: Vec::new(),
             due_pictures: Vec::new(),
             pictures: VecDeque::new(),
@@ -432,24 +429,6 @@ impl Program {
                     comparison.set(settings, host.now());
                 }
             }
-        }
-    }
-
-    /// Begins a comparison, in the Course look, which reference pictures have.
-    pub(super) fn begin_comparison(&mut self, comparison: Comparison) {
-        if self.comparison.is_none() {
-            self.look_before_comparison = Some(self.session.view().look);
-        }
-        self.session.look(View::SetLook(Look::Course));
-        self.comparison = Some(comparison);
-    }
-
-    /// Ends the comparison, and goes back to the look from before it unless another was chosen.
-    pub(super) fn end_comparison(&mut self) {
-        self.comparison = None;
-        let before = self.look_before_comparison.take();
-        if let Some(before) = before.filter(|_| self.session.view().look == Look::Course) {
-            self.session.look(View::SetLook(before));
         }
     }
 

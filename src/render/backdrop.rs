@@ -1,5 +1,6 @@
 //! What is behind the shapes, and the colors that are legible before it.
 
+use crate::geometry::Picture;
 use crate::scene::Look;
 use glam::Vec3;
 
@@ -67,6 +68,22 @@ const LIGHT: Colors = Colors {
 };
 
 impl Backdrop {
+    /// The backdrop of a picture that was drawn in the Studio look, by its upper corners; `None` of
+    /// any other picture.
+    pub fn of_studio(picture: &Picture) -> Option<Self> {
+        const TOLERANCE: f32 = 3.0;
+        let pixels: &[[u8; 4]] = picture.rgba.as_chunks().0;
+        let row = pixels.get(..picture.width as usize)?;
+        let corners = [row.first()?, row.last()?];
+        [Self::Dark, Self::Light].into_iter().find(|backdrop| {
+            let top = backdrop.colors(Look::Studio).top * 255.0;
+            corners.iter().all(|[r, g, b, _]| {
+                let color = Vec3::new(f32::from(*r), f32::from(*g), f32::from(*b));
+                color.abs_diff_eq(top, TOLERANCE)
+            })
+        })
+    }
+
     /// The colors of a look before this backdrop.
     pub(super) fn colors(self, look: Look) -> &'static Colors {
         match (look, self) {

@@ -14,6 +14,7 @@ mod curve_panel;
 mod history;
 mod joint_list;
 mod joint_rows;
+mod look_switch;
 mod menu_bar;
 mod messages;
 mod navigation;

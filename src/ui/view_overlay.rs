@@ -6,8 +6,8 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
 use super::{
-    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, messages, posing,
-    start_page,
+    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, compare, look_switch, messages,
+    posing, start_page,
 };
 use crate::editor::{Session, Tool};
 use crate::scene::FitArea;
@@ -56,6 +56,10 @@ pub(super) fn show(
         actions,
     );
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
+    // The panel of a comparison has one of its own.
+    if input.compare.is_none() {
+        look_switch::show(&mut over, rect, session.view().look, actions);
+    }
     let is_empty = session.scene().shapes().is_empty();
     if is_empty && input.compare.is_none() && input.question.is_none() {
         start_page::show(&mut over, rect, input, actions);

@@ -31,13 +31,22 @@ const FAR: (&str, &str) = ("models/far.obj", "v 90 0 0\nv 91 0 0\nv 90 1 0\nf 1 
 
 fn host() -> MemoryHost {
     let files = LARGE.into_iter().chain([FAR]);
-    MemoryHost {
+    let mut host = MemoryHost {
         stored: [super::started_before()].into(),
         files: files
             .map(|(path, text)| (path.into(), text.into()))
             .collect(),
         ..MemoryHost::default()
-    }
+    };
+    // The course's background.
+    let reference = editor_core::geometry::Picture {
+        width: 40,
+        height: 30,
+        rgba: [26, 26, 26, 255].repeat(40 * 30),
+    };
+    let bytes = image::encode(&reference, PictureFormat::Png).expect("a picture");
+    host.files.insert("reference.png".into(), bytes);
+    host
 }
 
 fn start(files: &[&str]) -> Story {
@@ -175,15 +184,7 @@ fn the_look_that_was_chosen_is_that_of_all_that_is_opened_then() {
 
 #[test]
 fn what_is_started_with_a_picture_is_seen_as_in_the_course_s_editor() {
-    let mut host = host();
-    let picture = editor_core::geometry::Picture {
-        width: 40,
-        height: 30,
-        rgba: vec![26; 40 * 30 * 4],
-    };
-    let bytes = image::encode(&picture, PictureFormat::Png).expect("a picture");
-    host.files.insert("reference.png".into(), bytes);
-    let story = Story::start_at(host, &["builtin:robot", "reference.png"]);
+    let story = start(&["builtin:robot", "reference.png"]);
     assert!(story.has("Stop comparing"));
     assert_eq!(story.look(), Look::Course);
     assert_eq!(story.session().view().camera, Camera::default());
@@ -193,12 +194,9 @@ fn what_is_started_with_a_picture_is_seen_as_in_the_course_s_editor() {
 #[test]
 fn a_comparison_is_in_the_course_look_and_that_look_is_gone_with_it() {
     let mut story = start(&["builtin:robot"]);
-    story.save_view((40, 30), "mine.png");
-    let saved = story.host.written[Path::new("mine.png")].clone();
-    story.host.files.insert("mine.png".into(), saved);
     for another_look in [false, true] {
         story.key(Key::F8);
-        story.choose("mine.png");
+        story.choose("reference.png");
         assert_eq!(story.look(), Look::Course);
         if another_look {
             story.key(Key::F10);
@@ -210,6 +208,29 @@ fn a_comparison_is_in_the_course_look_and_that_look_is_gone_with_it() {
     // The look of a comparison is not one that was chosen for good.
     let stored = String::from_utf8(story.host.stored[&StorageKey::Preferences].clone()).unwrap();
     assert!(stored.contains(r#""look": null"#), "{stored}");
+}
+
+#[test]
+fn a_picture_taken_in_the_studio_is_compared_in_the_studio_whatever_the_theme_is_by_then() {
+    for theme in ["Light", "Dark"] {
+        let mut story = start(&["builtin:robot"]);
+        let choose_theme = |story: &mut Story, theme: &str| {
+            for label in ["View", "Theme", theme] {
+                story.click(label);
+            }
+        };
+        choose_theme(&mut story, theme);
+        story.save_view((120, 80), "mine.png");
+        let saved = story.host.written[Path::new("mine.png")].clone();
+        story.host.files.insert("mine.png".into(), saved);
+        choose_theme(&mut story, "Dark");
+        story.key(Key::F2);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        assert_eq!(story.look(), Look::Studio, "{theme}");
+        story.key(Key::F8);
+        assert_eq!(story.look(), Look::Course, "{theme}");
+    }
 }
 
 #[test]
@@ -324,4 +345,17 @@ fn the_light_theme_has_a_light_view() {
         let found = brightness(&story);
         assert!(range.contains(&found), "{theme}: {found}");
     }
+}
+
+#[test]
+fn the_course_s_look_is_one_click_away_and_so_is_the_way_back() {
+    let mut story = start(&["builtin:robot"]);
+    for (name, look) in [("Course look", Look::Course), ("Studio look", Look::Studio)] {
+        story.click(name);
+        assert_eq!(story.look(), look);
+        let stored = &story.host.stored[&StorageKey::Preferences];
+        let stored: serde_json::Value = serde_json::from_slice(stored).expect("preferences");
+        assert_eq!(stored["look"], serde_json::to_value(look).expect("a name"));
+    }
+    assert_eq!(story.names(), ["Robot"], "the view got no click");
 }
