@@ -296,8 +296,8 @@ fn child_that_saves_without_an_end() {
     };
     let target = PathBuf::from(target);
     for number in 0.. {
-        disk::keep_beside(&target).expect("a copy");
-        disk::write_whole(&target, &version(number)).expect("a saved file");
+        let files = [(target.clone(), version(number))];
+        disk::write_all_keeping(&files).expect("a saved file");
         if number == 0 {
             println!("saving");
         }

@@ -171,21 +171,19 @@ impl Host for WindowHost {
     }
 
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous) {
-        let kept = match previous {
-            Previous::Replace => Ok(()),
-            Previous::KeepBeside => disk::keep_beside(path),
+        let path = path.to_owned();
+        let result = match previous {
+            Previous::Replace => disk::write_whole(&path, &bytes),
+            Previous::KeepBeside => disk::write_all_keeping(&[(path.clone(), bytes)]),
         };
-        self.events.push_back(HostEvent::Written {
-            path: path.to_owned(),
-            result: kept.and_then(|()| disk::write_whole(path, &bytes)),
-        });
+        self.events.push_back(HostEvent::Written { path, result });
     }
 
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
-        let result = files.iter().try_for_each(|(path, bytes)| {
-            disk::keep_beside(path)?;
-            disk::write_with_folders(path, bytes)
-        });
+        let folders = files
+            .iter()
+            .try_for_each(|(path, _)| disk::make_folder_of(path));
+        let result = folders.and_then(|()| disk::write_all_keeping(&files));
         let path = path.to_owned();
         self.events.push_back(HostEvent::Written { path, result });
     }

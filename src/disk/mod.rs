@@ -3,7 +3,7 @@
 
 mod write;
 
-pub use write::{keep_beside, write_all_whole, write_whole, write_with_folders};
+pub use write::{make_folder_of, write_all_keeping, write_all_whole, write_whole};
 
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, WithArchives};

@@ -101,31 +101,64 @@ fn cannot_write(path: &Path, target: &Path, error: &io::Error) -> Diagnostic {
     Diagnostic::new(path, message)
 }
 
-/// Keeps the file at `path` a second time as `NAME~` beside it, in the place of an older one: it
-/// stays there when `path` is replaced. Does nothing if there is no such file.
+/// Writes files as [`write_all_whole`] does, and keeps each that is replaced as `NAME~` beside the new
+/// one, in the place of an older one. A file that has the same bytes already is left alone, so that
+/// writing twice does not lose what was there before.
 ///
 /// # Errors
-/// If the folder is not writable or the disk is full. The file at `path` is there in any case.
-pub fn keep_beside(path: &Path) -> Result<(), Diagnostic> {
-    let Some(target) = behind_links(path).filter(|target| target.is_file()) else {
-        // Whatever is wrong with the file, writing it says so.
-        return Ok(());
-    };
-    let mut name = target.clone().into_os_string();
-    name.push("~");
-    let beside = PathBuf::from(name);
-    let read = Disk.read(&target)?;
-    write_whole(&beside, &read)
+/// As [`write_all_whole`]; then those of `NAME~` are the old ones as well.
+pub fn write_all_keeping(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Diagnostic> {
+    let is_new = |(path, bytes): &&(PathBuf, Vec<u8>)| !holds(path, bytes);
+    let (mut written, mut kept) = (Vec::new(), Vec::new());
+    for (path, bytes) in files.iter().filter(is_new) {
+        written.push(staged(path, bytes)?);
+        kept.extend(copy_beside(path)?);
+    }
+    let mut all = kept.into_iter().chain(written);
+    all.try_for_each(Staged::put_in_place)
 }
 
-/// Writes `bytes` to `path` as [`write_whole`] does, and makes the folders above it first.
+/// Whether the file at `path` has just these bytes.
+fn holds(path: &Path, bytes: &[u8]) -> bool {
+    let length = std::fs::metadata(path).map(|file| file.len());
+    length.is_ok_and(|length| length == bytes.len() as u64)
+        && Disk.read(path).is_ok_and(|read| read == bytes)
+}
+
+/// Longest name of a file on most systems, in bytes.
+const LONGEST_NAME: usize = 255;
+
+/// A copy of the file at `path`, to be put beside it as `NAME~`; `None` if there is no such file, or
+/// its name has no room for the mark.
+fn copy_beside(path: &Path) -> Result<Option<Staged>, Diagnostic> {
+    let Some(target) = behind_links(path).filter(|target| target.is_file()) else {
+        // Whatever is wrong with the file, writing it says so.
+        return Ok(None);
+    };
+    let name = target.file_name().unwrap_or_default();
+    if name.len() >= LONGEST_NAME {
+        return Ok(None);
+    }
+    let mut beside = target.clone().into_os_string();
+    beside.push("~");
+    let beside = PathBuf::from(beside);
+    let read = Disk.read(&target)?;
+    let copy = write_beside(&target, folder_of(&target), &read);
+    let file = copy.map_err(|error| cannot_write(&beside, &beside, &error))?;
+    Ok(Some(Staged {
+        path: beside.clone(),
+        target: beside,
+        file,
+    }))
+}
+
+/// Makes the folder that `path` lies in, and those above it, where they are missing.
 ///
 /// # Errors
-/// As [`write_whole`], and if a folder cannot be made.
-pub fn write_with_folders(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    std::fs::create_dir_all(folder).map_err(|error| Diagnostic::new(folder, in_words(&error)))?;
-    write_whole(path, bytes)
+/// If the system refuses.
+pub fn make_folder_of(path: &Path) -> Result<(), Diagnostic> {
+    let folder = folder_of(path);
+    std::fs::create_dir_all(folder).map_err(|error| Diagnostic::new(folder, in_words(&error)))
 }
 
 /// Target of `path` after all symbolic links, which need not exist; `None` for links in a circle.
@@ -269,6 +302,49 @@ mod tests {
         assert_eq!(fs::read(folder.path().join("a.obj")).unwrap(), b"1");
         assert_eq!(fs::read(folder.path().join("a.mtl")).unwrap(), b"2");
         assert_eq!(entries(folder.path()), 2);
+    }
+
+    #[test]
+    fn the_version_before_is_kept_until_there_is_another_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.scene");
+        let write = |text: &str| write_all_keeping(&[(path.clone(), text.as_bytes().to_vec())]);
+        let kept = || fs::read(folder.path().join("a.scene~")).ok();
+        write("one").unwrap();
+        assert_eq!(kept(), None);
+        write("two").unwrap();
+        write("two").unwrap();
+        assert_eq!(kept().unwrap(), b"one", "saved twice");
+
+        let mut permissions = fs::metadata(&path).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&path, permissions).unwrap();
+        write("three").unwrap_err();
+        assert_eq!(kept().unwrap(), b"one", "nothing was replaced");
+        assert_eq!(entries(folder.path()), 2);
+    }
+
+    #[test]
+    fn a_kept_version_is_replaced_though_it_is_write_protected_and_a_name_may_be_too_long_for_one()
+    {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.scene");
+        let write = |path: &Path, text: &str| {
+            write_all_keeping(&[(path.to_owned(), text.as_bytes().to_vec())]).unwrap();
+        };
+        write(&path, "one");
+        write(&path, "two");
+        let kept = folder.path().join("a.scene~");
+        let mut permissions = fs::metadata(&kept).unwrap().permissions();
+        permissions.set_readonly(true);
+        fs::set_permissions(&kept, permissions).unwrap();
+        write(&path, "three");
+        assert_eq!(fs::read(&kept).unwrap(), b"two");
+
+        let long = folder.path().join("a".repeat(LONGEST_NAME));
+        write(&long, "one");
+        write(&long, "two");
+        assert_eq!(fs::read(&long).unwrap(), b"two");
     }
 
     #[cfg(unix)]

@@ -39,9 +39,9 @@ pub trait Host {
     /// Writes a file whole or not at all. Answered by [`HostEvent::Written`].
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
-    /// Writes several files, in order, each whole or not at all, and makes the folders that they
-    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Ends with the
-    /// first that cannot be written. Answered by one [`HostEvent::Written`] about `path`.
+    /// Writes several files that belong together, all of them or none, and makes the folders that they
+    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Answered by
+    /// one [`HostEvent::Written`] about `path`.
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
 
     /// Watches these files, and no others, for changes by other programs, which are

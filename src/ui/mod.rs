@@ -127,7 +127,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // The root was made before the style was set.
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
-    let mut actions = finish_typing(&ctx, session, state, aspect(state.view_rect));
+    let mut actions = finish_typing(&ctx, session, state, input.keys_are_taken);
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let keys_taken = input.keys_are_taken
@@ -215,13 +215,15 @@ const MEANT_WHILE_TYPING: [Command; 5] = [
 ];
 
 /// Takes what is being typed over before a command about the document: the field gives up the
-/// keyboard in this frame, and the command runs in the next.
+/// keyboard in this frame, and the command runs in the next. Where `keys_are_taken`, such as by a
+/// file dialog, keys mean no commands.
 fn finish_typing(
     ctx: &egui::Context,
     session: &Session,
     state: &mut UiState,
-    aspect: f32,
+    keys_are_taken: bool,
 ) -> Vec<Action> {
+    let aspect = aspect(state.view_rect);
     let typing = ctx.text_edit_focused() && state.search.is_none();
     if !typing {
         let command = state.after_typing.take();
@@ -229,7 +231,7 @@ fn finish_typing(
             commands::run(command, session, state, aspect)
         });
     }
-    if state.after_typing.is_none() {
+    if state.after_typing.is_none() && !keys_are_taken {
         let is_meant = |command: &Command| MEANT_WHILE_TYPING.contains(command);
         state.after_typing = commands::pressed_with_ctrl(ctx, state.navigation).filter(is_meant);
     }
