@@ -4,6 +4,7 @@ use super::angle::{self, Angle, Degrees};
 use super::{json, json_text};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
+use crate::scene::MissingPose;
 use glam::Vec3;
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, Visitor};
@@ -37,6 +38,11 @@ impl<V> Default for Entries<V> {
 pub struct Key(Spanned<String>);
 
 impl Key {
+    /// A key that is in no file yet.
+    pub(super) fn named(name: &str) -> Self {
+        Self(Spanned::new(0..0, name.to_owned()))
+    }
+
     /// The name, or the index in decimal.
     pub fn as_str(&self) -> &str {
         self.0.get_ref()
@@ -165,6 +171,17 @@ impl PoseData {
         }
     }
 
+    /// Adds what is known of joints that the character does not have.
+    pub(super) fn with_missing(mut self, missing: &MissingPose) -> Self {
+        let joints = missing.joints.iter();
+        let joints = joints.map(|(name, rotation)| (Key::named(name), *rotation));
+        self.joints.0.extend(joints);
+        let roots = missing.roots.iter();
+        let roots = roots.map(|(name, offset)| (Key::named(name), *offset));
+        self.roots.0.extend(roots);
+        self
+    }
+
     /// The text of a `POSE.json`, a joint a line. Numbers have as many digits as it takes to read
     /// the same ones back.
     pub fn to_json(&self) -> String {
@@ -205,7 +222,7 @@ pub(super) fn key(skeleton: &SkeletalModel, joint: usize) -> Key {
     while found.is_none() && Pose::find_joint(skeleton, &index) != Ok(joint) {
         index.insert(0, '#');
     }
-    Key(Spanned::new(0..0, found.cloned().unwrap_or(index)))
+    Key::named(found.unwrap_or(&index))
 }
 
 /// For each angle the number of degrees with the fewest digits that is read as the same angle;

@@ -1,8 +1,8 @@
 use super::json::Json;
-use super::pose_data::{Key, PoseData};
+use super::pose_data::{Entries, Key, PoseData};
 use super::{Diagnostic, Position, scanner};
 use crate::character::{Pose, PoseError, SkeletalModel};
-use crate::scene::{Scene, ShapeId, ShapeKind};
+use crate::scene::{MissingPose, Scene, ShapeId, ShapeKind};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use strsim::levenshtein;
@@ -149,6 +149,21 @@ impl PoseData {
             });
         }
         self.pose_of(skeleton).unwrap_or_default()
+    }
+
+    /// The rest of this pose, which [`PoseData::fit`] leaves out.
+    pub(super) fn missing(&self, skeleton: &SkeletalModel) -> MissingPose {
+        fn of<V: Copy>(entries: &Entries<V>, is_there: impl Fn(&str) -> bool) -> Vec<(String, V)> {
+            let named = entries.0.iter().map(|(key, value)| (key.as_str(), *value));
+            let missing = named.filter(|(key, _)| !is_there(key));
+            missing
+                .map(|(key, value)| (key.to_owned(), value))
+                .collect()
+        }
+        MissingPose {
+            joints: of(&self.joints, |key| Pose::find_joint(skeleton, key).is_ok()),
+            roots: of(&self.roots, |key| find_root(skeleton, key).is_ok()),
+        }
     }
 
     fn pose_of(&self, skeleton: &SkeletalModel) -> Option<Pose> {

@@ -1,4 +1,4 @@
-use super::IkSettings;
+use super::{IkSettings, MissingJoints};
 use crate::character::{Character, Pose};
 use crate::revision::Revision;
 use std::collections::HashSet;
@@ -18,6 +18,8 @@ pub struct CharacterShape {
     pub ik: IkSettings,
     /// Display options.
     pub display: CharacterDisplay,
+    /// What was saved about joints that it does not have.
+    pub missing_joints: Arc<MissingJoints>,
 }
 
 /// Display options of a character.
@@ -87,6 +89,7 @@ impl PartialEq for CharacterShape {
             && self.poses == other.poses
             && self.ik == other.ik
             && self.display == other.display
+            && self.missing_joints == other.missing_joints
     }
 }
 
@@ -100,6 +103,7 @@ impl CharacterShape {
             poses: Vec::new(),
             ik: IkSettings::default(),
             display: CharacterDisplay::default(),
+            missing_joints: Arc::default(),
         }
     }
 

@@ -10,6 +10,7 @@ mod evaluate;
 mod evaluate_curves;
 mod ik_settings;
 mod import_curve;
+mod missing_joints;
 mod picking;
 mod shape;
 mod shape_manager;
@@ -27,6 +28,7 @@ pub use evaluate::{Deformation, Evaluated, EvaluatedGeometry, EvaluatedShape, Ev
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use ik_settings::{IkPole, IkSettings};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
+pub use missing_joints::{MissingJoints, MissingPose};
 pub use picking::{BoneHit, bones_in_world, pick_bone, pick_control_point, pick_shape};
 pub use shape::{Importer, MissingShape, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
 pub use shape_manager::{Scene, name_of_import};

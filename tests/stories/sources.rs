@@ -174,6 +174,39 @@ fn a_model_that_another_program_changes_is_noticed_and_reloaded_with_pose_and_pl
 }
 
 #[test]
+fn poses_of_joints_that_a_model_lacks_now_are_kept_until_it_has_them_again() {
+    let mut story = with_saved_strip();
+    story.key_with(CTRL, Key::K);
+    story.key_with(CTRL, Key::S);
+    let skel = file(&story, "models/strip.skel");
+    let renamed = String::from_utf8(skel.clone()).unwrap();
+    let renamed = renamed.replace("Elbow", "Knee");
+    story
+        .host
+        .files
+        .insert("models/strip.skel".into(), renamed.into_bytes());
+    story.key_with(CTRL, Key::R);
+    story.type_into("Position X", "4");
+    story.key_with(CTRL, Key::S);
+    let text = String::from_utf8(file(&story, "work/bent.scene")).unwrap();
+    assert_eq!(
+        text.matches("\"Elbow\": [0, 0, 90]").count(),
+        2,
+        "the pose and the kept one: {text}"
+    );
+
+    story.key_with(CTRL, Key::N);
+    open(&mut story, "work/bent.scene");
+    assert_eq!(story.degrees("Knee"), Vec3::ZERO);
+    story.type_into("Position X", "3");
+    story.key_with(CTRL, Key::S);
+    story.host.files.insert("models/strip.skel".into(), skel);
+    story.key_with(CTRL, Key::R);
+    assert!(is_bent(&story));
+    assert!(!story.character().poses()[0].pose.is_bind());
+}
+
+#[test]
 fn a_model_that_is_broken_now_stays_as_it_was() {
     let mut story = with_saved_strip();
     let broken = b"v 0 0 0\nf 1 2 3\n".to_vec();

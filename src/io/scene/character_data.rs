@@ -9,11 +9,14 @@ use crate::io::angle::ExactDegrees;
 use crate::io::json_text::{Members, Text};
 use crate::io::pose_data::{Entries, Key, key};
 use crate::io::pose_file::{Misfit, find_joint};
-use crate::scene::{CharacterDisplay, CharacterShape, IkPole, IkSettings, KeptPose};
+use crate::scene::{
+    CharacterDisplay, CharacterShape, IkPole, IkSettings, KeptPose, MissingJoints, MissingPose,
+};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use std::collections::BTreeSet;
 use std::fmt;
+use std::sync::Arc;
 
 /// Everything about a character that is in the scene and not in the character's file.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -112,18 +115,28 @@ impl CharacterData {
     /// What is in the scene about `shape`.
     pub fn of(shape: &CharacterShape) -> Self {
         let skeleton = shape.character.skeleton();
-        let named = |pose: &Pose| ExactPose(PoseData::new(skeleton, pose));
-        let kept = |kept: &KeptPose| (kept.name.clone(), named(&kept.pose));
+        let missing = &*shape.missing_joints;
+        let none = MissingPose::default();
+        let named = |pose: &Pose, missing: &MissingPose| {
+            ExactPose(PoseData::new(skeleton, pose).with_missing(missing))
+        };
+        let kept = |kept: &KeptPose| {
+            let missing = missing.of_kept(&kept.name).unwrap_or(&none);
+            (kept.name.clone(), named(&kept.pose, missing))
+        };
         let joints = skeleton.joints().len();
         let pins = shape.ik.pins.iter().filter(|&&pin| pin < joints);
         Self {
-            pose: named(shape.pose()),
+            pose: named(shape.pose(), &missing.pose),
             poses: KeptPoses(shape.poses().iter().map(kept).collect()),
             ik: IkData {
                 length: shape.ik.length.clamp(1, IkSettings::LONGEST),
                 pole: shape.ik.pole,
                 keep_orientation: shape.ik.keep_orientation,
-                pins: pins.map(|&pin| key(skeleton, pin)).collect(),
+                pins: pins
+                    .map(|&pin| key(skeleton, pin))
+                    .chain(missing.pins.iter().map(|name| Key::named(name)))
+                    .collect(),
             },
             display: shape.display,
         }
@@ -142,8 +155,24 @@ impl CharacterData {
         let kept = kept.collect();
         shape.set_poses(kept);
         shape.ik = self.ik.settings(skeleton, &mut misfits);
+        shape.missing_joints = Arc::new(self.missing(skeleton));
         set_display(shape, self.display);
         misfits
+    }
+
+    /// What it says about joints that `skeleton` does not have.
+    fn missing(&self, skeleton: &SkeletalModel) -> MissingJoints {
+        let poses = self.poses.0.iter();
+        let poses = poses.map(|(name, pose)| (name.clone(), pose.0.missing(skeleton)));
+        let pins = self.ik.pins.iter();
+        let pins = pins.filter(|key| find_joint(skeleton, key).is_err());
+        MissingJoints {
+            pose: self.pose.0.missing(skeleton),
+            poses: poses
+                .filter(|(_, missing)| *missing != MissingPose::default())
+                .collect(),
+            pins: pins.map(|key| key.as_str().to_owned()).collect(),
+        }
     }
 
     /// The members that are not as in a new character.
