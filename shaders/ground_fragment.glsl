@@ -1,5 +1,5 @@
-// Grid lines as wide as a pixel at any distance, and shadows with soft edges, fading towards the rim
-// of the square.
+// Grid lines as wide as a pixel at any distance, and shadows with soft edges, fading into the
+// background towards the rim of the square.
 in vec2 on_ground;
 
 uniform vec2 center;
@@ -10,14 +10,24 @@ uniform int has_shadows;
 // How far the edge of a shadow fades, in the world.
 uniform float softness;
 
+// 1 if the ground hides what is below it: the background is then drawn anew under all that follows.
+uniform float opaque;
 // The light that the ground takes round the middle, so that shadows show; 0 seen from below, where
 // it would stand before the shapes.
 uniform float lit;
+// The background, as in background_fragment.glsl, and the height of what is drawn in pixels.
+uniform vec3 top;
+uniform vec3 bottom;
+uniform float lowest;
+uniform float part;
+uniform float picture_height;
 // 1 with the lines of the grid, 0 without.
 uniform float grid;
 
-const float DARKNESS = 0.6;
-const vec3 GROUND = vec3(0.37, 0.39, 0.42);
+uniform vec3 ground;
+uniform vec3 line_color;
+// The share of its light that the ground loses in the deepest shadow.
+uniform float darkness;
 
 out vec4 fragment_color;
 
@@ -56,15 +66,17 @@ void main() {
     float shade = 0.0;
     if (has_shadows == 1) {
         vec2 along_row = dFdx(on_ground);
-        shade = DARKNESS * fade * shadow(max(length(along_row), 1e-6));
+        shade = darkness * fade * shadow(max(length(along_row), 1e-6));
     }
-    if (max(max(coverage, shade), pool) <= 0.004) {
+    if (max(max(coverage, shade), max(pool, opaque)) <= 0.004) {
         discard;
     }
-    // From below: the lit ground, the shadow, which darkens what is behind the ground as well, and
-    // the lines, which lose some of their light, too.
-    vec4 seen = vec4(GROUND * pool, pool);
+    // From the bottom up: the background, the lit ground, the shadow, which darkens what is behind the
+    // ground as well, and the lines, which lose some of their light, too.
+    float up = lowest + part * gl_FragCoord.y / picture_height;
+    vec3 background = mix(bottom, top, smoothstep(0.0, 1.0, up));
+    vec4 seen = vec4(background * opaque, opaque) * (1.0 - pool) + vec4(ground * pool, pool);
     seen = vec4(seen.rgb * (1.0 - shade), 1.0 - (1.0 - seen.a) * (1.0 - shade));
-    vec3 line = vec3(0.72, 0.76, 0.82) * (1.0 - 0.6 * shade);
+    vec3 line = line_color * (1.0 - 0.6 * shade);
     fragment_color = vec4(line * coverage, coverage) + (1.0 - coverage) * seen;
 }

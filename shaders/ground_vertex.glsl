@@ -11,4 +11,6 @@ out vec2 on_ground;
 void main() {
     on_ground = center + corner * reach;
     gl_Position = clip_from_world * vec4(on_ground.x, height, on_ground.y, 1.0);
+    // What lies exactly on the ground is before it.
+    gl_Position.z += 4e-6 * gl_Position.w;
 }

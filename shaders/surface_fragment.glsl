@@ -42,6 +42,22 @@ vec3 linear_from_stored(vec3 stored) {
     return pow(stored, vec3(2.2));
 }
 
+// Light beyond what a screen shows is compressed instead of cut off, by its strongest color so that
+// the others keep their proportion, and the more of it there is the whiter it becomes: a surface of a
+// pure color keeps its shading. As Khronos' neutral tone mapping, but from a lower start on.
+vec3 shown(vec3 light) {
+    const float START = 0.4;
+    const float WHITENING = 0.5;
+    float peak = max(light.r, max(light.g, light.b));
+    if (peak <= START) {
+        return light;
+    }
+    const float RANGE = 1.0 - START;
+    float compressed = 1.0 - RANGE * RANGE / (peak - START + RANGE);
+    float kept = 1.0 / (1.0 + WHITENING * (peak - compressed));
+    return mix(vec3(compressed), light * (compressed / peak), kept);
+}
+
 vec3 lit(vec3 surface, vec3 n, vec3 v, vec3 l, vec3 light, float shine) {
     float diffuse = max(dot(n, l), 0.0);
     float specular = pow(max(dot(n, unit(l + v)), 0.0), 48.0);
@@ -60,7 +76,7 @@ vec3 studio(vec3 stored, vec3 n) {
     sum += lit(surface, n, v, key_direction, vec3(0.95, 0.91, 0.85), 0.10);
     sum += lit(surface, n, v, fill_direction, vec3(0.20, 0.24, 0.30), 0.03);
     sum += lit(surface, n, v, rim_direction, vec3(0.42, 0.46, 0.52), 0.12);
-    return pow(min(sum, vec3(1.0)), vec3(1.0 / 2.2));
+    return pow(shown(sum), vec3(1.0 / 2.2));
 }
 
 // The color says where a surface looks; a picture is lit instead.

@@ -6,7 +6,7 @@ use editor_core::editor::{Change, Edit, Session, View, apply};
 use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
 use editor_core::scene::{
-    Camera, CharacterShape, NewShape, Scene, ShapeColor, ShapeId, ShapeKind, ViewSettings,
+    Camera, CharacterShape, FitArea, NewShape, Scene, ShapeColor, ShapeId, ShapeKind, ViewSettings,
 };
 use glam::Vec3;
 use proptest::prelude::*;
@@ -136,7 +136,7 @@ fn fitting_means_the_selected_shape_or_everything_that_is_visible_where_it_is_hi
     let sphere = session.selected().unwrap();
     session.edit(Edit::SetTransform(sphere, far)).unwrap();
     let fit = |session: &mut Session| {
-        session.look(View::Fit { aspect: 1.0 });
+        session.look(View::Fit(FitArea::whole(1.0)));
         session.view().camera.target
     };
     assert!(fit(&mut session).abs_diff_eq(Vec3::X * 50.0, 1e-3));

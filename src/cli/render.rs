@@ -11,9 +11,9 @@ use crate::geometry::Picture;
 use crate::gpu::Backend;
 use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic};
-use crate::render::{Background, Frame, LargePicture, MOST_PIXELS, Marks, Offscreen};
+use crate::render::{Backdrop, Background, Frame, LargePicture, MOST_PIXELS, Marks, Offscreen};
 use crate::scene::{
-    Camera, Look, ViewDirection, ViewSettings, fit_turntable, turntable_cameras,
+    Camera, FitArea, Look, ViewDirection, ViewSettings, fit_turntable, turntable_cameras,
     turntable_milliseconds,
 };
 use std::path::PathBuf;
@@ -65,6 +65,9 @@ pub struct Args {
     /// Light and background [default: course, or as the scene has it].
     #[arg(long)]
     look: Option<LookName>,
+    /// Brightness of the Studio look's background, and of the panels.
+    #[arg(long, default_value = "dark")]
+    theme: ThemeName,
     /// Draw the axes.
     #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch, action = clap::ArgAction::Set)]
     axis: bool,
@@ -100,6 +103,21 @@ enum LookName {
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum ThemeName {
+    Dark,
+    Light,
+}
+
+impl From<ThemeName> for Backdrop {
+    fn from(theme: ThemeName) -> Self {
+        match theme {
+            ThemeName::Dark => Self::Dark,
+            ThemeName::Light => Self::Light,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum GlName {
     /// EGL, and OSMesa where there is none.
     Auto,
@@ -131,8 +149,15 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         encoded.map_err(|message| Diagnostic::new(&args.output, message).into())
     };
     let files = if args.ui {
-        let (size, samples) = (args.size, args.samples);
-        let picture = render_ui::picture(&args.panels, session, backend, size, samples, skinning)?;
+        let asked = render_ui::Window {
+            size: args.size,
+            samples: args.samples,
+            theme: match args.theme {
+                ThemeName::Dark => egui::ThemePreference::Dark,
+                ThemeName::Light => egui::ThemePreference::Light,
+            },
+        };
+        let picture = render_ui::picture(&args.panels, session, backend, &asked, skinning)?;
         vec![(args.output.clone(), encode(&picture)?)]
     } else {
         let mut offscreen = Offscreen::new(backend)?;
@@ -204,6 +229,7 @@ impl Painter<'_> {
             scene: self.session.scene(),
             evaluated: self.session.evaluated(),
             view,
+            backdrop: self.args.theme.into(),
             marks: Marks::default(),
         };
         let asked = LargePicture {
@@ -289,7 +315,7 @@ fn session(args: &Args) -> Result<Session, CliError> {
         let aspect = width as f32 / height as f32;
         match args.turntable {
             Some(frames) => fit_turntable(&mut camera, frames, &bounds, aspect),
-            None => camera.fit(&bounds, aspect),
+            None => camera.fit(&bounds, FitArea::whole(aspect)),
         }
         session.look(View::SetCamera(camera));
     }

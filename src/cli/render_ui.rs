@@ -100,15 +100,25 @@ fn drag(text: &str) -> Result<Drag, String> {
     }
 }
 
+/// Properties of the window that is drawn.
+pub(super) struct Window {
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+    /// Samples a pixel of the scene.
+    pub samples: u32,
+    /// Colors of the panels.
+    pub theme: egui::ThemePreference,
+}
+
 /// Picture of the window, drawn by the program under a host whose clock stands still.
 pub(super) fn picture(
     options: &PanelOptions,
     session: Session,
     backend: Backend,
-    size: (u32, u32),
-    samples: u32,
+    window: &Window,
     skinning: Option<Skinning>,
 ) -> Result<Picture, CliError> {
+    let (size, samples) = (window.size, window.samples);
     let offscreen = HeadlessContext::new(backend).map_err(OffscreenError::from)?;
     // Fails before any work if the driver does not have as many samples.
     drop(Framebuffer::new(offscreen.gl(), 1, 1, samples)?);
@@ -120,7 +130,7 @@ pub(super) fn picture(
     };
     let max_texture_side = no_name.max_texture_side;
     let mut program = Program::showing(session, no_name);
-    program.ui_mut().theme = egui::ThemePreference::Dark;
+    program.ui_mut().theme = window.theme;
     program.ui_mut().skinning = skinning;
     let context = egui::Context::default();
     let (width, height) = size;

@@ -3,8 +3,8 @@ use crate::character::Pose;
 use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
-    Camera, CharacterDisplay, CurveDisplay, IkSettings, Look, NewShape, Shading, ShapeColor,
-    ShapeId, ShapeKind, Source, ViewDirection,
+    Camera, CharacterDisplay, CurveDisplay, FitArea, IkSettings, Look, NewShape, Shading,
+    ShapeColor, ShapeId, ShapeKind, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -175,14 +175,13 @@ pub enum View {
     SetCamera(Camera),
     /// Sets the camera to one of the six views of the View menu.
     From(ViewDirection),
-    /// Sets the camera to the course's initial view.
+    /// Sets the camera to the one with which the document was opened.
     ResetCamera,
-    /// Fits the selected shape, or everything visible if no visible shape is selected, into the
+    /// Fits the selected shapes, or everything visible if no visible shape is selected, into the
     /// picture.
-    Fit {
-        /// Width over height of the picture.
-        aspect: f32,
-    },
+    Fit(FitArea),
+    /// Sets the camera, and makes it the one with which the document was opened.
+    BeginAt(Camera),
     /// Shows or hides the axes.
     SetAxis(bool),
     /// Shows or hides the Studio look's grid.

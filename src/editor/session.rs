@@ -4,9 +4,10 @@ use super::messages::{Messages, Severity};
 use super::selection::Selection;
 use super::step_name::step_name;
 use super::{Change, Edit, View};
-use crate::math::Aabb;
 use crate::revision::Revision;
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, Shape, ShapeId, ViewSettings};
+use crate::scene::{
+    Camera, Evaluated, EvaluatedShape, Evaluator, NewShape, Scene, Shape, ShapeId, ViewSettings,
+};
 
 /// Displayed time of playback, in seconds: there is no timeline yet.
 const SHOWN_TIME: f64 = 0.0;
@@ -105,7 +106,9 @@ impl Session {
         self.document = Revision::new();
         if let Some(&added) = change.added.last() {
             self.select(Some(added));
-            self.selection = Selection::all(change.added.iter().copied(), Some(added));
+            if !change.opened {
+                self.selection = Selection::all(change.added.iter().copied(), Some(added));
+            }
         } else if self
             .selected()
             .is_some_and(|id| self.index_of(id).is_none())
@@ -217,10 +220,21 @@ impl Session {
         match view {
             View::SetCamera(camera) => self.view.camera = camera,
             View::From(direction) => self.view.camera = Camera::preset(direction),
-            View::ResetCamera => self.view.camera = Camera::default(),
-            View::Fit { aspect } => {
-                let bounds = self.bounds_to_fit();
-                self.view.camera.fit(&bounds, aspect);
+            View::ResetCamera => self.view.camera = self.start_camera,
+            View::Fit(area) => {
+                let is_selected = |shape: &&EvaluatedShape| self.selection.has(shape.id);
+                let visible = self.evaluated.shapes.iter().filter(|shape| shape.visible);
+                let selected = visible.clone().filter(is_selected);
+                let camera = &mut self.view.camera;
+                if selected.clone().next().is_some() {
+                    camera.fit_shapes(selected, area);
+                } else {
+                    camera.fit_shapes(visible, area);
+                }
+            }
+            View::BeginAt(camera) => {
+                self.view.camera = camera;
+                self.start_camera = camera;
             }
             View::SetAxis(axis) => self.view.axis = axis,
             View::SetGrid(grid) => self.view.grid = grid,
@@ -397,15 +411,5 @@ impl Session {
                 .and_then(|curves| curves.curve(curve))
                 .is_some_and(|curve| point < curve.control_points().len())
         });
-    }
-
-    fn bounds_to_fit(&self) -> Aabb {
-        self.selected()
-            .and_then(|id| self.evaluated.shape(id))
-            .filter(|shape| shape.visible)
-            .map_or_else(
-                || self.evaluated.world_bounds(),
-                |shape| shape.world_bounds(),
-            )
     }
 }

@@ -1,9 +1,12 @@
 use super::Host;
 use super::job::{CompareWork, Compared, Job, Outcome, Step, Work};
+use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
+use crate::editor::View;
 use crate::geometry::Picture;
+use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::{Skinning, ViewSettings};
+use crate::scene::{Look, Skinning, ViewSettings};
 use crate::ui::{self, CompareReport, CompareSettings, CompareView, ShownPicture};
 use egui::{Context, TextureHandle};
 use std::sync::Arc;
@@ -14,6 +17,10 @@ const STILL: Duration = Duration::from_millis(150);
 
 /// A comparison of the live view with a picture.
 pub(super) struct Comparison {
+    /// Look from before it.
+    look_before: Look,
+    /// Look that it began with, and the backdrop of the reference.
+    looks: (Look, Backdrop),
     name: String,
     reference: Textured,
     live: Option<Textured>,
@@ -76,12 +83,19 @@ impl Textured {
 impl Comparison {
     /// A comparison with the picture `reference` from a file called `name`, with the settings of
     /// the comparison before it.
-    pub fn new(name: String, reference: Picture, mut settings: CompareSettings) -> Self {
+    pub fn new(
+        name: String,
+        reference: Picture,
+        mut settings: CompareSettings,
+        look_before: Look,
+    ) -> Self {
         let size = (reference.width, reference.height);
         for mask in &mut settings.masks {
             *mask = mask.inside(size);
         }
         Self {
+            look_before,
+            looks: (Look::Course, Backdrop::default()),
             name,
             reference: Textured::new(reference),
             live: None,
@@ -115,6 +129,11 @@ impl Comparison {
             difference: difference.map(|difference| difference.texture),
             report: &self.report,
         })
+    }
+
+    /// Brightness of what is behind the shapes.
+    pub fn backdrop(&self) -> Backdrop {
+        self.looks.1
     }
 
     /// Choices in its panel.
@@ -235,6 +254,31 @@ impl Comparison {
     }
 }
 
+impl Program {
+    /// Begins a comparison with the picture `reference` from a file called `name`, in the Course look,
+    /// or in the Studio's if that is what the picture has.
+    pub(super) fn begin_comparison(&mut self, name: String, reference: Picture) {
+        let before = self.comparison.as_ref();
+        let before = before.map_or(self.session.view().look, |before| before.look_before);
+        let studio = Backdrop::of_studio(&reference);
+        let look = studio.map_or(Look::Course, |_| Look::Studio);
+        self.session.look(View::SetLook(look));
+        let settings = self.compare_settings();
+        let mut comparison = Comparison::new(name, reference, settings, before);
+        comparison.looks = (look, studio.unwrap_or_default());
+        self.comparison = Some(comparison);
+    }
+
+    /// Ends the comparison, and goes back to the look from before it unless another was chosen.
+    pub(super) fn end_comparison(&mut self) {
+        if let Some(comparison) = self.comparison.take()
+            && self.session.view().look == comparison.looks.0
+        {
+            self.session.look(View::SetLook(comparison.look_before));
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,7 +301,7 @@ mod tests {
             height: 4,
             rgba: vec![0; 4 * 5 * 4],
         };
-        let comparison = Comparison::new("a.png".to_owned(), picture, settings);
+        let comparison = Comparison::new("a.png".to_owned(), picture, settings, Look::Course);
         let inside = [area(1, 0, 2, 1), area(3, 1, 2, 3), area(4, 3, 1, 1)];
         assert_eq!(comparison.settings().masks, inside);
     }

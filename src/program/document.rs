@@ -6,7 +6,6 @@ use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
 use crate::revision::Revision;
-use crate::scene::ViewSettings;
 use crate::ui::{Answer, Question};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -244,14 +243,6 @@ impl Program {
         }
     }
 
-    /// View of a document that has none of its own.
-    pub(super) fn view_without_scene(&self) -> ViewSettings {
-        ViewSettings {
-            look: self.preferences.look,
-            ..ViewSettings::default()
-        }
-    }
-
     /// Opens the scene or the model at `path` in the place of the document; one that cannot be read
     /// leaves it untouched.
     fn open(&mut self, path: &Path, files: &dyn Files, missing: Missing) {
@@ -261,8 +252,8 @@ impl Program {
         };
         match loaded.add(files, path) {
             Ok(()) => {
-                let view = loaded.view.unwrap_or(*self.session.view());
-                self.session.open(loaded.shapes, view);
+                let compared = self.comparison.is_some();
+                self.show_opened(loaded.shapes, loaded.view, compared);
                 self.document = self.file_of(path, files);
                 self.remember_recent(path);
                 self.tell_all(Severity::Warning, loaded.warnings);

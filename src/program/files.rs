@@ -5,7 +5,7 @@ use super::document::{DocumentFile, Next, is_scene};
 use super::running::Program;
 use super::{Host, Previous, Purpose};
 use crate::character::Pose;
-use crate::editor::{Edit, Session, Severity};
+use crate::editor::{Edit, Severity};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{self, Diagnostic, Files, Imported, Loaded, Missing, PoseData, PoseFile};
@@ -32,10 +32,7 @@ impl Program {
                 failed.push(error);
             }
         }
-        self.session = Session::with_shapes(
-            loaded.shapes,
-            loaded.view.unwrap_or_else(|| self.view_without_scene()),
-        );
+        self.show_opened(loaded.shapes, loaded.view, !pictures.is_empty());
         self.document = match *paths {
             [path] if failed.is_empty() => self.file_of(path, &*files),
             _ => DocumentFile::untitled(self.session.document()),
@@ -114,7 +111,12 @@ impl Program {
     fn insert(&mut self, imported: Result<Imported<Vec<NewShape>>, Diagnostic>) {
         match imported {
             Ok(imported) => {
-                self.edit(Edit::Insert(imported.value));
+                let mut shapes = imported.value;
+                let first = self.view_of_import(&mut shapes);
+                match self.session.edit(Edit::Insert(shapes)) {
+                    Ok(change) => self.show_import(&change.added, first),
+                    Err(refused) => self.tell(Severity::Error, refused.to_string()),
+                }
                 self.tell_all(Severity::Warning, imported.warnings);
             }
             Err(error) => self.tell(Severity::Error, error.to_string()),
@@ -123,13 +125,18 @@ impl Program {
 
     /// Compares the view with the picture at `path` from now on, with what was chosen before.
     fn compare_with(&mut self, path: &Path, files: &dyn Files) {
-        match self.comparison_with(path, files) {
-            Ok(comparison) => self.comparison = Some(comparison),
+        match self.reference_picture(path, files) {
+            Ok((name, picture)) => self.begin_comparison(name, picture),
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }
 
-    fn comparison_with(&self, path: &Path, files: &dyn Files) -> Result<Comparison, Diagnostic> {
+    /// A picture to compare with, after the name of its file.
+    fn reference_picture(
+        &self,
+        path: &Path,
+        files: &dyn Files,
+    ) -> Result<(String, Picture), Diagnostic> {
         let picture = image::decode(path, &files.read(path)?)?;
         let (width, height) = (picture.width, picture.height);
         let most = self.graphics.max_texture_side;
@@ -142,8 +149,7 @@ impl Program {
             ));
         }
         let name = path.file_name().unwrap_or(path.as_os_str());
-        let name = name.to_string_lossy().into_owned();
-        Ok(Comparison::new(name, picture, self.compare_settings()))
+        Ok((name.to_string_lossy().into_owned(), picture))
     }
 
     fn save_pose(&mut self, shape: ShapeId, kept: Option<usize>, path: &Path, host: &mut dyn Host) {

@@ -5,7 +5,7 @@ use super::input_parts::input_parts;
 use super::running::{Program, Shown};
 use crate::editor::{Session, Severity};
 use crate::gpu::GpuError;
-use crate::render::{Frame, InterfaceError, Marks, RenderError, view_place};
+use crate::render::{Backdrop, Frame, InterfaceError, Marks, RenderError, view_place};
 use egui::{Context, FullOutput, RawInput};
 use std::time::Duration;
 
@@ -235,7 +235,8 @@ impl Program {
             hovered_joint: self.session.hovered_joint(),
             hovered_control_point: self.session.hovered_control_point(),
         };
-        graphics.draw_scene(&frame(&self.session, marks), self.session.document())
+        let frame = frame(&self.session, self.backdrop, marks);
+        graphics.draw_scene(&frame, self.session.document())
     }
 
     /// Draws the scene in the size of the picture that it is compared with, if it changed. Whether
@@ -256,12 +257,12 @@ impl Program {
         if !comparison.needs(&wanted) {
             return false;
         }
-        // Marks would count as differences.
-        let frame = frame(&self.session, Marks::default());
+        // Marks would count as differences, and so would a backdrop that goes with the panels.
+        let frame = frame(&self.session, comparison.backdrop(), Marks::default());
         match graphics.compared_picture(&frame, comparison.size(), smooth_edges) {
             Ok(picture) => comparison.take_live(picture, wanted, host.now()),
             Err(error) => {
-                self.comparison = None;
+                self.end_comparison();
                 let text = format!("The comparison ended, since it cannot be drawn: {error}");
                 self.tell(Severity::Error, text);
                 true
@@ -305,11 +306,12 @@ fn is_about_size(error: &ProgramError) -> bool {
     )
 }
 
-fn frame(session: &Session, marks: Marks) -> Frame<'_> {
+fn frame(session: &Session, backdrop: Backdrop, marks: Marks) -> Frame<'_> {
     Frame {
         scene: session.scene(),
         evaluated: session.evaluated(),
         view: session.view(),
+        backdrop,
         marks,
     }
 }

@@ -2,8 +2,8 @@ use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
 use crate::render::{
-    Frame, InterfacePainter, LargePicture, Marks, PictureParts, RenderError, Renderer, compose,
-    read_picture,
+    Backdrop, Frame, InterfacePainter, LargePicture, Marks, PictureParts, RenderError, Renderer,
+    compose, read_picture,
 };
 use crate::revision::Revision;
 use crate::scene::{Skinning, ViewSettings};
@@ -50,6 +50,7 @@ pub struct GraphicsInfo {
 struct SceneKey {
     document: Revision,
     view: ViewSettings,
+    backdrop: Backdrop,
     marks: Marks,
 }
 
@@ -170,6 +171,7 @@ impl Graphics {
         let key = SceneKey {
             document,
             view: *frame.view,
+            backdrop: frame.backdrop,
             marks: frame.marks.clone(),
         };
         if self.shown.as_ref() == Some(&key) {

@@ -12,6 +12,7 @@ mod comparison;
 mod document;
 mod exports;
 mod files;
+mod first_view;
 mod frame;
 mod frame_rate;
 pub mod globals;

@@ -10,7 +10,7 @@ use crate::geometry::Picture;
 use crate::io::image::PictureFormat;
 use crate::io::{Animation, Diagnostic};
 use crate::render::{
-    Background, Frame, LargePicture, MOST_PIXELS, Marks, PictureParts, RenderError,
+    Backdrop, Background, Frame, LargePicture, MOST_PIXELS, Marks, PictureParts, RenderError,
 };
 use crate::scene::{
     Evaluated, Scene, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
@@ -29,6 +29,7 @@ pub(super) struct PictureWork {
     format: PictureFormat,
     scene: Scene,
     evaluated: Evaluated,
+    backdrop: Backdrop,
     /// View of each picture.
     views: Vec<ViewSettings>,
     /// Number of pictures that are complete.
@@ -58,7 +59,7 @@ impl PictureWork {
     fn new(
         path: PathBuf,
         shot: &Screenshot,
-        session: &Session,
+        (session, backdrop): (&Session, Backdrop),
         (view_size, samples): ((u32, u32), u32),
     ) -> Result<Self, Diagnostic> {
         let format = PictureFormat::of(&path)?;
@@ -88,6 +89,7 @@ impl PictureWork {
             format,
             scene: session.scene().clone(),
             evaluated,
+            backdrop,
             views,
             done: 0,
             asked: LargePicture {
@@ -117,6 +119,7 @@ impl PictureWork {
             scene: &self.scene,
             evaluated: &self.evaluated,
             view,
+            backdrop: self.backdrop,
             marks: Marks::default(),
         };
         let mut parts = match self.parts.take() {
@@ -200,7 +203,7 @@ impl Program {
                 continue;
             }
             let view = (graphics.view_size(), graphics.samples());
-            match PictureWork::new(path.clone(), &shot, &self.session, view) {
+            match PictureWork::new(path.clone(), &shot, (&self.session, self.backdrop), view) {
                 Ok(work) => self.pictures.push_back(work),
                 Err(error) => self.tell_written(&path, Err(error)),
             }

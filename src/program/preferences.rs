@@ -27,8 +27,9 @@ pub(super) struct Preferences {
     pub panel_folded: bool,
     /// Width of the shape panel, in points.
     pub panel_width: Option<f32>,
-    /// Look of documents that have none of their own: the one that was chosen last.
-    pub look: Look,
+    /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
+    /// them if `None`.
+    pub look: Option<Look>,
     /// Width and height of the window when the program ended last, in points.
     pub window_size: Option<(f32, f32)>,
     /// Documents that were opened or saved last, the newest first.
@@ -47,7 +48,7 @@ impl Default for Preferences {
             navigation: Navigation::default(),
             panel_folded: false,
             panel_width: None,
-            look: Look::default(),
+            look: None,
             window_size: None,
             recent: Vec::new(),
             started_before: false,

@@ -12,9 +12,9 @@ use super::start_pictures::StartPictures;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
+use crate::render::Backdrop;
 use crate::revision::Revision;
-use crate::scene::ShapeId;
-use crate::scene::Skinning;
+use crate::scene::{FitArea, ShapeId, Skinning};
 use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
@@ -76,6 +76,12 @@ pub struct Program {
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
     pub(super) start_pictures: StartPictures,
+    /// Brightness of what is behind the scene: that of the panels.
+    pub(super) backdrop: Backdrop,
+    /// The picture of the scene as it was shown last.
+    pub(super) fit_area: FitArea,
+    /// Whether everything is to be fitted into the picture as soon as its size is known.
+    pub(super) fit_due: bool,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -110,6 +116,9 @@ impl Program {
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             start_pictures: StartPictures::default(),
+            backdrop: Backdrop::default(),
+            fit_area: FitArea::whole(4.0 / 3.0),
+            fit_due: false,
             skinning_at_start: None,
         }
     }
@@ -202,6 +211,15 @@ impl Program {
             progress: progress.as_ref().map(|(text, part)| (text.as_str(), *part)),
         };
         let mut output = ui::show(root, &self.session, &mut self.ui, &input);
+        self.backdrop = match context.theme() {
+            egui::Theme::Dark => Backdrop::Dark,
+            egui::Theme::Light => Backdrop::Light,
+        };
+        self.fit_area = output.fit_area(&self.ui);
+        let fits = std::mem::take(&mut self.fit_due);
+        if fits {
+            self.fit_all(self.fit_area);
+        }
         if pass == Pass::Input {
             self.hovered_shape = ui::view_gestures(
                 &output.view,
@@ -213,7 +231,7 @@ impl Program {
         }
         host.show_dialogs(&context);
         let actions = std::mem::take(&mut output.actions);
-        let mut changed = self.carry_out(actions, host);
+        let mut changed = fits | self.carry_out(actions, host);
         changed |= self.take_events(host);
         Shown {
             panels: output,
@@ -288,8 +306,11 @@ impl Program {
                     true
                 }
                 Action::View(view) => {
-                    if let View::SetLook(look) = view {
-                        self.preferences.look = look;
+                    // The look that pictures are compared in is for that time only.
+                    if let View::SetLook(look) = view
+                        && self.comparison.is_none()
+                    {
+                        self.preferences.look = Some(look);
                     }
                     self.session.look(view);
                     true
@@ -415,7 +436,7 @@ impl Program {
                 let name = format!("{}-comparison.png", self.document_stem());
                 self.choose_file(Purpose::SaveComparison, &name, host);
             }
-            CompareAction::Close => self.comparison = None,
+            CompareAction::Close => self.end_comparison(),
             CompareAction::Set(settings) => {
                 if let Some(comparison) = &mut self.comparison {
                     comparison.set(settings, host.now());

@@ -8,10 +8,9 @@ use crate::geometry::Picture;
 use crate::io::Loaded;
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::{Background, Frame, LargePicture, Marks};
-use crate::scene::{Look, ViewSettings};
+use crate::scene::FitArea;
 use crate::ui::{START_SCENES, StartPicture, picture_texture};
 use egui::{Context, TextureHandle};
-use glam::vec2;
 use std::path::PathBuf;
 
 /// Width and height of a picture, in pixels: enough for screens with two pixels a point.
@@ -65,11 +64,13 @@ impl Program {
         };
         pictures.done += 1;
         // Without its picture there is still its name.
-        let picture = scene(name, host).and_then(|session| {
+        let backdrop = self.backdrop;
+        let picture = self.shown_first(name, host).and_then(|session| {
             let frame = Frame {
                 scene: session.scene(),
                 evaluated: session.evaluated(),
                 view: session.view(),
+                backdrop,
                 marks: Marks::default(),
             };
             let asked = LargePicture {
@@ -84,10 +85,27 @@ impl Program {
             }
             Some(parts.into_picture())
         });
-        pictures
-            .drawn
-            .extend(picture.map(|picture| (name, picture)));
+        let drawn = &mut self.start_pictures.drawn;
+        drawn.extend(picture.map(|picture| (name, picture)));
         true
+    }
+
+    /// A built-in file as it is seen when it is opened.
+    fn shown_first(&self, name: &str, host: &dyn Host) -> Option<Session> {
+        let mut loaded = Loaded::default();
+        let path = PathBuf::from(format!("builtin:{name}"));
+        loaded.add(&*host.files(), &path).ok()?;
+        let Loaded {
+            mut shapes, view, ..
+        } = loaded;
+        let own = view.is_some();
+        let view = view.unwrap_or_else(|| self.first_view(&mut shapes, false));
+        let mut session = Session::with_shapes(shapes, view);
+        if !own {
+            session.look(View::Select(None));
+            session.look(View::Fit(FitArea::whole(SIZE.0 as f32 / SIZE.1 as f32)));
+        }
+        Some(session)
     }
 }
 
@@ -97,25 +115,4 @@ fn names() -> impl Iterator<Item = &'static str> {
     let characters = catalogue.filter(|builtin| builtin.kind == BuiltinKind::Character);
     let scenes = START_SCENES.iter().map(|(name, _)| *name);
     characters.map(|builtin| builtin.name).chain(scenes)
-}
-
-/// A built-in file, seen as it is when it is opened, or else from the front and a little from above.
-fn scene(name: &str, host: &dyn Host) -> Option<Session> {
-    let mut loaded = Loaded::default();
-    let path = PathBuf::from(format!("builtin:{name}"));
-    loaded.add(&*host.files(), &path).ok()?;
-    if let Some(view) = loaded.view {
-        return Some(Session::with_shapes(loaded.shapes, view));
-    }
-    let mut view = ViewSettings {
-        look: Look::Studio,
-        axis: false,
-        ..ViewSettings::default()
-    };
-    view.camera.orbit(vec2(-0.4, 0.15));
-    let mut session = Session::with_shapes(loaded.shapes, view);
-    session.look(View::Select(None));
-    let aspect = SIZE.0 as f32 / SIZE.1 as f32;
-    session.look(View::Fit { aspect });
-    Some(session)
 }

@@ -11,8 +11,6 @@ use glam::{Vec2, Vec3};
 
 /// Gray of the course's background: 0.1, which is 26 of 255.
 const COURSE: f32 = 0.1;
-const STUDIO_TOP: Vec3 = Vec3::new(0.30, 0.33, 0.37);
-const STUDIO_BOTTOM: Vec3 = Vec3::new(0.12, 0.13, 0.15);
 
 /// The Mannequin look's background.
 const TEAL: [f32; 4] = [0.0, 0.3725, 0.3725, 1.0];
@@ -57,15 +55,19 @@ impl BackgroundPass {
             ..DrawState::opaque(context.width, context.height)
         };
         state.apply(gl);
-        self.program.set_vec3("top", STUDIO_TOP);
-        self.program.set_vec3("bottom", STUDIO_BOTTOM);
-        let (half, center) = context.tile.in_picture();
-        let lowest = 0.5 * (center.y + 1.0 - half.y);
-        self.program.set_f32("lowest", lowest);
-        self.program.set_f32("part", half.y);
+        set_gradient(&self.program, context);
         self.triangle
             .draw(&self.program, Primitive::Triangles, 0..3);
     }
+}
+
+/// Sets the colors of the Studio look's background, from the bottom of the picture to its top.
+pub(super) fn set_gradient(program: &Program, context: &PassContext) {
+    program.set_vec3("top", context.colors.top);
+    program.set_vec3("bottom", context.colors.bottom);
+    let (half, center) = context.tile.in_picture();
+    program.set_f32("lowest", 0.5 * (center.y + 1.0 - half.y));
+    program.set_f32("part", half.y);
 }
 
 /// Height of the floor in the world.
@@ -122,16 +124,34 @@ impl FloorPass {
 /// Length of each half of an axis in the world.
 const AXIS_REACH: f32 = 50.0;
 
-/// Draws the world's axes through the compatibility layer: X red, Y green, Z blue.
-pub(super) fn draw_axis(gl: &Gl, immediate: &mut Immediate, context: &PassContext) {
+/// Depth below a floor, in the world, at which an axis still counts as lying on it.
+const ON_FLOOR: f32 = 1e-3;
+
+/// Draws the world's axes through the compatibility layer: X red, Y green, Z blue. With `floor`, only
+/// what is not below that height in the world.
+pub(super) fn draw_axis(
+    gl: &Gl,
+    immediate: &mut Immediate,
+    context: &PassContext,
+    floor: Option<f32>,
+) {
     DrawState::opaque(context.width, context.height).apply(gl);
     immediate.load_matrix(context.clip_from_world);
     immediate.line_width(1.0);
     immediate.begin(Mode::Lines);
-    for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
-        immediate.color(axis);
-        immediate.vertex(axis * -AXIS_REACH);
-        immediate.vertex(axis * AXIS_REACH);
+    for (axis, color) in [Vec3::X, Vec3::Y, Vec3::Z]
+        .into_iter()
+        .zip(context.colors.axes)
+    {
+        let ends = [axis * -AXIS_REACH, axis * AXIS_REACH];
+        let lowest = floor.unwrap_or(f32::NEG_INFINITY) - ON_FLOOR;
+        if ends[1].y < lowest {
+            continue;
+        }
+        immediate.color(color);
+        for end in ends {
+            immediate.vertex(end.with_y(end.y.max(lowest)));
+        }
     }
     immediate.end();
 }

@@ -1,5 +1,6 @@
 //! Lines and points of shapes made of curves.
 
+use super::backdrop::Colors;
 use super::renderer::{Frame, PassContext};
 use super::upload_cache::UploadCache;
 use crate::geometry::Normals;
@@ -17,14 +18,15 @@ const HOVERED_POINT_SIZE: f32 = 11.0;
 /// frames, wireframes with normals. The surface pass draws shaded surfaces.
 #[derive(Debug, Default)]
 pub(super) struct CurvePass {
-    /// By what determines the lines: the revision of the geometry, and how it is displayed.
-    lines: UploadCache<(Revision, CurveDisplay), DisplayList>,
+    /// By what determines the lines: the revision of the geometry, how it is displayed, and colors.
+    lines: UploadCache<(Revision, CurveDisplay, LineColors), DisplayList>,
 }
 
 impl CurvePass {
     /// Uploads the lines of all visible shapes that have changed.
     pub fn update(&mut self, gl: &Gl, frame: &Frame, immediate: &mut Immediate) {
         self.lines.forget_deleted(frame.evaluated);
+        let colors = LineColors::of(frame.backdrop.colors(frame.view.look));
         for Shown {
             shape,
             curve,
@@ -33,12 +35,12 @@ impl CurvePass {
         } in shown(frame)
         {
             let geometry = &evaluated.geometry;
-            let key = (geometry.revision, curve.display);
+            let key = (geometry.revision, curve.display, colors);
             let keep = |_: &mut DisplayList| Ok(());
             self.lines.update(shape.id, key, keep, || {
                 immediate.line_width(1.0);
                 immediate.begin_list();
-                draw_shape(immediate, curve.display, curves, geometry);
+                draw_shape(immediate, (curve.display, colors), curves, geometry);
                 let list = immediate.end_list()?;
                 gl.check("uploading curves")?;
                 Ok(list)
@@ -62,6 +64,7 @@ impl CurvePass {
             }
             let hovered = frame.marks.hovered_control_point;
             if let Some(point) = hovered.filter(|_| frame.marks.selected == Some(shape.id)) {
+                immediate.color(context.colors.control);
                 draw_hovered_point(immediate, curves, point);
             }
         }
@@ -108,7 +111,6 @@ fn draw_hovered_point(
     let Some(&position) = curve.and_then(|curve| curve.control_points.get(point)) else {
         return;
     };
-    immediate.color(CONTROL);
     immediate.point_size(HOVERED_POINT_SIZE);
     immediate.point_shape(PointShape::Square);
     immediate.begin(Mode::Points);
@@ -134,9 +136,23 @@ pub(super) fn draw_curve_mask(
     immediate.line_width(1.0);
 }
 
-const CURVE: Vec3 = Vec3::ONE;
-/// Color of control points and their polygon.
-const CONTROL: Vec3 = Vec3::new(1.0, 1.0, 0.0);
+/// Colors of lines that depend on what is behind them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct LineColors {
+    curve: Vec3,
+    /// Control points and their polygon.
+    control: Vec3,
+}
+
+impl LineColors {
+    fn of(colors: &Colors) -> Self {
+        Self {
+            curve: colors.curve,
+            control: colors.control,
+        }
+    }
+}
+
 const CONTROL_POINT_SIZE: f32 = 5.0;
 /// Length of the axes of a frame, in the curve's space.
 const FRAME_LENGTH: f32 = 0.2;
@@ -150,11 +166,12 @@ const SURFACE_NORMAL_LENGTH: f32 = 0.1;
 /// Draws the lines and points of a shape made of curves that `display` asks for, in its space.
 fn draw_shape(
     immediate: &mut Immediate,
-    display: CurveDisplay,
+    (display, colors): (CurveDisplay, LineColors),
     curves: &EvaluatedCurves,
     geometry: &EvaluatedGeometry,
 ) {
     if display.control_points {
+        immediate.color(colors.control);
         curves
             .curves
             .iter()
@@ -164,7 +181,7 @@ fn draw_shape(
         curves
             .curves
             .iter()
-            .for_each(|curve| draw_curve(immediate, curve, CURVE));
+            .for_each(|curve| draw_curve(immediate, curve, colors.curve));
     }
     if display.curve == CurveVisibility::OnWithFrames {
         curves
@@ -177,9 +194,9 @@ fn draw_shape(
     }
 }
 
+/// Draws the control points and their polygon in the color that is set.
 fn draw_control_points(immediate: &mut Immediate, curve: &EvaluatedCurve) {
     let points = || curve.control_points.iter().copied();
-    immediate.color(CONTROL);
     draw_group(immediate, Mode::LineStrip, points());
     immediate.point_size(CONTROL_POINT_SIZE);
     immediate.point_shape(PointShape::Square);

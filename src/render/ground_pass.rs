@@ -1,5 +1,6 @@
 //! The Studio look's ground and the shadows on it.
 
+use super::backdrop_pass::set_gradient;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::renderer::{Background, Frame, PassContext};
@@ -116,7 +117,8 @@ impl GroundPass {
         Ok(Self { program, square })
     }
 
-    /// Draws it, after everything opaque, since it is transparent. `shadows` is a picture as large
+    /// Draws it, after everything opaque: seen from above it hides what is below, but from below
+    /// everything is seen through it. `shadows` is a picture as large
     /// as `target`, white where the ground is in shadow.
     pub fn draw(
         &self,
@@ -149,14 +151,26 @@ impl GroundPass {
         self.program
             .set_i32("has_shadows", i32::from(shadows.is_some()));
         self.program.set_f32("softness", SOFTNESS);
-        let is_above = camera.eye().y > context.ground;
         let is_shown = context.background == Background::Look;
-        let lit = if is_above && is_shown { LIT } else { 0.0 };
-        self.program.set_f32("lit", lit);
+        let is_opaque = hides_below(context, camera);
+        self.program.set_f32("opaque", f32::from(is_opaque));
+        self.program
+            .set_f32("lit", if is_opaque { LIT } else { 0.0 });
         self.program.set_f32("grid", f32::from(is_shown));
+        set_gradient(&self.program, context);
+        self.program
+            .set_f32("picture_height", context.height as f32);
+        self.program.set_vec3("ground", context.colors.ground);
+        self.program.set_vec3("line_color", context.colors.grid);
+        self.program.set_f32("darkness", context.colors.darkness);
         self.square
             .draw(&self.program, Primitive::TriangleStrip, 0..4);
     }
+}
+
+/// Whether the ground hides what is below it: seen from below, or without a background, it does not.
+pub(super) fn hides_below(context: &PassContext, camera: &Camera) -> bool {
+    camera.eye().y > context.ground && context.background == Background::Look
 }
 
 #[cfg(test)]

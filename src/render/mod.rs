@@ -2,6 +2,7 @@
 //! [`Offscreen`] for both without a window. The window and the command line draw through the same
 //! [`Renderer::draw`].
 
+mod backdrop;
 mod backdrop_pass;
 mod cached_mesh;
 mod compose;
@@ -21,6 +22,7 @@ mod tile;
 mod upload_cache;
 
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
+pub use backdrop::Backdrop;
 pub use compose::{compose, view_place};
 pub use offscreen::{Offscreen, OffscreenError, read_picture};
 pub use picture_parts::{LargePicture, MOST_PIXELS, PictureParts};

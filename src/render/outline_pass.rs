@@ -13,7 +13,6 @@ use crate::scene::{ModelDisplay, ShapeId, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 
 const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
-const HOVERED: Vec3 = Vec3::new(0.85, 0.88, 0.92);
 /// Width of the line in pixels of a picture 800 high or less.
 const WIDTH: u32 = 2;
 
@@ -90,7 +89,7 @@ impl OutlinePass {
         let program = &self.edge_program;
         program.set_sampler("mask", 0);
         program.set_vec3("selected_color", SELECTED);
-        program.set_vec3("hovered_color", HOVERED);
+        program.set_vec3("hovered_color", context.colors.hovered);
         program.set_i32(
             "reach",
             (WIDTH * context.tile.whole.1.div_ceil(800)).min(6) as i32,

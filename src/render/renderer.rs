@@ -1,8 +1,9 @@
 //! The renderer: frames in, pictures out.
 
+use super::backdrop::{Backdrop, Colors};
 use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
-use super::ground_pass::{GroundPass, ShadowPass};
+use super::ground_pass::{GroundPass, ShadowPass, hides_below};
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
@@ -23,6 +24,8 @@ pub struct Frame<'a> {
     pub evaluated: &'a Evaluated,
     /// Camera, look and shading.
     pub view: &'a ViewSettings,
+    /// Brightness of what is behind the shapes, where the look leaves a choice.
+    pub backdrop: Backdrop,
     /// Marks of an editor; none in a picture of the scene alone.
     pub marks: Marks,
 }
@@ -67,6 +70,8 @@ pub(super) struct PassContext {
     pub clip_from_world: Mat4,
     /// Height of the Studio look's ground in the world.
     pub ground: f32,
+    /// Colors of the background and of marks before it.
+    pub colors: &'static Colors,
 }
 
 /// What is drawn behind the shapes.
@@ -193,6 +198,7 @@ impl Renderer {
             background,
             clip_from_world: tile.clip_from_whole() * camera.clip_from_world(tile.aspect()),
             ground: meshes.ground_height(frame.evaluated),
+            colors: frame.backdrop.colors(frame.view.look),
         };
 
         self.background.draw(gl, &context, frame.view.look, target);
@@ -200,8 +206,10 @@ impl Renderer {
         if frame.view.grid && is_mannequin && background == Background::Look {
             self.floor.draw(gl, &context, camera);
         }
-        if frame.view.axis {
-            draw_axis(gl, immediate, &context);
+        // A ground with lines of its own comes under the axes.
+        let has_ground = frame.view.grid && frame.view.look == Look::Studio;
+        if frame.view.axis && !has_ground {
+            draw_axis(gl, immediate, &context, None);
         }
         let mut drawn = Ok(());
         self.surfaces.draw_opaque(gl, &context, frame, meshes);
@@ -210,9 +218,8 @@ impl Renderer {
             draw_mannequin_bones(gl, &context, frame, immediate);
         } else {
             drawn = self.skeletons.draw(gl, &context, frame, immediate);
-            self.surfaces.draw_translucent(gl, &context, frame, meshes);
         }
-        if frame.view.grid && frame.view.look == Look::Studio {
+        if has_ground {
             let shadows = self.shadows.draw(gl, &context, frame, meshes);
             let (shadows, result) = match shadows {
                 Ok(shadows) => (Some(shadows), Ok(())),
@@ -220,6 +227,13 @@ impl Renderer {
             };
             drawn = drawn.and(result);
             self.ground.draw(gl, &context, camera, shadows, target);
+            if frame.view.axis {
+                let floor = hides_below(&context, camera).then_some(context.ground);
+                draw_axis(gl, immediate, &context, floor);
+            }
+        }
+        if !is_mannequin {
+            self.surfaces.draw_translucent(gl, &context, frame, meshes);
         }
         let outlined = self.outline.draw(
             gl,
@@ -369,6 +383,7 @@ mod tests {
             scene,
             evaluated: &evaluated,
             view: &ViewSettings::default(),
+            backdrop: Backdrop::default(),
             marks: Marks::default(),
         };
         let target = Framebuffer::new(gl, 64, 48, 0).unwrap();

@@ -17,7 +17,6 @@ use glam::{Mat4, Vec3};
 
 /// Radius of a joint's sphere, in the character's space.
 const JOINT_RADIUS: f32 = 0.02;
-const PLAIN: Vec3 = Vec3::ONE;
 const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
 const HOVERED: Vec3 = Vec3::new(0.1, 0.85, 1.0);
 
@@ -101,7 +100,7 @@ impl SkeletonPass {
             if character.display.mode == ModelDisplay::Mesh {
                 continue;
             }
-            let colors = JointColors::new(frame, shape.id);
+            let colors = JointColors::new(frame, shape.id, context.colors.bone);
             let world_from_model = evaluated.world_from_model;
             let blended = DrawState {
                 blend: Blend::Alpha,
@@ -215,16 +214,21 @@ impl Instances {
 /// Marked joints; a bone has the color of the joint that turns it.
 #[derive(Clone, Copy, Debug, Default)]
 struct JointColors {
+    plain: Vec3,
     selected: Option<usize>,
     hovered: Option<usize>,
 }
 
 impl JointColors {
-    fn new(frame: &Frame, shape: ShapeId) -> Self {
+    fn new(frame: &Frame, shape: ShapeId, plain: Vec3) -> Self {
         if frame.marks.selected != Some(shape) {
-            return Self::default();
+            return Self {
+                plain,
+                ..Self::default()
+            };
         }
         Self {
+            plain,
             selected: frame.marks.selected_joint,
             hovered: frame.marks.hovered_joint,
         }
@@ -234,7 +238,7 @@ impl JointColors {
         match Some(joint) {
             joint if joint == self.hovered => HOVERED,
             joint if joint == self.selected => SELECTED,
-            _ => PLAIN,
+            _ => self.plain,
         }
     }
 }
@@ -299,9 +303,13 @@ fn draw_joint_points(
 }
 
 const RED_BONE: Vec3 = Vec3::X;
+/// Dark edge of a bone, since colors of normals may be as red, or as bright, as bones are.
+const BONE_EDGE: Vec3 = Vec3::new(0.05, 0.05, 0.08);
+const BONE_EDGE_WIDTH: f32 = 4.0;
+const BONE_WIDTH: f32 = 2.0;
 const CYAN_BONE: Vec3 = Vec3::new(0.0, 1.0, 1.0);
 
-/// Draws the bones of all characters in the Mannequin look: red lines over everything, cyan under
+/// Draws the bones of all characters in the Mannequin look: red lines with dark edges over everything, cyan under
 /// the pointer.
 pub(super) fn draw_mannequin_bones(
     gl: &Gl,
@@ -316,20 +324,25 @@ pub(super) fn draw_mannequin_bones(
     };
     state.apply(gl);
     immediate.load_matrix(context.clip_from_world);
-    immediate.line_width(1.0);
-    immediate.begin(Mode::Lines);
-    for (_, shape) in frame.shapes() {
-        let is_selected = frame.marks.selected == Some(shape.id);
-        let hovered = frame.marks.hovered_joint.filter(|_| is_selected);
-        for (joint, start, end) in bones_in_world(frame.scene, shape) {
-            immediate.color(if hovered == Some(joint) {
-                CYAN_BONE
-            } else {
-                RED_BONE
-            });
-            immediate.vertex(start);
-            immediate.vertex(end);
+    // The edge first, of all bones, so that none covers another.
+    for (width, edge) in [(BONE_EDGE_WIDTH, Some(BONE_EDGE)), (BONE_WIDTH, None)] {
+        immediate.line_width(width);
+        immediate.begin(Mode::Lines);
+        for (_, shape) in frame.shapes() {
+            let is_selected = frame.marks.selected == Some(shape.id);
+            let hovered = frame.marks.hovered_joint.filter(|_| is_selected);
+            for (joint, start, end) in bones_in_world(frame.scene, shape) {
+                let own = if hovered == Some(joint) {
+                    CYAN_BONE
+                } else {
+                    RED_BONE
+                };
+                immediate.color(edge.unwrap_or(own));
+                immediate.vertex(start);
+                immediate.vertex(end);
+            }
         }
+        immediate.end();
     }
-    immediate.end();
+    immediate.line_width(1.0);
 }

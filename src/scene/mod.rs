@@ -2,6 +2,7 @@
 
 mod box_picking;
 mod camera;
+mod camera_fit;
 mod character_shape;
 mod color_presets;
 mod curve_shape;
@@ -19,6 +20,7 @@ mod view_settings;
 
 pub use box_picking::pick_in_box;
 pub use camera::Camera;
+pub use camera_fit::FitArea;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,
 };

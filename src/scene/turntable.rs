@@ -1,6 +1,6 @@
 //! Turntables: the cameras of a turn about what a camera looks at.
 
-use super::Camera;
+use super::{Camera, FitArea};
 use crate::math::Aabb;
 use std::f32::consts::TAU;
 use std::ops::RangeInclusive;
@@ -28,7 +28,7 @@ pub fn turntable_cameras(camera: Camera, frames: u32) -> impl Iterator<Item = Ca
 pub fn fit_turntable(camera: &mut Camera, frames: u32, bounds: &Aabb, aspect: f32) {
     let fitted: Vec<Camera> = turntable_cameras(*camera, frames)
         .map(|mut camera| {
-            camera.fit(bounds, aspect);
+            camera.fit(bounds, FitArea::whole(aspect));
             camera
         })
         .collect();

@@ -28,6 +28,15 @@ pub(in crate::ui) fn left(view: Rect) -> f32 {
     }
 }
 
+/// Lower edge of the ball, in points; upper edge of the view if there is no ball.
+pub(in crate::ui) fn bottom(view: Rect) -> f32 {
+    if has_room(view) {
+        view.top() + 2.0 * INSET
+    } else {
+        view.top()
+    }
+}
+
 fn has_room(view: Rect) -> bool {
     view.width() >= ROOM.x && view.height() >= ROOM.y
 }

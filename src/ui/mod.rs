@@ -19,6 +19,7 @@ mod joint_list;
 mod joint_marks;
 mod joint_rows;
 mod joint_tree;
+mod look_switch;
 mod menu_bar;
 mod messages;
 mod navigation;
@@ -53,7 +54,7 @@ pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Session, Tool, View};
-use crate::scene::ShapeId;
+use crate::scene::{FitArea, ShapeId};
 use egui::{Rect, Response, Ui};
 use std::path::PathBuf;
 
@@ -106,6 +107,11 @@ impl UiOutput {
     /// Width of the view over its height, always positive and finite.
     pub fn aspect(&self) -> f32 {
         aspect(self.view_rect)
+    }
+
+    /// The picture that the camera fits things into, clear of what lies over the view.
+    pub fn fit_area(&self, state: &UiState) -> FitArea {
+        view_overlay::fit_area(state, self.aspect())
     }
 }
 

@@ -136,6 +136,21 @@ const STEP_GESTURES: &[Gesture] = &[
     ),
 ];
 
+/// What the pointer did over the view in a frame. Lengths are in pixels of the picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PointerMove {
+    /// Movement, y down.
+    pub delta: Vec2,
+    /// The same, in the first frame of a drag with all of the way since the button was pressed.
+    pub all: Vec2,
+    /// Point in the world that is dragged.
+    pub held: Vec3,
+    /// Height of the picture.
+    pub height: f32,
+    /// Notches of the wheel.
+    pub notches: f32,
+}
+
 /// Step of one press of a key, in units of the world or in radians.
 const STEP: f32 = 0.1;
 /// Steps per second while a key is held, as keys usually repeat.
@@ -194,16 +209,14 @@ impl Navigation {
         }
     }
 
-    /// `camera` after a drag over `view` by `delta` pixels, in a picture `height` pixels high, and
-    /// after `notches` of the wheel.
-    pub(super) fn moved(
-        self,
-        mut camera: Camera,
-        view: &Response,
-        delta: Vec2,
-        height: f32,
-        notches: f32,
-    ) -> Camera {
+    /// `camera` after what the pointer did over `view` in this frame.
+    pub(super) fn moved(self, mut camera: Camera, view: &Response, by: &PointerMove) -> Camera {
+        let PointerMove {
+            delta,
+            height,
+            notches,
+            ..
+        } = *by;
         let held = view.ctx.input(|input| input.modifiers);
         let row = self.drags().iter().find(|row| {
             view.dragged_by(row.button) && (row.modifiers.is_none() || held.contains(row.modifiers))
@@ -211,7 +224,7 @@ impl Navigation {
         match row.map(|row| row.motion) {
             Some(Motion::Pan) => camera.pan(delta),
             Some(Motion::Turn) => camera.turn(delta),
-            Some(Motion::Follow) => camera.pan_with_pointer(delta, height),
+            Some(Motion::Follow) => camera.pan_with_pointer(by.all, height, by.held),
             Some(Motion::Orbit) => camera.orbit(delta * (std::f32::consts::TAU / height)),
             Some(Motion::Dolly) => camera.dolly(delta.y * DOLLY_PER_PIXEL),
             None => {}

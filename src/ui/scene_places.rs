@@ -141,7 +141,7 @@ mod tests {
         assert_eq!(picked.shape_at(&session, middle + Vec2::X, size), cube);
         assert_eq!(picked.shape_at(&session, Vec2::ONE, size), None);
         let mut camera = session.view().camera;
-        camera.pan_with_pointer(Vec2::ONE - middle, size.y);
+        camera.pan_with_pointer(Vec2::ONE - middle, size.y, camera.target);
         session.look(View::SetCamera(camera));
         assert_eq!(picked.shape_at(&session, Vec2::ONE, size), cube);
         if let Some(id) = cube {

@@ -12,6 +12,7 @@ use crate::editor::{Session, Tool};
 use crate::revision::Revision;
 use crate::scene::{Camera, ShapeId, Skinning};
 use egui::{Pos2, Rect, ThemePreference, vec2};
+use glam::Vec3;
 
 /// State of the panels between frames that is neither scene nor view: searches, folded rows, open
 /// windows. Nothing in it changes a picture of the scene.
@@ -53,6 +54,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
+    /// Point in the world where the drag that moves the camera took a surface.
+    pub(super) held_point: Option<Vec3>,
     /// Whether a text field or a popup had the keyboard focus at the end of the last frame. egui
     /// takes it away from them at the start of the frame in which Esc is pressed.
     pub(super) keys_were_taken: bool,
@@ -89,6 +92,7 @@ impl Default for UiState {
             box_select: BoxSelect::default(),
             notices: NoticeState::default(),
             camera_before_drag: None,
+            held_point: None,
             keys_were_taken: false,
             busy_at: f64::NEG_INFINITY,
             styled: false,

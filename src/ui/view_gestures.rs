@@ -1,12 +1,13 @@
 //! Gestures in the view: what takes the pointer, the camera, and selection.
 
 use super::grab::PointerUse;
+use super::navigation::PointerMove;
 use super::scene_places::{Picked, ScenePlaces};
 use super::{Action, UiState, box_select, control_points, posing};
 use crate::editor::{Session, Tool, View};
-use crate::scene::ShapeId;
+use crate::scene::{ShapeId, pick_shape};
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
 const POINTS_PER_NOTCH: f32 = 50.0;
@@ -59,19 +60,10 @@ fn gestures(
     {
         return None;
     }
-    let delta = view.drag_delta() / places.points_per_pixel;
-    let notches = if view.hovered() {
-        notches(&view.ctx)
-    } else {
-        0.0
-    };
-    let height = places.rects.first().map_or(1.0, Rect::height) / places.points_per_pixel;
-    let delta = Vec2::new(delta.x, delta.y);
     put_back_on_esc(view, session, state, actions);
+    let moved = pointer_move(view, places, session, &mut state.held_point);
     let camera = session.view().camera;
-    let camera = state
-        .navigation
-        .moved(camera, view, delta, height.max(1.0), notches);
+    let camera = state.navigation.moved(camera, view, &moved);
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));
     }
@@ -95,6 +87,45 @@ fn gestures(
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
     shape_at(&mut state.pose.picked, session, places, position)
+}
+
+/// What the pointer did in this frame. `held` is the point of a surface where the drag under way
+/// began, if it was over one; all else is dragged as if it were as far away as the camera's target.
+fn pointer_move(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    held: &mut Option<Vec3>,
+) -> PointerMove {
+    let in_pixels = |points: egui::Vec2| Vec2::new(points.x, points.y) / places.points_per_pixel;
+    let delta = in_pixels(view.drag_delta());
+    let mut all = delta;
+    let pressed = view.ctx.input(|input| input.pointer.press_origin());
+    if !view.dragged() {
+        *held = None;
+    } else if view.drag_started()
+        && let Some((pressed, now)) = pressed.zip(view.interact_pointer_pos())
+    {
+        // egui recognizes a drag only after some pixels, which must not be lost.
+        all = in_pixels(now - pressed);
+        *held = places.at(pressed).and_then(|place| {
+            let camera = &session.view().camera;
+            let ray = camera.ray(place.pixel(pressed), place.size());
+            pick_shape(session.evaluated(), &ray).map(|(_, distance)| ray.at(distance))
+        });
+    }
+    let height = places.rects.first().map_or(1.0, Rect::height) / places.points_per_pixel;
+    PointerMove {
+        delta,
+        all,
+        held: held.unwrap_or(session.view().camera.target),
+        height: height.max(1.0),
+        notches: if view.hovered() {
+            notches(&view.ctx)
+        } else {
+            0.0
+        },
+    }
 }
 
 /// Remembers the camera before a drag, and restores it on Esc, which ends the drag in egui.

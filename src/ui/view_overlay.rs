@@ -8,9 +8,10 @@ use super::widgets::named;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, messages, posing, start_page,
+    control_points, look_switch, messages, posing, start_page,
 };
-use crate::editor::Session;
+use crate::editor::{Session, Tool};
+use crate::scene::FitArea;
 use egui::{
     Align, Button, Frame, Grid, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
     UiBuilder, Vec2, WidgetInfo, WidgetType, pos2, vec2,
@@ -58,6 +59,10 @@ pub(super) fn show(
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
     axis_ball::show(&mut over, rect, &session.view().camera, actions);
+    // The panel of a comparison has one of its own.
+    if input.compare.is_none() {
+        look_switch::show(&mut over, rect, session.view().look, actions);
+    }
     let is_empty = session.scene().shapes().is_empty();
     if is_empty && input.compare.is_none() && input.question.is_none() {
         start_page::show(&mut over, rect, input, actions);
@@ -73,6 +78,22 @@ pub(super) fn show(
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
+}
+
+/// Picture that things are fitted into, `aspect` times as wide as high: what the tool bar leaves free
+/// of it, and as much at the bottom, so that what is fitted is in the middle.
+pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
+    const LEAST: f32 = 0.5;
+    let rows = if state.pose.tool == Tool::Ik {
+        2.0
+    } else {
+        1.0
+    };
+    let covered = 2.0 * rows * BAR_HEIGHT / state.view_rect.height().max(1.0);
+    FitArea {
+        aspect,
+        free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
+    }
 }
 
 /// First steps besides moving the camera.

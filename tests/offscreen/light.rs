@@ -4,12 +4,12 @@
 use std::f32::consts::FRAC_PI_2;
 use std::sync::Arc;
 
-use editor_core::character::{Attachments, Character, Influence, Joint, SkeletalModel};
+use editor_core::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
 use editor_core::geometry::{
     Material, MaterialGroup, Mesh, Normals, Picture as Image, SharedMesh, cube,
 };
 use editor_core::gpu::Gl;
-use editor_core::render::{Marks, Renderer};
+use editor_core::render::{Backdrop, Marks, Renderer};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
     BoneStyle, CharacterShape, JointStyle, Look, ModelDisplay, Scene, Shading, ShapeColor,
@@ -17,7 +17,7 @@ use editor_core::scene::{
 };
 use glam::{Quat, Vec2, Vec3};
 
-use crate::offscreen::support::{Picture, draw_scene, on_each_backend};
+use crate::offscreen::support::{Picture, draw_before, draw_scene, on_each_backend};
 
 /// Odd, so that the camera's target is in the middle of a pixel.
 const SIZE: (u32, u32) = (41, 31);
@@ -428,6 +428,153 @@ fn the_ground_fades_towards_the_far_plane() {
         let excess = (x - 1..=x + 1).map(|x| with.0.at(x, y)[0].abs_diff(without.0.at(x, y)[0]));
         let excess = excess.max().expect("three pixels");
         assert!((2..=22).contains(&excess), "{excess}");
+    });
+}
+
+#[test]
+fn the_ground_hides_what_is_below_it_from_above_and_not_from_below() {
+    on_each_backend(|gl| {
+        // The first says where the ground is; the second hangs below it once it is posed.
+        let mut scene = scene_of(ShapeKind::Cube, Vec3::ONE, Vec3::ONE);
+        let mut hanging = CharacterShape::new(Arc::new(one_joint(cube())));
+        let mut pose = Pose::new();
+        pose.set_root_offset(0, Vec3::Y * -3.0);
+        hanging.set_pose(pose);
+        let kind = ShapeKind::Character(hanging);
+        let id = scene.add(NewShape::new("Hanging", kind));
+        for (phi, is_hidden) in [(0.5, true), (1.2, true), (-0.5, false)] {
+            let mut view = ViewSettings {
+                grid: true,
+                ..view(Look::Studio)
+            };
+            (view.camera.phi, view.camera.radius) = (phi, 9.0);
+            let mut drawn = |visible| {
+                scene.shape_mut(id).expect("the shape").visible = visible;
+                draw(gl, &scene, &view)
+            };
+            let (with, without) = (drawn(true), drawn(false));
+            let pairs = with.rgba.chunks_exact(4).zip(without.rgba.chunks_exact(4));
+            let apart = pairs.filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 2));
+            let apart = apart.count();
+            assert_eq!(apart == 0, is_hidden, "{phi}: {apart} pixels");
+        }
+    });
+}
+
+#[test]
+fn the_ground_ends_in_the_background_without_an_edge() {
+    on_each_backend(|gl| {
+        for backdrop in [Backdrop::Dark, Backdrop::Light] {
+            let [with, without] = [true, false].map(|grid| {
+                let mut view = ViewSettings {
+                    grid,
+                    ..view(Look::Studio)
+                };
+                // The horizon is near the top.
+                (view.camera.phi, view.camera.radius) = (0.3, 5.0);
+                let frame = (&Scene::new(), &view, backdrop);
+                let mut renderer = Renderer::new(gl).expect("a renderer");
+                draw_before(&mut renderer, gl, (160, 120), frame)
+            });
+            for x in [3, 60, 150] {
+                let apart = |y: usize| {
+                    let (a, b) = (with.at(x, y), without.at(x, y));
+                    (0..3).map(|c| a[c].abs_diff(b[c])).max()
+                };
+                // At the end of the ground, which rises slowly from there on.
+                let horizon = (0..120).find(|&y| apart(y) > Some(0));
+                let horizon = horizon.expect("there is a ground");
+                assert!((8..30).contains(&horizon), "{horizon}");
+                assert!(apart(horizon) <= Some(8), "{:?}", apart(horizon));
+            }
+        }
+    });
+}
+
+#[test]
+fn the_light_backdrop_is_light_and_lines_and_bones_stand_out_from_both() {
+    on_each_backend(|gl| {
+        let mut renderer = Renderer::new(gl).expect("a renderer");
+        let mut character = CharacterShape::new(Arc::new(one_joint(square(Vec3::Z, true))));
+        character.display.mode = ModelDisplay::Skeleton;
+        let scene = scene_of(ShapeKind::Character(character), Vec3::ONE, Vec3::splat(8.0));
+        for (backdrop, brightness) in [
+            (Backdrop::Dark, 40.0..110.0),
+            (Backdrop::Light, 200.0..250.0),
+        ] {
+            let mut view = ViewSettings {
+                grid: true,
+                ..view(Look::Studio)
+            };
+            view.camera.phi = 0.5;
+            let frame = (&scene, &view, backdrop);
+            let picture = draw_before(&mut renderer, gl, SIZE, frame);
+            let mut sorted: Vec<u8> = picture.rgba.chunks_exact(4).map(|pixel| pixel[1]).collect();
+            sorted.sort_unstable();
+            let median = f32::from(sorted[sorted.len() / 2]);
+            assert!(brightness.contains(&median), "{backdrop:?}: {median}");
+            // The joint's sphere lies over the ground.
+            let joint = f32::from(picture.at(MIDDLE.0, MIDDLE.1)[1]);
+            assert!(
+                (joint - median).abs() > 60.0,
+                "{backdrop:?}: {joint} {median}"
+            );
+            // The lines of the grid are among the brightest, or the darkest.
+            let line = match backdrop {
+                Backdrop::Dark => f32::from(sorted[sorted.len() * 97 / 100]),
+                Backdrop::Light => f32::from(sorted[sorted.len() * 3 / 100]),
+            };
+            assert!(
+                (line - median).abs() > 20.0,
+                "{backdrop:?}: {line} {median}"
+            );
+        }
+    });
+}
+
+#[test]
+fn a_surface_of_one_pure_color_keeps_its_shading_in_the_studio() {
+    on_each_backend(|gl| {
+        for color in [
+            Vec3::X,
+            Vec3::Y,
+            Vec3::Z,
+            Vec3::new(1.0, 1.0, 0.0),
+            Vec3::ONE,
+        ] {
+            let scene = scene_of(ShapeKind::Sphere, color, Vec3::ONE);
+            let mut view = view(Look::Studio);
+            view.camera.radius = 1.5;
+            let mut renderer = Renderer::new(gl).expect("a renderer");
+            let size = (160, 160);
+            let marks = Marks::default();
+            let picture = draw_scene(&mut renderer, gl, size, &scene, &view, marks);
+            // From the side of the key light to the other, as far as the sphere reaches.
+            let mut found: Vec<[u8; 4]> = Vec::new();
+            for step in -9..=9 {
+                let at = (80 + step * 5, 80 + step * 3);
+                found.push(picture.at(at.0 as usize, at.1 as usize));
+            }
+            let sum = |pixel: &[u8; 4]| (0..3).map(|c| u32::from(pixel[c])).sum::<u32>();
+            let most = found.iter().map(sum).max().expect("pixels");
+            let least = found.iter().map(sum).min().expect("pixels");
+            assert!(most - least > 100, "{color}: {least} to {most}");
+            // No two places along the way look the same, as where light is cut off.
+            let flat = found.windows(2).filter(|pair| pair[0] == pair[1]).count();
+            assert!(flat <= 2, "{color}: {found:?}");
+            // The color is still the shape's.
+            let middle = found[found.len() / 2];
+            let strongest = (0..3).map(|c| middle[c]).max();
+            for channel in 0..3 {
+                let is_strong = color[channel] > 0.5;
+                let value = middle[channel];
+                assert_eq!(
+                    Some(value) > strongest.map(|s| s / 2),
+                    is_strong,
+                    "{middle:?}"
+                );
+            }
+        }
     });
 }
 

@@ -1,7 +1,7 @@
 //! Contexts for tests, and ways to look at pictures.
 
 use editor_core::gpu::{Api, Backend, DrawState, Framebuffer, Gl, HeadlessContext, Program};
-use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::render::{Backdrop, Frame, Marks, Renderer};
 use editor_core::scene::{Evaluator, Scene, ViewSettings};
 use glam::Vec4;
 
@@ -81,9 +81,35 @@ pub fn flat_program(gl: &Gl) -> Program {
 pub fn draw_scene(
     renderer: &mut Renderer,
     gl: &Gl,
-    (width, height): (u32, u32),
+    size: (u32, u32),
     scene: &Scene,
     view: &ViewSettings,
+    marks: Marks,
+) -> Picture {
+    draw_frame(
+        renderer,
+        gl,
+        size,
+        (scene, view, Backdrop::default()),
+        marks,
+    )
+}
+
+/// The same without marks, before a backdrop.
+pub fn draw_before(
+    renderer: &mut Renderer,
+    gl: &Gl,
+    size: (u32, u32),
+    shown: (&Scene, &ViewSettings, Backdrop),
+) -> Picture {
+    draw_frame(renderer, gl, size, shown, Marks::default())
+}
+
+fn draw_frame(
+    renderer: &mut Renderer,
+    gl: &Gl,
+    (width, height): (u32, u32),
+    (scene, view, backdrop): (&Scene, &ViewSettings, Backdrop),
     marks: Marks,
 ) -> Picture {
     let evaluated = Evaluator::new().evaluate(scene, 0.0);
@@ -91,6 +117,7 @@ pub fn draw_scene(
         scene,
         evaluated: &evaluated,
         view,
+        backdrop,
         marks,
     };
     let target = Framebuffer::new(gl, width, height, 0).expect("a picture");

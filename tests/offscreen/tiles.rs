@@ -4,7 +4,7 @@ use editor_core::disk::files;
 use editor_core::geometry::Picture;
 use editor_core::gpu::Backend;
 use editor_core::io::Loaded;
-use editor_core::render::{Background, Frame, LargePicture, Marks, Offscreen};
+use editor_core::render::{Backdrop, Background, Frame, LargePicture, Marks, Offscreen};
 use editor_core::scene::{Camera, Evaluator, Look, ModelDisplay, Scene, ShapeKind, ViewSettings};
 use std::path::Path;
 
@@ -30,6 +30,7 @@ fn picture(
         scene,
         evaluated: &evaluated,
         view,
+        backdrop: Backdrop::default(),
         marks: Marks::default(),
     };
     offscreen.large_picture(&frame, asked, |_, _| {}).unwrap()
@@ -109,6 +110,7 @@ fn a_picture_beyond_the_limits_of_the_driver_is_drawn_and_one_within_them_is_not
         scene: &scene,
         evaluated: &evaluated,
         view: &view,
+        backdrop: Backdrop::default(),
         marks: Marks::default(),
     };
     let most = offscreen.gl().info().max_framebuffer_size;

@@ -6,7 +6,7 @@ mod scenes;
 
 use editor_core::geometry::Picture;
 use editor_core::gpu::{Backend, Framebuffer, HeadlessContext};
-use editor_core::render::{Frame, Marks, Renderer, read_picture};
+use editor_core::render::{Backdrop, Frame, Marks, Renderer, read_picture};
 use editor_core::scene::Evaluator;
 use reference::{Render, Renders};
 
@@ -87,6 +87,7 @@ fn each(
             scene: &scene,
             evaluated: &evaluated,
             view: &view,
+            backdrop: Backdrop::default(),
             marks: Marks::default(),
         };
         let [width, height] = render.size;

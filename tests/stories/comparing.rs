@@ -84,6 +84,7 @@ const BENT: &str = r#"{"joints": {"Left elbow": [0, 0, 25]}}"#;
 #[test]
 fn a_difference_is_placed_by_the_joint_next_to_it() {
     let mut story = Story::start(&["builtin:adult"]);
+    story.key(Key::F2);
     story.save_view((600, 450), "rest.png");
     let saved = story.host.written[Path::new("rest.png")].clone();
     story.host.files.insert("rest.png".into(), saved);

@@ -221,7 +221,7 @@ fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
 }
 
 #[test]
-fn opening_a_file_without_a_camera_of_its_own_keeps_the_view() {
+fn opening_a_file_without_a_camera_of_its_own_shows_it_from_the_front() {
     let mut story = Story::start(&["builtin:gem"]);
     story.key_with(Modifiers::COMMAND, Key::Num3);
     let camera = story.session().view().camera;
@@ -229,7 +229,9 @@ fn opening_a_file_without_a_camera_of_its_own_keeps_the_view() {
     story.program.carry_out(vec![open], &mut story.host);
     story.settle();
     assert_eq!(story.names(), ["Robot"]);
-    assert_eq!(story.session().view().camera, camera);
+    let now = story.session().view().camera;
+    assert_ne!(now, camera);
+    assert!(now.eye().z > 1.0, "{now:?}");
 }
 
 #[test]

@@ -6,6 +6,7 @@ mod boxes;
 mod comparing;
 mod documents;
 mod files;
+mod first_views;
 mod hosts;
 mod looking;
 mod picturing;

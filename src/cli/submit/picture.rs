@@ -12,7 +12,7 @@ use crate::gpu::Backend;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{Diagnostic, Files, package, to_zip};
 use crate::math::{Aabb, Euler};
-use crate::render::{Frame, Marks, Offscreen};
+use crate::render::{Backdrop, Frame, Marks, Offscreen};
 use crate::scene::{Camera, ShapeKind};
 use glam::Vec3;
 use std::path::Path;
@@ -76,6 +76,7 @@ fn draw(session: &Session) -> Result<Picture, CliError> {
         scene: session.scene(),
         evaluated: session.evaluated(),
         view: session.view(),
+        backdrop: Backdrop::default(),
         marks: Marks::default(),
     };
     let samples = SAMPLES.min(offscreen.gl().info().max_samples);

@@ -10,7 +10,7 @@ use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
-use crate::ui::{Action, Ask, CompareAction, HistoryMove, posing};
+use crate::ui::{Action, Ask, CompareAction, HistoryMove, posing, view_overlay};
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -109,7 +109,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
         Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
-        Command::Fit => return Some(Action::View(View::Fit { aspect })),
+        Command::Fit => {
+            let area = view_overlay::fit_area(state, aspect);
+            return Some(Action::View(View::Fit(area)));
+        }
         Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
         Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
         Command::SetLook(look) => return Some(Action::View(View::SetLook(look))),

@@ -4,10 +4,10 @@ use super::characters::{self, ids};
 use crate::offscreen::support::{Picture, on_each_backend};
 use editor_core::character::Pose;
 use editor_core::gpu::{Framebuffer, Gl};
-use editor_core::render::{Frame, Marks, Renderer};
+use editor_core::render::{Backdrop, Frame, Marks, Renderer};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
-    Evaluated, Evaluator, ModelDisplay, Scene, Shading, ShapeKind, Skinning, ViewSettings,
+    Evaluated, Evaluator, FitArea, ModelDisplay, Scene, Shading, ShapeKind, Skinning, ViewSettings,
 };
 use std::sync::Arc;
 
@@ -29,7 +29,8 @@ fn fitted(scene: &Scene, shading: Shading) -> ViewSettings {
     view.camera.theta = 1.2;
     view.camera.phi = 0.2;
     let bounds = Evaluator::new().evaluate(scene, 0.0).world_bounds();
-    view.camera.fit(&bounds, SIZE.0 as f32 / SIZE.1 as f32);
+    view.camera
+        .fit(&bounds, FitArea::whole(SIZE.0 as f32 / SIZE.1 as f32));
     view
 }
 
@@ -45,6 +46,7 @@ fn draw(
         scene,
         evaluated: &evaluated,
         view,
+        backdrop: Backdrop::default(),
         marks,
     };
     let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).expect("a picture");

@@ -1,0 +1,183 @@
+//! The view of documents that have none of their own, and of what is imported.
+
+use super::running::Program;
+use crate::character::Facing;
+use crate::editor::View;
+use crate::io;
+use crate::math::Aabb;
+use crate::scene::{
+    Camera, FitArea, Importer, Look, NewShape, ShapeColor, ShapeId, ShapeKind, ViewSettings,
+};
+use glam::Vec3;
+use std::path::Path;
+
+/// Angle from which the ground is seen, in radians: level with it, it would be a line.
+const ABOVE: f32 = 0.18;
+/// Width over height of the course's window.
+const COURSE_ASPECT: f32 = 4.0 / 3.0;
+/// Least share of the course's picture that a character takes up there, to be seen well.
+const LEAST_SHARE: f32 = 0.15;
+/// The color preset of imported characters outside of the course's look: Light Gray.
+const NEUTRAL: usize = 30;
+
+impl Program {
+    /// View of a document without shapes. A ground of the look's own stands for the axes, which would
+    /// cross what stands on it.
+    pub(super) fn view_without_scene(&self) -> ViewSettings {
+        let look = self.preferences.look.unwrap_or(Look::Studio);
+        ViewSettings {
+            look,
+            axis: look == Look::Course,
+            camera: Camera {
+                phi: ABOVE,
+                ..Camera::default()
+            },
+            ..ViewSettings::default()
+        }
+    }
+
+    /// Shows a document of `shapes` in the place of the one before: through its own `view`, or through
+    /// a first one, for being `compared` with a picture or not.
+    pub(super) fn show_opened(
+        &mut self,
+        mut shapes: Vec<NewShape>,
+        view: Option<ViewSettings>,
+        compared: bool,
+    ) {
+        let first = view.unwrap_or_else(|| self.first_view(&mut shapes, compared));
+        self.session.open(shapes, first);
+        self.fit_due = false;
+        if view.is_none() && !compared {
+            self.show_whole();
+        }
+    }
+
+    /// View of a document of `shapes` that has none of its own. What is compared with a picture, and
+    /// the course's characters, are seen as in the course's editor; all else in neutral colors, from
+    /// the front. The camera is still to be fitted then: see [`Program::show_whole`].
+    pub(super) fn first_view(&self, shapes: &mut [NewShape], compared: bool) -> ViewSettings {
+        if compared {
+            return ViewSettings::default();
+        }
+        if shapes.iter().any(is_of_the_course) {
+            let look = self.preferences.look.unwrap_or(Look::Course);
+            return ViewSettings {
+                look,
+                ..ViewSettings::default()
+            };
+        }
+        let mut view = self.view_without_scene();
+        view.camera = view.camera.facing(front(shapes), ABOVE);
+        self.make_neutral(shapes, view.look);
+        view
+    }
+
+    /// Gives characters that are to be shown in `look` a neutral color, unless they have one of their
+    /// own or are the course's.
+    fn make_neutral(&self, shapes: &mut [NewShape], look: Look) {
+        if look == Look::Course {
+            return;
+        }
+        let green = ShapeColor::Preset(Importer::Character.start_color());
+        let is_green = |shape: &&mut NewShape| {
+            let is_character = matches!(shape.kind, ShapeKind::Character(_));
+            is_character && shape.start.color == green && shape.placement.color == green
+        };
+        for shape in shapes.iter_mut().filter(is_green) {
+            if !is_of_the_course(shape) {
+                shape.placement.color = ShapeColor::Preset(NEUTRAL);
+                shape.start.color = shape.placement.color;
+            }
+        }
+    }
+
+    /// Prepares `shapes` for being imported into the document: they get their colors. Returns the view
+    /// that the document has with them, if they are the first in it.
+    pub(super) fn view_of_import(&self, shapes: &mut [NewShape]) -> Option<ViewSettings> {
+        let is_first = self.session.scene().shapes().is_empty();
+        if is_first {
+            return Some(self.first_view(shapes, self.comparison.is_some()));
+        }
+        self.make_neutral(shapes, self.session.view().look);
+        None
+    }
+
+    /// Shows shapes that have just been imported: the first in a document through its `first` view,
+    /// others through the view as it is, if they can be seen in it.
+    pub(super) fn show_import(&mut self, added: &[ShapeId], first: Option<ViewSettings>) {
+        if let Some(view) = first {
+            self.session.look(View::SetLook(view.look));
+            self.session.look(View::BeginAt(view.camera));
+        }
+        if self.comparison.is_some() {
+            return;
+        }
+        if first.is_some() {
+            self.show_whole();
+        } else {
+            let evaluated = self.session.evaluated();
+            let shapes = added.iter().filter_map(|&id| evaluated.shape(id));
+            let bounds = shapes.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
+            let camera = &self.session.view().camera;
+            let is_seen = camera.sees(&bounds, self.fit_area.aspect);
+            self.fit_due |= !is_seen && !bounds.is_empty();
+        }
+    }
+
+    /// Fits everything into the picture, once its size is known, unless it is seen well in a view of
+    /// the course.
+    fn show_whole(&mut self) {
+        let camera = &self.session.view().camera;
+        let bounds = self.session.evaluated().world_bounds();
+        let is_of_the_course = *camera == Camera::default();
+        let is_right = is_of_the_course && is_seen_well(camera, &bounds);
+        self.fit_due = !bounds.is_empty() && !is_right;
+        if self.fit_due {
+            self.fit_all(self.fit_area);
+        }
+    }
+
+    /// Fits everything into the picture `area`, in which the document is shown first.
+    pub(super) fn fit_all(&mut self, area: FitArea) {
+        let mut camera = self.session.view().camera;
+        let shapes = self.session.evaluated().shapes.iter();
+        camera.fit_shapes(shapes.filter(|shape| shape.visible), area);
+        self.session.look(View::BeginAt(camera));
+    }
+}
+
+/// Whether a shape is to be seen as in the course's editor: a character in the course's format, from
+/// the user's disk, that is seen well there.
+fn is_of_the_course(shape: &NewShape) -> bool {
+    let ShapeKind::Character(character) = &shape.kind else {
+        return false;
+    };
+    let Some(source) = &shape.source else {
+        return false;
+    };
+    let path = Path::new(&source.file);
+    let has_format = io::expect_extension(path, "obj").is_ok() && !io::builtin::is_builtin(path);
+    let mesh = character.character.bind_mesh();
+    let bounds = Aabb::from_points(mesh.positions.iter().copied());
+    let world_from_model = shape.placement.transform.world_from_model();
+    has_format && is_seen_well(&Camera::default(), &bounds.transformed(world_from_model))
+}
+
+/// Whether `bounds` is neither cut off nor tiny in the course's window.
+fn is_seen_well(camera: &Camera, bounds: &Aabb) -> bool {
+    let share = camera.share(bounds, COURSE_ASPECT);
+    share.is_some_and(|share| share >= LEAST_SHARE)
+}
+
+/// The front of the first character among `shapes`, in the world; +Z if there is none.
+fn front(shapes: &[NewShape]) -> Vec3 {
+    let first = shapes.iter().find_map(|shape| match &shape.kind {
+        ShapeKind::Character(character) => {
+            let front = character.character.skeleton().facing().front();
+            let world_from_model = shape.placement.transform.world_from_model();
+            Some(world_from_model.transform_vector3(front))
+        }
+        _ => None,
+    });
+    first.unwrap_or_else(|| Facing::default().front())
+}

@@ -1,0 +1,48 @@
+use super::commands::{self, Command};
+use super::theme::Palette;
+use super::widgets::named;
+use super::{Action, axis_ball};
+use crate::editor::View;
+use crate::scene::Look;
+use egui::{Button, Frame, Margin, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
+
+/// The two looks, with their words in the switch and their names.
+const LOOKS: [(Look, &str, &str); 2] = [
+    (Look::Course, "Course", "Course look"),
+    (Look::Studio, "Studio", "Studio look"),
+];
+/// Width and height, in points.
+const SIZE: egui::Vec2 = vec2(106.0, 24.0);
+/// Views lower than this, in points, have no switch.
+const ROOM: f32 = 320.0;
+
+/// The switch between the course's look and the Studio, below the axis ball.
+pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action>) {
+    if view.height() < ROOM || view.width() < ROOM {
+        return;
+    }
+    let corner = pos2(view.right() - SIZE.x - 8.0, axis_ball::bottom(view) + 4.0);
+    // Clicks between the buttons must not reach the scene behind them.
+    let builder = UiBuilder::new()
+        .id_salt("looks")
+        .max_rect(Rect::from_min_size(corner, SIZE))
+        .sense(Sense::click_and_drag());
+    let mut inner = ui.new_child(builder);
+    let frame = Frame::new()
+        .fill(Palette::of(inner.visuals()).panel)
+        .corner_radius(4)
+        .inner_margin(Margin::same(2));
+    frame.show(&mut inner, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 2.0;
+            for (own, word, name) in LOOKS {
+                let button = Button::selectable(look == own, RichText::new(word).small());
+                let button = named(ui.add(button), name);
+                let tip = commands::tooltip(ui.ctx(), Command::SetLook(own));
+                if button.on_hover_text(tip).clicked() {
+                    actions.push(Action::View(View::SetLook(own)));
+                }
+            }
+        });
+    });
+}

@@ -1,0 +1,361 @@
+//! The first view of what is opened and imported: the look, the colors and the camera.
+
+use super::Story;
+use crate::host::MemoryHost;
+use editor_core::editor::View;
+use editor_core::io::image::{self, PictureFormat};
+use editor_core::program::StorageKey;
+use editor_core::scene::{Camera, Look, Shape, ShapeColor};
+use editor_core::ui::{Action, Ask, Navigation};
+use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
+use glam::{Vec2, Vec3};
+use std::path::Path;
+
+const GREEN: ShapeColor = ShapeColor::Preset(12);
+
+/// A strip like [`super::STRIP`], ten times as large, whose left hand is at −X: it faces −Z.
+const LARGE: [(&str, &str); 3] = [
+    (
+        "models/large.obj",
+        "v -2 0 0\nv 2 0 0\nv 2 20 0\nv -2 20 0\nf 1 2 3\nf 1 3 4\n",
+    ),
+    (
+        "models/large.skel",
+        "0 0 0 -1 # Root\n-2 5 0 0 # Hand.L\n2 5 0 0 # Hand.R\n",
+    ),
+    ("models/large.attach", "1 0\n0 1\n0 1\n1 0\n"),
+];
+
+/// A triangle far to the right.
+const FAR: (&str, &str) = ("models/far.obj", "v 90 0 0\nv 91 0 0\nv 90 1 0\nf 1 2 3\n");
+
+fn host() -> MemoryHost {
+    let files = LARGE.into_iter().chain([FAR]);
+    let mut host = MemoryHost {
+        stored: [super::started_before()].into(),
+        files: files
+            .map(|(path, text)| (path.into(), text.into()))
+            .collect(),
+        ..MemoryHost::default()
+    };
+    // The course's background.
+    let reference = editor_core::geometry::Picture {
+        width: 40,
+        height: 30,
+        rgba: [26, 26, 26, 255].repeat(40 * 30),
+    };
+    let bytes = image::encode(&reference, PictureFormat::Png).expect("a picture");
+    host.files.insert("reference.png".into(), bytes);
+    host
+}
+
+fn start(files: &[&str]) -> Story {
+    Story::start_at(host(), files)
+}
+
+impl Story {
+    fn look(&self) -> Look {
+        self.session().view().look
+    }
+
+    fn color(&self) -> ShapeColor {
+        self.shape().placement.color
+    }
+
+    fn import(&mut self, path: &str) {
+        self.host.drop_file(path);
+        self.settle();
+    }
+
+    /// The rectangle that a shape takes up in the view, in points from the view's corner.
+    fn on_screen(&self, shape: &Shape) -> egui::Rect {
+        let view = self.view();
+        let size = Vec2::new(view.width(), view.height());
+        let camera = self.session().view().camera;
+        let evaluated = self
+            .session()
+            .evaluated()
+            .shape(shape.id)
+            .expect("it is evaluated");
+        let points = evaluated.geometry.positions().iter().map(|&position| {
+            let world = evaluated.world_from_model.transform_point3(position);
+            let pixel = camera.pixel(world, size).expect("before the eye");
+            pos2(pixel.x, pixel.y)
+        });
+        egui::Rect::from_points(&points.collect::<Vec<_>>())
+    }
+
+    /// Checks that the selected shape is whole in the view, clear of the tool bar, and as large as
+    /// there is room.
+    fn assert_fills_the_view(&self) {
+        let (rect, view) = (self.on_screen(self.shape()), self.view());
+        let bar = self.place("Select tool").y + 12.0 - view.top();
+        let is_inside = rect.left() >= 0.0 && rect.right() <= view.width();
+        assert!(is_inside && rect.top() > bar, "{rect:?} in {view:?}");
+        assert!(rect.bottom() < view.height() - bar / 2.0, "{rect:?}");
+        let share = (rect.height() / view.height()).max(rect.width() / view.width());
+        assert!(share > 0.6, "{share} of the view");
+    }
+
+    /// Cosine of the angle between the direction to the eye and `front`.
+    fn seen_from(&self, front: Vec3) -> f32 {
+        let camera = self.session().view().camera;
+        (camera.eye() - camera.target).angle_between(front).cos()
+    }
+}
+
+#[test]
+fn the_robot_opens_lit_in_a_neutral_color_whole_and_from_the_front() {
+    let story = start(&["builtin:robot"]);
+    assert_eq!(story.look(), Look::Studio);
+    let color = story.color().rgb();
+    assert!(color == Vec3::splat(color.x) && color.x > 0.5, "{color}");
+    assert!(story.seen_from(Vec3::Z) > 0.95);
+    story.assert_fills_the_view();
+    // On a ground that is seen from a little above, rather than as a line.
+    assert!(story.session().view().camera.phi > 0.1);
+}
+
+#[test]
+fn a_head_and_a_gem_a_curve_and_the_lizard_are_whole_too() {
+    for name in [
+        "face", "gem", "spring", "lizard", "chain", "goblet", "humanoid",
+    ] {
+        let story = start(&[&format!("builtin:{name}")]);
+        assert_eq!(story.look(), Look::Studio, "{name}");
+        story.assert_fills_the_view();
+    }
+}
+
+#[test]
+fn the_faces_of_the_mannequins_are_seen() {
+    for name in ["head", "robot"] {
+        let Some(path) = crate::reference_data::reference(&format!("mannequin/{name}.dae")) else {
+            return;
+        };
+        let mut host = host();
+        let bytes = std::fs::read(path).expect("the reference data");
+        host.files.insert("head.dae".into(), bytes);
+        let story = Story::start_at(host, &["head.dae"]);
+        // Both look along −Z.
+        assert!(story.seen_from(Vec3::NEG_Z) > 0.95, "{name}");
+        story.assert_fills_the_view();
+    }
+}
+
+#[test]
+fn a_character_in_the_course_s_format_is_seen_as_in_the_course_s_editor() {
+    let story = start(&["models/strip.obj"]);
+    assert_eq!(story.look(), Look::Course);
+    assert_eq!(story.session().view().camera, Camera::default());
+    assert!(story.session().view().axis);
+    assert_eq!(story.color(), GREEN);
+}
+
+#[test]
+fn one_that_would_be_cut_off_there_is_fitted_and_seen_from_its_own_front() {
+    let story = start(&["models/large.obj"]);
+    assert_eq!(story.look(), Look::Studio);
+    assert_ne!(story.color(), GREEN);
+    assert!(story.seen_from(Vec3::NEG_Z) > 0.95);
+    story.assert_fills_the_view();
+    assert_eq!(
+        story.session().start_camera(),
+        &story.session().view().camera
+    );
+}
+
+#[test]
+fn the_look_that_was_chosen_is_that_of_all_that_is_opened_then() {
+    for (look, name) in [(Look::Course, "course"), (Look::Studio, "studio")] {
+        for file in ["builtin:robot", "models/strip.obj"] {
+            let mut host = host();
+            let preferences = format!(r#"{{"started_before": true, "look": "{name}"}}"#);
+            host.stored
+                .insert(StorageKey::Preferences, preferences.into_bytes());
+            let story = Story::start_at(host, &[file]);
+            assert_eq!(story.look(), look, "{file}");
+            // Neutral colors are for the Studio look, and not for the course's characters.
+            let is_neutral = look == Look::Studio && file == "builtin:robot";
+            assert_eq!(story.color() != GREEN, is_neutral, "{file} {name}");
+        }
+    }
+}
+
+#[test]
+fn what_is_started_with_a_picture_is_seen_as_in_the_course_s_editor() {
+    let story = start(&["builtin:robot", "reference.png"]);
+    assert!(story.has("Stop comparing"));
+    assert_eq!(story.look(), Look::Course);
+    assert_eq!(story.session().view().camera, Camera::default());
+    assert_eq!(story.color(), GREEN);
+}
+
+#[test]
+fn a_comparison_is_in_the_course_look_and_that_look_is_gone_with_it() {
+    let mut story = start(&["builtin:robot"]);
+    for another_look in [false, true] {
+        story.key(Key::F8);
+        story.choose("reference.png");
+        assert_eq!(story.look(), Look::Course);
+        if another_look {
+            story.key(Key::F10);
+        }
+        story.key(Key::F8);
+        let expected = [Look::Studio, Look::Mannequin][usize::from(another_look)];
+        assert_eq!(story.look(), expected);
+    }
+    // The look of a comparison is not one that was chosen for good.
+    let stored = String::from_utf8(story.host.stored[&StorageKey::Preferences].clone()).unwrap();
+    assert!(stored.contains(r#""look": null"#), "{stored}");
+}
+
+#[test]
+fn a_picture_taken_in_the_studio_is_compared_in_the_studio_whatever_the_theme_is_by_then() {
+    for theme in ["Light", "Dark"] {
+        let mut story = start(&["builtin:robot"]);
+        let choose_theme = |story: &mut Story, theme: &str| {
+            for label in ["View", "Theme", theme] {
+                story.click(label);
+            }
+        };
+        choose_theme(&mut story, theme);
+        story.save_view((120, 80), "mine.png");
+        let saved = story.host.written[Path::new("mine.png")].clone();
+        story.host.files.insert("mine.png".into(), saved);
+        choose_theme(&mut story, "Dark");
+        story.key(Key::F2);
+        story.key(Key::F8);
+        story.choose("mine.png");
+        assert_eq!(story.look(), Look::Studio, "{theme}");
+        story.key(Key::F8);
+        assert_eq!(story.look(), Look::Course, "{theme}");
+    }
+}
+
+#[test]
+fn the_first_import_is_fitted_and_others_move_the_camera_only_if_they_are_out_of_view() {
+    let mut story = start(&[]);
+    assert_eq!(story.look(), Look::Studio);
+    story.import("models/large.obj");
+    story.assert_fills_the_view();
+    let camera = story.session().view().camera;
+    assert!(story.seen_from(Vec3::NEG_Z) > 0.95);
+
+    let gem = Action::Ask(Ask::InsertBuiltin("gem"));
+    story.program.carry_out(vec![gem], &mut story.host);
+    story.settle();
+    assert_eq!(story.names(), ["Large", "Gem"]);
+    assert_eq!(story.session().view().camera, camera);
+
+    story.import("models/far.obj");
+    assert_ne!(story.session().view().camera, camera);
+    let view = egui::Rect::from_min_size(pos2(0.0, 0.0), story.view().size());
+    for shape in story.session().scene().shapes() {
+        assert!(view.contains_rect(story.on_screen(shape)), "{}", shape.name);
+    }
+}
+
+#[test]
+fn the_course_s_character_is_imported_into_an_empty_scene_as_it_is_opened() {
+    let mut story = start(&[]);
+    story.import("models/strip.obj");
+    assert_eq!(story.look(), Look::Course);
+    assert_eq!(story.session().view().camera, Camera::default());
+    assert_eq!(story.color(), GREEN);
+}
+
+#[test]
+fn a_point_that_is_dragged_stays_under_the_pointer_to_half_a_pixel() {
+    let mut story = start(&["builtin:robot"]);
+    for navigation in [
+        Navigation::Orbit,
+        Navigation::Mannequin,
+        Navigation::Blender,
+    ] {
+        story.program.ui_mut().set_navigation(navigation);
+        let camera = Camera {
+            phi: 0.6,
+            ..*story.session().start_camera()
+        };
+        story.program.session_mut().look(View::SetCamera(camera));
+        story.settle();
+        let view = story.view();
+        let size = Vec2::new(view.width(), view.height());
+        // Somewhere on its chest, which is nearer than the target.
+        let from = view.center() + vec2(10.0, -60.0);
+        let ray = camera.ray(Vec2::new(from.x - view.left(), from.y - view.top()), size);
+        let session = story.session();
+        let hit = editor_core::scene::pick_shape(session.evaluated(), &ray);
+        let held = ray.at(hit.expect("the robot").1);
+        let to = from + vec2(137.0, 91.0);
+
+        let modifiers = match navigation {
+            Navigation::Blender => Modifiers::SHIFT,
+            _ => Modifiers::NONE,
+        };
+        let button = |pos, pressed| Event::PointerButton {
+            pos,
+            button: PointerButton::Middle,
+            pressed,
+            modifiers,
+        };
+        story.frame(vec![Event::ModifiersChanged(modifiers)]);
+        story.point(from);
+        story.frame(vec![button(from, true)]);
+        for part in [0.02, 0.05, 0.3, 0.31, 1.0] {
+            story.point(from + (to - from) * part);
+        }
+        story.frame(vec![button(to, false)]);
+        story.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+        story.settle();
+        let now = story.session().view().camera.pixel(held, size);
+        let now = now.expect("before the eye") + Vec2::new(view.left(), view.top());
+        let apart = now.distance(Vec2::new(to.x, to.y));
+        assert!(apart < 0.5, "{navigation:?}: {apart} pixels");
+    }
+}
+
+#[test]
+fn f_fits_what_is_selected_clear_of_the_tool_bar_even_with_its_second_row() {
+    let mut story = start(&["builtin:robot"]);
+    for tool in [Key::V, Key::I] {
+        story.key(tool);
+        story.program.session_mut().look(View::ResetCamera);
+        story.key(Key::F);
+        story.assert_fills_the_view();
+    }
+    let below = story.place("Bend direction").y + 12.0 - story.view().top();
+    let top = story.on_screen(story.shape()).top();
+    assert!(top > below, "{top} {below}");
+}
+
+#[test]
+fn the_light_theme_has_a_light_view() {
+    let mut story = start(&["builtin:robot"]);
+    let brightness = |story: &Story| {
+        let picture = story.scene_picture();
+        let sum: u64 = picture.rgba.iter().map(|&byte| u64::from(byte)).sum();
+        sum as f32 / picture.rgba.len() as f32
+    };
+    for (theme, range) in [("Light", 190.0..245.0), ("Dark", 60.0..140.0)] {
+        for label in ["View", "Theme", theme] {
+            story.click(label);
+        }
+        let found = brightness(&story);
+        assert!(range.contains(&found), "{theme}: {found}");
+    }
+}
+
+#[test]
+fn the_course_s_look_is_one_click_away_and_so_is_the_way_back() {
+    let mut story = start(&["builtin:robot"]);
+    for (name, look) in [("Course look", Look::Course), ("Studio look", Look::Studio)] {
+        story.click(name);
+        assert_eq!(story.look(), look);
+        let stored = &story.host.stored[&StorageKey::Preferences];
+        let stored: serde_json::Value = serde_json::from_slice(stored).expect("preferences");
+        assert_eq!(stored["look"], serde_json::to_value(look).expect("a name"));
+    }
+    assert_eq!(story.names(), ["Robot"], "the view got no click");
+}
