@@ -79,8 +79,8 @@ impl Offscreen {
     }
 
     /// As [`Offscreen::picture`], but of any size: one beyond the driver's limits, or of so many
-    /// samples that they would fill the memory, is drawn in parts. `drawn` hears of each part: how
-    /// many there are already, and of how many.
+    /// samples that they would fill the memory, is drawn in parts. `drawn` hears of each of several
+    /// parts: how many there are already, and of how many.
     ///
     /// # Errors
     /// As [`Offscreen::render`], but for the size.
@@ -91,11 +91,16 @@ impl Offscreen {
         mut drawn: impl FnMut(usize, usize),
     ) -> Result<Picture, RenderError> {
         let mut parts = PictureParts::new(asked, self.gl().info());
+        let mut drawn = |parts: &PictureParts| {
+            if parts.count() > 1 {
+                drawn(parts.done(), parts.count());
+            }
+        };
         while !parts.is_complete() {
-            drawn(parts.done(), parts.count());
+            drawn(&parts);
             parts.draw_next(self.context.gl(), &mut self.renderer, frame)?;
         }
-        drawn(parts.done(), parts.count());
+        drawn(&parts);
         Ok(parts.into_picture())
     }
 }

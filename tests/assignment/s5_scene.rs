@@ -114,7 +114,7 @@ fn a_missing_mtl_file_or_picture_is_a_warning_and_the_shape_stays() {
     assert_eq!(read.value.groups[0].material.texture, None);
     assert_eq!(
         read.warnings[0].to_string(),
-        "d/tex/no.png: there is no such file"
+        "d/a.obj: expected a picture, found no file “tex\\no.png”"
     );
 }
 

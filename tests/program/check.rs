@@ -183,7 +183,7 @@ fn names_cannot_write_lines_of_their_own_on_a_terminal() {
     std::fs::write(folder.path().join("a.mtl"), mtl).unwrap();
     let obj = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n";
     std::fs::write(folder.path().join("a.obj"), obj).unwrap();
-    let told = "\\u{1b}[31mx.png: there is no such file\n";
+    let told = "a.obj: expected a picture, found no file “\\u{1b}[31mx.png”\n";
     let ran = editor_in(folder.path(), &["check", "a.obj"]);
     assert!(ran.out.contains(told), "{:?}", ran.out);
     let ran = editor_in(folder.path(), &["export", "a.obj", "-o", "b.obj"]);

@@ -128,6 +128,7 @@ fn a_slider_that_is_cancelled_puts_everything_back_as_if_it_had_not_been_touched
 #[test]
 fn a_bone_is_dragged_by_hand_and_the_gesture_is_kept_or_cancelled() {
     let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F);
     story.key(Key::B);
     let (document, before) = (story.session().document(), story.scene_picture());
     let tip = end_of_bone(&story, 2) + vec2(0.0, 6.0);
@@ -200,6 +201,7 @@ fn deleting_a_shape_selects_the_one_that_takes_its_place() {
 #[test]
 fn hovering_changes_what_is_marked_and_not_the_document() {
     let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F);
     story.key(Key::B);
     let document = story.session().document();
     story.point(end_of_bone(&story, 2));
