@@ -1,6 +1,6 @@
 use super::commands::{Gesture, gesture};
 use crate::scene::Camera;
-use egui::{Context, Key, Modifiers, PointerButton, Response};
+use egui::{Context, Event, Id, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
 /// How mouse and keys move the camera, each as in a program that users may know.
@@ -244,13 +244,12 @@ impl Navigation {
             return camera;
         }
         let mut walks = false;
+        let (pressed, held) = walking_keys(ctx);
         for step in STEPS {
             let amount = ctx.input(|input| {
-                if input.modifiers.any() {
-                    0.0
-                } else if input.key_pressed(step.key) {
+                if pressed.contains(&step.key) {
                     STEP
-                } else if input.key_down(step.key) {
+                } else if held.contains(&step.key) && !input.modifiers.any() {
                     STEP * STEPS_PER_SECOND * input.stable_dt.min(LONGEST_FRAME)
                 } else {
                     0.0
@@ -267,4 +266,29 @@ impl Navigation {
         }
         camera
     }
+}
+
+/// Keys that were pressed in this frame, and those held, each pressed without modifiers: Ctrl+S must
+/// not walk, whichever of the two keys is released first.
+fn walking_keys(ctx: &Context) -> (Vec<Key>, Vec<Key>) {
+    let id = Id::new("keys that walk");
+    let mut held: Vec<Key> = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
+    let pressed = ctx.input(|input| {
+        let presses = input.events.iter().filter_map(|event| match event {
+            Event::Key {
+                key,
+                pressed: true,
+                repeat: false,
+                modifiers,
+                ..
+            } if modifiers.is_none() => Some(*key),
+            _ => None,
+        });
+        let pressed: Vec<Key> = presses.collect();
+        held.extend(&pressed);
+        held.retain(|&key| input.key_down(key));
+        pressed
+    });
+    ctx.data_mut(|data| data.insert_temp(id, held.clone()));
+    (pressed, held)
 }

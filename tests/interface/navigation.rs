@@ -203,6 +203,37 @@ fn over_a_shape_the_status_line_names_the_button_that_turns() {
 }
 
 #[test]
+fn saving_by_key_does_not_walk_whichever_key_is_released_first() {
+    let mut editor = empty("Mannequin");
+    let s = |pressed, modifiers| Event::Key {
+        key: Key::S,
+        physical_key: None,
+        pressed,
+        repeat: false,
+        modifiers,
+    };
+    // Both in one frame, as a fast hand does it.
+    let none = Modifiers::NONE;
+    frame(&mut editor, &[s(true, Modifiers::COMMAND), s(false, none)]);
+    // Ctrl comes up before S.
+    frame(&mut editor, &[s(true, Modifiers::COMMAND)]);
+    frame(&mut editor, &[]);
+    frame(&mut editor, &[]);
+    frame(&mut editor, &[s(false, none)]);
+    assert_eq!(editor.session().view().camera, Camera::default());
+    frame(&mut editor, &[s(true, none), s(false, none)]);
+    assert_ne!(editor.session().view().camera, Camera::default());
+}
+
+/// Shows one frame in which `events` happen.
+fn frame(editor: &mut Editor, events: &[Event]) {
+    events
+        .iter()
+        .for_each(|event| editor.harness.event(event.clone()));
+    editor.harness.step();
+}
+
+#[test]
 fn keys_with_shift_are_commands_and_do_not_walk() {
     let mut editor = empty("Mannequin");
     for key in [Key::S, Key::W, Key::ArrowUp, Key::ArrowLeft] {
