@@ -8,6 +8,7 @@ use crate::program::{
 };
 use crate::revision::Revision;
 use crate::ui;
+use std::io::Write;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 use winit::application::ApplicationHandler;
@@ -225,6 +226,13 @@ impl ApplicationHandler<Wake> for Application {
             Wake::FileChanged(path) => running.host.on_file_changed(path),
             Wake::Terminate => {
                 running.program.end(&mut running.host);
+                if let Some(error) = running.host.finish_storing() {
+                    // Whoever does not listen need not be told.
+                    let _ = writeln!(
+                        std::io::stderr(),
+                        "error: unsaved work could not be kept: {error}"
+                    );
+                }
                 return self.finish(event_loop, Ok(()));
             }
         }

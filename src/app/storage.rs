@@ -105,17 +105,23 @@ impl Storage {
         }
     }
 
-    /// Removes an entry. Unsaved work stays for one more time under another name: who discarded it
-    /// by mistake can still find it.
+    /// Removes an entry.
     pub fn remove(&mut self, key: StorageKey) {
         self.wait();
         if let Some(path) = self.path(key) {
             // What does not exist need not be removed.
-            let _ = match key {
-                StorageKey::Preferences => std::fs::remove_file(path),
-                StorageKey::Autosave => std::fs::rename(&path, path.with_extension("json~")),
-            };
+            let _ = std::fs::remove_file(path);
         }
+    }
+
+    /// Gives an entry another name, so that who discarded it by mistake can still find it. Returns
+    /// the name, if there was such an entry.
+    pub fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
+        self.wait();
+        let path = self.path(key)?;
+        let aside = path.with_extension("json~");
+        std::fs::rename(&path, &aside).ok()?;
+        Some(aside)
     }
 
     /// The outcome of the last writing in the background, once, if it failed.

@@ -3,7 +3,7 @@ use super::storage::Storage;
 use super::watcher::Watcher;
 use crate::disk;
 use crate::gpu::WindowContext;
-use crate::io::Files;
+use crate::io::{Diagnostic, Files};
 use crate::program::{
     FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey, Suggested,
 };
@@ -143,6 +143,15 @@ impl WindowHost {
             WindowEvent::AccessibilityDeactivated => self.egui.egui_ctx().disable_accesskit(),
         }
     }
+
+    /// Waits until everything is stored; why unsaved work is not, if so.
+    pub fn finish_storing(&mut self) -> Option<Diagnostic> {
+        self.storage.wait();
+        match self.storage.failure() {
+            Some(HostEvent::StoreFailed(error)) => Some(error),
+            _ => None,
+        }
+    }
 }
 
 impl Host for WindowHost {
@@ -221,6 +230,10 @@ impl Host for WindowHost {
 
     fn remove(&mut self, key: StorageKey) {
         self.storage.remove(key);
+    }
+
+    fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
+        self.storage.put_aside(key)
     }
 
     fn start_job(&mut self, job: Job) {

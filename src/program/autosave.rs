@@ -146,12 +146,13 @@ impl Program {
         self.autosave.stored = Some((self.session.document(), host.now()));
         match unsaved.to_bytes() {
             Ok(bytes) => host.store(StorageKey::Autosave, bytes),
-            Err(error) => self.tell_store_failure(&error.to_string()),
+            Err(error) => self.tell_store_failure(&error.to_string(), host.now()),
         }
     }
 
-    /// Says once that unsaved work cannot be stored.
-    pub(super) fn tell_store_failure(&mut self, error: &str) {
+    /// Says once that unsaved work cannot be stored; it is tried again later.
+    pub(super) fn tell_store_failure(&mut self, error: &str, now: Duration) {
+        self.autosave.stored = Some((Revision::new(), now));
         if !std::mem::replace(&mut self.autosave.failure_told, true) {
             let text = format!("Unsaved work cannot be kept for the case of a crash: {error}");
             self.tell(Severity::Warning, text);
@@ -175,8 +176,11 @@ impl Program {
     /// Says why what an earlier run left cannot be restored, and puts it out of the way of what this
     /// one stores.
     fn give_up_restoring(&mut self, error: &str, host: &mut dyn Host) {
-        host.remove(StorageKey::Autosave);
-        let text = format!("The unsaved changes cannot be restored: {error}");
+        let place = host.put_aside(StorageKey::Autosave);
+        let place = place.map_or_else(String::new, |path| {
+            format!(". They are in {}", path.display())
+        });
+        let text = format!("The unsaved changes cannot be restored: {error}{place}");
         self.tell(Severity::Error, text);
     }
 

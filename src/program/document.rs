@@ -380,7 +380,12 @@ impl Program {
             }
             (Some(Asked::Overwrite(_, then)), Answer::SaveAs) => self.save_as(then, host),
             (Some(Asked::Restore(kept, _)), Answer::Restore) => self.restore(&kept, host),
-            (Some(Asked::Restore(..)), Answer::Forget) => host.remove(StorageKey::Autosave),
+            (Some(Asked::Restore(..)), Answer::Forget) => {
+                if let Some(path) = host.put_aside(StorageKey::Autosave) {
+                    let text = format!("What was discarded is in {}", path.display());
+                    self.tell(Severity::Info, text);
+                }
+            }
             (Some(Asked::Restore(..)), Answer::Later) => host.leave_unsaved_work(),
             _ => {}
         }

@@ -72,6 +72,13 @@ pub trait Host {
     /// Removes what is stored under `key`, if anything.
     fn remove(&mut self, key: StorageKey);
 
+    /// Puts what is stored under `key` out of the way, where the user can still find it. Returns that
+    /// place, if there is one.
+    fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
+        self.remove(key);
+        None
+    }
+
     /// Runs `job` beside the program. Always answered by [`HostEvent::Finished`].
     fn start_job(&mut self, job: Job);
 

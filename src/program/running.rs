@@ -264,7 +264,9 @@ impl Program {
                     self.tell(Severity::Warning, text);
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
-                HostEvent::StoreFailed(error) => self.tell_store_failure(&error.to_string()),
+                HostEvent::StoreFailed(error) => {
+                    self.tell_store_failure(&error.to_string(), host.now());
+                }
                 HostEvent::Changed(path) => self.notice_change(&path, host),
                 HostEvent::CloseRequested => self.ui.close(),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
