@@ -1,6 +1,7 @@
 //! Unsaved work that outlives the program: kept while it runs, offered at the next start.
 
-use super::document::{Asked, DocumentFile};
+use super::document_file::DocumentFile;
+use super::questions::Asked;
 use super::running::Program;
 use super::{Host, StorageKey};
 use crate::editor::Severity;

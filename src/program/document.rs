@@ -1,50 +1,20 @@
-//! The document's file: opening and saving it, and asking before unsaved work is lost.
+//! Opening and saving the document, and asking before unsaved work is lost.
 
-use super::autosave::Kept;
+use super::document_file::{DocumentFile, Writing, digest_at};
+use super::questions::Asked;
 use super::running::Program;
 use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
-use crate::revision::Revision;
-use crate::ui::{Answer, Question};
+use crate::ui::Answer;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
 
 /// Name of a document that has no file yet.
 const UNTITLED: &str = "Untitled";
 
 /// Number of files in File ▸ Open Recent.
 const MOST_RECENT: usize = 10;
-
-/// File of the document, and how much of the document is in it.
-pub(super) struct DocumentFile {
-    /// File that Save writes; `None` until there is one.
-    path: Option<PathBuf>,
-    /// Revision of the document that is in the file, or that was opened.
-    saved: Revision,
-    /// CRC-32 of the file's bytes as they were read or written last: other bytes are another
-    /// program's.
-    digest: Option<u32>,
-    /// Write under way.
-    writing: Option<Writing>,
-    /// Continuation of the next save, for which a file is being chosen.
-    then: Option<Next>,
-    /// Name without an extension that files made from the document are offered, while it has no
-    /// file: that of what was opened.
-    stem: Option<String>,
-    /// Revision of the document that is not wanted any more while another is chosen to be opened.
-    discarded: Option<Revision>,
-    /// What `saved` was before the file disappeared, in case it comes back.
-    saved_in_lost_file: Option<Revision>,
-}
-
-struct Writing {
-    path: PathBuf,
-    document: Revision,
-    digest: u32,
-    then: Option<Next>,
-}
 
 /// Something that replaces the document or ends the program, and so waits until nothing is unsaved.
 #[derive(Clone)]
@@ -57,103 +27,6 @@ pub(super) enum Next {
     /// Open the document's own file again, as it is now.
     Revert(PathBuf, Arc<dyn Files>),
     Quit,
-}
-
-/// Question that waits for its answer.
-pub(super) enum Asked {
-    /// There are unsaved changes.
-    Unsaved(Next),
-    /// The file was changed by another program since it was read or written here.
-    Overwrite(PathBuf, Option<Next>),
-    /// An earlier run did not end in order, and left unsaved work, this long ago if that is known.
-    Restore(Kept, Option<Duration>),
-}
-
-impl DocumentFile {
-    /// A document without a file, of which `saved` is no loss.
-    pub fn untitled(saved: Revision) -> Self {
-        Self {
-            path: None,
-            saved,
-            digest: None,
-            writing: None,
-            then: None,
-            stem: None,
-            discarded: None,
-            saved_in_lost_file: None,
-        }
-    }
-
-    /// A document that is not in its file, of which an earlier run knew `digest`.
-    pub fn restored(path: Option<PathBuf>, digest: Option<u32>) -> Self {
-        Self {
-            path,
-            digest,
-            ..Self::untitled(Revision::new())
-        }
-    }
-
-    /// File that Save writes; `None` until there is one.
-    pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
-    }
-
-    /// Whether the file is as it was read or written last; so is one that is gone.
-    pub fn is_on_disk(&self, files: &dyn Files) -> bool {
-        let found = self.path.as_deref().and_then(|path| digest_at(path, files));
-        found.is_none() || found == self.digest
-    }
-
-    /// Takes note that the file has disappeared: nothing of the document is saved any more.
-    pub fn lose(&mut self) {
-        let saved = std::mem::replace(&mut self.saved, Revision::new());
-        self.saved_in_lost_file.get_or_insert(saved);
-    }
-
-    /// Takes note that the file is there, as it was read or written last.
-    pub fn find(&mut self) {
-        if let Some(saved) = self.saved_in_lost_file.take() {
-            self.saved = saved;
-        }
-    }
-
-    /// Takes note that the document is being written to its file as `bytes`, beside other files.
-    pub fn write_with_others(&mut self, document: Revision, bytes: &[u8]) {
-        self.writing = self.path.clone().map(|path| Writing {
-            path,
-            document,
-            digest: crc32fast::hash(bytes),
-            then: None,
-        });
-    }
-
-    /// Digest of the file's bytes as they were read or written last.
-    pub fn digest(&self) -> Option<u32> {
-        self.digest
-    }
-}
-
-impl Asked {
-    /// The question about a document called `name`.
-    pub fn question(&self, name: &str) -> Question {
-        match self {
-            Self::Unsaved(next) => unsaved(next, name),
-            Self::Overwrite(path, _) => Question {
-                title: "Overwrite the file?".to_owned(),
-                text: format!(
-                    "Another program or window has changed {} since it was opened here. \
-                     Overwriting replaces what it wrote.",
-                    path.display()
-                ),
-                answers: vec![Answer::SaveAs, Answer::Overwrite, Answer::Cancel],
-            },
-            Self::Restore(kept, since) => Question {
-                title: "Restore unsaved changes?".to_owned(),
-                text: restore_text(kept.path(), *since),
-                answers: vec![Answer::Restore, Answer::Later, Answer::Forget],
-            },
-        }
-    }
 }
 
 impl Program {
@@ -415,87 +288,7 @@ impl Program {
     }
 }
 
-/// The question before `next` about unsaved changes of the document called `name`.
-fn unsaved(next: &Next, name: &str) -> Question {
-    let loses = match next {
-        Next::New => "begin another document",
-        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) => "open another document",
-        Next::Quit => "quit",
-        // Saving would overwrite what is to come back.
-        Next::Revert(..) => {
-            return Question {
-                title: "Go back to the file?".to_owned(),
-                text: format!("What has changed since “{name}” was saved is lost then."),
-                answers: vec![Answer::Cancel, Answer::Revert],
-            };
-        }
-    };
-    Question {
-        title: "Save changes?".to_owned(),
-        text: format!(
-            "“{name}” has changes that are not saved. They are lost if you {loses} without saving."
-        ),
-        answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
-    }
-}
-
-/// Text of the question about what an earlier run left of the document at `path`, `since` then.
-fn restore_text(path: Option<&Path>, since: Option<Duration>) -> String {
-    let ended = match path {
-        Some(path) => format!(
-            "The editor ended before changes to {} were saved.",
-            path.display()
-        ),
-        None => "The editor ended before a new document was saved.".to_owned(),
-    };
-    match since {
-        Some(since) => format!("{ended} The changes were kept {}.", ago(since)),
-        None => ended,
-    }
-}
-
-/// A time in the past, in words.
-fn ago(since: Duration) -> String {
-    let minutes = since.as_secs() / 60;
-    let (count, unit) = match minutes {
-        0 => return "less than a minute ago".to_owned(),
-        1..60 => (minutes, "minute"),
-        60..1440 => (minutes / 60, "hour"),
-        _ => (minutes / 1440, "day"),
-    };
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {unit}{plural} ago")
-}
-
 /// Whether the name of a file is that of a scene.
 pub(super) fn is_scene(path: &Path) -> bool {
     io::expect_extension(path, "scene").is_ok()
-}
-
-/// Digest of a file; `None` if it cannot be read.
-fn digest_at(path: &Path, files: &dyn Files) -> Option<u32> {
-    files.read(path).ok().map(|bytes| crc32fast::hash(&bytes))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_time_since_work_was_kept_is_told_in_the_largest_unit_that_fits() {
-        for (seconds, words) in [
-            (0, "less than a minute ago"),
-            (59, "less than a minute ago"),
-            (60, "1 minute ago"),
-            (185, "3 minutes ago"),
-            (3600, "1 hour ago"),
-            (86_399, "23 hours ago"),
-            (200_000, "2 days ago"),
-        ] {
-            assert_eq!(ago(Duration::from_secs(seconds)), words);
-        }
-        let told = restore_text(Some(Path::new("a.scene")), Some(Duration::from_secs(185)));
-        assert!(told.ends_with("a.scene were saved. The changes were kept 3 minutes ago."));
-        assert!(!restore_text(None, None).contains("kept"));
-    }
 }

@@ -1,7 +1,8 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::comparison::Comparison;
-use super::document::{DocumentFile, Next, is_scene};
+use super::document::{Next, is_scene};
+use super::document_file::DocumentFile;
 use super::running::Program;
 use super::{Host, Previous, Purpose};
 use crate::character::Pose;

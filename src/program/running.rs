@@ -1,6 +1,7 @@
 use super::autosave::Autosave;
 use super::comparison::Comparison;
-use super::document::{Asked, DocumentFile, Next};
+use super::document::Next;
+use super::document_file::DocumentFile;
 use super::files::file_stem;
 use super::frame::Pass;
 use super::frame_rate::FrameRate;
@@ -8,6 +9,7 @@ use super::graphics::GraphicsInfo;
 use super::job::Finished;
 use super::picture_work::PictureWork;
 use super::preferences::Preferences;
+use super::questions::Asked;
 use super::start_pictures::StartPictures;
 use super::{Host, HostEvent, Purpose, globals};
 use crate::editor::{Edit, Session, Severity, View};

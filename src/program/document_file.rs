@@ -1,0 +1,104 @@
+//! The file of a document, and how much of the document is in it.
+
+use super::document::Next;
+use crate::io::Files;
+use crate::revision::Revision;
+use std::path::{Path, PathBuf};
+
+/// File of the document, and how much of the document is in it.
+pub(super) struct DocumentFile {
+    /// File that Save writes; `None` until there is one.
+    pub path: Option<PathBuf>,
+    /// Revision of the document that is in the file, or that was opened.
+    pub saved: Revision,
+    /// CRC-32 of the file's bytes as they were read or written last: other bytes are another
+    /// program's.
+    pub digest: Option<u32>,
+    /// Write under way.
+    pub writing: Option<Writing>,
+    /// Continuation of the next save, for which a file is being chosen.
+    pub then: Option<Next>,
+    /// Name without an extension that files made from the document are offered, while it has no
+    /// file: that of what was opened.
+    pub stem: Option<String>,
+    /// Revision of the document that is not wanted any more while another is chosen to be opened.
+    pub discarded: Option<Revision>,
+    /// What `saved` was before the file disappeared, in case it comes back.
+    pub saved_in_lost_file: Option<Revision>,
+}
+
+pub(super) struct Writing {
+    pub path: PathBuf,
+    pub document: Revision,
+    pub digest: u32,
+    pub then: Option<Next>,
+}
+
+impl DocumentFile {
+    /// A document without a file, of which `saved` is no loss.
+    pub fn untitled(saved: Revision) -> Self {
+        Self {
+            path: None,
+            saved,
+            digest: None,
+            writing: None,
+            then: None,
+            stem: None,
+            discarded: None,
+            saved_in_lost_file: None,
+        }
+    }
+
+    /// A document that is not in its file, of which an earlier run knew `digest`.
+    pub fn restored(path: Option<PathBuf>, digest: Option<u32>) -> Self {
+        Self {
+            path,
+            digest,
+            ..Self::untitled(Revision::new())
+        }
+    }
+
+    /// File that Save writes; `None` until there is one.
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Whether the file is as it was read or written last; so is one that is gone.
+    pub fn is_on_disk(&self, files: &dyn Files) -> bool {
+        let found = self.path.as_deref().and_then(|path| digest_at(path, files));
+        found.is_none() || found == self.digest
+    }
+
+    /// Takes note that the file has disappeared: nothing of the document is saved any more.
+    pub fn lose(&mut self) {
+        let saved = std::mem::replace(&mut self.saved, Revision::new());
+        self.saved_in_lost_file.get_or_insert(saved);
+    }
+
+    /// Takes note that the file is there, as it was read or written last.
+    pub fn find(&mut self) {
+        if let Some(saved) = self.saved_in_lost_file.take() {
+            self.saved = saved;
+        }
+    }
+
+    /// Takes note that the document is being written to its file as `bytes`, beside other files.
+    pub fn write_with_others(&mut self, document: Revision, bytes: &[u8]) {
+        self.writing = self.path.clone().map(|path| Writing {
+            path,
+            document,
+            digest: crc32fast::hash(bytes),
+            then: None,
+        });
+    }
+
+    /// Digest of the file's bytes as they were read or written last.
+    pub fn digest(&self) -> Option<u32> {
+        self.digest
+    }
+}
+
+/// Digest of a file; `None` if it cannot be read.
+pub(super) fn digest_at(path: &Path, files: &dyn Files) -> Option<u32> {
+    files.read(path).ok().map(|bytes| crc32fast::hash(&bytes))
+}

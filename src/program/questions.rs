@@ -1,0 +1,115 @@
+//! Questions that are asked before unsaved work is lost, and their texts.
+
+use super::autosave::Kept;
+use super::document::Next;
+use crate::ui::{Answer, Question};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Question that waits for its answer.
+pub(super) enum Asked {
+    /// There are unsaved changes.
+    Unsaved(Next),
+    /// The file was changed by another program since it was read or written here.
+    Overwrite(PathBuf, Option<Next>),
+    /// An earlier run did not end in order, and left unsaved work, this long ago if that is known.
+    Restore(Kept, Option<Duration>),
+}
+
+impl Asked {
+    /// The question about a document called `name`.
+    pub fn question(&self, name: &str) -> Question {
+        match self {
+            Self::Unsaved(next) => unsaved(next, name),
+            Self::Overwrite(path, _) => Question {
+                title: "Overwrite the file?".to_owned(),
+                text: format!(
+                    "Another program or window has changed {} since it was opened here. \
+                     Overwriting replaces what it wrote.",
+                    path.display()
+                ),
+                answers: vec![Answer::SaveAs, Answer::Overwrite, Answer::Cancel],
+            },
+            Self::Restore(kept, since) => Question {
+                title: "Restore unsaved changes?".to_owned(),
+                text: restore_text(kept.path(), *since),
+                answers: vec![Answer::Restore, Answer::Later, Answer::Forget],
+            },
+        }
+    }
+}
+
+/// The question before `next` about unsaved changes of the document called `name`.
+fn unsaved(next: &Next, name: &str) -> Question {
+    let loses = match next {
+        Next::New => "begin another document",
+        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) => "open another document",
+        Next::Quit => "quit",
+        // Saving would overwrite what is to come back.
+        Next::Revert(..) => {
+            return Question {
+                title: "Go back to the file?".to_owned(),
+                text: format!("What has changed since “{name}” was saved is lost then."),
+                answers: vec![Answer::Cancel, Answer::Revert],
+            };
+        }
+    };
+    Question {
+        title: "Save changes?".to_owned(),
+        text: format!(
+            "“{name}” has changes that are not saved. They are lost if you {loses} without saving."
+        ),
+        answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
+    }
+}
+
+/// Text of the question about what an earlier run left of the document at `path`, `since` then.
+fn restore_text(path: Option<&Path>, since: Option<Duration>) -> String {
+    let ended = match path {
+        Some(path) => format!(
+            "The editor ended before changes to {} were saved.",
+            path.display()
+        ),
+        None => "The editor ended before a new document was saved.".to_owned(),
+    };
+    match since {
+        Some(since) => format!("{ended} The changes were kept {}.", ago(since)),
+        None => ended,
+    }
+}
+
+/// A time in the past, in words.
+fn ago(since: Duration) -> String {
+    let minutes = since.as_secs() / 60;
+    let (count, unit) = match minutes {
+        0 => return "less than a minute ago".to_owned(),
+        1..60 => (minutes, "minute"),
+        60..1440 => (minutes / 60, "hour"),
+        _ => (minutes / 1440, "day"),
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {unit}{plural} ago")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_time_since_work_was_kept_is_told_in_the_largest_unit_that_fits() {
+        for (seconds, words) in [
+            (0, "less than a minute ago"),
+            (59, "less than a minute ago"),
+            (60, "1 minute ago"),
+            (185, "3 minutes ago"),
+            (3600, "1 hour ago"),
+            (86_399, "23 hours ago"),
+            (200_000, "2 days ago"),
+        ] {
+            assert_eq!(ago(Duration::from_secs(seconds)), words);
+        }
+        let told = restore_text(Some(Path::new("a.scene")), Some(Duration::from_secs(185)));
+        assert!(told.ends_with("a.scene were saved. The changes were kept 3 minutes ago."));
+        assert!(!restore_text(None, None).contains("kept"));
+    }
+}
