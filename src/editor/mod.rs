@@ -31,7 +31,9 @@ pub use ik_tool::IkDrag;
 pub use messages::{Message, Messages, Severity};
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
-pub use selection::{BoxMode, duplicates, for_all_in_view, for_all_selected, scene_of_selected};
+pub use selection::{
+    BoxMode, duplicates, for_all_in_view, for_all_selected, scene_of_selected, set_apart,
+};
 pub use session::Session;
 pub use shape_group::ShapeGroup;
 pub use shape_scale::{ScaleBy, ShapeScale};

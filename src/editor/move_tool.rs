@@ -1,3 +1,4 @@
+use super::shape_group::pivot_of;
 use super::{Edit, Session};
 use crate::character::Pose;
 use crate::math::{DRay, Ray, Transform};
@@ -64,11 +65,11 @@ impl MoveTarget {
         }
     }
 
-    /// Position in the world of the shape's origin, or of the root that follows the cursor.
+    /// Position in the world of the shape's pivot, or of the root that follows the cursor.
     pub fn place(self, session: &Session) -> Option<Vec3> {
         let evaluated = session.evaluated().shape(self.shape())?;
         let in_model = match self {
-            Self::Shape(_) => Vec3::ZERO,
+            Self::Shape(_) => pivot_of(evaluated),
             Self::Root { joint, .. } | Self::AllRoots { joint, .. } => {
                 let root = root_of(session, self.shape(), joint)?;
                 *evaluated.geometry.figure.as_ref()?.joints.get(root)?

@@ -162,43 +162,50 @@ pub fn scene_of_selected(session: &Session) -> Scene {
 /// Copies of the selected shapes, beside them in the direction of X; farther away where an earlier
 /// copy stands already.
 pub fn duplicates(session: &Session) -> Vec<NewShape> {
+    let mut copies: Vec<NewShape> = session.selected_shapes().map(copy).collect();
+    set_apart(session, &mut copies);
+    copies
+}
+
+/// Moves shapes that are to be added in the direction of X, all by the same way, until none of them
+/// stands where one like it stands already.
+pub fn set_apart(session: &Session, shapes: &mut [NewShape]) {
     /// Gap between a shape and its copy, relative to the width of both.
     const GAP: f32 = 0.1;
     /// Distance, relative to that width, below which two shapes of a kind look like one.
     const TOO_NEAR: f32 = 0.01;
-    let evaluated = session.selected_shapes();
-    let bounds = evaluated
-        .filter_map(|shape| session.evaluated().shape(shape.id))
-        .fold(crate::math::Aabb::EMPTY, |all, shape| {
-            all.union(shape.world_bounds())
-        });
+    let there = session.scene().shapes();
+    let alone = Session::with_shapes(shapes.to_vec(), *session.view());
+    let bounds = alone.evaluated().world_bounds();
     let width = if bounds.is_empty() {
         1.0
     } else {
         bounds.size().x
     };
-    let step = Vec3::X * width * (1.0 + GAP);
-    let shapes = session.scene().shapes();
     let is_taken = |beside: Vec3| {
-        session.selected_shapes().any(|shape| {
+        shapes.iter().any(|shape| {
             let place = shape.placement.transform.position + beside;
-            shapes.iter().any(|other| {
+            there.iter().any(|other| {
                 let off = other.placement.transform.position - place;
-                other.kind == shape.kind && off.length() < width * TOO_NEAR
+                is_alike(shape, other) && off.length() < width * TOO_NEAR
             })
         })
     };
-    // Each shape takes at most one place of each selected one, so one of these is free.
-    let most = shapes.len() * session.selected_shapes().count() + 1;
-    let mut places = (1..=most).map(|count| step * count as f32);
+    // Each shape takes at most one place of each new one, so one of these is free.
+    let most = there.len() * shapes.len() + 1;
+    let step = Vec3::X * width * (1.0 + GAP);
+    let mut places = (0..=most).map(|count| step * count as f32);
     let beside = places.find(|&place| !is_taken(place)).unwrap_or(step);
-    let moved = |shape: &Shape| {
-        let mut new = copy(shape);
-        new.placement.transform.position += beside;
-        new.start.transform.position += beside;
-        new
-    };
-    session.selected_shapes().map(moved).collect()
+    for shape in shapes {
+        shape.placement.transform.position += beside;
+        shape.start.transform.position += beside;
+    }
+}
+
+/// Whether two shapes look alike but for their places: of one kind, or from one file.
+fn is_alike(one: &NewShape, other: &Shape) -> bool {
+    let is_from_one_file = one.source.is_some() && one.source == other.source;
+    one.kind == other.kind || is_from_one_file
 }
 
 fn copy(shape: &Shape) -> NewShape {

@@ -1,13 +1,13 @@
 use super::{Edit, GizmoAxes, Session};
 use crate::math::{Euler, Transform};
-use crate::scene::{Placement, ShapeId};
+use crate::scene::{EvaluatedShape, Placement, ShapeId};
 use glam::{DMat3, DVec3, Vec3};
 
 /// Least and greatest scale along an axis: a shape must neither vanish nor leave what can be drawn.
 const SCALES: (f32, f32) = (0.001, 10_000.0);
 
 /// The selected shapes as they were when a gesture began, to be turned or scaled together about the
-/// origin of the active one. Those that are hidden or locked stay as they are.
+/// pivot of the active one. Those that are hidden or locked stay as they are.
 #[derive(Clone, Debug)]
 pub struct ShapeGroup {
     active: ShapeId,
@@ -25,12 +25,14 @@ impl ShapeGroup {
             let shape = session.evaluated().shape(id);
             shape.is_some_and(|shape| shape.pickable)
         };
-        let transform = &active.placement.transform;
+        let rotation = active.placement.transform.rotation;
+        let shown = session.evaluated().shape(active.id)?;
+        let pivot = shown.world_from_model.transform_point3(pivot_of(shown));
         let all = session.selected_shapes();
         is_free(active.id).then(|| Self {
             active: active.id,
-            pivot: transform.position,
-            own: transform.rotation.to_dmat3(),
+            pivot,
+            own: rotation.to_dmat3(),
             shapes: all
                 .filter(|shape| is_free(shape.id))
                 .map(|shape| (shape.id, shape.placement))
@@ -43,7 +45,7 @@ impl ShapeGroup {
         self.active
     }
 
-    /// Origin of the active shape, in the world: all turn and grow about it.
+    /// Pivot of the active shape, in the world: all turn and grow about it.
     pub fn pivot(&self) -> Vec3 {
         self.pivot
     }
@@ -117,6 +119,24 @@ impl ShapeGroup {
         self.pivot + (map * arm).as_vec3()
     }
 }
+
+/// Point of a shape, in its model space, about which it is turned and scaled, and where its handles
+/// are: its origin, or the middle of its bounds if the origin is outside of them, as in files whose
+/// figures stand side by side.
+pub(super) fn pivot_of(shape: &EvaluatedShape) -> Vec3 {
+    let bounds = shape.geometry.bounds();
+    let margin = (bounds.max - bounds.min).max_element() * AROUND;
+    let (least, greatest) = (bounds.min - margin, bounds.max + margin);
+    let is_near = Vec3::ZERO.cmpge(least).all() && Vec3::ZERO.cmple(greatest).all();
+    if is_near || !bounds.center().is_finite() {
+        Vec3::ZERO
+    } else {
+        bounds.center()
+    }
+}
+
+/// How far outside the bounds an origin may be, by their longest side.
+const AROUND: f32 = 0.1;
 
 /// A scale times a factor, with the sign of the product, within [`SCALES`]; a scale of 0 stays.
 fn scaled(scale: f32, factor: f64) -> f32 {

@@ -5,7 +5,7 @@ use super::Host;
 use super::autosave::WithText;
 use super::files::CLIPBOARD;
 use super::running::Program;
-use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected};
+use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
 use crate::io::{self, Missing};
 use std::path::Path;
 
@@ -19,6 +19,11 @@ impl Program {
         match io::scene_text(&scene, self.session.view(), None) {
             Ok(text) => {
                 host.copy_text(text);
+                let text = match scene.shapes() {
+                    [shape] => format!("Copied {}", shape.name),
+                    shapes => format!("Copied {} shapes", shapes.len()),
+                };
+                self.tell(Severity::Info, text);
                 true
             }
             Err(error) => {
@@ -72,7 +77,9 @@ impl Program {
         };
         match io::read_scene(&files, path, Missing::StandIn) {
             Ok(read) => {
-                self.edit(Edit::Insert(read.value.shapes));
+                let mut shapes = read.value.shapes;
+                set_apart(&self.session, &mut shapes);
+                self.edit(Edit::Insert(shapes));
                 self.tell_all(Severity::Warning, read.warnings);
             }
             Err(error) => self.tell(Severity::Error, error.to_string()),

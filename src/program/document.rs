@@ -93,6 +93,7 @@ impl Program {
     fn go_on(&mut self, next: Next, host: &mut dyn Host) {
         match next {
             Next::New => {
+                self.end_comparison();
                 self.session.open(Vec::new(), self.view_without_scene());
                 self.document = DocumentFile::untitled(self.session.document());
             }

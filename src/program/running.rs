@@ -422,6 +422,10 @@ impl Program {
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {
                     host.copy_text(text);
+                    let name = self.session.scene().shape(shape).map(|shape| &shape.name);
+                    let name = name.map_or("the character", String::as_str);
+                    let text = format!("Copied the pose of {name}");
+                    self.tell(Severity::Info, text);
                 }
             }
             Ask::PastePose(shape) => {

@@ -97,6 +97,10 @@ impl FloorPass {
 
     /// Draws it, before everything else: it covers what is below it, and what stands on it covers it.
     pub fn draw(&self, gl: &Gl, context: &PassContext, camera: &Camera) {
+        // From below the floor would hide all that stands on it.
+        if camera.eye().y < FLOOR_HEIGHT {
+            return;
+        }
         let state = DrawState {
             depth_test: DepthTest::Always,
             ..DrawState::opaque(context.width, context.height)

@@ -119,7 +119,8 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
     if look.selected {
         ui.painter().rect_filled(rect, 3.0, palette.selection);
     } else if look.hovered || hovered {
-        ui.painter().rect_filled(rect, 3.0, palette.field);
+        ui.painter()
+            .rect_filled(rect, 3.0, palette.selection.gamma_multiply(0.4));
     }
     if look.inside.is_some() {
         let stroke = Stroke::new(1.0, palette.selection);

@@ -347,7 +347,7 @@ fn press(
             actions.push(Action::View(deselect));
             return;
         }
-        if pressed.at - state.busy_at < ESC_RESTS {
+        if pressed.at - state.busy_at < ESC_RESTS || !state.navigation.quits_by_esc() {
             return;
         }
     }

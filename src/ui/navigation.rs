@@ -179,6 +179,11 @@ impl Navigation {
         self == Self::Mannequin && STEPS.iter().any(|step| step.key == key)
     }
 
+    /// Whether Esc ends the program where there is nothing else to end. In Blender it never does.
+    pub(super) fn quits_by_esc(self) -> bool {
+        self != Self::Blender
+    }
+
     /// Gestures that move the camera, for Help ▸ Keys and Mouse.
     pub(super) fn gestures(self) -> impl Iterator<Item = &'static Gesture> {
         let steps = match self {

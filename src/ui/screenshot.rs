@@ -89,7 +89,10 @@ fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
     labelled(ui, "Show", |ui, _| {
         ui.spacing_mut().item_spacing.x = 16.0;
         ui.radio_value(&mut form.with_panels, false, "The view alone");
-        ui.radio_value(&mut form.with_panels, true, "With panels");
+        ui.add_enabled_ui(!form.turns, |ui| {
+            ui.radio_value(&mut form.with_panels, true, "With panels")
+                .on_disabled_hover_text("A turntable shows the view alone");
+        });
     });
     ui.add_enabled_ui(!form.with_panels, |ui| {
         size(ui, form);

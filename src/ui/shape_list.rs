@@ -180,7 +180,13 @@ fn row(
     let (_, whole) = ui.allocate_space(vec2(ui.available_width(), height));
     let palette = Palette::of(ui.visuals());
     if selected {
-        ui.painter().rect_filled(whole, 3.0, palette.selection);
+        let fill = if session.selected() == Some(shape.id) {
+            palette.selection
+        } else {
+            // Those selected with the active one, which the panel shows.
+            palette.selection.gamma_multiply(0.6)
+        };
+        ui.painter().rect_filled(whole, 3.0, fill);
     }
     let (name, icons) = whole.split_left_right_at_x(whole.right() - ICONS);
     let label = format!("[{}] {} (ID: {})", index + 1, shape.name, shape.id);

@@ -58,9 +58,9 @@ pub(super) fn show(
     );
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
-    axis_ball::show(&mut over, rect, &session.view().camera, actions);
-    // The panel of a comparison has one of its own.
+    // Over the pictures of a comparison they would hide what is compared; its panel has the looks.
     if input.compare.is_none() {
+        axis_ball::show(&mut over, rect, &session.view().camera, actions);
         look_switch::show(&mut over, rect, session.view().look, actions);
     }
     let is_empty = session.scene().shapes().is_empty();

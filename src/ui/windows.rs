@@ -6,7 +6,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::{Action, Navigation, ViewInput, history, messages};
 use crate::editor::Session;
-use egui::{Align, Grid, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
+use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
 /// A window over the view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -120,12 +120,9 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let room = ui.available_width();
         heading(ui, "Mouse");
-        table("gestures").show(ui, |ui| {
-            for gesture in navigation.gestures().chain(GESTURES) {
-                row(ui, gesture.gesture, gesture.does, room);
-                ui.end_row();
-            }
-        });
+        for gesture in navigation.gestures().chain(GESTURES) {
+            row(ui, gesture.gesture, gesture.does, room);
+        }
         for &menu in Menu::ALL {
             let mut entries = entries(menu)
                 .map(|entry| (entry.keys(&context, navigation), entry))
@@ -135,21 +132,11 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
                 continue;
             }
             heading(ui, title(menu));
-            table(title(menu)).show(ui, |ui| {
-                for (keys, entry) in entries {
-                    row(ui, &keys, entry.label, room).on_hover_text(entry.tooltip);
-                    ui.end_row();
-                }
-            });
+            for (keys, entry) in entries {
+                row(ui, &keys, entry.label, room).on_hover_text(entry.tooltip);
+            }
         }
     });
-}
-
-fn table(id: &str) -> Grid {
-    Grid::new(id)
-        .num_columns(2)
-        .min_col_width(0.0)
-        .spacing([8.0, 4.0])
 }
 
 /// One row of a table, `room` points wide: what is pressed or moved, and its effect.
@@ -164,8 +151,11 @@ fn row(ui: &mut Ui, pressed: &str, does: &str, room: f32) -> Response {
         shown.inner
     };
     let pressed = key(ui, pressed);
-    cell(ui, pressed, left);
-    cell(ui, RichText::new(does), room - left - 16.0)
+    let both = ui.horizontal_top(|ui| {
+        cell(ui, pressed, left);
+        cell(ui, RichText::new(does), room - left - 16.0)
+    });
+    both.inner
 }
 
 fn title(menu: Menu) -> &'static str {

@@ -5,9 +5,10 @@ use editor_core::editor::{
     Edit, GizmoAxes, Handle, RotationGizmo, ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale,
     ShapeTurn, View,
 };
+use editor_core::geometry::{Mesh, SharedMesh};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{Camera, NewShape, ShapeId, ShapeKind};
-use glam::{Mat3, Vec2, Vec3};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 use proptest::prelude::*;
 
 /// Cubes at these places, all selected, the last of them active.
@@ -222,4 +223,25 @@ fn hidden_and_locked_shapes_stay_where_they_are() {
     assert_ne!(now[2].rotation, Euler::ZERO);
     session.edit(Edit::SetLocked(ShapeId(3), true)).unwrap();
     assert!(ShapeGroup::of_selected(&session).is_none());
+}
+
+#[test]
+fn a_figure_far_from_its_origin_turns_about_its_own_middle_and_its_handles_are_there() {
+    let corners = [[99.0, 0.0, -1.0], [101.0, 0.0, 1.0], [100.0, 2.0, 0.0]];
+    let mesh = Mesh {
+        positions: corners.map(Vec3::from).to_vec(),
+        triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
+    };
+    let mut session = Session::new();
+    let new = NewShape::new("Far", ShapeKind::Mesh(SharedMesh::new(mesh)));
+    session.edit(Edit::Insert(vec![new])).unwrap();
+    let middle = Vec3::new(100.0, 1.0, 0.0);
+    assert_eq!(group(&session).pivot(), middle);
+    let turned = group(&session).turned(DVec3::Y, 1.0, None);
+    session.edit(turned).unwrap();
+    let placed = session.scene().shapes()[0].placement.transform;
+    let moved = placed.world_from_model().transform_point3(middle);
+    assert!(moved.abs_diff_eq(middle, 1e-4), "{moved}");
+    assert!(group(&session).pivot().abs_diff_eq(middle, 1e-4));
 }

@@ -170,7 +170,8 @@ impl Finding {
     /// Where it shows: the area round all of it, unless it is about the pictures as a whole.
     pub fn area(&self) -> Option<Area> {
         match *self {
-            Self::NearlySame { area, .. } => area,
+            // What is as good as the same is nowhere in particular.
+            Self::NearlySame { .. } => None,
             Self::Highlight { area, .. }
             | Self::HighlightChanged { area, .. }
             | Self::Edges { area, .. }

@@ -1,6 +1,6 @@
 //! Keyboard shortcuts of the commands, and the list of mouse gestures.
 
-use super::table::{CTRL, entry_of};
+use super::table::{CTRL, NONE, SHIFT, entry_of};
 use super::{COMMANDS, Command, Entry};
 use crate::ui::Navigation;
 use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
@@ -65,6 +65,13 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Ctrl and +, −, 0", "Larger, smaller, normal text"),
 ];
 
+/// Shortcuts that Blender's navigation adds, because its users' hands know them.
+const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
+    (Command::SelectAll, KeyboardShortcut::new(NONE, Key::A)),
+    (Command::Delete, KeyboardShortcut::new(NONE, Key::X)),
+    (Command::Duplicate, KeyboardShortcut::new(SHIFT, Key::D)),
+];
+
 impl Entry {
     /// Shortcuts in a navigation, whose own take precedence over the general ones.
     fn shortcuts_in(
@@ -76,19 +83,33 @@ impl Entry {
         };
         let is_overridden = move |shortcut: &&KeyboardShortcut| match self.only_in {
             Some(only) => only != navigation,
-            None => COMMANDS.iter().any(|other| {
-                other.only_in == Some(navigation) && other.shortcuts.contains(shortcut)
-            }),
+            None => {
+                let others = COMMANDS.iter();
+                let mut others = others.filter(|other| other.only_in == Some(navigation));
+                others.any(|other| other.shortcuts.contains(shortcut))
+                    || added(navigation).any(|(_, own)| own == *shortcut)
+            }
         };
+        let added = added(navigation).filter(|(command, _)| *command == self.command);
         self.shortcuts
             .iter()
             .filter(move |shortcut| !is_overridden(shortcut) && !walks(shortcut))
+            .chain(added.map(|(_, shortcut)| shortcut))
+    }
+
+    /// The shortcuts of [`Entry::shortcuts_in`] that are told. Where Esc never quits, it is no key
+    /// for that.
+    fn told_in(&self, navigation: Navigation) -> impl Iterator<Item = &'static KeyboardShortcut> {
+        let quits = self.command == Command::Quit && !navigation.quits_by_esc();
+        let is_told =
+            move |shortcut: &&KeyboardShortcut| !quits || shortcut.logical_key != Key::Escape;
+        self.shortcuts_in(navigation).filter(is_told)
     }
 
     /// All its shortcuts as text, such as `?, F1`; empty if it has none.
     pub(in crate::ui) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
         let keys: Vec<String> = self
-            .shortcuts_in(navigation)
+            .told_in(navigation)
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .collect();
         keys.join(", ")
@@ -96,7 +117,7 @@ impl Entry {
 
     /// The first shortcut as text, for a menu; empty if it has none.
     pub(in crate::ui) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
-        self.shortcuts_in(navigation)
+        self.told_in(navigation)
             .next()
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .unwrap_or_default()
@@ -109,6 +130,13 @@ impl Entry {
             key => format!("{words} ({key})"),
         }
     }
+}
+
+/// Shortcuts that `navigation` adds, with their commands.
+fn added(navigation: Navigation) -> impl Iterator<Item = (Command, &'static KeyboardShortcut)> {
+    let all = AS_IN_BLENDER.iter();
+    all.filter(move |_| navigation == Navigation::Blender)
+        .map(|(command, shortcut)| (*command, shortcut))
 }
 
 /// Key names as keyboards have them: `Esc`, `?`.
@@ -200,7 +228,6 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
 mod tests {
     use super::*;
     use crate::editor::Tool;
-    use crate::ui::commands::table::{NONE, SHIFT};
     use crate::ui::commands::{Menu, Primitive};
 
     #[test]
@@ -251,6 +278,19 @@ mod tests {
         for navigation in Navigation::ALL {
             assert_eq!(command(Key::Q, navigation), Some(Command::BoxSelect));
         }
+    }
+
+    #[test]
+    fn hands_from_blender_find_their_keys_and_esc_never_quits() {
+        let command = |modifiers, key| command_of(modifiers, key, Navigation::Blender);
+        assert_eq!(command(NONE, Key::A), Some(Command::SelectAll));
+        assert_eq!(command(NONE, Key::X), Some(Command::Delete));
+        assert_eq!(command(SHIFT, Key::D), Some(Command::Duplicate));
+        assert_eq!(command_of(NONE, Key::X, Navigation::Course), None);
+        let quit = entry_of(Command::Quit).unwrap();
+        let keys = |navigation| quit.keys(&Context::default(), navigation);
+        assert!(keys(Navigation::Course).contains("Esc"));
+        assert!(!keys(Navigation::Blender).contains("Esc"));
     }
 
     #[test]

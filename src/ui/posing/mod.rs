@@ -47,6 +47,8 @@ pub(super) struct PoseState {
     /// A joint that was selected by turning its bone. Its gizmo is hidden until the joint is
     /// clicked: it would be in the way of the next turn.
     pub without_gizmo: Option<(ShapeId, usize)>,
+    /// The handle of a gizmo under the pointer in the last frame, while nothing is dragged.
+    pub hot: Option<Handle>,
 }
 
 impl PoseState {
@@ -80,6 +82,7 @@ pub(super) fn show(
     actions: &mut Vec<Action>,
 ) {
     let whole = ui.max_rect();
+    let mut hot = None;
     let gesture = state.gesture.as_ref();
     for place in places.iter() {
         let clip = place.rect.intersect(ui.clip_rect());
@@ -88,7 +91,7 @@ pub(super) fn show(
         if !state.shows_chain() {
             paint::hovered_bones(&painter, place, session);
         }
-        show_gizmo(&painter, place, view, session, state);
+        hot = hot.or(show_gizmo(&painter, place, view, session, state));
         if let Some(axis) = gesture.and_then(|gesture| gesture.active()?.typed_axis(session)) {
             paint_gizmo::axis(&painter, place, session, axis);
         }
@@ -102,25 +105,26 @@ pub(super) fn show(
         let place = under.or_else(|| places.get(0));
         readout::show(ui, whole, place, session, gesture);
     }
+    state.hot = hot.filter(|_| gesture.is_none());
     tool_bar::show(ui, whole, session, state, actions);
 }
 
+/// Shows the gizmo of the tool, if it has one; the handle that is held or under the pointer.
 fn show_gizmo(
     painter: &Painter,
     place: Place,
     view: &Response,
     session: &Session,
     state: &PoseState,
-) {
-    let Some(gizmo) = shown_gizmo::shown_gizmo(session, state, place) else {
-        return;
-    };
+) -> Option<Handle> {
+    let gizmo = shown_gizmo::shown_gizmo(session, state, place)?;
     let held = state.held_handle();
     let under = view
         .hover_pos()
         .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
     paint_gizmo::gizmo(painter, place, &gizmo, hot, held.is_some());
+    hot
 }
 
 /// Takes the numbers and axes that are typed for the drag under way. To be called before the panels.
@@ -156,6 +160,9 @@ pub(super) fn status(
         };
         return Some((over, next));
     }
+    if let Some(handle) = state.hot {
+        return Some((None, over_handle(state.tool, handle)));
+    }
     let hit = state.hovered?;
     if let Some((shape, grip)) = state.hovered_grip {
         let over = joint_name(session, shape, Some(grip.joint()));
@@ -178,6 +185,28 @@ pub(super) fn status(
         Tool::Rotate | Tool::Scale => return None,
     };
     Some((joint_name(session, hit.shape, joint), next))
+}
+
+/// Effect of a drag of a handle, for the status line.
+fn over_handle(tool: Tool, handle: Handle) -> &'static str {
+    match (tool, handle) {
+        (Tool::Scale, Handle::Arrow(0)) => "Drag to scale along X · Ctrl snaps",
+        (Tool::Scale, Handle::Arrow(1)) => "Drag to scale along Y · Ctrl snaps",
+        (Tool::Scale, Handle::Arrow(_)) => "Drag to scale along Z · Ctrl snaps",
+        (Tool::Scale, _) => "Drag to scale all axes alike · Ctrl snaps",
+        (_, Handle::Ring(0)) => "Drag to turn about X · Ctrl snaps",
+        (_, Handle::Ring(1)) => "Drag to turn about Y · Ctrl snaps",
+        (_, Handle::Ring(_)) => "Drag to turn about Z · Ctrl snaps",
+        (Tool::Pose, Handle::FreeRing) => "Drag to turn as the pointer goes · Ctrl snaps",
+        (_, Handle::FreeRing) => "Drag to turn about the line of sight · Ctrl snaps",
+        (_, Handle::Arrow(0)) => "Drag to move along X · Ctrl snaps",
+        (_, Handle::Arrow(1)) => "Drag to move along Y · Ctrl snaps",
+        (_, Handle::Arrow(_)) => "Drag to move along Z · Ctrl snaps",
+        (_, Handle::Plane(0)) => "Drag to move along Y and Z · Ctrl snaps",
+        (_, Handle::Plane(1)) => "Drag to move along X and Z · Ctrl snaps",
+        (_, Handle::Plane(_)) => "Drag to move along X and Y · Ctrl snaps",
+        (_, Handle::Center) => "Drag to move across the view · Ctrl snaps",
+    }
 }
 
 /// Effect of a drag of a grip with the IK tool, for the status line.
