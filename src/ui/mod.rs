@@ -354,6 +354,14 @@ fn press(
     if state.windows.is_open(windows::Dialog::Screenshot) {
         return;
     }
+    // Typed for an axis of a drag that a locked shape has refused.
+    let is_locked = || session.selected_shapes().any(|shape| shape.locked);
+    if command == Command::Delete && pressed.key == egui::Key::X && is_locked() {
+        actions.push(Action::View(View::Tell(
+            "X deletes nothing that is locked: the Delete key does",
+        )));
+        return;
+    }
     // The joint at hand, rather than all that hangs together with it.
     let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
     let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)

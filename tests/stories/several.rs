@@ -261,7 +261,16 @@ fn shapes_go_over_the_clipboard_from_window_to_window_with_pose_and_place() {
         other.key_with(CTRL, Key::V);
         assert_eq!(other.names().len(), count);
         assert!((other.degrees("Elbow").z - 90.0).abs() < 1e-4);
-        assert_eq!(other.shape().placement.transform.position, Vec3::X * 3.0);
+        let place = other.shape().placement.transform.position;
+        // The second one stands beside the first.
+        assert!(
+            if count == 1 {
+                place == Vec3::X * 3.0
+            } else {
+                place.x > 3.5
+            },
+            "{place}"
+        );
     }
     story.key_with(CTRL, Key::Z);
     assert_eq!(story.names(), ["Strip"], "the cut is taken back");

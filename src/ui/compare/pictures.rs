@@ -1,6 +1,5 @@
 use super::{CompareView, masks};
 use crate::geometry::Picture;
-use crate::ui::posing::BAR_HEIGHT;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{CompareMode, CompareSettings, ScenePlaces};
@@ -29,8 +28,7 @@ pub(in crate::ui) fn show(
     compare: &CompareView,
     settings: &mut CompareSettings,
 ) -> ScenePlaces {
-    // The tool bar lies over the top of the view.
-    let area = view.rect.with_min_y(view.rect.top() + BAR_HEIGHT);
+    let area = view.rect;
     let size = compare.size();
     let pixels = vec2(size.0 as f32, size.1 as f32);
     let pixels_per_point = ui.ctx().pixels_per_point();
