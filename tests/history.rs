@@ -218,7 +218,7 @@ fn a_document_that_is_opened_begins_its_own_history() {
 /// Something that a user does to the document.
 #[derive(Clone, Debug)]
 enum Deed {
-    Edit(Edit),
+    Edit(Box<Edit>),
     Begin,
     Commit,
     Cancel,
@@ -259,7 +259,7 @@ fn edits() -> impl Strategy<Value = Edit> {
 
 fn deeds() -> impl Strategy<Value = Vec<Deed>> {
     let deed = prop_oneof![
-        8 => edits().prop_map(Deed::Edit),
+        8 => edits().prop_map(|edit| Deed::Edit(Box::new(edit))),
         2 => Just(Deed::Begin),
         2 => Just(Deed::Commit),
         1 => Just(Deed::Cancel),
@@ -278,7 +278,7 @@ proptest! {
         let first: (Scene, _) = (session.scene().clone(), session.document());
         for deed in deeds {
             match deed {
-                Deed::Edit(edit) => drop(session.edit(edit).unwrap()),
+                Deed::Edit(edit) => drop(session.edit(*edit).unwrap()),
                 Deed::Begin => session.begin_gesture(),
                 Deed::Commit => session.commit_gesture(),
                 Deed::Cancel => session.cancel_gesture(),
