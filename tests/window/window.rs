@@ -18,7 +18,7 @@ fn a_dropped_pose_is_applied() {
     program.picture();
     program.keys(&["Return"]);
     program.picture();
-    let saved = std::fs::read(models.join("robot.json")).expect("a saved pose");
+    let saved = std::fs::read(models.join("Robot.json")).expect("a saved pose");
     let saved: serde_json::Value = serde_json::from_slice(&saved).expect("JSON");
     assert_eq!(saved["joints"], serde_json::json!({"Torso": [0, 0, 25]}));
 }
