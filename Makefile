@@ -7,11 +7,16 @@
 # make check-assets  makes the characters, rigs, shapes, curves and poses in assets/ anew and compares
 # make submission NAME="Ada Lovelace" SCENE=two.scene  builds, and makes the archive to hand in;
 #             PICTURE=two.png in place of SCENE, ANSWERS=answers.md, OUT=hw2.tar.gz if wanted
+# make web    installs what it needs and writes the page, the program in a browser, to target/web
+# make serve  shows the page at http://127.0.0.1:8080 (PORT=8081 for another)
+# make web-package  packs the page for a web server into editor-page.zip
+# make test-web  installs what it needs and tries the page in a browser
 # make lint   what must be clean before a change lands: format, clippy, documentation
 
 CARGO ?= cargo
 
-.PHONY: all editor run test test-long check-assets lint pictures submission clean packages-run packages-test
+.PHONY: all editor run test test-long check-assets lint pictures submission web serve web-package \
+	test-web clean packages-run packages-test
 
 all: editor
 
@@ -51,6 +56,21 @@ submission: editor
 		$(if $(PICTURE),--picture "$(PICTURE)") $(if $(ANSWERS),--answers "$(ANSWERS)") \
 		$(if $(OUT),-o "$(OUT)")
 
+web:
+	@CARGO="$(CARGO)" sh scripts/web.sh
+
+serve: web
+	@$(CARGO) run --locked --quiet --package make_web -- serve target/web $(PORT)
+
+web-package: web
+	@$(CARGO) run --locked --quiet --package make_web -- package target/web editor-page.zip
+	@echo "The page is packed in editor-page.zip."
+
+test-web:
+	@sh scripts/packages.sh test-web
+	@CARGO="$(CARGO)" sh scripts/web.sh test
+	$(CARGO) test --locked --quiet --package make_web
+
 packages-run:
 	@sh scripts/packages.sh run
 
@@ -59,4 +79,4 @@ packages-test:
 
 clean:
 	$(CARGO) clean
-	rm -f editor showcase.png
+	rm -f editor showcase.png editor-page.zip

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Installs the system packages that `run` or `test` needs and that are missing, with apt where it
-# can; otherwise prints the one line to type. Does nothing where they are there already, and
-# leaves systems without dpkg alone.
+# Installs the system packages that `run`, `test`, `web` (building the page) or `test-web` needs and
+# that are missing, with apt where it can; otherwise prints the one line to type. Does nothing where
+# they are there already, and leaves systems without dpkg alone.
 set -eu
 
 offscreen="libegl1 libgl1-mesa-dri"
@@ -9,8 +9,10 @@ window="libgl1 libxcursor1 libxi6 libxrandr2 libxkbcommon-x11-0"
 case "${1:-}" in
 run) wanted="$offscreen $window" ;;
 test) wanted="$offscreen $window libosmesa6 xvfb xdotool x11-apps" ;;
+web) wanted="cargo-web libstd-rust-web-dev lld-22 rust-web-src rustc-web" ;;
+test-web) wanted="chromium chromium-driver" ;;
 *)
-    echo "usage: $0 run|test" >&2
+    echo "usage: $0 run|test|web|test-web" >&2
     exit 2
     ;;
 esac

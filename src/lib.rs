@@ -6,10 +6,13 @@
 #![deny(unsafe_code)]
 #![warn(missing_docs)]
 
+#[cfg(not(target_arch = "wasm32"))]
 pub mod app;
 pub mod character;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod compare;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod disk;
 pub mod editor;
 pub mod geometry;
@@ -22,3 +25,5 @@ pub mod render;
 pub mod revision;
 pub mod scene;
 pub mod ui;
+#[cfg(target_arch = "wasm32")]
+pub mod web;

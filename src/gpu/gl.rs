@@ -1,6 +1,7 @@
 //! [`Gl`]: the handle to a context. It is the only way to the driver's entry points.
 
 use std::cell::{Cell, RefCell};
+#[cfg(not(target_arch = "wasm32"))]
 use std::ffi::{CStr, c_void};
 use std::fmt;
 use std::mem::ManuallyDrop;
@@ -10,6 +11,8 @@ use std::sync::{Arc, Mutex};
 use glow::HasContext as _;
 
 use super::context::{NativeContext, OwnedNative};
+#[cfg(not(target_arch = "wasm32"))]
+use super::native_driver;
 use super::{ContextError, GpuError, Info, driver};
 
 /// Messages kept between two checks; more would only repeat what the first ones say.
@@ -63,6 +66,7 @@ impl Gl {
     /// # Safety
     /// While `native` lives and is current, what `load` returns for a name is the entry point of
     /// that name as the OpenGL specification has it, or null.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(in crate::gpu) unsafe fn new(
         native: Rc<dyn NativeContext>,
         load: impl Fn(&CStr) -> *const c_void,
@@ -70,16 +74,36 @@ impl Gl {
         let native = OwnedNative::new(native);
         native.make_current().map_err(ContextError::Native)?;
         // SAFETY: the context is current, and `load` is as this function's contract has it.
-        unsafe { driver::check_version(&load) }?;
+        unsafe { native_driver::check_version(&load) }?;
         // SAFETY: as above; the version is one that `glow` can parse.
         let mut glow = unsafe { glow::Context::from_loader_function_cstr(load) };
         // SAFETY: the context is current, and `glow` is dropped while it is: see `Inner`.
-        let driver_messages = unsafe { driver::collect_messages(&mut glow) };
+        let driver_messages = unsafe { native_driver::collect_messages(&mut glow) };
+        Ok(Self::of(native, Arc::new(glow), driver_messages))
+    }
+
+    /// Shares the context of a canvas with whoever else draws there.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gpu) fn of_canvas(
+        native: Rc<dyn NativeContext>,
+        glow: Arc<glow::Context>,
+    ) -> Result<Self, ContextError> {
+        let native = OwnedNative::new(native);
+        native.make_current().map_err(ContextError::Native)?;
+        Ok(Self::of(native, glow, Arc::default()))
+    }
+
+    /// A handle to `native`, which is current and whose entry points are `glow`.
+    fn of(
+        native: OwnedNative,
+        glow: Arc<glow::Context>,
+        driver_messages: Arc<Mutex<Vec<String>>>,
+    ) -> Self {
         // SAFETY: the context is current.
         let info = unsafe { driver::read_info(&glow) };
-        Ok(Self {
+        Self {
             inner: Rc::new(Inner {
-                glow: ManuallyDrop::new(Arc::new(glow)),
+                glow: ManuallyDrop::new(glow),
                 info,
                 driver_messages,
                 faults: RefCell::default(),
@@ -87,7 +111,7 @@ impl Gl {
                 is_lost: Cell::new(false),
                 native,
             }),
-        })
+        }
     }
 
     /// Properties and limits of the driver.

@@ -91,6 +91,7 @@ impl ContextError {
         }
     }
 
+    #[cfg(not(target_arch = "wasm32"))]
     pub(in crate::gpu) fn window(step: &str, cause: &impl std::fmt::Display) -> Self {
         Self::Window {
             cause: format!("{step}: {cause}"),

@@ -19,6 +19,10 @@
 //!   draws check their ranges against the buffers attached to the vertex array, whose sizes count
 //!   only once the driver has reserved the memory.
 //!
+//! - On a page no pointer reaches a driver: the browser checks every call and every range. There a call
+//!   names the context that it is for, so a context is current as long as the browser has not taken it
+//!   away. It is shared with egui's painter, and every draw sets all state that it depends on.
+//!
 //! `SAFETY: current context` below refers to this paragraph. It relies on nothing else in the
 //! process making contexts current on threads on which a [`Gl`] lives.
 //!
@@ -42,6 +46,8 @@ mod gl;
 mod gpu_error;
 mod immediate;
 pub(crate) mod interface_painter;
+#[cfg(not(target_arch = "wasm32"))]
+mod native_driver;
 mod program;
 #[cfg(test)]
 pub(crate) mod test_driver;
@@ -49,7 +55,11 @@ mod texture;
 mod vertex_array;
 
 pub use buffer::{Buffer, IndexBuffer, Usage};
-pub use context::{Api, Backend, HeadlessContext, WindowContext};
+pub use context::Api;
+#[cfg(target_arch = "wasm32")]
+pub use context::CanvasContext;
+#[cfg(not(target_arch = "wasm32"))]
+pub use context::{Backend, HeadlessContext, WindowContext};
 pub use display_list::DisplayList;
 pub use draw_state::{Blend, DepthTest, DrawState};
 pub use driver::Info;

@@ -108,9 +108,17 @@ impl Program {
     /// Ends the program at once, because the system asks for it: unsaved work is stored.
     pub fn end(&mut self, host: &mut dyn Host) {
         self.session.commit_gesture();
-        self.store_unsaved(host);
-        self.keep_at_end(host);
+        self.keep(host);
         host.quit();
+    }
+
+    /// Stores unsaved work and preferences at once, since the program may end without being told.
+    pub fn keep(&mut self, host: &mut dyn Host) {
+        // What an earlier run left is for the user to answer first.
+        if !matches!(self.asked, Some(Asked::Restore(..))) {
+            self.store_unsaved(host);
+        }
+        self.keep_at_end(host);
     }
 
     /// Stores unsaved work after a gesture, at most every ten seconds, and removes it once it is

@@ -118,6 +118,15 @@ impl Comparison {
         }
     }
 
+    /// Loads all textures anew when they are shown next.
+    pub fn forget_textures(&mut self) {
+        let shown = [&mut self.live, &mut self.difference];
+        let shown = shown.into_iter().flatten();
+        for textured in shown.chain([&mut self.reference]) {
+            textured.texture = None;
+        }
+    }
+
     /// As the panels show it; `None` before its textures are loaded.
     pub fn view(&self) -> Option<CompareView<'_>> {
         let difference = self.difference.as_ref().and_then(Textured::shown);

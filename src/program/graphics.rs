@@ -81,8 +81,13 @@ impl Graphics {
     /// Properties of what draws.
     pub fn info(&self) -> GraphicsInfo {
         let info = self.gl.info();
+        // Browsers say what their version is one of, and what they make it from.
+        let version = match info.version.strip_prefix("WebGL ") {
+            Some(rest) => format!("WebGL {}", rest.split(' ').next().unwrap_or_default()),
+            None => format!("OpenGL {}", info.version),
+        };
         GraphicsInfo {
-            description: format!("OpenGL {} · {}", info.version, info.renderer),
+            description: format!("{version} · {}", info.renderer),
             max_texture_side: info.max_texture_size as usize,
         }
     }

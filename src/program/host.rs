@@ -23,6 +23,11 @@ pub trait Host {
     /// all.
     fn choose_file(&mut self, request: FileRequest, suggested: Suggested);
 
+    /// Whether this is a page of a browser, which alone closes it and takes pictures of its panels.
+    fn is_page(&self) -> bool {
+        false
+    }
+
     /// Shows those dialogs that the host draws with egui itself. Called in every pass, after the
     /// panels.
     fn show_dialogs(&mut self, _context: &egui::Context) {}

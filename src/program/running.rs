@@ -153,6 +153,16 @@ impl Program {
         program
     }
 
+    /// Goes on with other graphics and another context of egui, after those before were lost.
+    pub fn replace_graphics(&mut self, graphics: GraphicsInfo) {
+        self.graphics = graphics;
+        self.ui.replace_context();
+        self.start_pictures = StartPictures::default();
+        if let Some(comparison) = &mut self.comparison {
+            comparison.forget_textures();
+        }
+    }
+
     /// Gives the window the title that it should have.
     pub(super) fn show_title(&mut self, host: &mut dyn Host) {
         let title = self.title();
@@ -199,6 +209,7 @@ impl Program {
         let progress = self.picture_progress();
         let input = ui::ViewInput {
             title: &title,
+            is_page: host.is_page(),
             recent: &self.preferences.recent,
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,

@@ -10,6 +10,7 @@ mod curve_pass;
 mod ground_pass;
 mod mesh_cache;
 mod mesh_programs;
+#[cfg(not(target_arch = "wasm32"))]
 mod offscreen;
 mod outline_pass;
 mod picture_parts;
@@ -24,7 +25,8 @@ mod upload_cache;
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use backdrop::Backdrop;
 pub use compose::{compose, view_place};
-pub use offscreen::{Offscreen, OffscreenError, read_picture};
-pub use picture_parts::{LargePicture, MOST_PIXELS, PictureParts};
+#[cfg(not(target_arch = "wasm32"))]
+pub use offscreen::{Offscreen, OffscreenError};
+pub use picture_parts::{LargePicture, MOST_PIXELS, PictureParts, read_picture};
 pub use read_back::read_back_skinning;
 pub use renderer::{Background, Frame, Marks, RenderError, Renderer};

@@ -1,6 +1,6 @@
 //! Pictures without a window.
 
-use super::{Frame, LargePicture, PictureParts, RenderError, Renderer};
+use super::{Frame, LargePicture, PictureParts, RenderError, Renderer, read_picture};
 use crate::geometry::Picture;
 use crate::gpu::{Backend, ContextError, Framebuffer, Gl, GpuError, HeadlessContext};
 
@@ -103,16 +103,4 @@ impl Offscreen {
         drawn(&parts);
         Ok(parts.into_picture())
     }
-}
-
-/// Reads a framebuffer into a picture in memory.
-///
-/// # Errors
-/// When a GL error occurred.
-pub fn read_picture(target: &Framebuffer) -> Result<Picture, GpuError> {
-    Ok(Picture {
-        width: target.width(),
-        height: target.height(),
-        rgba: target.read_rgba()?,
-    })
 }

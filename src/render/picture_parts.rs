@@ -3,7 +3,7 @@
 use super::tile::{MARGIN, Tile};
 use super::{Background, Frame, RenderError, Renderer};
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, Gl, Info};
+use crate::gpu::{Framebuffer, Gl, GpuError, Info};
 
 /// Most pixels of a picture: as many as one of 16384×16384 has, which take 1 GiB.
 pub const MOST_PIXELS: u64 = 1 << 28;
@@ -147,4 +147,16 @@ fn divide_by_alpha(rgba: &mut [u8]) {
             *color = divided.unwrap_or(0).min(255) as u8;
         }
     }
+}
+
+/// Reads a framebuffer into a picture in memory.
+///
+/// # Errors
+/// When a GL error occurred.
+pub fn read_picture(target: &Framebuffer) -> Result<Picture, GpuError> {
+    Ok(Picture {
+        width: target.width(),
+        height: target.height(),
+        rgba: target.read_rgba()?,
+    })
 }

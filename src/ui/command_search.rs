@@ -3,7 +3,7 @@
 use super::commands::{COMMANDS, Command, Entry, run, why_disabled};
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
-use super::{Action, Navigation};
+use super::{Action, Navigation, ViewInput, is_there};
 use crate::editor::Session;
 use egui::{
     Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
@@ -31,6 +31,7 @@ pub(super) fn show(
     root: &Ui,
     session: &Session,
     state: &mut UiState,
+    input: &ViewInput,
     aspect: f32,
     actions: &mut Vec<Action>,
 ) {
@@ -44,7 +45,7 @@ pub(super) fn show(
     let modal = Modal::new(Id::new("find command")).area(area).frame(frame);
     let shown = modal.show(root.ctx(), |ui| {
         ui.set_width(WIDTH.min(room(ui).x));
-        contents(ui, session, navigation, &mut search)
+        contents(ui, session, navigation, input, &mut search)
     });
     match shown.inner {
         Some(command) => actions.extend(run(command, session, state, aspect)),
@@ -58,10 +59,11 @@ fn contents(
     ui: &mut Ui,
     session: &Session,
     navigation: Navigation,
+    input: &ViewInput,
     search: &mut CommandSearch,
 ) -> Option<Command> {
-    let (up, down, enter) = ui.input_mut(|input| {
-        let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
+    let (up, down, enter) = ui.input_mut(|i| {
+        let mut pressed = |key| i.consume_key(Modifiers::NONE, key);
         (
             pressed(Key::ArrowUp),
             pressed(Key::ArrowDown),
@@ -75,7 +77,8 @@ fn contents(
     if field.changed() {
         search.row = 0;
     }
-    let found = found(&search.text);
+    let mut found = found(&search.text);
+    found.retain(|entry| is_there(entry.command, input));
     if found.is_empty() {
         ui.label(RichText::new("No command has these words.").weak());
         return None;

@@ -2,7 +2,7 @@ use super::commands::{Command, Entry, Menu, full_label, is_on, run, why_disabled
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{named, tip_beside};
-use super::{Action, Ask, ViewInput, commands};
+use super::{Action, Ask, ViewInput, commands, is_there};
 use crate::editor::Session;
 use crate::scene::name_of_import;
 use egui::containers::menu::{MenuBar, MenuConfig};
@@ -150,7 +150,8 @@ impl Items<'_> {
 
     /// All commands of one menu, from the table.
     fn all(&mut self, ui: &mut Ui, menu: Menu) {
-        for entry in commands::entries(menu) {
+        let input = self.input;
+        for entry in commands::entries(menu).filter(|entry| is_there(entry.command, input)) {
             self.item(ui, entry);
         }
     }

@@ -63,6 +63,9 @@ use std::path::PathBuf;
 pub struct ViewInput<'a> {
     /// The window's title.
     pub title: &'a str,
+    /// Whether a browser shows the program as a page, which cannot be quit, and takes pictures of the
+    /// panels.
+    pub is_page: bool,
     /// Documents for File ▸ Open Recent, the newest first.
     pub recent: &'a [PathBuf],
     /// Question that has to be answered before anything else.
@@ -140,7 +143,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         posing::take_keys(&ctx, &mut state.pose);
         box_select::cancel_by_esc(&ctx, &mut state.box_select);
     }
-    let mut actions = finish_typing(&ctx, session, state, input.keys_are_taken);
+    let mut actions = finish_typing(&ctx, session, state, input);
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let keys_taken = input.keys_are_taken
@@ -180,7 +183,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
     windows::show(root, session, state, input, &mut actions);
-    command_search::show(root, session, state, aspect(last_view), &mut actions);
+    command_search::show(root, session, state, input, aspect(last_view), &mut actions);
     if let Some(question) = input.question {
         question::show(root, question, &mut actions);
     }
@@ -196,12 +199,11 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         }
         for (command, key) in commands::pressed(&ctx, state.navigation) {
             let key = KeyPress { key, at: now };
-            let comparing = input.compare.is_some();
             press(
                 command,
                 session,
                 state,
-                comparing,
+                input,
                 aspect(view_rect),
                 key,
                 &mut actions,
@@ -234,7 +236,7 @@ fn finish_typing(
     ctx: &egui::Context,
     session: &Session,
     state: &mut UiState,
-    keys_are_taken: bool,
+    input: &ViewInput,
 ) -> Vec<Action> {
     let aspect = aspect(state.view_rect);
     let typing = ctx.text_edit_focused() && state.search.is_none();
@@ -244,8 +246,9 @@ fn finish_typing(
             commands::run(command, session, state, aspect)
         });
     }
-    if state.after_typing.is_none() && !keys_are_taken {
-        let is_meant = |command: &Command| MEANT_WHILE_TYPING.contains(command);
+    if state.after_typing.is_none() && !input.keys_are_taken {
+        let is_meant =
+            |command: &Command| MEANT_WHILE_TYPING.contains(command) && is_there(*command, input);
         state.after_typing = commands::pressed_with_ctrl(ctx, state.navigation).filter(is_meant);
     }
     if state.after_typing.is_some() {
@@ -300,6 +303,11 @@ fn add_gestures_of_panels(
     }
 }
 
+/// Whether a command exists where the program runs: browsers close their pages themselves.
+fn is_there(command: Command, input: &ViewInput) -> bool {
+    !(input.is_page && command == Command::Quit)
+}
+
 /// Whether a text field or a popup has the keyboard focus.
 fn takes_keys(ctx: &egui::Context) -> bool {
     ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
@@ -323,7 +331,7 @@ fn press(
     command: Command,
     session: &Session,
     state: &mut UiState,
-    comparing: bool,
+    input: &ViewInput,
     aspect: f32,
     pressed: KeyPress,
     actions: &mut Vec<Action>,
@@ -332,7 +340,7 @@ fn press(
     if is_esc && state.windows.close_last() {
         return;
     }
-    if (is_esc || command == Command::Compare) && comparing {
+    if (is_esc || command == Command::Compare) && input.compare.is_some() {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
         return;
     }
@@ -351,7 +359,7 @@ fn press(
             return;
         }
     }
-    if state.windows.is_open(windows::Dialog::Screenshot) {
+    if state.windows.is_open(windows::Dialog::Screenshot) || !is_there(command, input) {
         return;
     }
     // Typed for an axis of a drag that a locked shape has refused.

@@ -68,7 +68,12 @@ impl ScreenshotForm {
 }
 
 /// Shows the dialog; whether to close it.
-pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>) -> bool {
+pub(super) fn show(
+    ui: &Ui,
+    is_page: bool,
+    form: &mut ScreenshotForm,
+    actions: &mut Vec<Action>,
+) -> bool {
     let frame = Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(Id::new("screenshot")).frame(frame);
     let modal = modal.show(ui.ctx(), |ui| {
@@ -78,6 +83,9 @@ pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>
         ui.add_space(8.0);
         // Asked before a field gives up the keyboard because of the same Enter.
         let typing = ui.ctx().text_edit_focused();
+        if !is_page {
+            panels(ui, form);
+        }
         contents(ui, form);
         ui.add_space(12.0);
         buttons(ui, form, !typing, actions)
@@ -85,7 +93,7 @@ pub(super) fn show(ui: &Ui, form: &mut ScreenshotForm, actions: &mut Vec<Action>
     modal.inner || modal.should_close()
 }
 
-fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
+fn panels(ui: &mut Ui, form: &mut ScreenshotForm) {
     labelled(ui, "Show", |ui, _| {
         ui.spacing_mut().item_spacing.x = 16.0;
         ui.radio_value(&mut form.with_panels, false, "The view alone");
@@ -94,6 +102,9 @@ fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
                 .on_disabled_hover_text("A turntable shows the view alone");
         });
     });
+}
+
+fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
     ui.add_enabled_ui(!form.with_panels, |ui| {
         size(ui, form);
         background(ui, form);

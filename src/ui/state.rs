@@ -140,6 +140,11 @@ impl UiState {
         self.after_typing = Some(Command::Quit);
     }
 
+    /// Goes on in another context of egui, which knows nothing of fonts and colors yet.
+    pub fn replace_context(&mut self) {
+        self.styled = false;
+    }
+
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing
     /// else.
     pub fn gesture_under_way(&self) -> bool {

@@ -4,7 +4,7 @@ use super::commands::{GESTURES, Menu, entries};
 use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::{Action, Navigation, ViewInput, history, messages};
+use super::{Action, Navigation, ViewInput, history, is_there, messages};
 use crate::editor::Session;
 use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -62,7 +62,7 @@ pub(super) fn show(
     let navigation = state.navigation;
     let windows = &mut state.windows;
     window(root, windows, Dialog::Keys, "Keys and Mouse", |ui| {
-        keys_and_mouse(ui, navigation);
+        keys_and_mouse(ui, navigation, input);
     });
     window(root, windows, Dialog::Messages, "Messages", |ui| {
         messages::history(ui, &session.messages);
@@ -74,7 +74,7 @@ pub(super) fn show(
         about(ui, input.backend);
     });
     if windows.is_open(Dialog::Screenshot)
-        && screenshot::show(root, &mut windows.screenshot, actions)
+        && screenshot::show(root, input.is_page, &mut windows.screenshot, actions)
     {
         windows.close(Dialog::Screenshot);
     }
@@ -115,7 +115,7 @@ fn window(
 }
 
 /// Help ▸ Keys and Mouse, made from the table of commands.
-fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
+fn keys_and_mouse(ui: &mut Ui, navigation: Navigation, input: &ViewInput) {
     let context = ui.ctx().clone();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let room = ui.available_width();
@@ -125,6 +125,7 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation) {
         }
         for &menu in Menu::ALL {
             let mut entries = entries(menu)
+                .filter(|entry| is_there(entry.command, input))
                 .map(|entry| (entry.keys(&context, navigation), entry))
                 .filter(|(keys, _)| !keys.is_empty())
                 .peekable();

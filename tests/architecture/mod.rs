@@ -195,7 +195,7 @@ fn unsafe_code_windows_and_files_are_guarded() {
 
 #[test]
 fn no_sentence_is_left_for_later() {
-    for path in ["src", "shaders", "make_assets"]
+    for path in ["src", "shaders", "make_assets", "make_web"]
         .into_iter()
         .flat_map(files)
     {

@@ -142,6 +142,41 @@ fn esc_leaves_a_field_first_then_closes_windows_from_the_newest_then_quits() {
 }
 
 #[test]
+fn a_page_cannot_be_quit_and_takes_no_pictures_of_its_panels() {
+    let mut editor = Editor::with_figure();
+    editor.harness.state_mut().is_page = true;
+    editor.settle();
+    editor.click("File");
+    assert!(editor.has("Screenshot…"));
+    assert!(!editor.has("Quit"));
+    editor.click("Screenshot…");
+    assert!(editor.has("Transparent"));
+    assert!(!editor.has("With panels"));
+    editor.key(Key::Escape);
+    assert!(!editor.has("Transparent"), "Esc still closes dialogs");
+    editor.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    let is_painted =
+        |editor: &Editor, label: &str| editor.painted().iter().any(|(text, _)| text == label);
+    assert!(
+        is_painted(&editor, "Revert") && !is_painted(&editor, "Quit"),
+        "{:?}",
+        editor.painted()
+    );
+    editor.key(Key::Escape);
+    editor.key(Key::Escape);
+    assert_eq!(editor.session().selected(), None, "and deselects");
+    for _ in 0..2 {
+        editor.wait();
+        editor.key(Key::Escape);
+    }
+    editor.key_with(Modifiers::COMMAND, Key::Q);
+    editor.click("Help");
+    editor.click("Keys and Mouse");
+    assert!(editor.has("Redo") && !editor.has("Quit"));
+    assert!(editor.asked().is_empty());
+}
+
+#[test]
 fn esc_does_not_quit_while_a_button_is_held() {
     let mut editor = Editor::new();
     editor.harness.state_mut().gestures = true;

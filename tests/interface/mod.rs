@@ -36,6 +36,7 @@ struct Shell {
     state: UiState,
     asked: Vec<Ask>,
     keys_are_taken: bool,
+    is_page: bool,
     /// Whether what the pointer does in the view counts, as in the program.
     gestures: bool,
     /// The shape under the pointer in the view, which the program finds out.
@@ -69,6 +70,7 @@ impl Editor {
             state: UiState::new(),
             asked: Vec::new(),
             keys_are_taken: false,
+            is_page: false,
             gestures: false,
             hovered_shape: None,
             view: Rect::NOTHING,
@@ -279,6 +281,7 @@ impl Shell {
             backend: "OpenGL 3.3",
             hovered_shape: self.hovered_shape,
             keys_are_taken: self.keys_are_taken,
+            is_page: self.is_page,
             ..ViewInput::default()
         };
         let mut output = ui::show(root, self.program.session(), &mut self.state, &input);

@@ -166,6 +166,7 @@ fn our_own_project_is_in_the_archive_byte_for_byte() {
         "tests",
         "scripts",
         "make_assets",
+        "make_web",
         ".ci",
     ]
     .map(|name| project.join(name))

@@ -53,6 +53,25 @@ fn work_is_kept_after_a_gesture_and_at_most_every_ten_seconds() {
 }
 
 #[test]
+fn a_page_that_is_hidden_keeps_its_work_at_once_and_the_question_about_earlier_work_stays() {
+    let mut story = with_bent_elbow();
+    story.type_into("Elbow Z", "80");
+    let before = stored(&story).cloned();
+    story.program.keep(&mut story.host);
+    assert_ne!(
+        stored(&story).cloned(),
+        before,
+        "without waiting for ten seconds"
+    );
+    let mut story = after_crash(story);
+    let left = stored(&story).cloned();
+    story.program.keep(&mut story.host);
+    assert_eq!(stored(&story).cloned(), left);
+    story.click("Restore");
+    assert_eq!(story.degrees("Elbow").z.round(), 80.0);
+}
+
+#[test]
 fn what_a_crash_left_is_offered_and_restored() {
     let mut story = after_crash(with_bent_elbow());
     assert!(story.names().is_empty());

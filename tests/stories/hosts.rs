@@ -88,6 +88,37 @@ fn a_host_for_which_egui_is_run_shows_the_panels_in_its_pass_and_draws_the_scene
 }
 
 #[test]
+fn a_page_that_loses_its_graphics_shows_the_same_in_another_context_of_egui() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.save_view((300, 200), "mine.png");
+    let saved = story.host.written[std::path::Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    // Everything is measured, and notices are gone.
+    for _ in 0..4 {
+        story.wait(30.0);
+        story.host.run_jobs();
+    }
+    story.settle();
+    let (before, document) = (story.picture(), story.session().document());
+    let other = HeadlessContext::new(Backend::Auto).unwrap();
+    story.graphics = Graphics::new(other.gl()).unwrap();
+    story.context = egui::Context::default();
+    story.context.enable_accesskit();
+    story.program.replace_graphics(story.graphics.info());
+    for _ in 0..4 {
+        story.wait(30.0);
+        story.host.run_jobs();
+    }
+    story.settle();
+    assert_eq!(differing(&before, &story.picture()), 0);
+    assert_eq!(story.session().document(), document);
+    drop(story);
+    drop(other);
+}
+
+#[test]
 fn graphics_that_are_lost_are_made_again_and_the_picture_comes_back() {
     let mut story = Story::start(&["builtin:robot"]);
     let before = story.scene_picture();

@@ -10,8 +10,8 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::{Api, ContextError, NativeContext};
-use crate::gpu::Gl;
+use super::{Api, NativeContext};
+use crate::gpu::{ContextError, Gl};
 
 const LIBRARIES: [&str; 2] = ["libEGL.so.1", "libEGL.so"];
 

@@ -7,8 +7,8 @@ use std::rc::Rc;
 
 use libloading::Library;
 
-use super::{Api, ContextError, NativeContext};
-use crate::gpu::Gl;
+use super::{Api, NativeContext};
+use crate::gpu::{ContextError, Gl};
 
 const LIBRARIES: [&str; 3] = ["libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"];
 

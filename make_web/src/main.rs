@@ -1,0 +1,39 @@
+//! Writes, packs or serves the files of the page: see `USAGE`.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+
+const USAGE: &str = "usage: make_web write PROGRAM.wasm FOLDER
+       make_web package FOLDER ARCHIVE.zip
+       make_web serve FOLDER [PORT]";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let done = match arguments[..] {
+        ["write", program, folder] => make_web::write(Path::new(program), Path::new(folder)),
+        ["package", folder, archive] => make_web::package(Path::new(folder), Path::new(archive)),
+        ["serve", folder] => serve(folder, "8080"),
+        ["serve", folder, port] => serve(folder, port),
+        _ => Err(USAGE.into()),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn serve(folder: &str, port: &str) -> Result<(), Box<dyn Error>> {
+    let port = port.parse().map_err(|_| USAGE)?;
+    let server = make_web::Server::new(Path::new(folder), port)?;
+    println!(
+        "The page is at {} until you press Ctrl+C.",
+        server.address()
+    );
+    make_web::serve(&server);
+    Ok(())
+}

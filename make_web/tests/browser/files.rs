@@ -1,0 +1,79 @@
+//! Files in the user's hands: chosen, dropped, saved, and opened again.
+
+use super::browser::{Browser, CTRL, ENTER, F12, VIEW};
+use super::picture::{assert_not_blank, difference};
+use std::path::{Path, PathBuf};
+
+fn asset(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../assets")
+        .join(name);
+    path.canonicalize().unwrap()
+}
+
+#[test]
+fn a_character_is_opened_from_files_that_are_chosen_together() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    browser.press(&[CTRL, "o"]);
+    let files = ["robot.obj", "robot.skel", "robot.attach"];
+    browser.choose(&files.map(|name| asset(&format!("characters/{name}"))));
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.05);
+    browser.finish();
+}
+
+#[test]
+fn a_file_that_is_dropped_is_added_to_the_scene() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    browser.script(
+        "const files = new DataTransfer();
+         const cube = 'v -1 0 -1\\nv 3 0 -1\\nv 3 2 3\\nv -1 2 3\\nf 1 2 3\\nf 1 3 4\\nf 3 2 1\\n';
+         files.items.add(new File([cube], 'cloth.obj'));
+         const at = {dataTransfer: files, clientX: 500, clientY: 300, bubbles: true, cancelable: true};
+         document.getElementById('editor').dispatchEvent(new DragEvent('drop', at));",
+    );
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.01);
+    browser.finish();
+}
+
+#[test]
+fn a_screenshot_is_a_download() {
+    let browser = Browser::open();
+    browser.press(&[F12]);
+    browser.press(&[ENTER]);
+    let bytes = browser.downloaded("showcase.png");
+    let picture = image::load_from_memory(&bytes).unwrap().into_rgb8();
+    let (width, height) = picture.dimensions();
+    assert!(width > 800 && height > 600, "{width}×{height}");
+    assert_not_blank(&picture, VIEW);
+    browser.finish();
+}
+
+#[test]
+fn a_saved_scene_is_a_download_and_can_be_opened_again() {
+    let browser = Browser::open();
+    browser.press(&[CTRL, "s"]);
+    let saved = browser.downloaded("showcase.scene");
+    assert!(
+        String::from_utf8(saved.clone())
+            .unwrap()
+            .contains("\"shapes\"")
+    );
+    browser.wait("the title names the file", || {
+        let title = browser.script("return document.title");
+        title.as_str().unwrap().starts_with("showcase.scene")
+    });
+    let before = browser.picture();
+    let file = tempfile::Builder::new()
+        .suffix(".scene")
+        .tempfile()
+        .unwrap();
+    std::fs::write(file.path(), saved).unwrap();
+    browser.go("");
+    browser.press(&[CTRL, "o"]);
+    browser.choose(&[file.path().to_owned()]);
+    // Nothing is selected in a scene that was opened, so the outlines are gone.
+    assert!(difference(&before, &browser.picture(), VIEW) < 0.05);
+    browser.finish();
+}

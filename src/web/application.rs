@@ -1,0 +1,135 @@
+//! The program as eframe runs it: panels, and the scene below them.
+
+use super::page::Page;
+use crate::gpu::{CanvasContext, Rect};
+use crate::program::{Graphics, Pass};
+use crate::render::view_place;
+use eframe::{CreationContext, Frame};
+use egui::{Event, Shape, Ui};
+use std::cell::RefCell;
+use std::error::Error;
+use std::rc::Rc;
+use std::sync::Arc;
+use web_sys::WebGl2RenderingContext;
+
+/// What eframe runs as long as one context of WebGL lives.
+pub(super) struct Application {
+    page: Rc<RefCell<Page>>,
+    context: CanvasContext,
+}
+
+thread_local! {
+    /// Everything made with WebGL. egui's painter calls back for the scene with functions that must be
+    /// free to move between threads, which graphics are not.
+    static GRAPHICS: RefCell<Option<Graphics>> = const { RefCell::new(None) };
+}
+
+impl Application {
+    /// Shows `page` in the canvas whose context is `context`.
+    ///
+    /// # Errors
+    /// If WebGL refuses something that every picture needs.
+    pub fn new(
+        creation: &CreationContext,
+        context: WebGl2RenderingContext,
+        page: Rc<RefCell<Page>>,
+    ) -> Result<Self, Box<dyn Error + Send + Sync>> {
+        let gl = creation.gl.clone().ok_or("There is no WebGL.")?;
+        let context = CanvasContext::new(context, gl)?;
+        let graphics = Graphics::new(context.gl())?;
+        let info = graphics.info();
+        GRAPHICS.with(|kept| *kept.borrow_mut() = Some(graphics));
+        page.borrow_mut().use_graphics(info, &creation.egui_ctx);
+        Ok(Self { page, context })
+    }
+}
+
+impl Drop for Application {
+    fn drop(&mut self) {
+        GRAPHICS.with(|kept| kept.borrow_mut().take());
+    }
+}
+
+impl eframe::App for Application {
+    fn ui(&mut self, root: &mut Ui, _: &mut Frame) {
+        let context = root.ctx().clone();
+        let mut page = self.page.borrow_mut();
+        let Some((program, host)) = page.running() else {
+            return;
+        };
+        host.take_dropped(&context);
+        host.set_pasted(context.input(|input| pasted(&input.events)));
+        let came_in = program.begin_frame(host);
+        // The scene lies below everything that the panels paint.
+        let below = root.painter().add(Shape::Noop);
+        let shown = program.show(root, Pass::Input, host);
+        let rect = shown.panels.view_rect;
+        let view = size_in_pixels(rect, &context);
+        let messages = program.session().messages.count();
+        let wait = GRAPHICS.with(|graphics| {
+            let mut graphics = graphics.borrow_mut();
+            let graphics = graphics.as_mut()?;
+            // It fails where the context is lost, of which the page is told as well.
+            let wait = program.draw(graphics, view, None, host).ok()?;
+            Some(wait.min(program.finish_frame(graphics, host)))
+        });
+        // egui's painter draws into whatever is bound.
+        self.context.gl().bind_window();
+        root.painter().set(below, scene(rect));
+        let told = program.session().messages.count() != messages;
+        match wait {
+            _ if came_in || shown.changed || told => context.request_repaint(),
+            Some(wait) => context.request_repaint_after(wait),
+            None => {}
+        }
+    }
+
+    // What egui remembers of its windows is not worth more than a visit.
+    fn persist_egui_memory(&self) -> bool {
+        false
+    }
+}
+
+/// The text that the user has the browser paste in this frame, if any.
+fn pasted(events: &[Event]) -> Option<String> {
+    events.iter().find_map(|event| match event {
+        Event::Paste(text) => Some(text.clone()),
+        _ => None,
+    })
+}
+
+/// Width and height of `rect` in pixels of the screen.
+fn size_in_pixels(rect: egui::Rect, context: &egui::Context) -> (u32, u32) {
+    let scale = context.pixels_per_point();
+    let screen = context.content_rect();
+    let size = [screen.width(), screen.height()].map(|side| (side * scale).round() as u32);
+    let place = view_place(
+        (rect.min.x, rect.min.y),
+        (rect.max.x, rect.max.y),
+        scale,
+        (size[0], size[1]),
+    );
+    (place.width.unsigned_abs(), place.height.unsigned_abs())
+}
+
+/// The scene's picture as a shape that fills `rect`.
+fn scene(rect: egui::Rect) -> Shape {
+    let callback = eframe::egui_glow::CallbackFn::new(|info, _| {
+        let place = info.viewport_in_pixels();
+        GRAPHICS.with(|graphics| {
+            let graphics = graphics.borrow();
+            if let Some(scene) = graphics.as_ref().and_then(Graphics::scene_picture) {
+                scene.blit_to_window(Rect {
+                    x: place.left_px,
+                    y: place.from_bottom_px,
+                    width: place.width_px,
+                    height: place.height_px,
+                });
+            }
+        });
+    });
+    Shape::Callback(egui::PaintCallback {
+        rect,
+        callback: Arc::new(callback),
+    })
+}

@@ -1,0 +1,73 @@
+//! Files that the page has been given: chosen, dropped or named in its address.
+
+use super::browser;
+use super::kept_files;
+use crate::io::{Diagnostic, Files};
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use wasm_bindgen_futures::spawn_local;
+
+/// Files by name. All of them lie beside each other, since browsers do not tell where files are from.
+/// A clone is another handle to the same files.
+#[derive(Clone, Debug, Default)]
+pub(super) struct GivenFiles(Arc<Mutex<Table>>);
+
+type Table = HashMap<PathBuf, Vec<u8>>;
+
+impl GivenFiles {
+    /// Those that an earlier visit left.
+    pub fn of(files: Table) -> Self {
+        Self(Arc::new(Mutex::new(files)))
+    }
+
+    fn table(&self) -> MutexGuard<'_, Table> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Adds files, in place of others of the same names, and keeps them for the next visit.
+    pub fn add(&self, files: Vec<(PathBuf, Vec<u8>)>) {
+        self.table().extend(files.iter().cloned());
+        spawn_local(async move {
+            if let Err(error) = kept_files::keep(&files).await {
+                browser::warn(&format!("files are not kept for the next visit: {error}"));
+            }
+        });
+    }
+}
+
+impl Files for GivenFiles {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        let files = self.table();
+        files.get(path).cloned().ok_or_else(|| {
+            let message = "the page has not been given this file: choose or drop all files that \
+                           belong together at once";
+            Diagnostic::new(path, message)
+        })
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        self.table().contains_key(path)
+    }
+}
+
+/// Of files that came together, those that are opened by themselves: others, such as the `.skel` of
+/// an `.obj` or the pictures of a model, are read with them.
+pub(super) fn main_files(names: &[PathBuf]) -> Vec<PathBuf> {
+    let with = |extensions: &[&str]| -> Vec<PathBuf> {
+        let is = |path: &&PathBuf| {
+            let extension = path.extension().unwrap_or_default().to_string_lossy();
+            extensions.contains(&&*extension.to_lowercase())
+        };
+        names.iter().filter(is).cloned().collect()
+    };
+    // A scene names its models, and models their pictures.
+    let kinds: [&[&str]; 4] = [
+        &["scene", "zip"],
+        &["obj", "dae", "swp"],
+        &["json"],
+        &["png", "jpg", "jpeg", "gif"],
+    ];
+    let found = kinds.into_iter().map(with).find(|found| !found.is_empty());
+    found.unwrap_or_else(|| names.to_vec())
+}

@@ -1,0 +1,259 @@
+//! The browser as the program's host.
+
+use super::browser;
+use super::given_files::{GivenFiles, main_files};
+use crate::io::builtin::WithBuiltin;
+use crate::io::image::PictureFormat;
+use crate::io::{Diagnostic, Files, WithArchives, to_zip};
+use crate::program::{FileRequest, Host, HostEvent, Job, Previous, StorageKey, Suggested};
+use egui::Context;
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::time::Duration;
+use wasm_bindgen_futures::spawn_local;
+
+/// Entries for unsaved work that earlier visits left and that nobody has restored yet, at most.
+const SLOTS: usize = 8;
+
+/// The browser: files come from the user's hands and go to the user's downloads.
+pub(super) struct PageHost {
+    given: GivenFiles,
+    events: Events,
+    /// Text that the user has the browser paste in this frame.
+    pasted: Option<String>,
+    /// Number of the entry for unsaved work.
+    slot: usize,
+}
+
+/// Events that wait for the program. A clone is another handle to the same events.
+#[derive(Clone, Default)]
+struct Events {
+    waiting: Rc<RefCell<VecDeque<HostEvent>>>,
+    /// To be woken; none before the first frame.
+    context: Rc<RefCell<Option<Context>>>,
+}
+
+impl Events {
+    fn push(&self, event: HostEvent) {
+        self.waiting.borrow_mut().push_back(event);
+        if let Some(context) = &*self.context.borrow() {
+            context.request_repaint();
+        }
+    }
+}
+
+impl PageHost {
+    /// A host with the files of an earlier visit.
+    pub fn new(given: GivenFiles) -> Self {
+        let left = (0..SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_some());
+        Self {
+            given,
+            events: Events::default(),
+            pasted: None,
+            slot: left.unwrap_or(0),
+        }
+    }
+
+    /// Wakes `context` from now on when something has happened.
+    pub fn wake(&self, context: &Context) {
+        *self.events.context.borrow_mut() = Some(context.clone());
+    }
+
+    /// Takes in what was dropped on the page since the last frame.
+    pub fn take_dropped(&self, context: &Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        if dropped.is_empty() {
+            return;
+        }
+        let (given, events) = (self.given.clone(), self.events.clone());
+        spawn_local(async move {
+            let mut files = Vec::new();
+            for file in dropped {
+                match file.bytes_async().await {
+                    Ok(bytes) => files.push((file.path().to_owned(), bytes)),
+                    Err(error) => browser::warn(&error),
+                }
+            }
+            let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+            given.add(files);
+            for path in main_files(&names) {
+                let files = all_files(&given);
+                events.push(HostEvent::Dropped { path, files });
+            }
+        });
+    }
+
+    /// Name of the entry in the browser's storage.
+    fn entry(&self, key: StorageKey) -> String {
+        match key {
+            StorageKey::Autosave => autosave(self.slot),
+            StorageKey::Preferences => key.name().to_owned(),
+        }
+    }
+
+    /// Takes note of the text that the user has the browser paste in this frame, if any.
+    pub fn set_pasted(&mut self, text: Option<String>) {
+        self.pasted = text;
+    }
+
+    /// Asks the user for files, and answers `request` with the one that it is about.
+    fn read_chosen(&self, request: FileRequest) {
+        let (given, events) = (self.given.clone(), self.events.clone());
+        browser::choose_files(move |chosen| {
+            spawn_local(async move {
+                let mut files = Vec::new();
+                for file in chosen {
+                    match browser::bytes(&file).await {
+                        Ok(bytes) => files.push((PathBuf::from(file.name()), bytes)),
+                        Err(error) => browser::warn(&format!("{error:?}")),
+                    }
+                }
+                let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+                given.add(files);
+                let files = all_files(&given);
+                let offered = main_files(&names).into_iter();
+                let suits = |path: &PathBuf| request.purpose.offers(&*files, path);
+                // One that does not suit gets the message that says why.
+                let path = names.iter().find(|path| suits(path)).cloned();
+                if let Some(path) = path.or_else(|| offered.into_iter().next()) {
+                    events.push(HostEvent::Chosen {
+                        request,
+                        path,
+                        files,
+                    });
+                }
+            });
+        });
+    }
+}
+
+/// Name of an entry for unsaved work.
+fn autosave(slot: usize) -> String {
+    format!("{slot}-{}", StorageKey::Autosave.name())
+}
+
+/// What the program can read: files that were given, also inside archives, and those built in.
+fn all_files(given: &GivenFiles) -> Arc<dyn Files> {
+    Arc::new(WithBuiltin(WithArchives::new(given.clone())))
+}
+
+impl Host for PageHost {
+    fn now(&self) -> Duration {
+        browser::now()
+    }
+
+    fn files(&self) -> Arc<dyn Files> {
+        all_files(&self.given)
+    }
+
+    fn is_page(&self) -> bool {
+        true
+    }
+
+    fn choose_file(&mut self, request: FileRequest, suggested: Suggested) {
+        if request.purpose.written().is_empty() {
+            return self.read_chosen(request);
+        }
+        // Where a download goes is between the user and the browser.
+        self.events.push(HostEvent::Chosen {
+            request,
+            path: PathBuf::from(suggested.name),
+            files: self.files(),
+        });
+    }
+
+    fn write_file(&mut self, path: &Path, bytes: Vec<u8>, _: Previous) {
+        let result = download(path, &bytes);
+        if result.is_ok() && PictureFormat::of(path).is_err() {
+            // What was saved can be opened again.
+            self.given.add(vec![(path.to_owned(), bytes)]);
+        }
+        let path = path.to_owned();
+        self.events.push(HostEvent::Written { path, result });
+    }
+
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
+        let result = match &files[..] {
+            [(path, bytes)] => download(path, bytes),
+            // A page that downloads several files asks whether it may.
+            files => to_zip(files).and_then(|zip| download(&path.with_extension("zip"), &zip)),
+        };
+        let path = path.to_owned();
+        self.events.push(HostEvent::Written { path, result });
+    }
+
+    fn watch(&mut self, _: Vec<PathBuf>) {}
+
+    fn copy_text(&mut self, text: String) {
+        browser::copy_text(&text);
+    }
+
+    fn request_paste(&mut self) {
+        let events = self.events.clone();
+        if let Some(text) = self.pasted.take() {
+            return events.push(HostEvent::Pasted(text));
+        }
+        spawn_local(async move {
+            let text = browser::pasted_text().await.unwrap_or_default();
+            events.push(HostEvent::Pasted(text));
+        });
+    }
+
+    fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        browser::stored(&self.entry(key)).map(String::into_bytes)
+    }
+
+    fn leave_unsaved_work(&mut self) {
+        let free = (0..SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_none());
+        self.slot = free.unwrap_or(SLOTS);
+    }
+
+    fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        let text = String::from_utf8_lossy(&bytes);
+        if !browser::store(&self.entry(key), &text) && key == StorageKey::Autosave {
+            let error = Diagnostic::new(
+                Path::new(key.name()),
+                "the browser has no room for it, or keeps nothing for this page",
+            );
+            self.events.push(HostEvent::StoreFailed(error));
+        }
+    }
+
+    fn remove(&mut self, key: StorageKey) {
+        browser::remove(&self.entry(key));
+    }
+
+    fn start_job(&mut self, job: Job) {
+        let events = self.events.clone();
+        browser::after(Duration::ZERO, move || {
+            events.push(HostEvent::Finished(job.run()))
+        });
+    }
+
+    fn set_title(&mut self, title: &str) {
+        if let Some(document) = browser::document() {
+            document.set_title(title);
+        }
+    }
+
+    // Whoever runs egui on the page takes care of the cursor and of links.
+    fn handle_platform_output(&mut self, _: egui::PlatformOutput) {}
+
+    // A page is closed by its browser.
+    fn quit(&mut self) {}
+
+    fn next_event(&mut self) -> Option<HostEvent> {
+        self.events.waiting.borrow_mut().pop_front()
+    }
+}
+
+fn download(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    browser::download(&name.to_string_lossy(), bytes).map_err(|error| {
+        let message = format!("the browser refuses the download: {error:?}");
+        Diagnostic::new(path, message)
+    })
+}
