@@ -111,7 +111,7 @@ impl Host for MemoryHost {
             Some(fault) => Err(Diagnostic::new(path, fault.clone())),
             None => {
                 if let Some(old) = self.files.insert(path.to_owned(), bytes.clone())
-                    && previous == Previous::KeepBeside
+                    && (previous == Previous::KeepBeside || self.written.get(path) != Some(&old))
                 {
                     self.files
                         .insert(format!("{}~", path.display()).into(), old);

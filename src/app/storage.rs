@@ -10,6 +10,9 @@ use std::time::Duration;
 /// Size of the largest file of the program's own that is read, in bytes.
 const MOST_STORED: u64 = 256 << 20;
 
+/// Number of files with unsaved work that was not wanted, for each slot.
+const MOST_ASIDE: usize = 20;
+
 /// Number of programs that can keep unsaved work at the same time.
 const SLOTS: usize = 64;
 
@@ -119,7 +122,13 @@ impl Storage {
     pub fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
         self.wait();
         let path = self.path(key)?;
-        let aside = path.with_extension("json~");
+        // What was put aside before is worth as much; of too many the last gives way.
+        let mut names = (0..MOST_ASIDE).map(|number| match number {
+            0 => path.with_extension("json~"),
+            number => path.with_extension(format!("json~{number}")),
+        });
+        let free = names.find(|name| !name.exists());
+        let aside = free.unwrap_or_else(|| path.with_extension("json~"));
         std::fs::rename(&path, &aside).ok()?;
         Some(aside)
     }

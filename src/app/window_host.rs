@@ -8,7 +8,7 @@ use crate::program::{
     FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey, Suggested,
 };
 use egui_winit::accesskit_winit;
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -42,6 +42,8 @@ pub(super) struct WindowHost {
     events: VecDeque<HostEvent>,
     finished: Receiver<JobResult>,
     finish: Sender<JobResult>,
+    /// CRC-32 of the files that were written, as they were written last.
+    written: HashMap<PathBuf, u32>,
     proxy: EventLoopProxy<Wake>,
     started: Instant,
     quits: bool,
@@ -75,6 +77,7 @@ impl WindowHost {
             events: VecDeque::new(),
             finished,
             finish,
+            written: HashMap::new(),
             proxy: proxy.clone(),
             started: Instant::now(),
             quits: false,
@@ -144,6 +147,23 @@ impl WindowHost {
         }
     }
 
+    fn write_keeping(
+        &mut self,
+        files: &[(PathBuf, Vec<u8>)],
+        previous: Previous,
+    ) -> Result<(), Diagnostic> {
+        let is_own = |path: &Path, bytes: &[u8]| {
+            let known = self.written.get(path);
+            previous == Previous::KeepForeign && known == Some(&crc32fast::hash(bytes))
+        };
+        disk::write_all_keeping(files, &is_own)?;
+        let digests = files
+            .iter()
+            .map(|(path, bytes)| (path.clone(), crc32fast::hash(bytes)));
+        self.written.extend(digests);
+        Ok(())
+    }
+
     /// Waits until everything is stored; why unsaved work is not, if so.
     pub fn finish_storing(&mut self) -> Option<Diagnostic> {
         self.storage.wait();
@@ -183,10 +203,7 @@ impl Host for WindowHost {
 
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous) {
         let path = path.to_owned();
-        let result = match previous {
-            Previous::Replace => disk::write_whole(&path, &bytes),
-            Previous::KeepBeside => disk::write_all_keeping(&[(path.clone(), bytes)]),
-        };
+        let result = self.write_keeping(&[(path.clone(), bytes)], previous);
         self.events.push_back(HostEvent::Written { path, result });
     }
 
@@ -194,7 +211,7 @@ impl Host for WindowHost {
         let folders = files
             .iter()
             .try_for_each(|(path, _)| disk::make_folder_of(path));
-        let result = folders.and_then(|()| disk::write_all_keeping(&files));
+        let result = folders.and_then(|()| self.write_keeping(&files, Previous::KeepForeign));
         let path = path.to_owned();
         self.events.push_back(HostEvent::Written { path, result });
     }

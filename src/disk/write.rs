@@ -102,17 +102,20 @@ fn cannot_write(path: &Path, target: &Path, error: &io::Error) -> Diagnostic {
 }
 
 /// Writes files as [`write_all_whole`] does, and keeps each that is replaced as `NAME~` beside the new
-/// one, in the place of an older one. A file that has the same bytes already is left alone, so that
-/// writing twice does not lose what was there before.
+/// one, in the place of an older one, but for those whose path and bytes are `dispensable`. A file that
+/// has the same bytes already is left alone, so that writing twice does not lose what was there before.
 ///
 /// # Errors
 /// As [`write_all_whole`]; then those of `NAME~` are the old ones as well.
-pub fn write_all_keeping(files: &[(PathBuf, Vec<u8>)]) -> Result<(), Diagnostic> {
+pub fn write_all_keeping(
+    files: &[(PathBuf, Vec<u8>)],
+    dispensable: &dyn Fn(&Path, &[u8]) -> bool,
+) -> Result<(), Diagnostic> {
     let is_new = |(path, bytes): &&(PathBuf, Vec<u8>)| !holds(path, bytes);
     let (mut written, mut kept) = (Vec::new(), Vec::new());
     for (path, bytes) in files.iter().filter(is_new) {
         written.push(staged(path, bytes)?);
-        kept.extend(copy_beside(path)?);
+        kept.extend(copy_beside(path, dispensable)?);
     }
     let mut all = kept.into_iter().chain(written);
     all.try_for_each(Staged::put_in_place)
@@ -128,9 +131,12 @@ fn holds(path: &Path, bytes: &[u8]) -> bool {
 /// Longest name of a file on most systems, in bytes.
 const LONGEST_NAME: usize = 255;
 
-/// A copy of the file at `path`, to be put beside it as `NAME~`; `None` if there is no such file, or
-/// its name has no room for the mark.
-fn copy_beside(path: &Path) -> Result<Option<Staged>, Diagnostic> {
+/// A copy of the file at `path`, to be put beside it as `NAME~`; `None` if there is no such file, it is
+/// `dispensable`, or its name has no room for the mark.
+fn copy_beside(
+    path: &Path,
+    dispensable: &dyn Fn(&Path, &[u8]) -> bool,
+) -> Result<Option<Staged>, Diagnostic> {
     let Some(target) = behind_links(path).filter(|target| target.is_file()) else {
         // Whatever is wrong with the file, writing it says so.
         return Ok(None);
@@ -143,6 +149,9 @@ fn copy_beside(path: &Path) -> Result<Option<Staged>, Diagnostic> {
     beside.push("~");
     let beside = PathBuf::from(beside);
     let read = Disk.read(&target)?;
+    if dispensable(path, &read) {
+        return Ok(None);
+    }
     let copy = write_beside(&target, folder_of(&target), &read);
     let file = copy.map_err(|error| cannot_write(&beside, &beside, &error))?;
     Ok(Some(Staged {
@@ -308,7 +317,9 @@ mod tests {
     fn the_version_before_is_kept_until_there_is_another_one() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.scene");
-        let write = |text: &str| write_all_keeping(&[(path.clone(), text.as_bytes().to_vec())]);
+        let write = |text: &str| {
+            write_all_keeping(&[(path.clone(), text.as_bytes().to_vec())], &|_, _| false)
+        };
         let kept = || fs::read(folder.path().join("a.scene~")).ok();
         write("one").unwrap();
         assert_eq!(kept(), None);
@@ -325,12 +336,28 @@ mod tests {
     }
 
     #[test]
+    fn what_is_dispensable_does_not_take_the_place_of_what_is_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.png");
+        fs::write(&path, "theirs").unwrap();
+        for ours in ["one", "two", "three"] {
+            let file = [(path.clone(), ours.as_bytes().to_vec())];
+            write_all_keeping(&file, &|_, old| old != b"theirs").unwrap();
+        }
+        assert_eq!(fs::read(folder.path().join("a.png~")).unwrap(), b"theirs");
+        assert_eq!(fs::read(&path).unwrap(), b"three");
+    }
+
+    #[test]
     fn a_kept_version_is_replaced_though_it_is_write_protected_and_a_name_may_be_too_long_for_one()
     {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.scene");
         let write = |path: &Path, text: &str| {
-            write_all_keeping(&[(path.to_owned(), text.as_bytes().to_vec())]).unwrap();
+            write_all_keeping(&[(path.to_owned(), text.as_bytes().to_vec())], &|_, _| {
+                false
+            })
+            .unwrap();
         };
         write(&path, "one");
         write(&path, "two");

@@ -74,6 +74,20 @@ impl Program {
         }
     }
 
+    /// Quits, if that waits for pictures and none is left to wait for; asks about what was changed
+    /// meanwhile.
+    pub(super) fn quit_after_pictures(&mut self, host: &mut dyn Host) {
+        if !self.quitting || self.has_pictures_under_way() {
+            return;
+        }
+        self.quitting = false;
+        if self.document.discarded.take() == Some(self.session.document()) {
+            self.go_on(Next::Quit, host);
+        } else {
+            self.leave_for(Next::Quit, host);
+        }
+    }
+
     /// Opens the file that was chosen for it. Whoever has said before the choice that changes are not
     /// wanted is not asked again.
     pub(super) fn open_chosen(
@@ -90,7 +104,7 @@ impl Program {
         }
     }
 
-    fn go_on(&mut self, next: Next, host: &mut dyn Host) {
+    pub(super) fn go_on(&mut self, next: Next, host: &mut dyn Host) {
         match next {
             Next::New => {
                 self.end_comparison();
@@ -105,14 +119,19 @@ impl Program {
                 let path = PathBuf::from(format!("builtin:{name}"));
                 self.open(&path, &*host.files(), Missing::Refuse);
             }
+            Next::Quit if self.has_pictures_under_way() => {
+                // What is done meanwhile is asked about then; what is not wanted now is not.
+                self.document.discarded = Some(self.session.document());
+                self.quitting = true;
+                let text = "The program ends when the picture that is under way is written";
+                self.tell(Severity::Info, text);
+            }
             Next::Quit => {
                 // What is not saved by now is not wanted.
                 self.document.saved = self.session.document();
                 self.forget_autosave(host);
                 self.keep_at_end(host);
-                // A picture that was asked for is written first.
-                self.quitting = true;
-                self.quit_after_pictures(host);
+                host.quit();
             }
         }
     }
@@ -200,7 +219,7 @@ impl Program {
         // A version in which only the view differs is not worth the one that is kept.
         let is_same = self.document.path() == Some(&path) && self.document.saved == document;
         let previous = if is_same {
-            Previous::Replace
+            Previous::KeepForeign
         } else {
             Previous::KeepBeside
         };
@@ -241,6 +260,7 @@ impl Program {
 
     /// Goes on as the user answered the question that was asked.
     pub(super) fn take_answer(&mut self, answer: Answer, host: &mut dyn Host) {
+        self.quitting = false;
         match (self.asked.take(), answer) {
             (Some(Asked::Unsaved(next)), Answer::Save) => self.save(Some(next), host),
             (Some(Asked::Unsaved(next)), Answer::Discard | Answer::Revert) => {

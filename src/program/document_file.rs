@@ -69,10 +69,16 @@ impl DocumentFile {
         found.is_none() || found == self.digest
     }
 
-    /// Takes note that the file has disappeared: nothing of the document is saved any more.
+    /// Takes note that the file has disappeared or is another's: nothing of the document is saved any
+    /// more.
     pub fn lose(&mut self) {
         let saved = std::mem::replace(&mut self.saved, Revision::new());
         self.saved_in_lost_file.get_or_insert(saved);
+    }
+
+    /// Whether `document` was in the file before this was replaced or deleted.
+    pub fn was_saved(&self, document: Revision) -> bool {
+        self.saved_in_lost_file == Some(document)
     }
 
     /// Takes note that the file is there, as it was read or written last.

@@ -3,7 +3,7 @@
 use super::Host;
 use super::running::Program;
 use crate::editor::Severity;
-use crate::io::{self, Diagnostic};
+use crate::io::{self, Diagnostic, Files};
 use crate::scene::ShapeId;
 use std::path::{Path, PathBuf};
 
@@ -75,8 +75,23 @@ impl Program {
         }
     }
 
+    /// The first of `files` but the one at `path` that is a file of the document and has other bytes.
+    pub(super) fn replaced_source(
+        &self,
+        path: &Path,
+        files: &[(PathBuf, Vec<u8>)],
+        read: &dyn Files,
+    ) -> Option<PathBuf> {
+        let mut others = files.iter().filter(|(file, _)| file != path);
+        let replaced = others.find(|(file, bytes)| {
+            let is_other = |old: Vec<u8>| old != *bytes;
+            self.is_source(file) && read.read(file).is_ok_and(is_other)
+        });
+        replaced.map(|(file, _)| file.clone())
+    }
+
     /// Says that nothing is written to `path`, because `file` would be replaced.
-    fn tell_needed(&mut self, path: &Path, file: &Path) {
+    pub(super) fn tell_needed(&mut self, path: &Path, file: &Path) {
         let message = format!(
             "expected a name whose files are not those of the document, which needs {}",
             file.display()
@@ -87,8 +102,9 @@ impl Program {
     /// Whether a shape of the document comes from `file`, or from one that is read with it: those
     /// of a character differ in their extensions alone.
     fn is_source(&self, file: &Path) -> bool {
+        let stem = |path: &Path| io::normal(path).with_extension("");
         let sources = self.session.scene().shapes().iter();
         let mut files = sources.filter_map(|shape| Some(&shape.source.as_ref()?.file));
-        files.any(|source| Path::new(source).with_extension("") == file.with_extension(""))
+        files.any(|source| stem(Path::new(source)) == stem(file))
     }
 }

@@ -215,7 +215,7 @@ impl Program {
     /// Writes a picture in the format of its name.
     pub(super) fn save_picture(&mut self, path: &Path, picture: &Picture, host: &mut dyn Host) {
         match encode(path, picture) {
-            Ok(bytes) => host.write_file(path, bytes, Previous::KeepBeside),
+            Ok(bytes) => host.write_file(path, bytes, Previous::KeepForeign),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
@@ -231,7 +231,7 @@ impl Program {
         host: &mut dyn Host,
     ) {
         match io::expect_extension(path, extension) {
-            Ok(()) => host.write_file(path, text.into_bytes(), Previous::KeepBeside),
+            Ok(()) => host.write_file(path, text.into_bytes(), Previous::KeepForeign),
             Err(error) => self.tell_written(path, Err(error)),
         }
     }

@@ -42,7 +42,7 @@ pub trait Host {
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
     /// Writes several files that belong together, all of them or none, and makes the folders that they
-    /// need. What they take the place of stays beside them, as [`Previous::KeepBeside`]. Answered by
+    /// need. What they take the place of stays beside them, as [`Previous::KeepForeign`]. Answered by
     /// one [`HostEvent::Written`] about `path`.
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
 
@@ -100,10 +100,11 @@ pub trait Host {
 /// Fate of the file that another takes the place of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Previous {
-    /// It is gone.
-    Replace,
     /// It stays beside the new one, where the host can do that: on a disk as `NAME~`.
     KeepBeside,
+    /// So it does unless this program has written it since it was started: what was there before that
+    /// must not give way to what was tried a moment ago.
+    KeepForeign,
 }
 
 /// Event of a host: the answer to a call, or something that happened there.

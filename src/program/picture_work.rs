@@ -215,7 +215,7 @@ impl Program {
                     self.encode(work.path, picture, work.format, host);
                 }
                 Ok(Step::Animation(bytes)) => {
-                    host.write_file(&work.path, bytes, Previous::KeepBeside);
+                    host.write_file(&work.path, bytes, Previous::KeepForeign);
                 }
                 Err(error) => {
                     let error = Diagnostic::new(&work.path, error.to_string());
@@ -268,7 +268,7 @@ impl Program {
     ) {
         self.encoding = self.encoding.saturating_sub(1);
         match bytes {
-            Ok(bytes) => host.write_file(path, bytes, Previous::KeepBeside),
+            Ok(bytes) => host.write_file(path, bytes, Previous::KeepForeign),
             Err(message) => self.tell_written(path, Err(Diagnostic::new(path, message))),
         }
         self.quit_after_pictures(host);
@@ -291,12 +291,5 @@ impl Program {
     /// Whether a picture that was asked for is not written yet.
     pub(super) fn has_pictures_under_way(&self) -> bool {
         !self.pictures.is_empty() || self.encoding > 0
-    }
-
-    /// Quits, if that waits for pictures and none is left to wait for.
-    pub(super) fn quit_after_pictures(&mut self, host: &mut dyn Host) {
-        if self.quitting && !self.has_pictures_under_way() {
-            host.quit();
-        }
     }
 }

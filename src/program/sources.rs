@@ -35,11 +35,10 @@ impl Program {
     pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
         let is_there = host.files().exists(path);
         let text = if self.document.path() == Some(path) {
-            if !is_there {
-                self.document.lose();
-            } else if self.document.is_on_disk(&*host.files()) {
+            if is_there && self.document.is_on_disk(&*host.files()) {
                 return self.document.find();
             }
+            self.document.lose();
             "File ⏵ Revert opens it as it is now"
         } else if self.changed_shapes(path, &*host.files()).is_empty() {
             return;
@@ -61,7 +60,15 @@ impl Program {
     /// Opens the document's file as it is now, after asking about changes that are not saved.
     pub(super) fn revert(&mut self, host: &mut dyn Host) {
         match self.document.path() {
-            Some(path) => self.leave_for(Next::Revert(path.to_owned(), host.files()), host),
+            Some(path) => {
+                let next = Next::Revert(path.to_owned(), host.files());
+                // Whoever has changed nothing loses nothing of their own.
+                if self.document.was_saved(self.session.document()) {
+                    self.go_on(next, host);
+                } else {
+                    self.leave_for(next, host);
+                }
+            }
             None => self.tell(Severity::Info, "This document has not been saved yet"),
         }
     }
@@ -132,6 +139,9 @@ impl Program {
         match written {
             Ok(files) => {
                 let own = files.iter().find(|(file, _)| file == path);
+                if let Some(needed) = self.replaced_source(path, &files, &*host.files()) {
+                    return self.tell_needed(path, &needed);
+                }
                 if let Some((_, bytes)) = own.filter(|_| self.document.path() == Some(path)) {
                     let document = self.session.document();
                     self.document.write_with_others(document, bytes);

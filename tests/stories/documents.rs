@@ -395,3 +395,20 @@ fn commands_about_documents_do_nothing_behind_the_file_dialog() {
     assert!(!is_asked(&story));
     assert_eq!(story.names(), ["Cube"]);
 }
+
+#[test]
+fn a_document_whose_file_another_program_has_replaced_is_asked_about() {
+    let mut story = with_saved_cube();
+    let path = Path::new("work/a.scene");
+    story
+        .host
+        .files
+        .insert(path.to_owned(), b"garbage".to_vec());
+    story
+        .host
+        .events
+        .push_back(HostEvent::Changed(path.to_owned()));
+    story.settle();
+    story.key_with(CTRL, Key::Q);
+    assert!(is_asked(&story) && !story.host.quits);
+}

@@ -1,6 +1,6 @@
 //! Files that are dropped, saved, exported and refused.
 
-use super::Story;
+use super::{STRIP, Story};
 use crate::host::MemoryHost;
 use editor_core::editor::{Edit, Severity};
 use editor_core::program::Purpose;
@@ -116,6 +116,22 @@ fn a_scene_is_exported_with_its_materials_and_never_over_the_files_it_comes_from
         "{told}"
     );
     assert_eq!(story.host.files[Path::new("models/strip.obj")], before);
+}
+
+#[test]
+fn a_model_is_not_exported_over_itself_whatever_way_leads_to_it() {
+    let mut story = Story::start(&[]);
+    for (path, text) in STRIP {
+        let path = format!("work/../{path}").into();
+        story.host.files.insert(path, text.into());
+    }
+    story.host.drop_file("work/../models/strip.obj");
+    story.settle();
+    story.click("File");
+    story.click("Export Geometry…");
+    story.choose("models/strip.obj");
+    let told = story.messages().last().unwrap().1;
+    assert!(told.starts_with("Not saved: models/strip.obj"), "{told}");
 }
 
 #[test]

@@ -189,6 +189,23 @@ fn a_program_that_is_ended_writes_the_picture_that_was_asked_for_first() {
     decoded(&story, "strip.png");
 }
 
+#[test]
+fn what_is_changed_while_the_program_waits_to_quit_is_asked_about() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F12);
+    story.click("Save…");
+    story.host.choose("strip.png");
+    story.frame(Vec::new());
+    story.key_with(egui::Modifiers::COMMAND, Key::Q);
+    story.key_with(egui::Modifiers::SHIFT, Key::C);
+    assert_eq!(story.names(), ["Strip", "Cube"]);
+    story.host.run_jobs();
+    story.settle();
+    assert!(!story.host.quits);
+    story.click("Don't Save");
+    assert!(story.host.quits);
+}
+
 /// Pictures of an animated GIF.
 fn frames_of(gif: &[u8]) -> Vec<::image::RgbaImage> {
     use ::image::AnimationDecoder;

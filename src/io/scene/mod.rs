@@ -12,6 +12,7 @@ mod version_1;
 mod version_2;
 
 pub use package::package;
+pub use paths::normal;
 pub use reimport::{Reimported, reimport};
 pub use text::{SceneError, scene_text};
 

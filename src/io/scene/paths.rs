@@ -24,7 +24,7 @@ pub(super) fn file(name: &str, folder: &Path) -> PathBuf {
 }
 
 /// `path` without `.`, and without `..` after a folder.
-pub(super) fn normal(path: &Path) -> PathBuf {
+pub fn normal(path: &Path) -> PathBuf {
     let mut parts: Vec<Component> = Vec::new();
     for part in path.components() {
         match (part, parts.last()) {
