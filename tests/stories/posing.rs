@@ -214,3 +214,31 @@ fn hovering_changes_what_is_marked_and_not_the_document() {
     assert_eq!(story.session().hovered_joint(), None);
     assert_eq!(story.host.cursor, Some(egui::CursorIcon::Default));
 }
+
+#[test]
+fn a_bone_that_is_rolled_by_a_held_key_is_one_step() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::F);
+    story.key(Key::B);
+    let bone = end_of_bone(&story, 2) + vec2(0.0, 6.0);
+    story.point(bone);
+    story.settle();
+    let right = |pressed, repeat| egui::Event::Key {
+        key: Key::ArrowRight,
+        physical_key: None,
+        pressed,
+        repeat,
+        modifiers: egui::Modifiers::NONE,
+    };
+    let (steps, camera) = (story.session().done_steps(), story.session().view().camera);
+    story.frame(vec![right(true, false)]);
+    for _ in 0..10 {
+        story.frame(Vec::new());
+        story.frame(vec![right(true, true)]);
+    }
+    story.frame(vec![right(false, false)]);
+    story.settle();
+    assert_eq!(story.session().done_steps(), steps + 1);
+    assert!(story.degrees("Elbow").length() > 10.0);
+    assert_eq!(story.session().view().camera, camera);
+}

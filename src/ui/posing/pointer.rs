@@ -266,9 +266,7 @@ pub(in crate::ui) fn roll_by_keys(
         return;
     };
     let steps = ctx.input_mut(|input| {
-        // While they are held, they must not turn the camera as well.
-        input.keys_down.remove(&Key::ArrowLeft);
-        input.keys_down.remove(&Key::ArrowRight);
+        // A press that is consumed does not turn the camera as well.
         let right = input.count_and_consume_key(Modifiers::NONE, Key::ArrowRight) as f32;
         right - input.count_and_consume_key(Modifiers::NONE, Key::ArrowLeft) as f32
     });
