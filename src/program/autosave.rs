@@ -14,6 +14,8 @@ use std::time::Duration;
 
 /// Least time between two autosaves.
 const EVERY: Duration = Duration::from_secs(10);
+/// The same in the middle of a gesture, which must not halt for it too often.
+const IN_A_GESTURE: Duration = Duration::from_secs(30);
 
 /// Name under which a document without a file is read again.
 const WITHOUT_FILE: &str = "restored.scene";
@@ -21,6 +23,8 @@ const WITHOUT_FILE: &str = "restored.scene";
 /// State of the autosave.
 #[derive(Default)]
 pub(super) struct Autosave {
+    /// When the gesture under way was noticed, or unsaved work was stored in it last.
+    gesture_since: Option<Duration>,
     /// Document that is stored, and when that was.
     stored: Option<(Revision, Duration)>,
     /// Whether the user knows that nothing can be stored.
@@ -121,8 +125,8 @@ impl Program {
         self.keep_at_end(host);
     }
 
-    /// Stores unsaved work after a gesture, at most every ten seconds, and removes it once it is
-    /// saved. Returns how long no frame is needed for its sake.
+    /// Stores unsaved work after a gesture, at most every ten seconds, in the middle of a long one
+    /// now and then, and removes it once it is saved. Returns how long no frame is needed for its sake.
     pub(super) fn autosave(&mut self, host: &mut dyn Host) -> Duration {
         if !self.is_modified() {
             self.forget_autosave(host);
@@ -130,15 +134,31 @@ impl Program {
         }
         let document = self.session.document();
         // What an earlier run left must not be overwritten before the question about it is answered.
-        if self.session.is_in_gesture() || matches!(self.asked, Some(Asked::Restore(..))) {
+        if matches!(self.asked, Some(Asked::Restore(..))) {
             return Duration::MAX;
         }
-        match self.autosave.stored {
-            Some((stored, _)) if stored == document => return Duration::MAX,
-            Some((_, at)) if host.now() < at + EVERY => return at + EVERY - host.now(),
-            _ => self.store_unsaved(host),
+        let now = host.now();
+        let stored = self.autosave.stored;
+        if stored.is_some_and(|(stored, _)| stored == document) {
+            return Duration::MAX;
         }
-        Duration::MAX
+        let after_stored = stored.map(|(_, at)| at + EVERY);
+        let due = if self.session.is_in_gesture() {
+            let since = *self.autosave.gesture_since.get_or_insert(now);
+            after_stored.max(Some(since + IN_A_GESTURE))
+        } else {
+            self.autosave.gesture_since = None;
+            after_stored
+        };
+        match due {
+            Some(due) if now < due => due - now,
+            _ => {
+                // A gesture that goes on waits as long again.
+                self.autosave.gesture_since = None;
+                self.store_unsaved(host);
+                Duration::MAX
+            }
+        }
     }
 
     /// Removes what was stored by this run, if anything.

@@ -240,3 +240,23 @@ fn what_cannot_be_restored_is_said() {
     );
     assert!(!story.has("Restore") && stored(&story).is_none());
 }
+
+#[test]
+fn work_is_kept_in_the_middle_of_a_drag_that_does_not_end() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Y", "20");
+    story.wait(11.0);
+    assert!(keeps(&story, "20"));
+    story.type_into("Hip Y", "33");
+    let field = story.place("Elbow Y");
+    story.press_and_drag(field, field + egui::vec2(45.0, 0.0));
+    assert!(story.session().is_in_gesture());
+    story.wait(31.0);
+    assert!(story.session().is_in_gesture());
+    assert!(keeps(&story, "33"));
+}
+
+/// Whether the unsaved work that is kept has `number` in it.
+fn keeps(story: &Story, number: &str) -> bool {
+    stored(story).is_some_and(|bytes| String::from_utf8_lossy(bytes).contains(number))
+}
