@@ -1,6 +1,6 @@
 use crate::disk;
 use crate::io::Diagnostic;
-use crate::program::{HostEvent, StorageKey, globals};
+use crate::program::{StorageKey, globals};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -134,11 +134,11 @@ impl Storage {
     }
 
     /// The outcome of the last writing in the background, once, if it failed.
-    pub fn failure(&mut self) -> Option<HostEvent> {
+    pub fn failure(&mut self) -> Option<Diagnostic> {
         if self.writing.as_ref().is_some_and(JoinHandle::is_finished) {
             self.wait();
         }
-        self.failure.take().map(HostEvent::StoreFailed)
+        self.failure.take()
     }
 
     /// Waits until nothing is being written.

@@ -167,10 +167,7 @@ impl WindowHost {
     /// Waits until everything is stored; why unsaved work is not, if so.
     pub fn finish_storing(&mut self) -> Option<Diagnostic> {
         self.storage.wait();
-        match self.storage.failure() {
-            Some(HostEvent::StoreFailed(error)) => Some(error),
-            _ => None,
-        }
+        self.storage.failure()
     }
 }
 
@@ -284,6 +281,6 @@ impl Host for WindowHost {
     fn next_event(&mut self) -> Option<HostEvent> {
         let finished = || self.finished.try_recv().ok().map(HostEvent::Finished);
         let event = self.events.pop_front().or_else(finished);
-        event.or_else(|| self.storage.failure())
+        event.or_else(|| self.storage.failure().map(HostEvent::StoreFailed))
     }
 }

@@ -11,7 +11,9 @@ use crate::geometry::Picture;
 use crate::gpu::Backend;
 use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic};
-use crate::render::{Backdrop, Background, Frame, LargePicture, MOST_PIXELS, Marks, Offscreen};
+use crate::render::{
+    Backdrop, Background, Frame, LargePicture, Marks, Offscreen, check_picture_size,
+};
 use crate::scene::{
     Camera, FitArea, Look, ViewDirection, ViewSettings, fit_turntable, turntable_cameras,
     turntable_milliseconds,
@@ -197,13 +199,7 @@ fn check_output(args: &Args) -> Result<PictureFormat, CliError> {
         let message = "expected a name that ends in .png with --transparent".to_owned();
         return Err(CliError::Usage(wrong(message).to_string()));
     }
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        let message = format!(
-            "expected a picture of at most {MOST_PIXELS} pixels, as of 16384x16384, found \
-             {width}x{height}"
-        );
-        return Err(wrong(message).into());
-    }
+    check_picture_size(args.size).map_err(wrong)?;
     if format != PictureFormat::Png && width.max(height) > MOST_A_SIDE {
         let message = format!(
             "expected at most {MOST_A_SIDE} pixels a side of a JPEG or GIF, found {width}x{height}: \

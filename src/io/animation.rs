@@ -3,8 +3,9 @@
 use crate::geometry::Picture;
 use ::image::codecs::gif::{GifEncoder, Repeat};
 use ::image::{Delay, Frame, RgbaImage};
+use std::cell::RefCell;
 use std::io::Write;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::rc::Rc;
 
 /// From 1, slow, to 30, as for single pictures.
 const SPEED: i32 = 10;
@@ -18,18 +19,11 @@ pub struct Animation {
 
 /// Bytes that are written by an encoder, which does not hand back what it writes to.
 #[derive(Clone, Debug, Default)]
-struct Bytes(Arc<Mutex<Vec<u8>>>);
-
-impl Bytes {
-    fn with<R>(&self, change: impl FnOnce(&mut Vec<u8>) -> R) -> R {
-        // A vector of bytes is whole even if a writer panicked.
-        change(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
-    }
-}
+struct Bytes(Rc<RefCell<Vec<u8>>>);
 
 impl Write for Bytes {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.with(|all| all.write(bytes))
+        self.0.borrow_mut().write(bytes)
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
@@ -70,7 +64,7 @@ impl Animation {
         let Self { encoder, bytes, .. } = self;
         // The end of the file is written when the encoder goes.
         drop(encoder);
-        bytes.with(std::mem::take)
+        bytes.0.take()
     }
 }
 

@@ -67,6 +67,7 @@ impl Program {
     /// Does `next`, after asking about changes that are not saved.
     pub(super) fn leave_for(&mut self, next: Next, host: &mut dyn Host) {
         self.document.discarded = None;
+        self.quitting = false;
         if self.is_modified() {
             self.asked = Some(Asked::Unsaved(next));
         } else {
@@ -80,23 +81,12 @@ impl Program {
         if !self.quitting || self.has_pictures_under_way() {
             return;
         }
-        self.quitting = false;
-        if self.document.discarded.take() == Some(self.session.document()) {
-            self.go_on(Next::Quit, host);
-        } else {
-            self.leave_for(Next::Quit, host);
-        }
+        self.leave_as_answered(Next::Quit, host);
     }
 
-    /// Opens the file that was chosen for it. Whoever has said before the choice that changes are not
-    /// wanted is not asked again.
-    pub(super) fn open_chosen(
-        &mut self,
-        path: PathBuf,
-        files: Arc<dyn Files>,
-        host: &mut dyn Host,
-    ) {
-        let next = Next::OpenFile(path, files);
+    /// As [`Program::leave_for`], but whoever has said already that the changes so far are not wanted
+    /// is not asked again.
+    pub(super) fn leave_as_answered(&mut self, next: Next, host: &mut dyn Host) {
         if self.document.discarded.take() == Some(self.session.document()) {
             self.go_on(next, host);
         } else {
@@ -223,12 +213,7 @@ impl Program {
         } else {
             Previous::KeepBeside
         };
-        self.document.writing = Some(Writing {
-            path: path.clone(),
-            document,
-            digest: crc32fast::hash(&bytes),
-            then,
-        });
+        self.document.begin_writing(&path, document, &bytes, then);
         host.write_file(&path, bytes, previous);
     }
 

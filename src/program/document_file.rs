@@ -21,7 +21,8 @@ pub(super) struct DocumentFile {
     /// Name without an extension that files made from the document are offered, while it has no
     /// file: that of what was opened.
     pub stem: Option<String>,
-    /// Revision of the document that is not wanted any more while another is chosen to be opened.
+    /// Revision of the document of which the user has said that changes are not wanted, while what
+    /// comes after it still waits for something else.
     pub discarded: Option<Revision>,
     /// What `saved` was before the file disappeared, in case it comes back.
     pub saved_in_lost_file: Option<Revision>,
@@ -88,13 +89,20 @@ impl DocumentFile {
         }
     }
 
-    /// Takes note that the document is being written to its file as `bytes`, beside other files.
-    pub fn write_with_others(&mut self, document: Revision, bytes: &[u8]) {
-        self.writing = self.path.clone().map(|path| Writing {
-            path,
+    /// Takes note that `document` is being written to the file at `path` as `bytes`; `then` is done
+    /// when it is.
+    pub fn begin_writing(
+        &mut self,
+        path: &Path,
+        document: Revision,
+        bytes: &[u8],
+        then: Option<Next>,
+    ) {
+        self.writing = Some(Writing {
+            path: path.to_owned(),
             document,
             digest: crc32fast::hash(bytes),
-            then: None,
+            then,
         });
     }
 

@@ -72,7 +72,7 @@ impl Program {
     ) {
         let reader = &*files;
         match purpose {
-            Purpose::Open => self.open_chosen(path, files, host),
+            Purpose::Open => self.leave_as_answered(Next::OpenFile(path, files), host),
             Purpose::SaveScene => self.save_to(path, host),
             Purpose::SaveWithFiles => self.save_with_files(&path, host),
             Purpose::FindSource(shape) => self.use_found(shape, &path, reader),

@@ -10,7 +10,7 @@ use crate::geometry::Picture;
 use crate::io::image::PictureFormat;
 use crate::io::{Animation, Diagnostic};
 use crate::render::{
-    Backdrop, Background, Frame, LargePicture, MOST_PIXELS, Marks, PictureParts, RenderError,
+    Backdrop, Background, Frame, LargePicture, Marks, PictureParts, RenderError, check_picture_size,
 };
 use crate::scene::{
     Evaluated, Scene, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
@@ -173,7 +173,7 @@ fn check(
     path: &Path,
     format: PictureFormat,
     shot: &Screenshot,
-    (width, height): (u32, u32),
+    size: (u32, u32),
 ) -> Result<(), Diagnostic> {
     let wrong = |message: String| Err(Diagnostic::new(path, message));
     if shot.turntable.is_some() && format != PictureFormat::Gif {
@@ -184,13 +184,7 @@ fn check(
             "expected a name that ends in .png for a picture without background".to_owned(),
         );
     }
-    if u64::from(width) * u64::from(height) > MOST_PIXELS {
-        return wrong(format!(
-            "expected a picture of at most {MOST_PIXELS} pixels, as of 16384×16384, found \
-             {width}×{height}"
-        ));
-    }
-    Ok(())
+    check_picture_size(size).or_else(wrong)
 }
 
 impl Program {

@@ -144,7 +144,7 @@ impl Program {
                 }
                 if let Some((_, bytes)) = own.filter(|_| self.document.path() == Some(path)) {
                     let document = self.session.document();
-                    self.document.write_with_others(document, bytes);
+                    self.document.begin_writing(path, document, bytes, None);
                 }
                 host.write_files(path, files);
             }

@@ -27,6 +27,6 @@ pub use backdrop::Backdrop;
 pub use compose::{compose, view_place};
 #[cfg(not(target_arch = "wasm32"))]
 pub use offscreen::{Offscreen, OffscreenError};
-pub use picture_parts::{LargePicture, MOST_PIXELS, PictureParts, read_picture};
+pub use picture_parts::{LargePicture, PictureParts, check_picture_size, read_picture};
 pub use read_back::read_back_skinning;
 pub use renderer::{Background, Frame, Marks, RenderError, Renderer};

@@ -6,7 +6,20 @@ use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Info};
 
 /// Most pixels of a picture: as many as one of 16384×16384 has, which take 1 GiB.
-pub const MOST_PIXELS: u64 = 1 << 28;
+const MOST_PIXELS: u64 = 1 << 28;
+
+/// Checks that a picture of this width and height in pixels is not larger than can be drawn.
+///
+/// # Errors
+/// If it is, in words.
+pub fn check_picture_size((width, height): (u32, u32)) -> Result<(), String> {
+    if u64::from(width) * u64::from(height) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(format!(
+        "expected a picture of at most {MOST_PIXELS} pixels, as of 16384x16384, found {width}x{height}"
+    ))
+}
 
 /// A picture to be drawn.
 #[derive(Clone, Copy, Debug)]

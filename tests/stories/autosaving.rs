@@ -210,6 +210,19 @@ fn what_cannot_be_kept_is_said_once() {
 }
 
 #[test]
+fn what_could_not_be_kept_is_tried_again() {
+    let mut story = with_bent_elbow();
+    story.wait(1.0);
+    story.host.stored.remove(&AUTOSAVE);
+    let full = Diagnostic::new(Path::new("autosave.json"), "the disk is full");
+    story.host.events.push_back(HostEvent::StoreFailed(full));
+    story.settle();
+    assert!(stored(&story).is_none(), "not at once");
+    story.wait(11.0);
+    assert!(stored(&story).is_some());
+}
+
+#[test]
 fn what_cannot_be_restored_is_said() {
     let kept = br#"{"path": null, "digest": null, "scene": "{"}"#.to_vec();
     let host = MemoryHost {

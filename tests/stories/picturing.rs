@@ -174,14 +174,20 @@ fn a_turntable_that_takes_too_long_is_cancelled_and_leaves_no_file() {
     assert_eq!(told, "Cancelled: strip.gif is not written");
 }
 
-#[test]
-fn a_program_that_is_ended_writes_the_picture_that_was_asked_for_first() {
+/// A program that was asked for a picture, and then to quit.
+fn quitting_with_a_picture_under_way() -> Story {
     let mut story = Story::start(&["models/strip.obj"]);
     story.key(Key::F12);
     story.click("Save…");
     story.host.choose("strip.png");
     story.frame(Vec::new());
     story.key_with(egui::Modifiers::COMMAND, Key::Q);
+    story
+}
+
+#[test]
+fn a_program_that_is_ended_writes_the_picture_that_was_asked_for_first() {
+    let mut story = quitting_with_a_picture_under_way();
     assert!(!story.host.quits, "the picture is not written yet");
     story.host.run_jobs();
     story.settle();
@@ -191,12 +197,7 @@ fn a_program_that_is_ended_writes_the_picture_that_was_asked_for_first() {
 
 #[test]
 fn what_is_changed_while_the_program_waits_to_quit_is_asked_about() {
-    let mut story = Story::start(&["models/strip.obj"]);
-    story.key(Key::F12);
-    story.click("Save…");
-    story.host.choose("strip.png");
-    story.frame(Vec::new());
-    story.key_with(egui::Modifiers::COMMAND, Key::Q);
+    let mut story = quitting_with_a_picture_under_way();
     story.key_with(egui::Modifiers::SHIFT, Key::C);
     assert_eq!(story.names(), ["Strip", "Cube"]);
     story.host.run_jobs();
@@ -204,6 +205,16 @@ fn what_is_changed_while_the_program_waits_to_quit_is_asked_about() {
     assert!(!story.host.quits);
     story.click("Don't Save");
     assert!(story.host.quits);
+}
+
+#[test]
+fn another_document_calls_off_quitting_after_the_picture() {
+    let mut story = quitting_with_a_picture_under_way();
+    story.key_with(egui::Modifiers::COMMAND, Key::N);
+    story.host.run_jobs();
+    story.settle();
+    assert!(!story.host.quits);
+    decoded(&story, "strip.png");
 }
 
 /// Pictures of an animated GIF.

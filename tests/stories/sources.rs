@@ -276,6 +276,29 @@ fn an_archive_with_all_files_opens_where_nothing_else_is() {
 }
 
 #[test]
+fn saving_with_files_replaces_no_model_that_the_document_has_from_there() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/taken.scene");
+    open(&mut story, "out/taken.scene");
+    let before = story.host.files.clone();
+    // Another model of the same name takes the place of the first among the files.
+    let taller = STRIP[0].1.replace("0.2 2 0", "0.2 3 0");
+    story.host.files.insert(STRIP[0].0.into(), taller.into());
+    story.host.drop_file(STRIP[0].0);
+    story.settle();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/taken.scene");
+    for (path, bytes) in before.iter().filter(|(path, _)| path.starts_with("out")) {
+        assert_eq!(&story.host.files[path], bytes, "{}", path.display());
+    }
+    let told = story.messages().last().unwrap().1;
+    assert!(told.starts_with("Not saved: out/taken.scene: "), "{told}");
+}
+
+#[test]
 fn a_scene_with_a_folder_opens_where_nothing_else_is() {
     let mut story = with_saved_strip();
     story.click("File");

@@ -4,6 +4,20 @@ use super::desktop::{Desktop, Program};
 use super::home_with_character;
 use std::path::Path;
 
+#[test]
+fn a_program_that_is_ended_says_what_it_could_not_keep() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    std::fs::write(home.path().join(".config"), "no folder").expect("a file in its place");
+    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let before = program.picture();
+    program.keys(&["shift+c"]);
+    assert!(program.picture() != before, "no cube was inserted");
+    let (status, told) = program.terminate();
+    assert!(status.success(), "{status}: {told}");
+    assert!(told.contains("unsaved work could not be kept"), "{told}");
+}
+
 fn title_is(program: &mut Program, expected: &str) {
     program.wait_for(expected, |program| {
         (program.title() == expected).then_some(())
