@@ -70,7 +70,17 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         Format::Geometry => geometry(args, &session)?,
         Format::Character => character(args, &session)?,
     };
-    let inputs: Vec<PathBuf> = args.files.iter().chain(&args.pose).cloned().collect();
+    // Scenes name their models, and characters have files beside them.
+    let shapes = session.scene().shapes().iter();
+    let sources = shapes.filter_map(|shape| Some(PathBuf::from(&shape.source.as_ref()?.file)));
+    let sources = sources.flat_map(|file| {
+        ["skel", "attach"]
+            .map(|extension| file.with_extension(extension))
+            .into_iter()
+            .chain([file])
+    });
+    let named = args.files.iter().chain(&args.pose).cloned();
+    let inputs: Vec<PathBuf> = named.chain(sources).collect();
     for (path, _) in &files {
         refuse_input(path, &inputs)?;
     }

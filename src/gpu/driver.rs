@@ -33,7 +33,9 @@ pub struct Info {
     pub max_line_width: f32,
 }
 
-/// Name of the renderer, by the extension `WEBGL_debug_renderer_info`.
+/// Extension of browsers that tells the driver's name, which is masked otherwise.
+const RENDERER_INFO: &str = "WEBGL_debug_renderer_info";
+/// Name of the renderer, by that extension.
 const UNMASKED_RENDERER: u32 = 0x9246;
 
 /// Asks for the properties and limits.
@@ -66,8 +68,9 @@ pub(in crate::gpu) unsafe fn read_info(glow: &glow::Context) -> Info {
     } else {
         glow::POINT_SIZE_RANGE
     };
-    // Browsers have the name of the driver under another number.
-    let renderer = text(if cfg!(target_arch = "wasm32") {
+    // Browsers have the name of the driver under another number, if they tell it.
+    let is_masked = glow.supported_extensions().contains(RENDERER_INFO);
+    let renderer = text(if is_masked {
         UNMASKED_RENDERER
     } else {
         glow::RENDERER

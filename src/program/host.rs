@@ -125,6 +125,8 @@ pub enum HostEvent {
         /// Where it and the files beside it are read.
         files: Arc<dyn Files>,
     },
+    /// A file that was chosen or dropped could not be read.
+    Unreadable(Diagnostic),
     /// A file was written, or could not be.
     Written {
         /// The file.

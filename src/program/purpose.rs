@@ -194,6 +194,17 @@ impl Purpose {
         }
     }
 
+    /// Whether what is written is for other programs, and no document of this one.
+    pub fn is_export(self) -> bool {
+        matches!(
+            self,
+            Self::ExportCurve(_)
+                | Self::ExportGeometry
+                | Self::ExportMaterials
+                | Self::ExportCharacter(_)
+        )
+    }
+
     /// `path` as it was meant, if the file is to be written: with the extension that was left out,
     /// or once with one that was given twice. Dialogs select a name without its extension, so that
     /// one that is typed with it comes out as `my.scene.scene`.

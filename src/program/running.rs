@@ -280,6 +280,7 @@ impl Program {
                 HostEvent::StoreFailed(error) => {
                     self.tell_store_failure(&error.to_string(), host.now());
                 }
+                HostEvent::Unreadable(error) => self.tell(Severity::Error, error.to_string()),
                 HostEvent::Changed(path) => self.notice_change(&path, host),
                 HostEvent::CloseRequested => self.ui.close(),
                 HostEvent::Written { path, result } => self.written(&path, result, host),

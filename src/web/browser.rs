@@ -1,6 +1,6 @@
 //! What the page asks of the browser.
 
-use js_sys::{ArrayBuffer, Uint8Array};
+use js_sys::{ArrayBuffer, Promise, Uint8Array};
 use std::time::Duration;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
@@ -39,10 +39,17 @@ pub(super) fn canvas() -> Result<HtmlCanvasElement, JsValue> {
 
 /// What a failure of the browser says.
 pub(super) fn words(error: &JsValue) -> String {
-    error.as_string().unwrap_or_else(|| format!("{error:?}"))
+    let message = || {
+        error
+            .dyn_ref()
+            .map(|error: &js_sys::Error| String::from(error.message()))
+    };
+    let text = error.as_string().or_else(message);
+    text.unwrap_or_else(|| format!("{error:?}"))
 }
 
-/// Calls `work` at each event called `name`, as long as the page is there.
+/// Calls `work` at each event called `name`, as long as the page is there, before anybody within
+/// `target` hears of it.
 ///
 /// # Errors
 /// If the browser refuses.
@@ -52,7 +59,8 @@ pub(super) fn listen(
     work: impl FnMut(Event) + 'static,
 ) -> Result<(), JsValue> {
     let work = Closure::<dyn FnMut(Event)>::new(work);
-    target.add_event_listener_with_callback(name, work.as_ref().unchecked_ref())?;
+    let callback = work.as_ref().unchecked_ref();
+    target.add_event_listener_with_callback_and_bool(name, callback, true)?;
     // JavaScript keeps it from now on.
     work.forget();
     Ok(())
@@ -153,8 +161,7 @@ fn chooser() -> Option<HtmlInputElement> {
 /// # Errors
 /// If the browser cannot read it.
 pub(super) async fn bytes(file: &Blob) -> Result<Vec<u8>, JsValue> {
-    let buffer: ArrayBuffer = JsFuture::from(file.array_buffer()).await?.unchecked_into();
-    Ok(Uint8Array::new(&buffer).to_vec())
+    buffered(file.array_buffer()).await
 }
 
 /// Hands `bytes` to the user as a file called `name`.
@@ -183,19 +190,20 @@ pub(super) fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
 /// If there is none, in words.
 pub(super) async fn fetch(address: &str) -> Result<Vec<u8>, String> {
     let window = window().ok_or("there is no page")?;
-    let failed = |error: JsValue| format!("{error:?}");
-    let response = JsFuture::from(window.fetch_with_str(address))
-        .await
-        .map_err(failed)?;
+    let failed = |error: JsValue| words(&error);
+    let response = JsFuture::from(window.fetch_with_str(address)).await;
+    let response = response.map_err(failed)?;
     let response: web_sys::Response = response.unchecked_into();
     if !response.ok() {
         return Err("there is no such file beside the page".to_owned());
     }
     let buffer = response.array_buffer().map_err(failed)?;
-    let buffer: ArrayBuffer = JsFuture::from(buffer)
-        .await
-        .map_err(failed)?
-        .unchecked_into();
+    buffered(buffer).await.map_err(failed)
+}
+
+/// The bytes that are promised.
+async fn buffered(buffer: Promise) -> Result<Vec<u8>, JsValue> {
+    let buffer: ArrayBuffer = JsFuture::from(buffer).await?.unchecked_into();
     Ok(Uint8Array::new(&buffer).to_vec())
 }
 

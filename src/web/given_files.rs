@@ -34,6 +34,24 @@ impl GivenFiles {
             }
         });
     }
+
+    /// `path`, or a name like it if one of the files is called the same but for its extension: what is
+    /// exported must not take the place of a model.
+    pub fn free_name(&self, path: PathBuf) -> PathBuf {
+        let files = self.table();
+        let is_taken = |path: &Path| {
+            files
+                .keys()
+                .any(|file| file.file_stem() == path.file_stem())
+        };
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        let mut others = (2..).map(|number| PathBuf::from(format!("{stem}-{number}.{extension}")));
+        if !is_taken(&path) {
+            return path;
+        }
+        others.find(|path| !is_taken(path)).unwrap_or(path)
+    }
 }
 
 impl Files for GivenFiles {

@@ -43,12 +43,31 @@ impl Events {
             context.request_repaint();
         }
     }
+
+    /// Adds what could be read to the files of the page, and tells of what could not. Returns the
+    /// names of the former.
+    fn take_in(
+        &self,
+        given: &GivenFiles,
+        read: Vec<(PathBuf, Result<Vec<u8>, String>)>,
+    ) -> Vec<PathBuf> {
+        let mut files = Vec::new();
+        for (path, bytes) in read {
+            match bytes {
+                Ok(bytes) => files.push((path, bytes)),
+                Err(error) => self.push(HostEvent::Unreadable(Diagnostic::new(&path, error))),
+            }
+        }
+        let names = files.iter().map(|(path, _)| path.clone()).collect();
+        given.add(files);
+        names
+    }
 }
 
 impl PageHost {
     /// A host with the files of an earlier visit.
     pub fn new(given: GivenFiles) -> Self {
-        let left = (0..SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_some());
+        let left = (0..=SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_some());
         Self {
             given,
             events: Events::default(),
@@ -70,15 +89,11 @@ impl PageHost {
         }
         let (given, events) = (self.given.clone(), self.events.clone());
         spawn_local(async move {
-            let mut files = Vec::new();
+            let mut read = Vec::new();
             for file in dropped {
-                match file.bytes_async().await {
-                    Ok(bytes) => files.push((file.path().to_owned(), bytes)),
-                    Err(error) => browser::warn(&error),
-                }
+                read.push((file.path().to_owned(), file.bytes_async().await));
             }
-            let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
-            given.add(files);
+            let names = events.take_in(&given, read);
             for path in main_files(&names) {
                 let files = all_files(&given);
                 events.push(HostEvent::Dropped { path, files });
@@ -104,15 +119,13 @@ impl PageHost {
         let (given, events) = (self.given.clone(), self.events.clone());
         browser::choose_files(move |chosen| {
             spawn_local(async move {
-                let mut files = Vec::new();
+                let mut read = Vec::new();
                 for file in chosen {
-                    match browser::bytes(&file).await {
-                        Ok(bytes) => files.push((PathBuf::from(file.name()), bytes)),
-                        Err(error) => browser::warn(&format!("{error:?}")),
-                    }
+                    let bytes = browser::bytes(&file).await;
+                    let bytes = bytes.map_err(|error| browser::words(&error));
+                    read.push((PathBuf::from(file.name()), bytes));
                 }
-                let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
-                given.add(files);
+                let names = events.take_in(&given, read);
                 let files = all_files(&given);
                 let offered = main_files(&names).into_iter();
                 let suits = |path: &PathBuf| request.purpose.offers(&*files, path);
@@ -158,9 +171,14 @@ impl Host for PageHost {
             return self.read_chosen(request);
         }
         // Where a download goes is between the user and the browser.
+        let path = PathBuf::from(suggested.name);
         self.events.push(HostEvent::Chosen {
             request,
-            path: PathBuf::from(suggested.name),
+            path: if request.purpose.is_export() {
+                self.given.free_name(path)
+            } else {
+                path
+            },
             files: self.files(),
         });
     }
@@ -253,7 +271,10 @@ impl Host for PageHost {
 fn download(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
     let name = path.file_name().unwrap_or(path.as_os_str());
     browser::download(&name.to_string_lossy(), bytes).map_err(|error| {
-        let message = format!("the browser refuses the download: {error:?}");
+        let message = format!(
+            "the browser refuses the download: {}",
+            browser::words(&error)
+        );
         Diagnostic::new(path, message)
     })
 }

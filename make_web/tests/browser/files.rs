@@ -73,6 +73,11 @@ fn a_saved_scene_is_a_download_and_can_be_opened_again() {
     browser.go("");
     browser.press(&[CTRL, "o"]);
     browser.choose(&[file.path().to_owned()]);
+    let name = file.path().file_name().unwrap().to_string_lossy();
+    browser.wait("the title names the opened file", || {
+        let title = browser.script("return document.title");
+        title.as_str().unwrap().starts_with(&*name)
+    });
     // Nothing is selected in a scene that was opened, so the outlines are gone.
     assert!(difference(&before, &browser.picture(), VIEW) < 0.05);
     browser.finish();

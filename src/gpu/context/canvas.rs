@@ -23,8 +23,6 @@ impl CanvasContext {
         context: WebGl2RenderingContext,
         glow: Arc<glow::Context>,
     ) -> Result<Self, ContextError> {
-        // Without it the driver has no name, and nobody knows what draws.
-        let _ = context.get_extension("WEBGL_debug_renderer_info");
         let gl = Gl::of_canvas(Rc::new(Canvas(context)), glow)?;
         Ok(Self { gl })
     }
