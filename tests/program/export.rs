@@ -300,7 +300,17 @@ fn what_is_no_single_character_is_refused_and_a_name_chooses_one() {
         (
             "man.obj -o man.skel",
             1,
+            "man.skel: expected another file to write than the one that is read",
+        ),
+        (
+            "a.scene -o man.obj",
+            1,
             "man.obj: expected another file to write than the one that is read",
+        ),
+        (
+            "a.scene --shape Man -o man.skel",
+            1,
+            "man.skel: expected another file to write than the one that is read",
         ),
         (
             "man.obj --pose bend.json -o bend.skel",
