@@ -8,7 +8,7 @@ use glam::{DMat3, DVec3, Vec3};
 /// Step of a movement that snaps, in the world.
 const SNAP: f64 = 0.1;
 
-/// Cosine of the angle to a plane's normal below which an axis counts as lying in the plane.
+/// Cosine of the angle to a plane's normal from which on an axis counts as being that normal.
 const ACROSS: f32 = 0.99;
 
 /// Target of a move gesture.

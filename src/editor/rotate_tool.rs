@@ -269,19 +269,27 @@ impl RingDrag {
         ray: &Ray,
     ) -> Option<Self> {
         let turn = JointTurn::begin(session, shape, joint)?;
-        Self::of(turn, axis.as_dvec3(), grabbed, ray)
+        let (grabbed, ray) = (turn.model_point(grabbed), turn.model_ray(ray));
+        let swing = Swing::begin(turn.center(), axis.as_dvec3(), grabbed, &ray)?;
+        Some(Self::with(turn, swing))
     }
 
-    /// The same for a joint as it was when another drag of it began.
-    pub fn of(turn: JointTurn, axis: DVec3, grabbed: Vec3, ray: &Ray) -> Option<Self> {
-        let (grabbed, ray) = (turn.model_point(grabbed), turn.model_ray(ray));
-        let swing = Swing::begin(turn.center(), axis, grabbed, &ray)?;
-        Some(Self {
+    /// Begins a turn about `axis`, in the character's space, of a joint as it was when another drag
+    /// of it began, with the cursor anywhere on `ray`, as seen from `eye` in the world. `None` if no
+    /// angle follows from the cursor.
+    pub fn in_front(turn: JointTurn, axis: DVec3, eye: Vec3, ray: &Ray) -> Option<Self> {
+        let (eye, ray) = (turn.model_point(eye), turn.model_ray(ray));
+        let swing = Swing::begin_in_front(turn.center(), axis, eye, &ray)?;
+        Some(Self::with(turn, swing))
+    }
+
+    fn with(turn: JointTurn, swing: Swing) -> Self {
+        Self {
             turn,
             swing,
             wanted: 0.0,
             angle: 0.0,
-        })
+        }
     }
 
     /// Edit that turns the joint for the cursor on `ray`; with `snap` in steps of 15° from the

@@ -89,7 +89,7 @@ fn placed(was: &Shape, is: &Shape) -> &'static str {
         (false, true, false, false) => "Rotate",
         (false, false, true, false) => "Scale",
         (false, false, false, true) => "Color",
-        // About the origin of another shape that turned or grew with it.
+        // About a pivot that is not its origin.
         (true, true, false, false) if *to != is.start => "Rotate",
         (true, false, true, false) if *to != is.start => "Scale",
         _ if *to == is.start => "Reset",

@@ -28,6 +28,9 @@ pub(super) fn unwound(angle: f64, to: f64) -> f64 {
 /// of its plane with the cursor's ray is badly conditioned.
 const EDGE_ON: f64 = 0.2;
 
+/// Radius of a ring that is not shown, relative to the distance of the eye: about that of the gizmo's.
+const FRONT: f64 = 0.1;
+
 /// Turn about an axis by the cursor, which has grabbed a ring around it. The angle follows from the
 /// start and the cursor alone, up to whole turns. Rays and points are in the space of the axis.
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +81,13 @@ impl Swing {
         Some(Self { center, axis, how })
     }
 
+    /// Begins where a ring around the axis is nearest to `eye`, for a cursor that has grabbed nothing
+    /// of it, wherever it is on `ray`. `None` if no angle follows from the cursor.
+    pub fn begin_in_front(center: DVec3, axis: DVec3, eye: DVec3, ray: &DRay) -> Option<Self> {
+        let towards = (eye - center).reject_from(axis);
+        Self::begin(center, axis, center + towards * FRONT, ray)
+    }
+
     /// Axis, of unit length.
     pub fn axis(&self) -> DVec3 {
         self.axis
@@ -110,6 +120,22 @@ fn in_plane(center: DVec3, axis: DVec3, ray: &DRay) -> Option<DVec3> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_turn_about_an_axis_across_the_view_is_as_large_wherever_the_cursor_is() {
+        let eye = DVec3::Z * 5.0;
+        let ray = |x: f64, y: f64| DRay {
+            origin: eye,
+            direction: DVec3::new(x, y, 0.0) - eye,
+        };
+        for (x, y) in [(0.0, 0.0), (0.0, 0.1), (0.5, 0.0), (1.0, 0.5)] {
+            let swing = Swing::begin_in_front(DVec3::ZERO, DVec3::X, eye, &ray(x, y)).unwrap();
+            assert_eq!(swing.angle(&ray(x, y), 0.0), Some(0.0));
+            // 0.05 upwards at the center are 0.045 at the front of a ring of radius 0.5.
+            let turned = swing.angle(&ray(x, y + 0.05), 0.0).unwrap();
+            assert!((turned + 0.09).abs() < 0.005, "{x} {y}: {turned}");
+        }
+    }
 
     #[test]
     fn an_angle_snaps_to_the_nearest_fifteen_degrees_on_either_side() {

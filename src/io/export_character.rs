@@ -5,7 +5,7 @@ use super::{PoseData, TooFarOut, read_skel};
 use crate::character::{Attachments, Character, Pose, SkeletalModel};
 use crate::math::{Euler, Transform};
 use crate::scene::{CharacterShape, Shape};
-use glam::{DMat3, DQuat, EulerRot, Mat4, Vec3};
+use glam::{DMat3, DQuat, Mat4, Vec3};
 use std::collections::HashSet;
 use std::f64::consts::PI;
 use std::fmt::Write;
@@ -207,7 +207,7 @@ impl Placed {
                 z: scale.z.to_string(),
             });
         }
-        let turn = rotation(transform.rotation) * DMat3::from_diagonal(scale.signum().as_dvec3());
+        let turn = transform.rotation.to_dmat3() * DMat3::from_diagonal(scale.signum().as_dvec3());
         Ok(Self {
             world_from_model: transform.world_from_model(),
             turn,
@@ -238,16 +238,10 @@ impl Placed {
         if self.turn == DMat3::IDENTITY && lever.is_none() {
             return euler;
         }
-        let turned = self.turn * rotation(euler) * self.turn.transpose();
+        let turned = self.turn * euler.to_dmat3() * self.turn.transpose();
         let turned = lever.map_or(turned, |lever| lever.turn.transpose() * turned);
         Euler::nearest(turned.as_mat3(), euler)
     }
-}
-
-/// The rotation in double precision: a chain of joints adds up what each is off by.
-fn rotation(euler: Euler) -> DMat3 {
-    let [x, y, z] = euler.radians.as_dvec3().to_array();
-    DMat3::from_euler(EulerRot::XYZ, x, y, z)
 }
 
 /// Lines of the `.skel` file: the added root, the joints of the character, the levers.

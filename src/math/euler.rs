@@ -63,7 +63,7 @@ impl Euler {
         Self::from_radians(nearest_angles(rotation.as_dmat3(), from).as_vec3())
     }
 
-    /// The rotation `Rx · Ry · Rz` in double precision.
+    /// The rotation `Rx · Ry · Rz` in double precision: chains of joints add up what each is off by.
     pub fn to_dmat3(self) -> DMat3 {
         let [x, y, z] = self.radians.as_dvec3().to_array();
         DMat3::from_euler(EulerRot::XYZ, x, y, z)

@@ -107,6 +107,7 @@ impl Program {
     pub(super) fn show_import(&mut self, added: &[ShapeId], first: Option<ViewSettings>) {
         if let Some(view) = first {
             self.session.look(View::SetLook(view.look));
+            self.session.look(View::SetAxis(view.axis));
             self.session.look(View::BeginAt(view.camera));
         }
         if self.comparison.is_some() {
@@ -157,8 +158,7 @@ fn is_of_the_course(shape: &NewShape) -> bool {
     };
     let path = Path::new(&source.file);
     let has_format = io::expect_extension(path, "obj").is_ok() && !io::builtin::is_builtin(path);
-    let mesh = character.character.bind_mesh();
-    let bounds = Aabb::from_points(mesh.positions.iter().copied());
+    let bounds = character.character.bind_mesh().bounds();
     let world_from_model = shape.placement.transform.world_from_model();
     has_format && is_seen_well(&Camera::default(), &bounds.transformed(world_from_model))
 }

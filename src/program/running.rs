@@ -200,9 +200,11 @@ impl Program {
             comparison.load_textures(&context);
         }
         let compare = self.comparison.as_ref().and_then(Comparison::view);
-        let is_empty = self.session.scene().shapes().is_empty();
-        let is_start_page = is_empty && compare.is_none() && self.asked.is_none();
-        self.start_pictures.notice(is_start_page, &context);
+        let is_busy = compare.is_some() || self.asked.is_some();
+        let is_start_page = ui::has_start_page(&self.session, is_busy);
+        let drawn_with = (self.backdrop, self.preferences.look);
+        self.start_pictures
+            .notice(is_start_page, drawn_with, &context);
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));
         let title = self.title();

@@ -7,8 +7,8 @@ use crate::editor::{Session, View};
 use crate::geometry::Picture;
 use crate::io::Loaded;
 use crate::io::builtin::{self, BuiltinKind};
-use crate::render::{Background, Frame, LargePicture, Marks};
-use crate::scene::FitArea;
+use crate::render::{Backdrop, Background, Frame, LargePicture, Marks};
+use crate::scene::{FitArea, Look};
 use crate::ui::{START_SCENES, StartPicture, picture_texture};
 use egui::{Context, TextureHandle};
 use std::path::PathBuf;
@@ -21,6 +21,8 @@ const SIZE: (u32, u32) = (192, 144);
 #[derive(Default)]
 pub(super) struct StartPictures {
     is_wanted: bool,
+    /// What all of them are drawn with: others are drawn anew.
+    drawn_with: (Backdrop, Option<Look>),
     /// Number of the names of [`names`] that have been drawn, or cannot be.
     done: usize,
     /// Pictures that have no texture yet.
@@ -31,8 +33,15 @@ pub(super) struct StartPictures {
 }
 
 impl StartPictures {
-    /// Takes note of whether the start page is shown, and makes textures of what has been drawn.
-    pub fn notice(&mut self, is_wanted: bool, context: &Context) {
+    /// Takes note of whether the start page is shown, of what a picture on it opens with, and makes
+    /// textures of what has been drawn.
+    pub fn notice(&mut self, is_wanted: bool, with: (Backdrop, Option<Look>), context: &Context) {
+        if is_wanted && self.drawn_with != with {
+            *self = Self {
+                drawn_with: with,
+                ..Self::default()
+            };
+        }
         self.is_wanted = is_wanted;
         for (name, picture) in self.drawn.drain(..) {
             let texture = picture_texture(context, name, &picture);

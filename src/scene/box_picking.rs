@@ -164,10 +164,10 @@ mod tests {
             radius: 1.2,
             ..Camera::default()
         };
+        // The far face is ahead as a whole, the right one reaches past the eye.
         let ahead = |x: f32, y: f32| Vec3::new(x, y, -1.0);
-        assert_eq!(
-            picked(ahead(-0.1, -0.1), ahead(0.1, 0.1), camera),
-            [ShapeId(1)]
-        );
+        let boxed = |from, to| picked(from, to, camera);
+        assert_eq!(boxed(ahead(-0.1, -0.1), ahead(0.1, 0.1)), [ShapeId(1)]);
+        assert_eq!(boxed(ahead(0.95, -0.1), ahead(1.1, 0.1)), [ShapeId(1)]);
     }
 }

@@ -166,8 +166,17 @@ fn shortened_to(text: &str, fits: impl Fn(&str) -> bool) -> String {
         let (start, end) = (letters[..start].iter(), letters[end..].iter());
         start.chain(&['…']).chain(end).collect()
     };
-    let fitting = (0..letters.len()).rev().map(with).find(|text| fits(text));
-    fitting.unwrap_or_else(|| "…".to_owned())
+    // Less is never wider. Names may be of any length, so that not every one is tried.
+    let (mut fitting, mut too_long) = (0, letters.len());
+    while fitting + 1 < too_long {
+        let middle = fitting.midpoint(too_long);
+        if fits(&with(middle)) {
+            fitting = middle;
+        } else {
+            too_long = middle;
+        }
+    }
+    with(fitting)
 }
 
 /// Number of bytes of the namespace, such as `mixamorig:`, that all names begin with.

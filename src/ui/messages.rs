@@ -17,6 +17,9 @@ pub(super) struct NoticeState {
     shown: Vec<(u64, f64)>,
     /// Time of the last frame, in seconds of egui's clock.
     last_frame: f64,
+    /// Whether the pointer was over one of them in the last frame: their time stands still then,
+    /// however long it is until the next.
+    is_read: bool,
     /// Number of warnings and errors that have faded and were not looked up since.
     pub faded: usize,
 }
@@ -94,6 +97,7 @@ pub(super) fn notices(
         }
         foot.y = rect.top() - 4.0;
     }
+    state.is_read = is_read;
     if is_read {
         state.shown.iter_mut().for_each(|(_, age)| *age = 0.0);
     } else if next.is_finite() {
@@ -106,7 +110,8 @@ impl NoticeState {
     /// Seconds for which each of `messages` has been shown, this frame included.
     fn ages(&mut self, ui: &Ui, messages: &[Message]) -> Vec<f64> {
         let now = ui.input(|input| input.time);
-        let passed = now - std::mem::replace(&mut self.last_frame, now);
+        let since_last = now - std::mem::replace(&mut self.last_frame, now);
+        let passed = if self.is_read { 0.0 } else { since_last };
         let age_of = |message: &Message| {
             let known = self.shown.iter().find(|(of, _)| *of == message.number);
             known.map_or(0.0, |(_, age)| age + passed)

@@ -48,7 +48,7 @@ pub use compare::{
 pub use navigation::Navigation;
 pub use number_field::evaluate;
 pub use scene_places::ScenePlaces;
-pub use start_page::{START_SCENES, StartPicture};
+pub use start_page::{START_SCENES, StartPicture, has_start_page};
 pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;

@@ -112,14 +112,16 @@ fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
     });
 }
 
+/// Why a picture with panels has no choices of its own.
+const WITH_PANELS: &str = "Panels are drawn for the window: the picture shows it as it is";
+
 fn size(ui: &mut Ui, form: &mut ScreenshotForm) {
-    const WHY: &str = "Panels are drawn for the window, so the picture has its size";
     labelled(ui, "Size", |ui, _| {
         ui.spacing_mut().item_spacing.x = 16.0;
         ui.radio_value(&mut form.own_size, false, "As in the window")
-            .on_disabled_hover_text(WHY);
+            .on_disabled_hover_text(WITH_PANELS);
         ui.radio_value(&mut form.own_size, true, "Custom")
-            .on_disabled_hover_text(WHY);
+            .on_disabled_hover_text(WITH_PANELS);
     });
     ui.add_enabled_ui(form.own_size, |ui| {
         labelled(ui, "", |ui, size| {
@@ -144,13 +146,17 @@ fn side(ui: &mut Ui, name: &str, value: &mut u32, rest: f32, size: Vec2) {
 
 fn background(ui: &mut Ui, form: &mut ScreenshotForm) {
     ui.add_enabled_ui(!form.turns, |ui| {
-        const WHY: &str = "Turntables are GIFs, which have no smooth transparency";
+        let why = if form.with_panels {
+            WITH_PANELS
+        } else {
+            "Turntables are GIFs, which have no smooth transparency"
+        };
         labelled(ui, "Background", |ui, _| {
             ui.spacing_mut().item_spacing.x = 16.0;
             ui.radio_value(&mut form.transparent, false, "As shown")
-                .on_disabled_hover_text(WHY);
+                .on_disabled_hover_text(why);
             ui.radio_value(&mut form.transparent, true, "Transparent")
-                .on_disabled_hover_text(WHY);
+                .on_disabled_hover_text(why);
         });
     });
 }
@@ -158,8 +164,10 @@ fn background(ui: &mut Ui, form: &mut ScreenshotForm) {
 fn motion(ui: &mut Ui, form: &mut ScreenshotForm) {
     labelled(ui, "Motion", |ui, _| {
         ui.spacing_mut().item_spacing.x = 16.0;
-        ui.radio_value(&mut form.turns, false, "Still");
-        ui.radio_value(&mut form.turns, true, "Turntable");
+        ui.radio_value(&mut form.turns, false, "Still")
+            .on_disabled_hover_text(WITH_PANELS);
+        ui.radio_value(&mut form.turns, true, "Turntable")
+            .on_disabled_hover_text(WITH_PANELS);
     });
     ui.add_enabled_ui(form.turns, |ui| {
         labelled(ui, "", |ui, size| {

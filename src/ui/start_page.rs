@@ -4,6 +4,7 @@ use super::posing::BAR_HEIGHT;
 use super::theme::Palette;
 use super::widgets::named;
 use super::{Action, Ask, ViewInput, axis_ball};
+use crate::editor::Session;
 use crate::scene::name_of_import;
 use egui::{
     Align, Button, Color32, CornerRadius, Frame, Image, Label, Layout, Margin, Rect, RichText,
@@ -35,6 +36,12 @@ const PICTURE: Vec2 = vec2(88.0, 66.0);
 const NAME: f32 = 20.0;
 /// Recent documents that are offered, at most.
 const RECENT: usize = 6;
+
+/// Whether there is a start page: the scene is empty, and the view is not busy with a comparison or a
+/// question.
+pub fn has_start_page(session: &Session, is_busy: bool) -> bool {
+    session.scene().shapes().is_empty() && !is_busy
+}
 
 /// Offers what to begin with, below the tools and the axis ball. It scrolls where there is no room for all of it.
 pub(super) fn show(ui: &mut Ui, view: Rect, input: &ViewInput, actions: &mut Vec<Action>) {

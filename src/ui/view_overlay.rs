@@ -61,11 +61,13 @@ pub(super) fn show(
     // Over the pictures of a comparison they would hide what is compared; its panel has the looks.
     if input.compare.is_none() {
         axis_ball::show(&mut over, rect, &session.view().camera, actions);
-        look_switch::show(&mut over, rect, session.view().look, actions);
     }
-    let is_empty = session.scene().shapes().is_empty();
-    if is_empty && input.compare.is_none() && input.question.is_none() {
+    let is_busy = input.compare.is_some() || input.question.is_some();
+    if start_page::has_start_page(session, is_busy) {
+        // It takes the place of the switch, which has nothing to show here.
         start_page::show(&mut over, rect, input, actions);
+    } else if input.compare.is_none() {
+        look_switch::show(&mut over, rect, session.view().look, actions);
     }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     if let Some(work) = input.progress {

@@ -120,7 +120,7 @@ proptest! {
         for edit in edits {
             session.edit(edit).unwrap();
             let scale = places(&session)[0].scale;
-            prop_assert!(scale.is_finite() && scale.abs().min_element() >= 1e-4, "{scale}");
+            prop_assert!(scale.is_finite() && scale.abs().min_element() >= 0.000_999, "{scale}");
         }
     }
 
@@ -130,8 +130,17 @@ proptest! {
     ) {
         let session = cubes(camera, &[active]);
         let rings = RotationGizmo::of_shapes(&session, GizmoAxes::World, SIZE).unwrap();
+        let middle = rings.center_pixel();
         for point in rings.ring(axis).iter().filter(|point| point.front) {
-            prop_assert!(rings.hit(point.pixel).is_some());
+            let hit = rings.hit(point.pixel).map(|hit| hit.handle);
+            prop_assert!(hit.is_some());
+            let apart = |other: Vec2| other.distance(point.pixel) > 20.0;
+            let others = (0..3).filter(|&other| other != axis);
+            let alone = others.flat_map(|other| rings.ring(other)).all(|other| apart(other.pixel));
+            let from_free = point.pixel.distance(middle) - RotationGizmo::FREE_RADIUS;
+            if alone && from_free.abs() > 20.0 {
+                prop_assert_eq!(hit, Some(Handle::Ring(axis)));
+            }
         }
         let handles = ScaleGizmo::new(&session, SIZE).unwrap();
         let center = handles.center_pixel();
@@ -203,6 +212,8 @@ fn with_ctrl_angles_go_by_15_degrees_and_factors_by_a_tenth() {
     let turned = places(&session)[0].rotation.degrees();
     assert!(turned.abs_diff_eq(Vec3::Z * 45.0, 1e-3), "{turned}");
     session.edit(scaled).unwrap();
+    let scale = places(&session)[0].scale;
+    assert!(scale.abs_diff_eq(Vec3::splat(1.3), 1e-6), "{scale}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::Story;
 use editor_core::editor::Severity;
 use editor_core::ui::Navigation;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton};
 use glam::Vec3;
 
 /// A cube, a sphere and a pyramid from left to right, seen from the front; nothing is selected.
@@ -28,17 +28,10 @@ fn selected(story: &Story) -> String {
     names.join(" ")
 }
 
-fn at(story: &Story, world: Vec3) -> Pos2 {
-    let view = story.view();
-    let size = glam::Vec2::new(view.width(), view.height());
-    let pixel = story.session().view().camera.pixel(world, size).unwrap();
-    view.min + vec2(pixel.x, pixel.y)
-}
-
 /// Drags with modifiers from one place in the world to another.
 fn drag_with(story: &mut Story, modifiers: Modifiers, from: f32, to: f32) {
-    let from = at(story, Vec3::new(from, 1.2, 0.0));
-    let to = at(story, Vec3::new(to, -1.2, 0.0));
+    let from = story.at(Vec3::new(from, 1.2, 0.0));
+    let to = story.at(Vec3::new(to, -1.2, 0.0));
     story.frame(vec![Event::ModifiersChanged(modifiers)]);
     story.press_and_drag(from, to);
     story.frame(vec![Event::PointerButton {
@@ -88,7 +81,7 @@ fn in_every_navigation_q_lets_the_next_left_drag_draw_a_box_and_only_that() {
 fn a_box_is_seen_while_it_is_drawn_and_esc_cancels_it() {
     let mut story = in_a_row(Navigation::Blender);
     let (from, to) = (Vec3::new(-2.1, 1.2, 0.0), Vec3::new(2.1, -1.2, 0.0));
-    let (from, to) = (at(&story, from), at(&story, to));
+    let (from, to) = (story.at(from), story.at(to));
     story.point(to);
     story.settle();
     let before = story.picture();
@@ -117,13 +110,13 @@ fn delete_after_a_click_on_a_control_point_deletes_that_point_alone() {
     story.click("Add behind 1. curve point 4");
     let before = points(&story);
     assert_eq!(before.len(), 5);
-    let second = at(&story, before[1]);
+    let second = story.at(before[1]);
     story.click_at(second);
     story.key(Key::Delete);
     assert_eq!(points(&story), [&before[..1], &before[2..]].concat());
     assert_eq!(story.names().len(), 1, "the shape is still there");
 
-    let second = at(&story, points(&story)[1]);
+    let second = story.at(points(&story)[1]);
     story.click_at(second);
     story.key(Key::Delete);
     assert_eq!(points(&story).len(), 4);

@@ -259,7 +259,9 @@ fn the_first_import_is_fitted_and_others_move_the_camera_only_if_they_are_out_of
 #[test]
 fn the_course_s_character_is_imported_into_an_empty_scene_as_it_is_opened() {
     let mut story = start(&[]);
+    assert!(!story.session().view().axis);
     story.import("models/strip.obj");
+    assert!(story.session().view().axis);
     assert_eq!(story.look(), Look::Course);
     assert_eq!(story.session().view().camera, Camera::default());
     assert_eq!(story.color(), GREEN);

@@ -221,6 +221,15 @@ impl Story {
         pos2(x as f32, y as f32)
     }
 
+    /// Where a point of the world is in the window, in points.
+    fn at(&self, world: glam::Vec3) -> Pos2 {
+        let view = self.view();
+        let size = glam::Vec2::new(view.width(), view.height());
+        let pixel = self.session().view().camera.pixel(world, size);
+        let pixel = pixel.expect("it is in sight");
+        view.min + vec2(pixel.x, pixel.y)
+    }
+
     /// The rectangle of the view, in points.
     fn view(&self) -> Rect {
         let bounds = self.node("View of the scene").and_then(Node::bounds);

@@ -14,10 +14,7 @@ fn end_of_bone(story: &Story, joint: usize) -> Pos2 {
     let shape = session.evaluated().shape(story.shape().id).unwrap();
     let mut bones = bones_in_world(session.scene(), shape);
     let (.., end) = bones.find(|bone| bone.0 == joint).expect("a bone");
-    let view = story.view();
-    let size = glam::Vec2::new(view.width(), view.height());
-    let at = session.view().camera.pixel(end, size).unwrap();
-    view.min + vec2(at.x, at.y)
+    story.at(end)
 }
 
 #[test]

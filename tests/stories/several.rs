@@ -130,21 +130,16 @@ fn ctrl_and_a_click_in_the_view_adds_a_shape_and_a_miss_loses_none() {
         story.click(row);
         story.type_into("Position X", x);
     }
-    let view = story.view();
-    let size = glam::Vec2::new(view.width(), view.height());
-    let camera = story.session().view().camera;
-    let place = |world: Vec3| {
-        let at = camera.pixel(world, size).expect("it is in sight");
-        view.min + vec2(at.x, at.y)
-    };
+    let [left, middle, above] =
+        [Vec3::X * -1.5, Vec3::ZERO, Vec3::Y * 1.5].map(|world| story.at(world));
     let mut click = |at: Pos2| {
         click_at_with(&mut story, CTRL, at);
         selected(&story).join(" ")
     };
-    assert_eq!(click(place(Vec3::X * -1.5)), "Cube Pyramid");
-    assert_eq!(click(place(Vec3::ZERO)), "Cube Sphere Pyramid");
-    assert_eq!(click(place(Vec3::X * -1.5)), "Sphere Pyramid");
-    assert_eq!(click(place(Vec3::Y * 1.5)), "Sphere Pyramid", "a miss");
+    assert_eq!(click(left), "Cube Pyramid");
+    assert_eq!(click(middle), "Cube Sphere Pyramid");
+    assert_eq!(click(left), "Sphere Pyramid");
+    assert_eq!(click(above), "Sphere Pyramid", "a miss");
 }
 
 #[test]
@@ -154,12 +149,9 @@ fn a_drag_of_the_move_tool_moves_all_of_them_and_esc_puts_all_back() {
     story.key_with(CTRL, Key::A);
     story.key(Key::G);
     let before = positions(&story);
-    let view = story.view();
-    let size = glam::Vec2::new(view.width(), view.height());
     let pyramid = story.session().scene().shape(ShapeId(3)).unwrap();
     let world = pyramid.placement.transform.position + Vec3::new(0.2, -0.2, 0.4);
-    let at = story.session().view().camera.pixel(world, size).unwrap();
-    let from = view.min + vec2(at.x, at.y);
+    let from = story.at(world);
     story.press_and_drag(from, from + vec2(60.0, -30.0));
     let during = positions(&story);
     let by: Vec<Vec3> = during
@@ -189,11 +181,7 @@ fn a_drag_of_any_of_them_takes_the_others_along_but_none_that_is_locked() {
     story.key_with(CTRL, Key::A);
     story.key(Key::G);
     let before = positions(&story);
-    let view = story.view();
-    let size = glam::Vec2::new(view.width(), view.height());
-    let on_cube = Vec3::new(-1.3, 0.2, 0.5);
-    let at = story.session().view().camera.pixel(on_cube, size).unwrap();
-    let from = view.min + vec2(at.x, at.y);
+    let from = story.at(Vec3::new(-1.3, 0.2, 0.5));
     story.drag(from, from + vec2(0.0, -50.0));
     let by: Vec<Vec3> = positions(&story)
         .iter()

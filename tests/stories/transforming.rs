@@ -21,15 +21,6 @@ impl Story {
         story
     }
 
-    /// Where a point of the world is in the window.
-    fn at(&self, world: Vec3) -> Pos2 {
-        let view = self.view();
-        let size = glam::Vec2::new(view.width(), view.height());
-        let pixel = self.session().view().camera.pixel(world, size);
-        let pixel = pixel.expect("it is in sight");
-        view.min + vec2(pixel.x, pixel.y)
-    }
-
     fn keys(&mut self, keys: &[Key]) {
         for &key in keys {
             self.key(key);
@@ -184,25 +175,27 @@ fn with_shift_a_shape_follows_by_a_tenth_of_the_way() {
 
 #[test]
 fn in_the_other_navigations_keys_choose_the_tools_and_the_pointer_waits_for_a_handle() {
-    let mut story = Story::with_cube_in_blender();
-    story.program.ui_mut().set_navigation(Navigation::Orbit);
-    let before = story.transform();
-    for (key, tool) in [
-        (Key::W, "Move tool"),
-        (Key::E, "Rotate tool"),
-        (Key::R, "Scale tool"),
-    ] {
-        story.key(key);
-        let node = story.node(tool).expect("a button");
-        let on = egui::accesskit::Toggled::True;
-        assert!(
-            node.is_selected() == Some(true) || node.toggled() == Some(on),
-            "{tool}"
-        );
-        let away = story.at(Vec3::new(-1.0, -1.0, 0.0));
-        story.point(away);
-        story.settle();
-        assert_eq!(story.transform(), before);
+    for navigation in [Navigation::Course, Navigation::Orbit] {
+        let mut story = Story::with_cube_in_blender();
+        story.program.ui_mut().set_navigation(navigation);
+        let before = story.transform();
+        for (key, tool) in [
+            (Key::W, "Move tool"),
+            (Key::E, "Rotate tool"),
+            (Key::R, "Scale tool"),
+        ] {
+            story.key(key);
+            let node = story.node(tool).expect("a button");
+            let on = egui::accesskit::Toggled::True;
+            assert!(
+                node.is_selected() == Some(true) || node.toggled() == Some(on),
+                "{tool}"
+            );
+            let away = story.at(Vec3::new(-1.0, -1.0, 0.0));
+            story.point(away);
+            story.settle();
+            assert_eq!(story.transform(), before);
+        }
     }
 }
 
@@ -291,11 +284,24 @@ fn with_the_pose_tool_r_turns_the_selected_joint_about_its_axis() {
 }
 
 #[test]
-fn a_locked_or_missing_selection_is_not_taken_and_keys_stay_keys() {
+fn a_locked_or_missing_selection_is_not_taken_and_x_deletes_none_of_it() {
     let mut story = Story::with_cube_in_blender();
     story.key_with(Modifiers::SHIFT, Key::L);
     let document = story.session().document();
     story.keys(&[Key::G, Key::X, Key::Num2, Key::Enter]);
     assert_eq!(story.session().document(), document);
     assert_eq!(story.transform().position, Vec3::ZERO);
+    let told = story.messages().last().unwrap().1;
+    assert!(
+        told.starts_with("X deletes nothing that is locked"),
+        "{told}"
+    );
+
+    story.key_with(Modifiers::SHIFT, Key::L);
+    story.key(Key::Escape);
+    assert_eq!(story.session().selected(), None);
+    let document = story.session().document();
+    story.keys(&[Key::G, Key::X, Key::Num2, Key::Enter]);
+    assert_eq!(story.session().document(), document);
+    assert_eq!(story.names(), ["Cube"]);
 }

@@ -1,7 +1,7 @@
 use super::links::{Links, arc, bend_normal, reach};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
-use glam::{DMat3, DVec3, EulerRot, Vec3};
+use glam::{DMat3, DVec3, Vec3};
 use std::collections::BTreeSet;
 
 /// Chain of joints, each the parent of the next, that turn to move the end of the last one's bone
@@ -267,7 +267,7 @@ pub(super) fn orient(skeleton: &SkeletalModel, pose: &mut Pose, joint: usize, ro
 /// not change at all.
 fn set(pose: &mut Pose, joint: usize, rotation: DMat3) {
     let shown = pose.rotation(joint);
-    if !matrix(shown).abs_diff_eq(rotation, 1e-9) {
+    if !shown.to_dmat3().abs_diff_eq(rotation, 1e-9) {
         pose.set_joint_transform(joint, Euler::nearest(rotation.as_mat3(), shown));
     }
 }
@@ -291,16 +291,10 @@ impl JointFrame {
         let offset =
             skeleton.joints()[joint].offset.as_dvec3() + pose.root_offset(joint).as_dvec3();
         Self {
-            rotation: self.rotation * matrix(pose.rotation(joint)),
+            rotation: self.rotation * pose.rotation(joint).to_dmat3(),
             origin: self.origin + self.rotation * offset,
         }
     }
-}
-
-/// Rotation `Rx · Ry · Rz`, more precise than [`Euler::to_mat3`].
-fn matrix(euler: Euler) -> DMat3 {
-    let [x, y, z] = euler.radians.as_dvec3().to_array();
-    DMat3::from_euler(EulerRot::XYZ, x, y, z)
 }
 
 /// Frame of a joint under `pose`; `None` stands for the parent of a root.

@@ -105,7 +105,7 @@ impl RotationGizmo {
         })
     }
 
-    /// Position of the joint in the picture, in pixels.
+    /// Position of what turns in the picture, in pixels: of the joint, or of the shapes' pivot.
     pub fn center_pixel(&self) -> Vec2 {
         self.center_pixel
     }

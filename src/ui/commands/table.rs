@@ -222,7 +222,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
     entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
     entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G), key(NONE, Key::W)]),
-    entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate tool", "Rings turn the selected shapes about the origin of the active one", &[key(NONE, Key::E)]),
+    entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate tool", "Rings turn the selected shapes about the middle or origin of the active one", &[key(NONE, Key::E)]),
     entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]),
     entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
     entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),

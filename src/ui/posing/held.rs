@@ -222,10 +222,10 @@ impl Drag {
         axis: usize,
         pointer: &Ray,
     ) -> Option<Self> {
+        let eye = session.view().camera.eye();
         let ring = |turn: &JointTurn| {
-            let grabbed = pointer.at(turn.world_center().as_vec3().distance(pointer.origin));
-            let ring = RingDrag::of(turn.clone(), turn.axis(axes, axis)?, grabbed, pointer);
-            ring.map(Drag::Ring)
+            let about = turn.axis(axes, axis)?;
+            RingDrag::in_front(turn.clone(), about, eye, pointer).map(Drag::Ring)
         };
         match self {
             Self::Bone(drag) => ring(drag.turn()),
@@ -236,9 +236,8 @@ impl Drag {
             }
             Self::Turn(drag) => {
                 let group = drag.group().clone();
-                let grabbed = pointer.at(group.pivot().distance(pointer.origin));
                 let about = group.axis(axes, axis);
-                ShapeTurn::begin(group, about, grabbed, pointer).map(Drag::Turn)
+                ShapeTurn::in_front(group, about, eye, pointer).map(Drag::Turn)
             }
             Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(axis)))),
             Self::Ik(_) | Self::Stuck(..) => None,

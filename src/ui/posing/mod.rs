@@ -1,4 +1,4 @@
-//! The tools Pose, Move and IK: gestures with bones, gizmos and shapes in the view.
+//! The tools Pose, IK, Move, Rotate and Scale: gestures with bones, gizmos and shapes in the view.
 
 mod held;
 mod ik;

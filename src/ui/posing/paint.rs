@@ -1,4 +1,4 @@
-//! Painting of bones, readouts and inverse kinematics over a picture of the scene.
+//! Painting of bones and inverse kinematics over a picture of the scene.
 
 use super::held::PoseGesture;
 use super::ik::{followed, lost_pins, pinned};
