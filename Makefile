@@ -3,6 +3,7 @@
 #             (without a display: draws it to showcase.png)
 # make test   installs what the tests need and runs everything
 # make test-long  runs of minutes: ten thousand random commands, a thousand kills while saving
+# make bench  measures frames of the window, and writes docs/benchmarks.md
 # make pictures  draws the pictures of README.md
 # make check-assets  makes the characters, rigs, shapes, curves and poses in assets/ anew and compares
 # make submission NAME="Ada Lovelace" SCENE=two.scene  builds, and makes the archive to hand in;
@@ -15,7 +16,7 @@
 
 CARGO ?= cargo
 
-.PHONY: all editor run test test-long check-assets lint pictures submission web serve web-package \
+.PHONY: all editor run test test-long bench check-assets lint pictures submission web serve web-package \
 	test-web clean packages-run packages-test
 
 all: editor
@@ -38,6 +39,9 @@ test: packages-test
 
 test-long: packages-test
 	$(CARGO) test --locked --quiet --test all -- --ignored long:: --nocapture
+
+bench: packages-test
+	$(CARGO) bench --locked --bench bench
 
 check-assets:
 	$(CARGO) test --locked --quiet --package make_assets

@@ -4,11 +4,12 @@ in vec2 on_ground;
 
 uniform vec2 center;
 uniform float reach;
+#ifdef SHADOWS
 // White where the ground has no light, as large as the picture that is drawn, with mipmaps.
 uniform sampler2D shadows;
-uniform int has_shadows;
 // How far the edge of a shadow fades, in the world.
 uniform float softness;
+#endif
 
 // 1 if the ground hides what is below it: the background is then drawn anew under all that follows.
 uniform float opaque;
@@ -40,6 +41,7 @@ float lines(vec2 at, float spacing) {
     return max(near.x * readable.x, near.y * readable.y);
 }
 
+#ifdef SHADOWS
 // The shadow round a point, averaged over as many pixels as the softness takes up there: nine looks
 // at a version of the picture whose pixels are nearly that large.
 float shadow(float world_per_pixel) {
@@ -56,6 +58,7 @@ float shadow(float world_per_pixel) {
     }
     return sum / 16.0;
 }
+#endif
 
 void main() {
     float strength = max(0.35 * lines(on_ground, 1.0), 0.6 * lines(on_ground, 10.0));
@@ -64,10 +67,10 @@ void main() {
     float coverage = grid * strength * fade;
     float pool = lit * (1.0 - smoothstep(0.0, 0.3, away));
     float shade = 0.0;
-    if (has_shadows == 1) {
-        vec2 along_row = dFdx(on_ground);
-        shade = darkness * fade * shadow(max(length(along_row), 1e-6));
-    }
+#ifdef SHADOWS
+    vec2 along_row = dFdx(on_ground);
+    shade = darkness * fade * shadow(max(length(along_row), 1e-6));
+#endif
     if (max(max(coverage, shade), max(pool, opaque)) <= 0.004) {
         discard;
     }

@@ -38,6 +38,8 @@ pub enum Blend {
 pub struct DrawState {
     /// Rectangle that clip space is mapped to.
     pub viewport: [i32; 4],
+    /// Rectangle outside of which nothing is drawn, if there is one.
+    pub scissor: Option<[i32; 4]>,
     /// Comparison that decides which fragments pass.
     pub depth_test: DepthTest,
     /// Whether fragments that pass write their depth.
@@ -55,6 +57,7 @@ impl DrawState {
         let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX);
         Self {
             viewport: [0, 0, side(width), side(height)],
+            scissor: None,
             depth_test: DepthTest::Less,
             depth_write: true,
             blend: Blend::None,
@@ -72,6 +75,10 @@ impl DrawState {
         // SAFETY: current context; all values are constants of OpenGL 3.3 and OpenGL ES 3.0.
         unsafe {
             reset_unused(glow, gl.info().is_gles);
+            if let Some([x, y, width, height]) = self.scissor {
+                glow.enable(glow::SCISSOR_TEST);
+                glow.scissor(x, y, width, height);
+            }
             set_enabled(glow, glow::DEPTH_TEST, self.depth_test != DepthTest::Off);
             glow.depth_func(match self.depth_test {
                 DepthTest::Less => glow::LESS,

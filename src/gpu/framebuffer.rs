@@ -1,6 +1,7 @@
 //! Pictures to draw into, with depth, and with several samples a pixel if asked for.
 
 use glow::HasContext as _;
+use std::cell::Cell;
 
 use super::framebuffer_object::FramebufferObject;
 use super::{Gl, GpuError};
@@ -29,6 +30,8 @@ pub struct Framebuffer {
     samples: u32,
     drawn: FramebufferObject,
     resolved: Option<FramebufferObject>,
+    /// Whether the samples may have changed since they were averaged.
+    is_stale: Cell<bool>,
 }
 
 impl std::fmt::Debug for Framebuffer {
@@ -77,6 +80,7 @@ impl Framebuffer {
             samples,
             drawn,
             resolved,
+            is_stale: Cell::new(true),
         })
     }
 
@@ -117,8 +121,14 @@ impl Framebuffer {
         self.samples
     }
 
-    /// Draws go here from now on. The viewport is the draw state's.
+    /// Draws go here from now on, until another framebuffer is bound or this one is read. The viewport
+    /// is the draw state's.
     pub fn bind(&self) {
+        self.is_stale.set(true);
+        self.bind_raw();
+    }
+
+    fn bind_raw(&self) {
         if let Some(glow) = self.gl.current() {
             // SAFETY: current context.
             unsafe { glow.bind_framebuffer(glow::FRAMEBUFFER, Some(self.drawn.raw)) }
@@ -145,18 +155,19 @@ impl Framebuffer {
         }
     }
 
-    /// Averages the samples into the picture that is read. Without samples there is nothing to do.
-    /// Afterwards this framebuffer is bound.
+    /// Averages the samples into the picture that is read. Without samples, or where nothing was drawn
+    /// since, there is nothing to do. Whoever goes on to draw binds it again.
     pub fn resolve(&self) {
-        if let Some(resolved) = &self.resolved {
+        if let Some(resolved) = &self.resolved
+            && self.is_stale.replace(false)
+        {
             let whole = self.rect();
             blit(&self.gl, self.drawn.raw, whole, Some(resolved.raw), whole);
         }
-        self.bind();
+        self.bind_raw();
     }
 
-    /// The picture: red, green, blue, alpha, 8 bits each, the top row first. Afterwards this
-    /// framebuffer is bound.
+    /// The picture: red, green, blue, alpha, 8 bits each, the top row first.
     ///
     /// # Errors
     /// Every fault that [`Gl::check`] returns, so that no broken picture is taken for a good one.
@@ -177,7 +188,7 @@ impl Framebuffer {
             let data = glow::PixelPackData::Slice(Some(&mut pixels));
             glow.read_pixels(0, 0, width, height, glow::RGBA, glow::UNSIGNED_BYTE, data);
         }
-        self.bind();
+        self.bind_raw();
         self.gl.check("reading a picture back")?;
         // OpenGL counts rows from the bottom.
         let (mut top, mut bottom) = (0, self.height as usize);
@@ -227,7 +238,7 @@ impl Framebuffer {
     }
 
     /// Binds the picture to a texture unit, where a `sampler2D` reads it, unfiltered; not while it
-    /// is drawn into. Afterwards this framebuffer is bound.
+    /// is drawn into.
     pub fn bind_texture(&self, unit: u32) {
         let _ = self.bind_filtered(unit, glow::NEAREST, glow::NEAREST);
     }

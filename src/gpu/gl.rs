@@ -168,6 +168,14 @@ impl Gl {
         Err(GpuError::Faults { what, faults })
     }
 
+    /// Waits until the driver has done all that it was told.
+    pub fn finish(&self) {
+        if let Some(glow) = self.current() {
+            // SAFETY: current context.
+            unsafe { glow.finish() };
+        }
+    }
+
     /// Whether the driver had the memory for everything since errors were last asked for. Other
     /// errors are kept for [`check`](Self::check).
     pub(in crate::gpu) fn check_memory(&self, what: &'static str) -> Result<(), GpuError> {

@@ -173,12 +173,13 @@ impl Program {
             None => Ok(()),
         };
         let fitted = graphics.fit_view(view);
-        let drawn = self.draw_scene(graphics);
+        let drawn = self.draw_scene(graphics, host.now());
         let fitted = composed.and(fitted.map_err(ProgramError::from));
         let wrong_size = fitted.as_ref().is_err_and(is_about_size);
         let was_wrong = graphics.replace_wrong_size(wrong_size);
         self.tell_fault(fitted, was_wrong)?;
-        self.tell_fault(drawn.map_err(ProgramError::from), false)?;
+        let full_after = *drawn.as_ref().unwrap_or(&Duration::MAX);
+        self.tell_fault(drawn.map(drop).map_err(ProgramError::from), false)?;
         let compared = self.draw_comparison(graphics, host);
         for notice in graphics.take_notices() {
             self.tell(Severity::Warning, notice);
@@ -186,8 +187,8 @@ impl Program {
         let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
         Ok(match wait {
             _ if compared => Duration::ZERO,
-            Some(wait) => wait,
-            None => Duration::MAX,
+            Some(wait) => wait.min(full_after),
+            None => full_after,
         })
     }
 
@@ -215,12 +216,17 @@ impl Program {
     }
 
     /// Draws the scene with what is marked in it, if it is shown.
-    fn draw_scene(&mut self, graphics: &mut Graphics) -> Result<(), RenderError> {
+    /// Returns how long no frame is needed for its sake.
+    fn draw_scene(
+        &mut self,
+        graphics: &mut Graphics,
+        now: Duration,
+    ) -> Result<Duration, RenderError> {
         graphics.set_skinning(self.ui.skinning);
         if self.comparison.is_some() {
             // Its pictures lie over the whole view, which may change its size meanwhile.
             graphics.forget_scene();
-            return Ok(());
+            return Ok(Duration::MAX);
         }
         let marks = Marks {
             selected: self.session.selected(),
@@ -236,7 +242,8 @@ impl Program {
             hovered_control_point: self.session.hovered_control_point(),
         };
         let frame = frame(&self.session, self.backdrop, marks);
-        graphics.draw_scene(&frame, self.session.document())
+        let moves = self.session.is_in_gesture() || self.ui.is_moving_camera();
+        graphics.draw_scene(&frame, self.session.document(), moves, now)
     }
 
     /// Draws the scene in the size of the picture that it is compared with, if it changed. Whether

@@ -8,6 +8,7 @@ use crate::render::{
 use crate::revision::Revision;
 use crate::scene::{Skinning, ViewSettings};
 use egui::FullOutput;
+use std::time::Duration;
 
 /// Everything that the program makes with OpenGL. When a context is lost, another is made in its
 /// place, and the program goes on.
@@ -18,8 +19,10 @@ pub struct Graphics {
     scene: Option<Framebuffer>,
     /// The scene, as large as the picture that it is compared with.
     compared: Option<Framebuffer>,
-    /// State that `scene` shows: it is drawn again only when this changes.
-    shown: Option<SceneKey>,
+    /// The scene, as large as the view and without samples, while something moves on software OpenGL.
+    draft: Option<Framebuffer>,
+    /// What the picture of the scene shows: it is drawn again only when this changes.
+    shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
     window: Option<Window>,
     /// Whether the last frame could not have pictures of the size it needed.
@@ -45,6 +48,17 @@ pub struct GraphicsInfo {
     pub max_texture_side: usize,
 }
 
+/// What the picture of the scene shows.
+#[derive(Debug)]
+struct Shown {
+    key: SceneKey,
+    /// When a draft was drawn; `None` for the full picture.
+    draft_since: Option<Duration>,
+}
+
+/// Time for which nothing has to move before the full picture takes the place of a draft.
+const REST: Duration = Duration::from_millis(100);
+
 /// State that a picture of the scene follows from.
 #[derive(Clone, Debug, PartialEq)]
 struct SceneKey {
@@ -64,6 +78,7 @@ impl Graphics {
             renderer: Renderer::new(gl)?,
             scene: None,
             compared: None,
+            draft: None,
             shown: None,
             window: None,
             has_wrong_size: false,
@@ -94,7 +109,12 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        self.scene.as_ref()
+        let is_draft = |shown: &Shown| shown.draft_since.is_some();
+        if self.shown.as_ref().is_some_and(is_draft) {
+            self.draft.as_ref()
+        } else {
+            self.scene.as_ref()
+        }
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -161,7 +181,9 @@ impl Graphics {
         std::mem::replace(&mut self.has_wrong_size, wrong)
     }
 
-    /// Draws `frame` into the scene's picture, unless it shows just that already.
+    /// Draws `frame` into the scene's picture, unless it shows just that already: at the time `now`,
+    /// and while something `moves` on software OpenGL as a draft without samples, which cost it as much
+    /// as all else. Returns how long no frame is needed for the sake of the full picture.
     ///
     /// # Errors
     /// See [`Renderer::draw`]. What failed is not tried again before something changes.
@@ -169,9 +191,11 @@ impl Graphics {
         &mut self,
         frame: &Frame,
         document: Revision,
-    ) -> Result<(), RenderError> {
+        moves: bool,
+        now: Duration,
+    ) -> Result<Duration, RenderError> {
         let Some(target) = &self.scene else {
-            return Ok(());
+            return Ok(Duration::MAX);
         };
         let key = SceneKey {
             document,
@@ -179,11 +203,21 @@ impl Graphics {
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),
         };
-        if self.shown.as_ref() == Some(&key) {
-            return Ok(());
+        let drafts = moves && self.gl.info().is_software && target.samples() > 0;
+        let shown = self.shown.as_ref().filter(|shown| shown.key == key);
+        let draft_since = match shown.map(|shown| shown.draft_since) {
+            Some(None) => return Ok(Duration::MAX),
+            Some(Some(since)) if drafts && now < since + REST => return Ok(since + REST - now),
+            Some(Some(_)) => None,
+            None => drafts.then_some(now),
+        };
+        self.shown = Some(Shown { key, draft_since });
+        if draft_since.is_none() {
+            return self.renderer.draw(frame, target).map(|()| Duration::MAX);
         }
-        self.shown = Some(key);
-        self.renderer.draw(frame, target)
+        let size = (target.width(), target.height());
+        let draft = fit(&self.gl, &mut self.draft, size, 0)?;
+        self.renderer.draw(frame, draft).map(|()| REST)
     }
 
     /// Draws `frame` in a size of its own, for a comparison. Pictures of the same size share their
@@ -249,7 +283,11 @@ impl Graphics {
         let Some(Window { picture, painter }) = &mut self.window else {
             return Ok(());
         };
-        match (&self.scene, picture) {
+        let scene = match &self.shown {
+            Some(shown) if shown.draft_since.is_some() => &self.draft,
+            _ => &self.scene,
+        };
+        match (scene, picture) {
             (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
             _ => {
                 painter.skip(output);

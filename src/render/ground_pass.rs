@@ -1,5 +1,6 @@
 //! The Studio look's ground and the shadows on it.
 
+use super::area::{Area, Rows};
 use super::backdrop_pass::set_gradient;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
@@ -97,75 +98,136 @@ const SOFTNESS: f32 = 0.07;
 /// and shadows with soft edges. Before a transparent background only the shadows.
 #[derive(Debug)]
 pub(super) struct GroundPass {
-    program: Program,
+    plain: Program,
+    shadowed: Program,
     square: VertexArray,
+}
+
+/// The picture of shadows, and the pixels of the ground outside of which none is seen.
+pub(super) struct Shadows<'a> {
+    pub picture: &'a Framebuffer,
+    pub area: Area,
 }
 
 impl GroundPass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
-        let program = Program::new(
-            gl,
-            "ground",
-            include_str!("../../shaders/ground_vertex.glsl"),
-            include_str!("../../shaders/ground_fragment.glsl"),
-        )?;
+        let fragment = include_str!("../../shaders/ground_fragment.glsl");
+        let program = |label, fragment: &str| {
+            let vertex = include_str!("../../shaders/ground_vertex.glsl");
+            Program::new(gl, label, vertex, fragment)
+        };
         let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
         let buffer = Buffer::vertices(gl, Usage::Static, &corners.map(|(x, z)| Vec2::new(x, z)))?;
         let square = VertexArray::builder(gl)
             .attribute(&buffer, Attribute::f32(0, 2))
             .build()?;
-        Ok(Self { program, square })
+        Ok(Self {
+            plain: program("ground", fragment)?,
+            shadowed: program(
+                "ground with shadows",
+                &format!("#define SHADOWS\n{fragment}"),
+            )?,
+            square,
+        })
     }
 
     /// Draws it, after everything opaque: seen from above it hides what is below, but from below
-    /// everything is seen through it. `shadows` is a picture as large
-    /// as `target`, white where the ground is in shadow.
+    /// everything is seen through it. The picture of `shadows` is as large as `target`, white where the
+    /// ground is in shadow: looking at it is most of the work, so that is done in their area alone.
     pub fn draw(
         &self,
         gl: &Gl,
         context: &PassContext,
         camera: &Camera,
-        shadows: Option<&Framebuffer>,
+        shadows: Option<Shadows>,
         target: &Framebuffer,
     ) {
-        if let Some(shadows) = shadows {
-            shadows.bind_texture_with_mipmaps(SHADOWS);
-        }
+        let whole = Area::whole([context.width, context.height]);
+        let shadowed = shadows.map_or(Area::EMPTY, |shadows| {
+            shadows.picture.bind_texture_with_mipmaps(SHADOWS);
+            shadows.area
+        });
         target.bind();
         let state = DrawState {
             depth_write: false,
             blend: Blend::Premultiplied,
             ..DrawState::opaque(context.width, context.height)
         };
-        state.apply(gl);
-        // As far as it can be distinguished from the horizon, around the camera's target; not
-        // beyond the far plane.
-        let reach = (camera.radius * 12.0).max(20.0).min(camera.far);
-        self.program
-            .set_mat4("clip_from_world", context.clip_from_world);
-        self.program
-            .set_vec2("center", Vec2::new(camera.target.x, camera.target.z));
-        self.program.set_f32("reach", reach);
-        self.program.set_f32("height", context.ground);
-        self.program.set_sampler("shadows", SHADOWS);
-        self.program
-            .set_i32("has_shadows", i32::from(shadows.is_some()));
-        self.program.set_f32("softness", SOFTNESS);
-        let is_shown = context.background == Background::Look;
-        let is_opaque = hides_below(context, camera);
-        self.program.set_f32("opaque", f32::from(is_opaque));
-        self.program
-            .set_f32("lit", if is_opaque { LIT } else { 0.0 });
-        self.program.set_f32("grid", f32::from(is_shown));
-        set_gradient(&self.program, context);
-        self.program
-            .set_f32("picture_height", context.height as f32);
-        self.program.set_vec3("ground", context.colors.ground);
-        self.program.set_vec3("line_color", context.colors.grid);
-        self.program.set_f32("darkness", context.colors.darkness);
-        self.square
-            .draw(&self.program, Primitive::TriangleStrip, 0..4);
+        let shadowed = [shadowed].into_iter().filter(|area| !area.is_empty());
+        let parts = shadowed.clone().map(|area| (&self.shadowed, area));
+        let area = shadowed.clone().next().unwrap_or(Area::EMPTY);
+        for (program, area) in parts.chain(area.outside(whole).map(|area| (&self.plain, area))) {
+            let part = DrawState {
+                scissor: Some(area.rectangle()),
+                ..state
+            };
+            part.apply(gl);
+            prepare(program, context, camera);
+            self.square.draw(program, Primitive::TriangleStrip, 0..4);
+        }
     }
+}
+
+/// Sets the uniforms of a program of the ground.
+fn prepare(program: &Program, context: &PassContext, camera: &Camera) {
+    // As far as it can be distinguished from the horizon, around the camera's target; not beyond the
+    // far plane.
+    let reach = (camera.radius * 12.0).max(20.0).min(camera.far);
+    program.set_mat4("clip_from_world", context.clip_from_world);
+    program.set_vec2("center", Vec2::new(camera.target.x, camera.target.z));
+    program.set_f32("reach", reach);
+    program.set_f32("height", context.ground);
+    program.set_sampler("shadows", SHADOWS);
+    program.set_f32("softness", SOFTNESS);
+    let is_shown = context.background == Background::Look;
+    let is_opaque = hides_below(context, camera);
+    program.set_f32("opaque", f32::from(is_opaque));
+    program.set_f32("lit", if is_opaque { LIT } else { 0.0 });
+    program.set_f32("grid", f32::from(is_shown));
+    set_gradient(program, context);
+    program.set_f32("picture_height", context.height as f32);
+    program.set_vec3("ground", context.colors.ground);
+    program.set_vec3("line_color", context.colors.grid);
+    program.set_f32("darkness", context.colors.darkness);
+}
+
+/// The pixels of the ground outside of which no shadow is seen: round the boxes of the shapes as they
+/// are flattened onto it, as far as a soft edge reaches.
+pub(super) fn shadow_area(context: &PassContext, frame: &Frame) -> Area {
+    let size = [context.width, context.height];
+    let clip_from_world = context.clip_from_world * ground_from_world(context.ground);
+    let hard = surfaces(frame).fold(Area::EMPTY, |all, (_, evaluated)| {
+        let corners = evaluated.world_box().corners();
+        all.union(Area::around(&corners, clip_from_world, size))
+    });
+    if hard.is_empty() {
+        return hard;
+    }
+    let rows = Rows::new(context.clip_from_world, context.ground, size);
+    let mut soft = hard;
+    let mut aside = 0;
+    for row in 0..size[1] {
+        let Some(world_per_pixel) = rows.world_per_pixel(row) else {
+            continue;
+        };
+        let reach = reach(f64::from(SOFTNESS) / world_per_pixel);
+        if row + reach >= hard.first[1] && row < hard.end[1] + reach {
+            soft.first[1] = soft.first[1].min(row);
+            soft.end[1] = soft.end[1].max(row + 1);
+            aside = aside.max(reach);
+        }
+    }
+    soft.first[0] = soft.first[0].saturating_sub(aside);
+    soft.end[0] = (soft.end[0] + aside).min(size[0]);
+    soft
+}
+
+/// How far aside the shader looks for shadows, in pixels, whose edges are `radius` pixels soft: its
+/// outermost look, and twice a pixel of the version of the picture that it looks at there, which may be
+/// a little larger than a power of two of the picture's own.
+fn reach(radius: f64) -> u32 {
+    let radius = radius.clamp(1.0, 64.0) * 1.01;
+    (0.75 * radius + 2.5 * radius.log2().ceil().exp2() + 2.0).ceil() as u32
 }
 
 /// Whether the ground hides what is below it: seen from below, or without a background, it does not.
@@ -176,6 +238,89 @@ pub(super) fn hides_below(context: &PassContext, camera: &Camera) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::gpu::{Backend, HeadlessContext};
+    use crate::render::tile::Tile;
+    use crate::render::{Backdrop, Marks};
+    use crate::scene::{Evaluator, Look, NewShape, Scene, ShapeKind, Skinning, ViewSettings};
+    use proptest::prelude::*;
+
+    /// Figures of pillars and balls, and cameras from everywhere above and below the ground.
+    fn scenes() -> impl Strategy<Value = (Scene, Camera)> {
+        let shape = (
+            any::<bool>(),
+            -4.0..4.0f32,
+            0.0..2.0f32,
+            -4.0..4.0f32,
+            0.1..1.5f32,
+        );
+        let shapes = proptest::collection::vec(shape, 1..4);
+        let camera = (0.5..40.0f32, -180.0..180.0f32, -20.0..89.0f32);
+        (shapes, camera).prop_map(|(shapes, (radius, theta, phi))| {
+            let mut scene = Scene::new();
+            for (is_ball, x, y, z, size) in shapes {
+                let kind = if is_ball {
+                    ShapeKind::Sphere
+                } else {
+                    ShapeKind::Cube
+                };
+                let id = scene.add(NewShape::new("A", kind));
+                let transform = &mut scene.shape_mut(id).unwrap().placement.transform;
+                transform.position = Vec3::new(x, y, z);
+                transform.scale = Vec3::new(size, 2.0 * size, size);
+            }
+            let camera = Camera {
+                radius,
+                theta: theta.to_radians(),
+                phi: phi.to_radians(),
+                ..Camera::default()
+            };
+            (scene, camera)
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+
+        #[test]
+        fn no_shadow_is_seen_outside_of_the_area_of_shadows((scene, camera) in scenes()) {
+            const SIZE: (u32, u32) = (173, 131);
+            let headless = HeadlessContext::new(Backend::Auto).unwrap();
+            let gl = headless.gl();
+            let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+            let view = ViewSettings { camera, look: Look::Studio, grid: true, ..ViewSettings::default() };
+            let frame = Frame {
+                scene: &scene,
+                evaluated: &evaluated,
+                view: &view,
+                backdrop: Backdrop::default(),
+                marks: Marks::default(),
+            };
+            let tile = Tile::whole(SIZE);
+            let context = PassContext {
+                width: SIZE.0,
+                height: SIZE.1,
+                tile,
+                background: Background::Look,
+                clip_from_world: camera.clip_from_world(tile.aspect()),
+                ground: -0.3,
+                colors: Backdrop::default().colors(Look::Studio),
+            };
+            let mut meshes = MeshCache::new(gl.info().max_texture_size);
+            meshes.update(gl, &evaluated, view.shading, Skinning::Cpu).unwrap();
+            let mut pass = ShadowPass::new(gl).unwrap();
+            let ground = GroundPass::new(gl).unwrap();
+            let picture = pass.draw(gl, &context, &frame, &meshes).unwrap();
+            let drawn = |area: Area| {
+                let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
+                target.clear([0.3, 0.4, 0.5, 1.0]);
+                ground.draw(gl, &context, &camera, Some(Shadows { picture, area }), &target);
+                target.read_rgba().unwrap()
+            };
+            let everywhere = drawn(Area::whole([SIZE.0, SIZE.1]));
+            let area = shadow_area(&context, &frame);
+            prop_assert!(drawn(area) == everywhere, "{area:?}");
+        }
+    }
 
     #[test]
     fn points_go_along_the_light_to_the_ground_and_those_on_it_stay() {

@@ -2,11 +2,13 @@
 //! [`Offscreen`] for both without a window. The window and the command line draw through the same
 //! [`Renderer::draw`].
 
+mod area;
 mod backdrop;
 mod backdrop_pass;
 mod cached_mesh;
 mod compose;
 mod curve_pass;
+mod edge_pass;
 mod ground_pass;
 mod mesh_cache;
 mod mesh_programs;

@@ -1,15 +1,14 @@
 //! Outlines of marked shapes.
 
-use super::backdrop_pass::whole_picture;
+use super::area::Area;
 use super::curve_pass::draw_curve_mask;
+use super::edge_pass::{Edge, EdgePass};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::renderer::{Frame, PassContext};
 use super::skeleton_pass::SkeletonPass;
-use crate::gpu::{
-    DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive, Program, VertexArray,
-};
-use crate::scene::{ModelDisplay, ShapeId, ShapeKind, SurfaceVisibility};
+use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive};
+use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeId, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 
 const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
@@ -21,8 +20,7 @@ const WIDTH: u32 = 2;
 #[derive(Debug)]
 pub(super) struct OutlinePass {
     masks: MeshPrograms,
-    edge_program: Program,
-    whole_picture: VertexArray,
+    edges: EdgePass,
     mask: Option<Framebuffer>,
 }
 
@@ -30,13 +28,7 @@ impl OutlinePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
             masks: MeshPrograms::new(gl, "mask", include_str!("../../shaders/mask_fragment.glsl"))?,
-            edge_program: Program::new(
-                gl,
-                "outline",
-                include_str!("../../shaders/whole_picture_vertex.glsl"),
-                include_str!("../../shaders/outline_fragment.glsl"),
-            )?,
-            whole_picture: whole_picture(gl)?,
+            edges: EdgePass::new(gl)?,
             mask: None,
         })
     }
@@ -72,7 +64,12 @@ impl OutlinePass {
         let hovered = marks.hovered.map(|id| (id, Vec3::Y));
         let selected = marks.also_selected.iter().copied().chain(marks.selected);
         let selected = selected.map(|id| (id, Vec3::X));
+        let mut covered = Area::EMPTY;
         for (id, color) in hovered.into_iter().chain(selected) {
+            let shape = frame.scene.shape(id).zip(frame.evaluated.shape(id));
+            if let Some((shape, evaluated)) = shape {
+                covered = covered.union(area(context, shape, evaluated));
+            }
             draw_mask(
                 &self.masks,
                 context,
@@ -83,20 +80,29 @@ impl OutlinePass {
                 color,
             )?;
         }
-        mask.bind_texture(0);
-        target.bind();
-        flat.apply(gl);
-        let program = &self.edge_program;
-        program.set_sampler("mask", 0);
-        program.set_vec3("selected_color", SELECTED);
-        program.set_vec3("hovered_color", context.colors.hovered);
-        program.set_i32(
-            "reach",
-            (WIDTH * context.tile.whole.1.div_ceil(800)).min(6) as i32,
-        );
-        self.whole_picture.draw(program, Primitive::Triangles, 0..3);
-        Ok(())
+        let edge = Edge {
+            selected: SELECTED,
+            hovered: context.colors.hovered,
+            width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
+        };
+        self.edges.draw(gl, mask, covered, &edge, target)
     }
+}
+
+/// The pixels outside of which the mask of a shape is empty.
+fn area(context: &PassContext, shape: &Shape, evaluated: &EvaluatedShape) -> Area {
+    let size = [context.width, context.height];
+    // Lines and joints are drawn beyond the mesh.
+    let is_mesh = match &shape.kind {
+        ShapeKind::Character(character) => character.display.mode != ModelDisplay::Skeleton,
+        ShapeKind::Curve(_) => false,
+        _ => true,
+    };
+    if !is_mesh {
+        return Area::whole(size);
+    }
+    let corners = evaluated.world_box().corners();
+    Area::around(&corners, context.clip_from_world, size)
 }
 
 fn draw_mask(

@@ -3,7 +3,7 @@
 use super::backdrop::{Backdrop, Colors};
 use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
-use super::ground_pass::{GroundPass, ShadowPass, hides_below};
+use super::ground_pass::{GroundPass, ShadowPass, Shadows, hides_below, shadow_area};
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
@@ -222,7 +222,10 @@ impl Renderer {
         if has_ground {
             let shadows = self.shadows.draw(gl, &context, frame, meshes);
             let (shadows, result) = match shadows {
-                Ok(shadows) => (Some(shadows), Ok(())),
+                Ok(picture) => {
+                    let area = shadow_area(&context, frame);
+                    (Some(Shadows { picture, area }), Ok(()))
+                }
                 Err(error) => (None, Err(error)),
             };
             drawn = drawn.and(result);

@@ -104,6 +104,13 @@ impl EvaluatedShape {
     pub fn world_bounds(&self) -> Aabb {
         self.geometry.bounds().transformed(self.world_from_model)
     }
+
+    /// Box in the world that contains the shape, but for its control points: its bounds if they are
+    /// known, else a larger one for which no vertex is skinned.
+    pub fn world_box(&self) -> Aabb {
+        let inside = self.geometry.conservative_bounds();
+        inside.transformed(self.world_from_model)
+    }
 }
 
 impl Evaluated {

@@ -153,6 +153,11 @@ impl UiState {
         self.styled = false;
     }
 
+    /// Whether the camera is being turned or moved by a drag.
+    pub fn is_moving_camera(&self) -> bool {
+        self.camera_before_drag.is_some()
+    }
+
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing
     /// else.
     pub fn gesture_under_way(&self) -> bool {

@@ -121,6 +121,7 @@ fn mess(gl: &Gl) {
 
 const EVERYTHING_SET: DrawState = DrawState {
     viewport: [1, 2, 10, 11],
+    scissor: Some([2, 3, 5, 7]),
     depth_test: DepthTest::LessEqual,
     depth_write: false,
     blend: Blend::Alpha,
@@ -161,8 +162,8 @@ fn a_picture_does_not_depend_on_what_was_left_behind() {
         let clean = draw();
         let white = clean.count(|pixel| pixel == [255; 4]);
         assert!(
-            (40..70).contains(&white),
-            "{white} pixels, of the viewport's 110"
+            (10..20).contains(&white),
+            "{white} pixels, of the scissor rectangle's 35"
         );
         mess(gl);
         assert!(draw() == clean);

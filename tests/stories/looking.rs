@@ -1,7 +1,7 @@
 //! Looking: views, mouse and wheel, and every key of the program, by what the course's editor and
 //! the assignment say that they do.
 
-use super::Story;
+use super::{Story, differing};
 use editor_core::editor::Tool;
 use editor_core::scene::{Camera, Look, Shading, ShapeKind};
 use editor_core::ui::{COMMANDS, Command};
@@ -386,4 +386,28 @@ fn a_command_is_found_by_its_name_and_run() {
     story.key(Key::Escape);
     assert!(!story.has("Find a command"));
     assert!(story.session().selected().is_some(), "Esc did nothing else");
+}
+
+#[test]
+fn on_software_a_picture_that_moves_has_no_samples_and_the_full_one_comes_as_soon_as_it_rests() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(33.0, 0.0));
+    let moving = story.scene_picture();
+    // The drag goes on, but the hand rests.
+    story.wait(0.1);
+    let resting = story.scene_picture();
+    let software = story.headless.gl().info().is_software;
+    assert_eq!(differing(&moving, &resting) > 0, software);
+    story.button(false);
+    story.settle();
+    assert_eq!(differing(&resting, &story.scene_picture()), 0);
+
+    // Turning the camera moves everything.
+    let middle = story.view().center();
+    story.press_and_drag(middle, middle + vec2(50.0, 20.0));
+    let moving = story.scene_picture();
+    story.button(false);
+    story.settle();
+    assert_eq!(differing(&moving, &story.scene_picture()) > 0, software);
 }

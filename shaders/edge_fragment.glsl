@@ -4,8 +4,6 @@ uniform vec3 selected_color;
 uniform vec3 hovered_color;
 uniform int reach;
 
-in vec2 across;
-
 out vec4 fragment_color;
 
 void main() {

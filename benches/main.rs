@@ -1,0 +1,21 @@
+//! `make bench`: what things cost, as ratios within one run next to their targets. Times are CPU times of
+//! the whole process, threads of the graphics driver included, the least of interleaved rounds.
+
+mod frames;
+#[path = "../tests/host.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod host;
+mod report;
+mod window;
+
+use report::Report;
+
+fn main() {
+    // Cargo passes options of its own test harness.
+    let filter = std::env::args()
+        .skip(1)
+        .find(|argument| !argument.starts_with('-'));
+    let mut report = Report::new(filter);
+    frames::run(&mut report);
+    report.finish();
+}

@@ -1,0 +1,97 @@
+use std::fmt::Write;
+use std::path::Path;
+
+/// A ratio next to its target.
+struct Line {
+    what: String,
+    found: f64,
+    most: f64,
+    costs: String,
+}
+
+/// Everything that was measured, printed as it comes and written to `docs/benchmarks.md` in the end.
+pub struct Report {
+    filter: Option<String>,
+    lines: Vec<Line>,
+}
+
+impl Report {
+    /// A report of all benchmarks, or of those with `filter` in their names.
+    pub fn new(filter: Option<String>) -> Self {
+        println!("{}", machine());
+        Self {
+            filter,
+            lines: Vec::new(),
+        }
+    }
+
+    /// Measures `one` against `other` if it is wanted, and reports the ratio of their costs in
+    /// milliseconds.
+    pub fn ratio(&mut self, what: &str, most: f64, measure: impl FnOnce() -> (f64, f64)) {
+        let is_wanted = self
+            .filter
+            .as_ref()
+            .is_none_or(|filter| what.contains(filter));
+        if !is_wanted {
+            return;
+        }
+        let (one, other) = measure();
+        let line = Line {
+            what: what.to_owned(),
+            found: one / other,
+            most,
+            costs: format!("{one:.1} ms to {other:.1} ms"),
+        };
+        println!(
+            "{what}: {:.2} (at most {most:.2}; {})",
+            line.found, line.costs
+        );
+        self.lines.push(line);
+    }
+
+    /// Writes the page, unless only a part was measured.
+    pub fn finish(self) {
+        if self.filter.is_some() {
+            return;
+        }
+        let mut text = format!(
+            "# Benchmarks\n\nWritten by `make bench`. {}\n\nRatios of CPU times of the whole process, threads \
+             of the graphics driver included: the least of interleaved rounds of one run.\n\n\
+             | what | ratio | at most | of |\n|---|---|---|---|\n",
+            machine()
+        );
+        for line in &self.lines {
+            let missed = if line.found > line.most {
+                " (missed)"
+            } else {
+                ""
+            };
+            let Line {
+                what,
+                found,
+                most,
+                costs,
+            } = line;
+            // Writing to a string cannot fail.
+            let _ = writeln!(
+                text,
+                "| {what} | {found:.2}{missed} | {most:.2} | {costs} |"
+            );
+        }
+        let notes = include_str!("notes.md");
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/benchmarks.md");
+        std::fs::write(&path, format!("{text}\n{notes}")).expect("docs/benchmarks.md is written");
+        println!("Written to {}", path.display());
+    }
+}
+
+/// The processor and how many of its cores there are.
+fn machine() -> String {
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info
+        .lines()
+        .find_map(|line| line.strip_prefix("model name"));
+    let name = name.map_or("unknown", |rest| rest.trim_start_matches([' ', '\t', ':']));
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("Processor: {name}, {cores} cores.")
+}

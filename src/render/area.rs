@@ -1,0 +1,197 @@
+use glam::{DMat4, DVec3, DVec4, Mat4, Vec2, Vec3};
+
+/// Rectangle of pixels of a picture, counted from the bottom left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Area {
+    /// First column and row.
+    pub first: [u32; 2],
+    /// Column and row after the last.
+    pub end: [u32; 2],
+}
+
+impl Area {
+    /// No pixels at all.
+    pub const EMPTY: Self = Self {
+        first: [u32::MAX; 2],
+        end: [0; 2],
+    };
+
+    /// All pixels of a picture of this size.
+    pub fn whole(size: [u32; 2]) -> Self {
+        Self {
+            first: [0; 2],
+            end: size,
+        }
+    }
+
+    pub fn is_empty(&self) -> bool {
+        self.first[0] >= self.end[0] || self.first[1] >= self.end[1]
+    }
+
+    /// The smallest area with both.
+    pub fn union(self, other: Self) -> Self {
+        let axes = [0, 1];
+        Self {
+            first: axes.map(|axis| self.first[axis].min(other.first[axis])),
+            end: axes.map(|axis| self.end[axis].max(other.end[axis])),
+        }
+    }
+
+    /// Where everything between `points` lies in a picture of `size` pixels, with a pixel more on each
+    /// side for what rounding may do. All of the picture if a point is behind the eye, which has no
+    /// such place.
+    pub fn around(points: &[Vec3], clip_from_world: Mat4, size: [u32; 2]) -> Self {
+        let mut least = Vec2::INFINITY;
+        let mut most = Vec2::NEG_INFINITY;
+        for point in points {
+            let clip = clip_from_world * point.extend(1.0);
+            let at = clip.truncate().truncate() / clip.w;
+            if clip.w <= 0.0 || !at.is_finite() {
+                return Self::whole(size);
+            }
+            (least, most) = (least.min(at), most.max(at));
+        }
+        if points.is_empty() {
+            return Self::EMPTY;
+        }
+        let [width, height] = size;
+        let pixel = |at: Vec2| (at * 0.5 + 0.5) * Vec2::new(width as f32, height as f32);
+        // Numbers beyond the range of integers become the nearest in it.
+        let (least, most) = (pixel(least) - 1.0, pixel(most) + 2.0);
+        Self {
+            first: [least.x as u32, least.y as u32],
+            end: [(most.x as u32).min(width), (most.y as u32).min(height)],
+        }
+    }
+
+    /// Left side, lower side, width and height, as OpenGL takes them.
+    pub fn rectangle(&self) -> [i32; 4] {
+        let [x, y] = self.first.map(u32::cast_signed);
+        let [right, top] = self.end.map(u32::cast_signed);
+        [x, y, (right - x).max(0), (top - y).max(0)]
+    }
+
+    /// The pixels of `whole` outside of this area of it, in up to four rectangles.
+    pub fn outside(&self, whole: Self) -> impl Iterator<Item = Self> {
+        let ([left, bottom], [right, top]) = (self.first, self.end);
+        let ([first, low], [end, high]) = (whole.first, whole.end);
+        let area = |first, end| Self { first, end };
+        let parts = if self.is_empty() {
+            [whole, Self::EMPTY, Self::EMPTY, Self::EMPTY]
+        } else {
+            [
+                area([first, low], [end, bottom]),
+                area([first, top], [end, high]),
+                area([first, bottom], [left, top]),
+                area([right, bottom], [end, top]),
+            ]
+        };
+        parts.into_iter().filter(|part| !part.is_empty())
+    }
+}
+
+/// A horizontal plane as rows of a picture show it, by a camera that does not roll.
+pub(super) struct Rows {
+    world_from_clip: DMat4,
+    height: f64,
+    size: [u32; 2],
+}
+
+impl Rows {
+    /// The plane at `height` in the world.
+    pub fn new(clip_from_world: Mat4, height: f32, size: [u32; 2]) -> Self {
+        Self {
+            world_from_clip: clip_from_world.as_dmat4().inverse(),
+            height: f64::from(height),
+            size,
+        }
+    }
+
+    /// Length in the world that is a pixel wide in `row`; `None` where the plane is not seen.
+    pub fn world_per_pixel(&self, row: u32) -> Option<f64> {
+        let middle = f64::from(self.size[0] / 2);
+        let length = (self.point(middle, row)? - self.point(middle + 1.0, row)?).length();
+        (length.is_finite() && length > 0.0).then_some(length)
+    }
+
+    fn point(&self, column: f64, row: u32) -> Option<DVec3> {
+        let [width, height] = self.size.map(f64::from);
+        let x = 2.0 * (column + 0.5) / width - 1.0;
+        let y = 2.0 * (f64::from(row) + 0.5) / height - 1.0;
+        let unproject = |depth: f64| {
+            let world = self.world_from_clip * DVec4::new(x, y, depth, 1.0);
+            world.truncate() / world.w
+        };
+        let (near, far) = (unproject(-1.0), unproject(1.0));
+        let along = (self.height - near.y) / (far.y - near.y);
+        (along >= 0.0).then(|| near + (far - near) * along)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::camera::rh::{proj::opengl, view};
+
+    #[test]
+    fn an_area_and_what_is_outside_of_it_are_all_pixels_once() {
+        let whole = Area::whole([9, 7]);
+        for area in [
+            Area {
+                first: [2, 3],
+                end: [5, 6],
+            },
+            Area {
+                first: [0, 0],
+                end: [9, 3],
+            },
+            Area::EMPTY,
+            whole,
+        ] {
+            let mut times = [[0; 9]; 7];
+            for part in area
+                .outside(whole)
+                .chain([area])
+                .filter(|part| !part.is_empty())
+            {
+                for row in part.first[1]..part.end[1] {
+                    for column in part.first[0]..part.end[0] {
+                        times[row as usize][column as usize] += 1;
+                    }
+                }
+            }
+            assert_eq!(times, [[1; 9]; 7], "{area:?}");
+        }
+    }
+
+    #[test]
+    fn points_lie_in_their_area_and_those_behind_the_eye_may_be_anywhere() {
+        let size = [100, 50];
+        let clip_from_world = opengl::perspective(1.0, 2.0, 0.1, 100.0);
+        let points = [Vec3::new(0.0, 0.0, -5.0), Vec3::new(1.0, 0.5, -5.0)];
+        let area = Area::around(&points, clip_from_world, size);
+        // The middle of the picture, and 0.2 / tan(0.5) / 2 of half its width to the right.
+        assert_eq!(area.first, [49, 24]);
+        assert_eq!(area.end, [61, 31]);
+        let behind = [Vec3::new(0.0, 0.0, 5.0)];
+        assert_eq!(
+            Area::around(&behind, clip_from_world, size),
+            Area::whole(size)
+        );
+        assert!(Area::around(&[], clip_from_world, size).is_empty());
+    }
+
+    #[test]
+    fn a_row_shows_a_plane_the_larger_the_nearer_it_is() {
+        let eye = Vec3::new(0.0, 2.0, 5.0);
+        let view = view::look_at_mat4(eye, Vec3::ZERO, Vec3::Y);
+        let clip_from_world = opengl::perspective(1.0, 2.0, 0.1, 100.0) * view;
+        let rows = Rows::new(clip_from_world, 0.0, [200, 100]);
+        // The middle row shows the target: 2 · distance · tan(0.5) over 100 rows.
+        let expected = 2.0 * f64::from(eye.length()) * 0.5f64.tan() / 100.0;
+        let found = rows.world_per_pixel(50).unwrap();
+        assert!((found / expected - 1.0).abs() < 0.02, "{found} {expected}");
+        assert!(rows.world_per_pixel(0).unwrap() < found);
+        assert_eq!(rows.world_per_pixel(99), None, "above the horizon");
+    }
+}
