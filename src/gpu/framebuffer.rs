@@ -237,6 +237,44 @@ impl Framebuffer {
         Ok(())
     }
 
+    /// Copies colors and depth into another picture of the same size and context; both have no samples.
+    /// Afterwards the other is bound.
+    ///
+    /// # Errors
+    /// When they are not such pictures.
+    pub fn copy_into(&self, other: &Self) -> Result<(), GpuError> {
+        if self.samples > 0 || (self.width, self.height) != (other.width, other.height) {
+            return Err(GpuError::Data {
+                what: "framebuffer",
+                problem:
+                    "colors and depth are copied between pictures of one size, without samples"
+                        .to_owned(),
+            });
+        }
+        self.blit_into(other, self.rect(), other.rect())?;
+        if let Some(glow) = self.gl.current() {
+            // SAFETY: current context; blitting the colors has bound and prepared both.
+            unsafe {
+                glow.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.drawn.raw));
+                let Rect { width, height, .. } = self.rect();
+                glow.blit_framebuffer(
+                    0,
+                    0,
+                    width,
+                    height,
+                    0,
+                    0,
+                    width,
+                    height,
+                    glow::DEPTH_BUFFER_BIT,
+                    glow::NEAREST,
+                );
+            }
+        }
+        other.bind();
+        Ok(())
+    }
+
     /// Binds the picture to a texture unit, where a `sampler2D` reads it, unfiltered; not while it
     /// is drawn into.
     pub fn bind_texture(&self, unit: u32) {

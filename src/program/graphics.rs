@@ -217,7 +217,7 @@ impl Graphics {
         }
         let size = (target.width(), target.height());
         let draft = fit(&self.gl, &mut self.draft, size, 0)?;
-        self.renderer.draw(frame, draft).map(|()| REST)
+        self.renderer.draw_moving(frame, draft).map(|()| REST)
     }
 
     /// Draws `frame` in a size of its own, for a comparison. Pictures of the same size share their

@@ -64,6 +64,15 @@ impl Area {
         }
     }
 
+    /// The pixels that are in both.
+    pub fn within(self, other: Self) -> Self {
+        let axes = [0, 1];
+        Self {
+            first: axes.map(|axis| self.first[axis].max(other.first[axis])),
+            end: axes.map(|axis| self.end[axis].min(other.end[axis])),
+        }
+    }
+
     /// Left side, lower side, width and height, as OpenGL takes them.
     pub fn rectangle(&self) -> [i32; 4] {
         let [x, y] = self.first.map(u32::cast_signed);

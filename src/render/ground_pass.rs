@@ -41,18 +41,22 @@ impl ShadowPass {
         self.programs.add_skinned(gl)
     }
 
-    /// A picture as large as the one that is drawn, white where the ground is in shadow. Afterwards it
-    /// is bound.
+    /// A picture as large as the one that is drawn, white where the ground is in shadow: in those of
+    /// `others`, if there are any, and those of the shapes. Afterwards it is bound.
     pub fn draw(
         &mut self,
         gl: &Gl,
         context: &PassContext,
         frame: &Frame,
         meshes: &MeshCache,
+        others: Option<&Framebuffer>,
     ) -> Result<&Framebuffer, GpuError> {
         let (width, height) = (context.width, context.height);
         let shadows = Framebuffer::fitting(&mut self.shadows, gl, width, height)?;
-        shadows.clear([0.0; 4]);
+        match others {
+            Some(others) => others.copy_into(shadows)?,
+            None => shadows.clear([0.0; 4]),
+        }
         let state = DrawState {
             depth_test: DepthTest::Off,
             depth_write: false,
@@ -134,18 +138,19 @@ impl GroundPass {
     /// Draws it, after everything opaque: seen from above it hides what is below, but from below
     /// everything is seen through it. The picture of `shadows` is as large as `target`, white where the
     /// ground is in shadow: looking at it is most of the work, so that is done in their area alone.
+    /// Nothing is drawn outside of `within`.
     pub fn draw(
         &self,
         gl: &Gl,
         context: &PassContext,
         camera: &Camera,
         shadows: Option<Shadows>,
+        within: Area,
         target: &Framebuffer,
     ) {
-        let whole = Area::whole([context.width, context.height]);
         let shadowed = shadows.map_or(Area::EMPTY, |shadows| {
             shadows.picture.bind_texture_with_mipmaps(SHADOWS);
-            shadows.area
+            shadows.area.within(within)
         });
         target.bind();
         let state = DrawState {
@@ -156,7 +161,7 @@ impl GroundPass {
         let shadowed = [shadowed].into_iter().filter(|area| !area.is_empty());
         let parts = shadowed.clone().map(|area| (&self.shadowed, area));
         let area = shadowed.clone().next().unwrap_or(Area::EMPTY);
-        for (program, area) in parts.chain(area.outside(whole).map(|area| (&self.plain, area))) {
+        for (program, area) in parts.chain(area.outside(within).map(|area| (&self.plain, area))) {
             let part = DrawState {
                 scissor: Some(area.rectangle()),
                 ..state
@@ -309,14 +314,16 @@ mod tests {
             meshes.update(gl, &evaluated, view.shading, Skinning::Cpu).unwrap();
             let mut pass = ShadowPass::new(gl).unwrap();
             let ground = GroundPass::new(gl).unwrap();
-            let picture = pass.draw(gl, &context, &frame, &meshes).unwrap();
+            let picture = pass.draw(gl, &context, &frame, &meshes, None).unwrap();
+            let whole = Area::whole([SIZE.0, SIZE.1]);
             let drawn = |area: Area| {
                 let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
                 target.clear([0.3, 0.4, 0.5, 1.0]);
-                ground.draw(gl, &context, &camera, Some(Shadows { picture, area }), &target);
+                let shadows = Some(Shadows { picture, area });
+                ground.draw(gl, &context, &camera, shadows, whole, &target);
                 target.read_rgba().unwrap()
             };
-            let everywhere = drawn(Area::whole([SIZE.0, SIZE.1]));
+            let everywhere = drawn(whole);
             let area = shadow_area(&context, &frame);
             prop_assert!(drawn(area) == everywhere, "{area:?}");
         }

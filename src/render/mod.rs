@@ -20,6 +20,7 @@ mod read_back;
 mod renderer;
 mod skeleton_pass;
 mod skinning_tables;
+mod still_layer;
 mod surface_pass;
 mod tile;
 mod upload_cache;

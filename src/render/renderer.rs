@@ -1,5 +1,6 @@
 //! The renderer: frames in, pictures out.
 
+use super::area::Area;
 use super::backdrop::{Backdrop, Colors};
 use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
@@ -7,6 +8,7 @@ use super::ground_pass::{GroundPass, ShadowPass, Shadows, hides_below, shadow_ar
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
+use super::still_layer::{Plan, StillLayer};
 use super::surface_pass::SurfacePass;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError, Immediate, Info};
@@ -114,6 +116,7 @@ pub struct Renderer {
     ground: GroundPass,
     floor: FloorPass,
     outline: OutlinePass,
+    layer: StillLayer,
     immediate: Immediate,
 }
 
@@ -136,6 +139,7 @@ impl Renderer {
             ground: GroundPass::new(gl)?,
             floor: FloorPass::new(gl)?,
             outline: OutlinePass::new(gl)?,
+            layer: StillLayer::default(),
             immediate: Immediate::new(gl)?,
         })
     }
@@ -162,11 +166,60 @@ impl Renderer {
         tile: Tile,
         background: Background,
     ) -> Result<(), RenderError> {
+        self.draw_by(frame, |renderer| {
+            let context = renderer.context(frame, target, tile, background);
+            renderer.draw_passes(frame, target, &context)
+        })
+    }
+
+    /// As [`Renderer::draw`], with the same pixels, but fast where it is called for one picture after
+    /// the other of something that is dragged: what stands still is kept. `target` has no samples.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub fn draw_moving(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        self.draw_by(frame, |renderer| {
+            let tile = Tile::whole((target.width(), target.height()));
+            let context = renderer.context(frame, target, tile, Background::Look);
+            let hides_below = hides_below(&context, &frame.view.camera);
+            match renderer.layer.plan(frame, &context, hides_below) {
+                Plan::Whole => renderer.draw_passes(frame, target, &context),
+                Plan::Over {
+                    is_new,
+                    moving,
+                    still,
+                } => {
+                    let [moving, still] = [&moving, &still].map(|evaluated| Frame {
+                        evaluated,
+                        marks: Marks::default(),
+                        ..frame.clone()
+                    });
+                    let layer = match is_new {
+                        true => renderer.draw_layer(&still, &context),
+                        false => Ok(()),
+                    };
+                    let drawn =
+                        layer.and_then(|()| renderer.draw_over(frame, &moving, target, &context));
+                    if drawn.is_err() {
+                        renderer.layer.forget();
+                    }
+                    drawn
+                }
+            }
+        })
+    }
+
+    /// Draws a frame by `passes`, after its meshes were uploaded.
+    fn draw_by(
+        &mut self,
+        frame: &Frame,
+        passes: impl FnOnce(&mut Self) -> Result<(), GpuError>,
+    ) -> Result<(), RenderError> {
         // Faults that came before are not those of a mesh.
         let before = self.gl.check("what came before the scene");
         let updated = self.update_meshes(frame);
         self.curves.update(&self.gl, frame, &mut self.immediate);
-        let drawn = self.draw_passes(frame, target, tile, background);
+        let drawn = passes(self);
         let after = self.gl.check("drawing the scene");
         before.and(updated)?;
         let mut parts = self.meshes.left_out(frame);
@@ -177,12 +230,107 @@ impl Renderer {
         Ok(drawn.and(after)?)
     }
 
-    fn draw_passes(
-        &mut self,
+    fn context(
+        &self,
         frame: &Frame,
         target: &Framebuffer,
         tile: Tile,
         background: Background,
+    ) -> PassContext {
+        let camera = &frame.view.camera;
+        PassContext {
+            width: target.width(),
+            height: target.height(),
+            tile,
+            background,
+            clip_from_world: tile.clip_from_whole() * camera.clip_from_world(tile.aspect()),
+            ground: self.meshes.ground_height(frame.evaluated),
+            colors: frame.backdrop.colors(frame.view.look),
+        }
+    }
+
+    /// Draws the layer of what stands still.
+    fn draw_layer(&mut self, still: &Frame, context: &PassContext) -> Result<(), GpuError> {
+        let Self {
+            gl, meshes, layer, ..
+        } = self;
+        let (width, height) = (context.width, context.height);
+        let picture = Framebuffer::fitting(&mut layer.picture, gl, width, height)?;
+        self.background.draw(gl, context, still.view.look, picture);
+        self.surfaces.draw_opaque(gl, context, still, meshes);
+        if !has_ground(still) {
+            return Ok(());
+        }
+        let drawn = self.shadows.draw(gl, context, still, meshes, None)?;
+        let shadows = Framebuffer::fitting(&mut layer.shadows, gl, width, height)?;
+        drawn.copy_into(shadows)?;
+        let shadows = Shadows {
+            picture: drawn,
+            area: shadow_area(context, still),
+        };
+        let whole = Area::whole([width, height]);
+        let camera = &still.view.camera;
+        self.ground
+            .draw(gl, context, camera, Some(shadows), whole, picture);
+        Ok(())
+    }
+
+    /// Draws the shapes that move, those of `moving`, over the layer of what stands still, and what
+    /// marks shapes of `frame`.
+    fn draw_over(
+        &mut self,
+        frame: &Frame,
+        moving: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        let Self {
+            gl,
+            meshes,
+            layer,
+            immediate,
+            ..
+        } = self;
+        let size = [context.width, context.height];
+        let kept = Framebuffer::fitting(&mut layer.picture, gl, size[0], size[1])?;
+        kept.copy_into(target)?;
+        self.surfaces.draw_opaque(gl, context, moving, meshes);
+        if has_ground(frame) {
+            let others = layer.shadows.as_ref();
+            let picture = self.shadows.draw(gl, context, moving, meshes, others)?;
+            let shadows = Shadows {
+                picture,
+                area: shadow_area(context, frame),
+            };
+            // The ground before shapes that have moved, and in their shadows.
+            let boxes = moving.shapes().map(|(_, evaluated)| {
+                let corners = evaluated.world_box().corners();
+                Area::around(&corners, context.clip_from_world, size)
+            });
+            let within = boxes.fold(shadow_area(context, moving), Area::union);
+            let camera = &frame.view.camera;
+            self.ground
+                .draw(gl, context, camera, Some(shadows), within, target);
+        }
+        if frame.view.axis {
+            let floor = has_ground(frame).then_some(context.ground);
+            draw_axis(gl, immediate, context, floor);
+        }
+        self.outline.draw(
+            gl,
+            context,
+            frame,
+            meshes,
+            (&mut self.skeletons, immediate),
+            target,
+        )
+    }
+
+    fn draw_passes(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
     ) -> Result<(), GpuError> {
         let Self {
             gl,
@@ -191,56 +339,48 @@ impl Renderer {
             ..
         } = self;
         let camera = &frame.view.camera;
-        let context = PassContext {
-            width: target.width(),
-            height: target.height(),
-            tile,
-            background,
-            clip_from_world: tile.clip_from_whole() * camera.clip_from_world(tile.aspect()),
-            ground: meshes.ground_height(frame.evaluated),
-            colors: frame.backdrop.colors(frame.view.look),
-        };
-
-        self.background.draw(gl, &context, frame.view.look, target);
+        self.background.draw(gl, context, frame.view.look, target);
         let is_mannequin = frame.view.look == Look::Mannequin;
-        if frame.view.grid && is_mannequin && background == Background::Look {
-            self.floor.draw(gl, &context, camera);
+        if frame.view.grid && is_mannequin && context.background == Background::Look {
+            self.floor.draw(gl, context, camera);
         }
         // A ground with lines of its own comes under the axes.
-        let has_ground = frame.view.grid && frame.view.look == Look::Studio;
+        let has_ground = has_ground(frame);
         if frame.view.axis && !has_ground {
-            draw_axis(gl, immediate, &context, None);
+            draw_axis(gl, immediate, context, None);
         }
         let mut drawn = Ok(());
-        self.surfaces.draw_opaque(gl, &context, frame, meshes);
-        self.curves.draw(gl, &context, frame, immediate);
+        self.surfaces.draw_opaque(gl, context, frame, meshes);
+        self.curves.draw(gl, context, frame, immediate);
         if is_mannequin {
-            draw_mannequin_bones(gl, &context, frame, immediate);
+            draw_mannequin_bones(gl, context, frame, immediate);
         } else {
-            drawn = self.skeletons.draw(gl, &context, frame, immediate);
+            drawn = self.skeletons.draw(gl, context, frame, immediate);
         }
         if has_ground {
-            let shadows = self.shadows.draw(gl, &context, frame, meshes);
+            let shadows = self.shadows.draw(gl, context, frame, meshes, None);
             let (shadows, result) = match shadows {
                 Ok(picture) => {
-                    let area = shadow_area(&context, frame);
+                    let area = shadow_area(context, frame);
                     (Some(Shadows { picture, area }), Ok(()))
                 }
                 Err(error) => (None, Err(error)),
             };
             drawn = drawn.and(result);
-            self.ground.draw(gl, &context, camera, shadows, target);
+            let whole = Area::whole([context.width, context.height]);
+            self.ground
+                .draw(gl, context, camera, shadows, whole, target);
             if frame.view.axis {
-                let floor = hides_below(&context, camera).then_some(context.ground);
-                draw_axis(gl, immediate, &context, floor);
+                let floor = hides_below(context, camera).then_some(context.ground);
+                draw_axis(gl, immediate, context, floor);
             }
         }
         if !is_mannequin {
-            self.surfaces.draw_translucent(gl, &context, frame, meshes);
+            self.surfaces.draw_translucent(gl, context, frame, meshes);
         }
         let outlined = self.outline.draw(
             gl,
-            &context,
+            context,
             frame,
             meshes,
             (&mut self.skeletons, immediate),
@@ -306,6 +446,11 @@ impl Renderer {
         self.shadows.add_skinned(gl)?;
         self.outline.add_skinned(gl)
     }
+}
+
+/// Whether the look has a ground with lines, which is seen.
+fn has_ground(frame: &Frame) -> bool {
+    frame.view.grid && frame.view.look == Look::Studio
 }
 
 /// Textures that a skinning vertex shader reads: palettes and influences.

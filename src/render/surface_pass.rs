@@ -143,6 +143,15 @@ fn shapes<'a>(
     })
 }
 
+/// Whether all that is drawn of a shape is its surface.
+pub(super) fn is_surface_alone(shape: &Shape) -> bool {
+    match &shape.kind {
+        ShapeKind::Character(character) => character.display.mode == ModelDisplay::Mesh,
+        ShapeKind::Curve(_) => false,
+        _ => true,
+    }
+}
+
 /// Consecutive triangles of one color and texture.
 struct Part<'a> {
     triangles: Range<usize>,
