@@ -126,15 +126,21 @@ impl Host for MemoryHost {
         self.events.push_back(HostEvent::Written { path, result });
     }
 
-    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, previous: Previous) {
         let result = match &self.write_fault {
             Some(fault) => Err(Diagnostic::new(path, fault.clone())),
             None => {
                 for (path, bytes) in files {
-                    if let Some(old) = self.files.insert(path.clone(), bytes) {
+                    let before = self.files.insert(path.clone(), bytes.clone());
+                    if let Some(old) = before
+                        && old != bytes
+                        && (previous == Previous::KeepBeside
+                            || self.written.get(&path) != Some(&old))
+                    {
                         let beside = format!("{}~", path.display());
                         self.files.insert(beside.into(), old);
                     }
+                    self.written.insert(path, bytes);
                 }
                 Ok(())
             }

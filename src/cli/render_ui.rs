@@ -202,7 +202,7 @@ impl Host for StillHost {
 
     fn write_file(&mut self, _: &Path, _: Vec<u8>, _: Previous) {}
 
-    fn write_files(&mut self, _: &Path, _: Vec<(PathBuf, Vec<u8>)>) {}
+    fn write_files(&mut self, _: &Path, _: Vec<(PathBuf, Vec<u8>)>, _: Previous) {}
 
     fn watch(&mut self, _: Vec<PathBuf>) {}
 

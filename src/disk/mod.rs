@@ -38,6 +38,21 @@ impl Files for Disk {
         // Fails for an empty path, and where the current folder is gone.
         std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
     }
+
+    fn real(&self, path: &Path) -> PathBuf {
+        // Links in what is there of it; what is not there has none.
+        let absolute = crate::io::normal(&self.absolute(path));
+        let known = |there: &Path| {
+            let rest = absolute.strip_prefix(there).ok()?;
+            let real = std::fs::canonicalize(there).ok()?;
+            Some(if rest.as_os_str().is_empty() {
+                real
+            } else {
+                real.join(rest)
+            })
+        };
+        absolute.ancestors().find_map(known).unwrap_or(absolute)
+    }
 }
 
 /// The whole content of `path`, an ordinary file of at most `most` bytes, some whole MiB.
@@ -115,6 +130,21 @@ pub fn is_same_file(one: &Path, other: &Path) -> bool {
 mod tests {
     use super::*;
     use std::fs;
+
+    #[cfg(unix)]
+    #[test]
+    fn all_ways_that_lead_to_a_file_are_one_path_also_where_it_is_not_there_yet() {
+        let folder = std::env::temp_dir().join(format!("editor-real-{}", std::process::id()));
+        fs::create_dir_all(folder.join("models")).unwrap();
+        fs::write(folder.join("models/a.obj"), "").unwrap();
+        std::os::unix::fs::symlink(folder.join("models"), folder.join("link")).unwrap();
+        for name in ["a.obj", "b.obj", "c.zip/d.obj"] {
+            let direct = Disk.real(&folder.join("models").join(name));
+            assert_eq!(Disk.real(&folder.join("link").join(name)), direct);
+            assert_eq!(Disk.real(&folder.join("x/../link").join(name)), direct);
+        }
+        fs::remove_dir_all(&folder).unwrap();
+    }
 
     #[test]
     fn what_is_no_readable_file_is_reported_in_plain_words() {

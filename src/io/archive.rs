@@ -96,6 +96,10 @@ impl<F: Files> Files for WithArchives<F> {
     fn absolute(&self, path: &Path) -> PathBuf {
         self.files.absolute(path)
     }
+
+    fn real(&self, path: &Path) -> PathBuf {
+        self.files.real(path)
+    }
 }
 
 /// An archive that was found to be harmless: all its names lead to places inside it, and it does not

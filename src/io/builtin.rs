@@ -178,4 +178,11 @@ impl<F: Files> Files for WithBuiltin<F> {
             Some(_) => path.to_owned(),
         }
     }
+
+    fn real(&self, path: &Path) -> PathBuf {
+        match builtin_name(path) {
+            None => self.0.real(path),
+            Some(_) => path.to_owned(),
+        }
+    }
 }

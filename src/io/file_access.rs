@@ -19,6 +19,11 @@ pub trait Files {
     fn absolute(&self, path: &Path) -> PathBuf {
         path.to_owned()
     }
+
+    /// The one path for all ways that lead to a file, by links as well, whether it is there or not.
+    fn real(&self, path: &Path) -> PathBuf {
+        super::normal(&self.absolute(path))
+    }
 }
 
 /// Files in memory, by path.

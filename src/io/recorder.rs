@@ -56,4 +56,8 @@ impl Files for Recorder<'_> {
     fn absolute(&self, path: &Path) -> PathBuf {
         self.files.absolute(path)
     }
+
+    fn real(&self, path: &Path) -> PathBuf {
+        self.files.real(path)
+    }
 }

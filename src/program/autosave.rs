@@ -103,7 +103,7 @@ impl Program {
     pub fn unsaved(&self) -> Option<Unsaved> {
         self.is_modified().then(|| Unsaved {
             scene: self.session.scene().clone(),
-            view: *self.session.view(),
+            view: self.document_view(),
             path: self.document.path().map(Path::to_owned),
             digest: self.document.digest(),
         })

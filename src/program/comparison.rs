@@ -107,6 +107,16 @@ impl Comparison {
         }
     }
 
+    /// Look that the view goes back to when the comparison ends in `look`: the one before it, unless
+    /// another was chosen meanwhile.
+    pub fn look_after(&self, look: Look) -> Look {
+        if look == self.looks.0 {
+            self.look_before
+        } else {
+            look
+        }
+    }
+
     /// Loads the textures of pictures that are new.
     pub fn load_textures(&mut self, context: &Context) {
         self.reference.load(context, "reference");
@@ -280,10 +290,9 @@ impl Program {
 
     /// Ends the comparison, and goes back to the look from before it unless another was chosen.
     pub(super) fn end_comparison(&mut self) {
-        if let Some(comparison) = self.comparison.take()
-            && self.session.view().look == comparison.looks.0
-        {
-            self.session.look(View::SetLook(comparison.look_before));
+        if let Some(comparison) = self.comparison.take() {
+            let look = comparison.look_after(self.session.view().look);
+            self.session.look(View::SetLook(look));
         }
     }
 }

@@ -6,7 +6,7 @@ use super::running::Program;
 use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
 use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
-use crate::scene::{ShapeId, Source};
+use crate::scene::{ShapeId, Source, ViewSettings};
 use crate::ui::Answer;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -192,14 +192,38 @@ impl Program {
     pub(super) fn save_to(&mut self, path: PathBuf, host: &mut dyn Host) {
         let then = self.document.then.take();
         match io::expect_extension(&path, "scene") {
+            Ok(()) if self.is_foreign(&path, &*host.files()) => {
+                self.asked = Some(Asked::Overwrite(path, then));
+            }
             Ok(()) => self.write_document(path, then, host),
             Err(error) => self.tell_written(&path, Err(error)),
         }
     }
 
+    /// Whether `path` leads to the document's file, and another program has changed that.
+    pub(super) fn is_foreign(&self, path: &Path, files: &dyn Files) -> bool {
+        self.is_own(path, files) && !self.document.is_on_disk(files)
+    }
+
+    /// Whether `path` leads to the document's file.
+    pub(super) fn is_own(&self, path: &Path, files: &dyn Files) -> bool {
+        let own = self.document.path();
+        own.is_some_and(|own| files.real(own) == files.real(path))
+    }
+
+    /// The view as it is kept with the document: the look of a comparison is for that time only.
+    pub(super) fn document_view(&self) -> ViewSettings {
+        let view = *self.session.view();
+        let look = self.comparison.as_ref().map(|c| c.look_after(view.look));
+        ViewSettings {
+            look: look.unwrap_or(view.look),
+            ..view
+        }
+    }
+
     fn write_document(&mut self, path: PathBuf, then: Option<Next>, host: &mut dyn Host) {
-        let (scene, view) = (self.session.scene(), self.session.view());
-        let bytes = match io::scene_text(scene, view, path.parent()) {
+        let view = self.document_view();
+        let bytes = match io::scene_text(self.session.scene(), &view, path.parent()) {
             Ok(text) => text.into_bytes(),
             Err(error) => {
                 let error = Diagnostic::new(&path, error.to_string());
@@ -233,7 +257,7 @@ impl Program {
     ) {
         let is_saved = result.is_ok();
         if !is_saved {
-            // Which of them were written is not known.
+            // None of them is of this program.
             self.exported.clear();
         }
         self.tell_written(path, result);
@@ -248,6 +272,7 @@ impl Program {
                 self.document.path = Some(writing.path);
                 self.document.digest = Some(digest);
                 self.relink(sources);
+                self.tell_missing_models(&*host.files());
             }
             self.remember_recent(path);
             if let Some(next) = writing.then {
@@ -304,10 +329,18 @@ impl Program {
     /// Lets a file be chosen in the folder of the last one of its kind; one that is to be written is
     /// called `name` until the user does otherwise.
     pub(super) fn choose_file(&self, purpose: Purpose, name: &str, host: &mut dyn Host) {
+        let folder = self.preferences.folder_for(purpose.kind());
+        // Two quick Enters must not replace another scene.
+        let is_scene = matches!(purpose, Purpose::SaveScene | Purpose::SaveWithFiles);
+        let name = if is_scene {
+            free_name(name, folder.as_deref(), &*host.files())
+        } else {
+            name.to_owned()
+        };
         let suggested = Suggested {
-            folder: self.preferences.folder_for(purpose.kind()),
+            folder,
             recent: self.preferences.recent_folders(),
-            name: name.to_owned(),
+            name,
         };
         let opened = self.session.opened();
         host.choose_file(FileRequest { purpose, opened }, suggested);
@@ -323,6 +356,18 @@ impl Program {
         recent.insert(0, path.to_owned());
         recent.truncate(MOST_RECENT);
     }
+}
+
+/// `name`, or with a number if there is such a file in `folder` already.
+fn free_name(name: &str, folder: Option<&Path>, files: &dyn Files) -> String {
+    let path = Path::new(name);
+    let [stem, extension] =
+        [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
+    let numbered = (2..1000).map(|number| format!("{stem} {number}.{extension}"));
+    let mut names = std::iter::once(name.to_owned()).chain(numbered);
+    let folder = folder.unwrap_or(Path::new(""));
+    let free = names.find(|name| !files.exists(&folder.join(name)));
+    free.unwrap_or_else(|| name.to_owned())
 }
 
 /// Whether the name of a file is that of a scene.

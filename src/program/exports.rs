@@ -1,9 +1,9 @@
 //! Geometry, characters and curves written for other programs.
 
-use super::Host;
 use super::document_file::Writing;
 use super::questions::Asked;
 use super::running::Program;
+use super::{Host, Previous};
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files};
 use crate::scene::{Scene, ShapeId};
@@ -27,7 +27,7 @@ impl Program {
         // It may have been deleted while the dialog was open.
         let curves = self.session.scene().curve(shape);
         match curves.map(|shape| io::to_swp(shape.curves())) {
-            Some(_) if self.is_source(path) => self.tell_needed(path, path),
+            Some(_) if self.is_source(path, &*host.files()) => self.tell_needed(path, path),
             Some(text) => self.write(path, "swp", text, host),
             None => self.tell(
                 Severity::Error,
@@ -39,7 +39,7 @@ impl Program {
     /// Writes the geometry of the scene as one `.obj` file, bare.
     pub(super) fn export_geometry(&mut self, path: &Path, host: &mut dyn Host) {
         match io::export_obj(self.session.scene(), self.session.evaluated()) {
-            Ok(_) if self.is_source(path) => self.tell_needed(path, path),
+            Ok(_) if self.is_source(path, &*host.files()) => self.tell_needed(path, path),
             Ok(text) => self.write(path, "obj", text, host),
             Err(error) => self.tell_written(path, Err(Diagnostic::new(path, error.to_string()))),
         }
@@ -82,10 +82,14 @@ impl Program {
         host: &mut dyn Host,
     ) {
         match files {
-            Ok(files) => match files.iter().find(|(file, _)| self.is_source(file)) {
-                Some((file, _)) => self.tell_needed(path, file),
-                None => self.write_together(path, files, None, host),
-            },
+            Ok(files) => {
+                let there = host.files();
+                let is_source = |(file, _): &&(PathBuf, _)| self.is_source(file, &*there);
+                match files.iter().find(is_source) {
+                    Some((file, _)) => self.tell_needed(path, file),
+                    None => self.write_together(path, files, None, host),
+                }
+            }
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
@@ -100,11 +104,13 @@ impl Program {
         host: &mut dyn Host,
     ) {
         let there = host.files();
-        let others = files
-            .iter()
-            .filter(|(file, _)| file != path && !self.exported.contains(file));
-        let is_other = |file: &Path, bytes: &[u8]| there.read(file).is_ok_and(|old| old != bytes);
-        let replaced = others.filter(|(file, bytes)| is_other(file, bytes));
+        let others = files.iter().filter(|(file, _)| file != path);
+        let is_foreign = |file: &Path, bytes: &[u8]| {
+            let own = self.exported.get(file);
+            let is_foreign = |old: Vec<u8>| old != bytes && own != Some(&crc32fast::hash(&old));
+            there.read(file).is_ok_and(is_foreign)
+        };
+        let replaced = others.filter(|(file, bytes)| is_foreign(file, bytes));
         let mut replaced: Vec<PathBuf> = replaced.map(|(file, _)| file.clone()).collect();
         replaced.sort();
         let together = Together {
@@ -124,12 +130,19 @@ impl Program {
         let Together {
             path, files, saves, ..
         } = together;
+        let previous = match &saves {
+            // As every save of the document does.
+            Some(_) => Previous::KeepBeside,
+            None => Previous::KeepForeign,
+        };
         if saves.is_some() {
             self.document.writing = saves;
         }
-        self.exported
-            .extend(files.iter().map(|(file, _)| file.clone()));
-        host.write_files(&path, files);
+        let digests = files
+            .iter()
+            .map(|(file, bytes)| (file.clone(), crc32fast::hash(bytes)));
+        self.exported.extend(digests);
+        host.write_files(&path, files, previous);
     }
 
     /// The first of `files` but the one at `path` that is a file of the document and has other bytes.
@@ -142,7 +155,7 @@ impl Program {
         let mut others = files.iter().filter(|(file, _)| file != path);
         let replaced = others.find(|(file, bytes)| {
             let is_other = |old: Vec<u8>| old != *bytes;
-            self.is_source(file) && read.read(file).is_ok_and(is_other)
+            self.is_source(file, read) && read.read(file).is_ok_and(is_other)
         });
         replaced.map(|(file, _)| file.clone())
     }
@@ -154,14 +167,16 @@ impl Program {
 
     /// Whether a shape of the document, or one that undoing brings back, comes from `file`, or from one
     /// that is read with it: those of a character differ in their extensions alone.
-    fn is_source(&self, file: &Path) -> bool {
-        let stem = |path: &Path| io::normal(path).with_extension("");
+    fn is_source(&self, file: &Path, there: &dyn Files) -> bool {
+        let stem = |path: &Path| there.real(path).with_extension("");
         let shapes = self.session.remembered_scenes().flat_map(Scene::shapes);
-        let files: BTreeSet<&str> = shapes
+        let sources: BTreeSet<&str> = shapes
             .filter_map(|shape| Some(shape.source.as_ref()?.file.as_str()))
             .collect();
-        let mut files = files.into_iter();
-        files.any(|source| stem(Path::new(source)) == stem(file))
+        let file = stem(file);
+        sources
+            .into_iter()
+            .any(|source| stem(Path::new(source)) == file)
     }
 }
 

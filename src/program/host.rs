@@ -42,9 +42,8 @@ pub trait Host {
     fn write_file(&mut self, path: &Path, bytes: Vec<u8>, previous: Previous);
 
     /// Writes several files that belong together, all of them or none, and makes the folders that they
-    /// need. What they take the place of stays beside them, as [`Previous::KeepForeign`]. Answered by
-    /// one [`HostEvent::Written`] about `path`.
-    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>);
+    /// need. Answered by one [`HostEvent::Written`] about `path`.
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, previous: Previous);
 
     /// Watches these files, and no others, for changes by other programs, which are
     /// [`HostEvent::Changed`].

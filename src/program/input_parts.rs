@@ -1,20 +1,34 @@
-use egui::{Event, RawInput};
+use egui::{Event, Key, RawInput};
 
 /// Takes the events of one frame apart, so that each part has one press or release of a button at
-/// most, and alone.
+/// most, and alone, and what is typed after a shortcut or Enter, or before a shortcut, is in another
+/// part than that.
 ///
 /// egui looks at a frame as a whole: what is pressed is what lies where the pointer was last, a
 /// drag ends where it was before the frame of the release, and text typed after a click goes to
 /// where the keyboard was before it. On slow frames so one thing is taken for another.
 pub fn input_parts(mut input: RawInput) -> Vec<RawInput> {
     let is_button = |event: &Event| matches!(event, Event::PointerButton { .. });
+    let types = |event: &Event| {
+        matches!(event, Event::Text(_) | Event::Paste(_) | Event::Ime(_))
+            || matches!(event, Event::Key { pressed: true, modifiers, .. } if !modifiers.command)
+    };
+    let is_shortcut = |event: &Event| matches!(event, Event::Key { pressed: true, modifiers, .. } if modifiers.command);
+    let is_enter = |event: &Event| {
+        let enter = Key::Enter;
+        matches!(event, Event::Key { pressed: true, key, .. } if *key == enter)
+    };
     let mut groups: Vec<Vec<Event>> = vec![Vec::new()];
     for event in std::mem::take(&mut input.events) {
-        let alone = is_button(&event);
-        let begins = groups
-            .last()
-            .and_then(|group| group.last())
-            .is_some_and(|last| alone || is_button(last));
+        let begins = groups.last().is_some_and(|group| {
+            let Some(last) = group.last() else {
+                return false;
+            };
+            let ends = |event: &Event| is_shortcut(event) || is_enter(event);
+            let is_typed_after = (types(&event) || is_shortcut(&event)) && group.iter().any(ends);
+            let is_shortcut_after = is_shortcut(&event) && group.iter().any(types);
+            is_button(&event) || is_button(last) || is_typed_after || is_shortcut_after
+        });
         if begins {
             groups.push(Vec::new());
         }
@@ -70,6 +84,31 @@ mod tests {
         assert!(parts.iter().all(|part| part.time == Some(3.0)));
         let joined: Vec<Event> = parts.into_iter().flat_map(|part| part.events).collect();
         assert_eq!(joined, events);
+    }
+
+    #[test]
+    fn what_is_typed_is_taken_in_before_the_shortcut_after_it() {
+        let key = |key, modifiers| Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers,
+        };
+        let events = vec![
+            Event::Text("4".into()),
+            Event::Text("3".into()),
+            key(Key::Enter, Modifiers::NONE),
+            key(Key::Z, Modifiers::COMMAND),
+            key(Key::S, Modifiers::COMMAND),
+            Event::Text("5".into()),
+        ];
+        let parts = input_parts(RawInput {
+            events,
+            ..RawInput::default()
+        });
+        let counts: Vec<usize> = parts.iter().map(|part| part.events.len()).collect();
+        assert_eq!(counts, [3, 1, 1, 1]);
     }
 
     #[derive(Debug)]

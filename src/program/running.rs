@@ -21,7 +21,7 @@ use crate::ui::{
     self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
     UiOutput, UiState,
 };
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{BTreeSet, HashMap, VecDeque};
 use std::path::{Path, PathBuf};
 
 /// Options that the program is started with.
@@ -73,8 +73,8 @@ pub struct Program {
     pub(super) watched_of: Option<(Revision, Option<PathBuf>)>,
     /// Files that the host watches.
     pub(super) watched: BTreeSet<PathBuf>,
-    /// Files that were written together with one that was chosen.
-    pub(super) exported: BTreeSet<PathBuf>,
+    /// Files that were written together with one that was chosen, with the CRC-32 of their bytes.
+    pub(super) exported: HashMap<PathBuf, u32>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
@@ -116,7 +116,7 @@ impl Program {
             window_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
-            exported: BTreeSet::new(),
+            exported: HashMap::new(),
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),

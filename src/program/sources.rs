@@ -126,14 +126,19 @@ impl Program {
         if !is_archive && let Err(error) = io::expect_extension(path, "scene") {
             return self.tell_written(path, Err(error));
         }
+        if self.is_foreign(path, &*host.files()) {
+            let message = "another program or window has changed it since it was opened here: choose \
+                           another name";
+            return self.tell_written(path, Err(Diagnostic::new(path, message)));
+        }
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let (scene, view) = (self.session.scene(), self.session.view());
-        let packed = io::package(&*host.files(), scene, view, &stem);
+        let view = self.document_view();
+        let packed = io::package(&*host.files(), self.session.scene(), &view, &stem);
         let written = packed.and_then(|package| {
             if is_archive {
                 self.archive(path, package, host)
             } else {
-                Ok(self.scene_with_folder(path, package))
+                Ok(self.scene_with_folder(path, package, host))
             }
         });
         match written {
@@ -174,9 +179,9 @@ impl Program {
 
     /// The scene at `path` with the files of `package` beside it, and what that saves of the document:
     /// all of it, if it has no file or this one.
-    fn scene_with_folder(&self, path: &Path, package: Package) -> Saved {
+    fn scene_with_folder(&self, path: &Path, package: Package, host: &dyn Host) -> Saved {
         let folder = path.parent().unwrap_or(Path::new(""));
-        let is_own = self.document.path().is_none_or(|own| own == path);
+        let is_own = self.document.path().is_none() || self.is_own(path, &*host.files());
         let text = package.files.first().filter(|_| is_own);
         let saves = text.map(|(_, text)| {
             let shapes = self.session.scene().shapes().iter();
@@ -197,6 +202,23 @@ impl Program {
         let files = package.files.into_iter().rev();
         let files = files.map(|(name, bytes)| (folder.join(name), bytes));
         (files.collect(), saves)
+    }
+
+    /// Says which models are not where the document, just saved, names them.
+    pub(super) fn tell_missing_models(&mut self, files: &dyn Files) {
+        let shapes = self.session.scene().shapes().iter();
+        let shapes = shapes.filter(|shape| !matches!(shape.kind, ShapeKind::Missing(_)));
+        let missing: BTreeSet<PathBuf> = shapes
+            .filter_map(file_on_disk)
+            .filter(|file| !files.exists(file))
+            .collect();
+        for file in missing {
+            let text = format!(
+                "{} is not there: what comes from it will be missing when the document is opened again",
+                file.display()
+            );
+            self.tell(Severity::Warning, text);
+        }
     }
 
     /// Imports the parts of files that shapes came from again, from where `at` says or else where

@@ -239,7 +239,13 @@ fn run_waiting(
     input: &ViewInput,
     in_drag: bool,
 ) -> Vec<Action> {
-    let gives_up = std::mem::take(&mut state.gives_up_typing);
+    // What came in with it is typed first.
+    let is_typing = ctx.input(|input| {
+        use egui::Event::{Key, Paste, Text};
+        let typed = |event: &egui::Event| matches!(event, Text(_) | Paste(_) | Key { .. });
+        input.events.iter().any(typed)
+    });
+    let gives_up = !is_typing && std::mem::take(&mut state.gives_up_typing);
     let typing = ctx.text_edit_focused() && state.search.is_none();
     let saves = |command: Command| matches!(command, Command::Save | Command::SaveAs);
     let in_gesture = in_drag || session.is_in_gesture();
@@ -259,7 +265,9 @@ fn run_waiting(
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
         state.waiting = pressed.filter(is_meant);
     }
-    if typing && (gives_up || state.waiting.is_some()) {
+    if typing && is_typing && state.waiting.is_some() {
+        ctx.request_repaint();
+    } else if typing && (gives_up || state.waiting.is_some()) {
         ctx.memory_mut(|memory| {
             if let Some(field) = memory.focused() {
                 memory.surrender_focus(field);

@@ -35,7 +35,9 @@ fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
     let layout = Layout::right_to_left(Align::Center);
     ui.allocate_ui_with_layout(line, layout, |ui| {
         for &answer in answers {
-            if ui.add(Button::new(answer.label())).clicked() {
+            let button = ui.add(Button::new(answer.label()));
+            // The second click of a double one was not meant for the next question.
+            if button.clicked() && !button.double_clicked() {
                 given = Some(answer);
             }
         }

@@ -193,7 +193,7 @@ impl Host for PageHost {
         self.events.push(HostEvent::Written { path, result });
     }
 
-    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>) {
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, _: Previous) {
         let result = match &files[..] {
             [(path, bytes)] => download(path, bytes),
             // A page that downloads several files asks whether it may.

@@ -1,8 +1,9 @@
 //! Documents: begun, opened, saved, and never lost without a question.
 
 use super::Story;
+use crate::host::MemoryHost;
 use editor_core::editor::Severity;
-use editor_core::program::{HostEvent, Purpose};
+use editor_core::program::{HostEvent, Purpose, StorageKey};
 use editor_core::ui::Navigation;
 use egui::{Key, Modifiers, vec2};
 use std::path::Path;
@@ -438,4 +439,106 @@ fn a_document_whose_file_another_program_has_replaced_is_asked_about() {
     story.settle();
     story.key_with(CTRL, Key::Q);
     assert!(is_asked(&story) && !story.host.quits);
+}
+
+#[test]
+fn what_is_typed_in_the_frame_of_a_shortcut_is_taken_in_before_it() {
+    let key = |key, modifiers| egui::Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers,
+    };
+    let x = |story: &Story| story.shape().placement.transform.position.x;
+    for enters in [true, false] {
+        let mut story = with_saved_cube();
+        let field = story.place("Position X");
+        story.click_at(field);
+        let enter = enters.then(|| key(Key::Enter, Modifiers::NONE));
+        let typed = [egui::Event::Text("4".into()), egui::Event::Text("3".into())];
+        let events = typed.into_iter().chain(enter);
+        story.frame(events.chain([key(Key::S, CTRL)]).collect());
+        story.settle();
+        assert_eq!(x(&story), 43.0);
+        let saved = String::from_utf8(file(&story, "work/a.scene")).unwrap();
+        assert!(saved.contains("[43, 0, 0]"), "{saved}");
+        assert!(!title(&story).starts_with('*'), "{}", title(&story));
+
+        story.click_at(field);
+        story.frame(vec![egui::Event::Text("7".into()), key(Key::Q, CTRL)]);
+        story.settle();
+        assert!(is_asked(&story) && !story.host.quits);
+        assert_eq!(x(&story), 7.0);
+    }
+}
+
+#[test]
+fn a_scene_is_never_suggested_the_name_of_another_one() {
+    let mut story = with_unsaved_cube();
+    let other = b"{}".to_vec();
+    story.host.files.insert("scene.scene".into(), other.clone());
+    story.key_with(CTRL, Key::S);
+    assert_eq!(story.host.requests.last().unwrap().name, "scene 2.scene");
+    story.choose("scene 2.scene");
+    assert_eq!(file(&story, "scene.scene"), other);
+}
+
+#[test]
+fn what_another_window_has_saved_is_not_replaced_by_save_as_or_with_files_without_a_word() {
+    let mut story = with_saved_cube();
+    let theirs = br#"{"format": "editor-scene", "version": 1}"#.to_vec();
+    let path = Path::new("work/a.scene");
+    story.host.files.insert(path.to_owned(), theirs.clone());
+    story.key_with(CTRL | Modifiers::SHIFT, Key::S);
+    story.choose("work/../work/a.scene");
+    assert!(story.has("Overwrite"));
+    story.click("Cancel");
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("work/a.scene");
+    let told = story.messages().last().unwrap().1;
+    assert!(
+        told.contains("another program or window has changed it"),
+        "{told}"
+    );
+    assert_eq!(file(&story, "work/a.scene"), theirs);
+}
+
+#[test]
+fn a_document_is_saved_with_its_own_look_while_it_is_compared_in_another() {
+    let mut story = with_saved_cube();
+    let before = file(&story, "work/a.scene");
+    let picture = story.picture();
+    let png = editor_core::io::image::PictureFormat::Png;
+    let bytes = editor_core::io::image::encode(&picture, png).unwrap();
+    story.host.files.insert("a.png".into(), bytes);
+    story.host.drop_file("a.png");
+    story.settle();
+    assert!(story.has("Stop comparing"));
+    story.key_with(CTRL, Key::S);
+    assert_eq!(file(&story, "work/a.scene"), before);
+}
+
+#[test]
+fn a_second_click_on_discard_is_not_an_answer_to_the_next_question() {
+    let mut story = with_unsaved_cube();
+    story.wait(11.0);
+    let kept = story.host.stored[&StorageKey::Autosave].clone();
+    let host = MemoryHost {
+        stored: story.host.stored.clone(),
+        more: [kept].into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &[]);
+    let discard = story.place("Discard");
+    story.point(discard);
+    for pressed in [true, false, true, false] {
+        story.button(pressed);
+    }
+    story.settle();
+    assert!(
+        story.has("Discard"),
+        "the second run's work is still asked about"
+    );
 }

@@ -182,6 +182,16 @@ fn files_beside_an_export_are_replaced_only_after_asking() {
     story.type_into("Elbow Z", "30");
     export(&mut story);
     assert!(!story.has("Overwrite"));
+    // Not so those that another program has edited since.
+    let edited = story
+        .host
+        .files
+        .get_mut(Path::new("out/mine.json"))
+        .unwrap();
+    edited.extend(b" ");
+    story.type_into("Elbow Z", "40");
+    export(&mut story);
+    assert!(story.has("Overwrite"));
 }
 
 #[test]

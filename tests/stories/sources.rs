@@ -445,3 +445,28 @@ fn going_back_to_a_scene_whose_model_is_gone_leaves_what_is_there() {
     let text = "models/strip.obj: there is no such file. What came from it stays as it was";
     assert_eq!(*story.messages().last().unwrap(), (Severity::Error, text));
 }
+
+#[test]
+fn a_folder_whose_name_is_no_unicode_keeps_the_names_of_models_beside_its_scene() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Path::new(std::ffi::OsStr::from_bytes(b"bad\xff dir"));
+    let mut story = Story::start(&[]);
+    for (path, text) in STRIP {
+        let name = Path::new(path).file_name().unwrap();
+        story.host.files.insert(folder.join(name), text.into());
+    }
+    let scene = br#"{"format": "editor-scene", "version": 1, "shapes": [{"source": "strip.obj"}]}"#;
+    story
+        .host
+        .files
+        .insert(folder.join("a.scene"), scene.to_vec());
+    story.host.events.push_back(HostEvent::Dropped {
+        path: folder.join("a.scene"),
+        files: editor_core::program::Host::files(&story.host),
+    });
+    story.settle();
+    story.type_into("Elbow Z", "10");
+    story.key_with(CTRL, Key::S);
+    let saved = String::from_utf8(story.host.files[&folder.join("a.scene")].clone()).unwrap();
+    assert!(saved.contains("\"strip.obj\""), "{saved}");
+}

@@ -7,9 +7,11 @@ use std::path::{Component, Path, PathBuf};
 /// where there is one; `file` as it is otherwise, and if it is built in.
 pub(super) fn name(file: &str, folder: Option<&Path>) -> String {
     let is_builtin = file.starts_with(builtin::PREFIX);
-    let folder = folder.filter(|_| !is_builtin);
+    // Names of files are kept as Unicode, and so the folder has to be: for the way from there they differ
+    // alike.
+    let folder = folder.filter(|_| !is_builtin).map(Path::to_string_lossy);
     folder
-        .and_then(|folder| way(folder, Path::new(file)))
+        .and_then(|folder| way(Path::new(&*folder), Path::new(file)))
         .unwrap_or_else(|| file.to_owned())
 }
 
