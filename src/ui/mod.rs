@@ -173,7 +173,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     view_overlay::status_line(root, session, state, input);
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        compare::panel(root, session, compare, settings, &mut actions);
+        let outlined = &mut state.outlined;
+        compare::panel(root, session, compare, settings, outlined, &mut actions);
     }
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);

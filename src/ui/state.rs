@@ -2,6 +2,7 @@ use super::Navigation;
 use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
+use super::compare::Outlined;
 use super::curve_panel::CurveState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
@@ -52,6 +53,8 @@ pub struct UiState {
     pub(super) pose: PoseState,
     pub(super) box_select: BoxSelect,
     pub(super) notices: NoticeState,
+    /// What is outlined in the pictures of a comparison.
+    pub(super) outlined: Outlined,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.
@@ -91,6 +94,7 @@ impl Default for UiState {
             pose: PoseState::default(),
             box_select: BoxSelect::default(),
             notices: NoticeState::default(),
+            outlined: Outlined::default(),
             camera_before_drag: None,
             held_point: None,
             keys_were_taken: false,
