@@ -24,7 +24,7 @@ impl Program {
     /// View of a document without shapes. A ground of the look's own stands for the axes, which would
     /// cross what stands on it.
     pub(super) fn view_without_scene(&self) -> ViewSettings {
-        let look = self.preferences.look.unwrap_or(Look::Studio);
+        let look = self.ui.look_of_new.unwrap_or(Look::Studio);
         ViewSettings {
             look,
             axis: look == Look::Course,
@@ -60,7 +60,7 @@ impl Program {
             return ViewSettings::default();
         }
         if shapes.iter().any(is_of_the_course) {
-            let look = self.preferences.look.unwrap_or(Look::Course);
+            let look = self.ui.look_of_new.unwrap_or(Look::Course);
             return ViewSettings {
                 look,
                 ..ViewSettings::default()

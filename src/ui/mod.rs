@@ -25,6 +25,7 @@ mod messages;
 mod navigation;
 mod number_field;
 mod posing;
+mod preferences;
 mod progress;
 mod question;
 mod scene_places;
@@ -183,7 +184,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
-    windows::show(root, session, state, input, &mut actions);
+    windows::show(root, session, state, input, aspect(last_view), &mut actions);
     command_search::show(root, session, state, input, aspect(last_view), &mut actions);
     if let Some(question) = input.question {
         question::show(root, question, &mut actions);
@@ -373,10 +374,6 @@ fn press(
     }
     // The joint at hand, rather than all that hangs together with it.
     let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
-    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-        && session
-            .selected()
-            .is_some_and(|id| session.scene().character(id).is_some());
     if command == Command::Delete
         && let Some(action) = control_points::delete_clicked(session, &state.curves)
     {
@@ -385,7 +382,6 @@ fn press(
     }
     let command = match command {
         Command::Delete if joint_at_hand => Command::ResetJoint,
-        Command::Copy if poses => Command::CopyPose,
         command => command,
     };
     actions.extend(commands::run(command, session, state, aspect));
