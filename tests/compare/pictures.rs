@@ -776,6 +776,23 @@ fn a_picture_by_another_camera_is_told_as_the_whole_figure_moved_scaled_and_turn
             found[0]
         );
     }
+    // Axes that only one of them has are no part of the figure.
+    let (mut with_axis, row) = (figure([24.0, -9.0], 1.3, 0.0), 80 * WIDTH as usize);
+    with_axis.rgba[4 * row..4 * (row + WIDTH as usize)]
+        .as_chunks_mut::<4>()
+        .0
+        .fill([200, 0, 0, 255]);
+    let found = findings(&still, &with_axis);
+    assert!(
+        matches!(
+            found[..],
+            [Finding::Placed {
+                unexplained: 0.0,
+                ..
+            }]
+        ),
+        "{found:?}"
+    );
     let placed = Finding::Placed {
         dx: 24,
         dy: -9,
@@ -785,7 +802,7 @@ fn a_picture_by_another_camera_is_told_as_the_whole_figure_moved_scaled_and_turn
     };
     assert_eq!(
         placed.to_string(),
-        "the whole figure is moved 24 pixels right and 9 pixels up, 1.300 times as large, turned 12.0 degrees counterclockwise in B, and 25 % of its outline differ even so: a camera in another place, or another pose"
+        "the whole figure is moved 24 pixels right and 9 pixels up, 1.300 times as large, turned 12.0 degrees counterclockwise in B, and 25 % of it differs even so: a camera in another direction, or another pose"
     );
 }
 

@@ -419,7 +419,7 @@ fn fmt_placed(
     } else {
         write!(
             f,
-            ", and {:.0} % of its outline differ even so: a camera in another place, or another pose",
+            ", and {:.0} % of it differs even so: a camera in another direction, or another pose",
             100.0 * unexplained
         )
     }

@@ -1,8 +1,8 @@
 //! A's outline elsewhere in B, in another size or turned, as another camera shows it.
 
 use super::Finding;
-use super::evidence::{Evidence, Outline, count};
-use crate::compare::Area;
+use super::evidence::{Evidence, FEWEST_PIXELS, count};
+use crate::compare::{Area, Pair};
 use glam::DVec2;
 
 /// Outlines agree if no more than this share of what is drawn does not.
@@ -30,7 +30,7 @@ const MOST_STEPS: usize = 200;
 /// A's outline found again in B. Told where it explains nearly all of the differences; also where
 /// the figure stands quite elsewhere, with what differs even so.
 pub(super) fn placed(evidence: &Evidence) -> Option<Finding> {
-    let outline = evidence.outline()?;
+    evidence.outline()?;
     let outlines = Outlines::new(evidence)?;
     let starts = outlines.starts();
     let found = starts.map(|start| outlines.refined(start));
@@ -39,7 +39,7 @@ pub(super) fn placed(evidence: &Evidence) -> Option<Finding> {
     let after = outlines.misfit(place);
     let explains_all = after.share() <= SAME && after.differing * LEFT_ONE_IN <= before.differing;
     let is_elsewhere =
-        outlines.stands_apart(outline) && after.share() <= before.share() * ELSEWHERE_LEAVES;
+        outlines.stands_apart() && after.share() <= before.share() * ELSEWHERE_LEAVES;
     let spoils_little = after.spoiled * SPOILED_ONE_IN <= before.differing;
     let is_in_view = 2.0 * after.seen >= outlines.drawn_in_b;
     if !(explains_all || is_elsewhere) || !spoils_little || !is_in_view {
@@ -95,7 +95,7 @@ impl Misfit {
 struct Outlines<'a> {
     width: usize,
     kept: &'a [bool],
-    drawn: &'a [Vec<bool>; 2],
+    drawn: [Vec<bool>; 2],
     /// Where A is drawn in a pixel or one beside it, and where in all of these: lines are as exact
     /// as a pixel.
     about: [Vec<bool>; 2],
@@ -104,6 +104,23 @@ struct Outlines<'a> {
     drawn_in_b: f64,
     /// Part of B in which movements are sought, and the distance of the pixels looked at.
     sought: (Area, usize),
+}
+
+/// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
+/// two has only lines.
+fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
+    let solid = drawn.each_ref().map(|drawn| -> Vec<bool> {
+        let core = (0..drawn.len()).map(|i| pair.around(i).all(|near| drawn[near]));
+        let core: Vec<bool> = core.collect();
+        (0..drawn.len())
+            .map(|i| pair.around(i).any(|near| core[near]))
+            .collect()
+    });
+    if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
+        drawn.clone()
+    } else {
+        solid
+    }
 }
 
 /// Number of the drawn pixels, their middle, and the direction in which they reach farthest.
@@ -117,7 +134,7 @@ struct Moments {
 impl<'a> Outlines<'a> {
     fn new(evidence: &'a Evidence) -> Option<Self> {
         let pair = evidence.pair();
-        let drawn = evidence.drawn_masks()?;
+        let drawn = without_lines(pair, evidence.drawn_masks()?);
         let width = pair.width() as usize;
         let [Some(a), Some(b)] = [0, 1].map(|which| Moments::of(&drawn[which], width)) else {
             return None;
@@ -127,6 +144,7 @@ impl<'a> Outlines<'a> {
             .clone()
             .map(|i| pair.around(i).any(|near| drawn[0][near]));
         let every = all.map(|i| pair.around(i).all(|near| drawn[0][near]));
+        let about = [any.collect(), every.collect()];
         let area = evidence.area_of(&drawn[1])?;
         let (beside, above) = (area.width / 4 + 2, area.height / 4 + 2);
         let (x, y) = (area.x.saturating_sub(beside), area.y.saturating_sub(above));
@@ -141,11 +159,11 @@ impl<'a> Outlines<'a> {
         Some(Self {
             width,
             kept: pair.kept(),
+            drawn_in_b: count(&drawn[1]) as f64,
             drawn,
-            about: [any.collect(), every.collect()],
+            about,
             moments: [a, b],
             center_a: a.center,
-            drawn_in_b: count(&drawn[1]) as f64,
             sought: (region, (pixels / SAMPLES).sqrt().ceil().max(1.0) as usize),
         })
     }
@@ -161,11 +179,11 @@ impl<'a> Outlines<'a> {
 
     /// Whether much of what either shows is where the other shows nothing. What was only added to A
     /// leaves it where it was.
-    fn stands_apart(&self, outline: Outline) -> bool {
-        let alone = outline.only.iter().zip(&self.moments);
-        alone
-            .map(|(&only, moments)| only as f64 / moments.count)
-            .all(|share| share >= ELSEWHERE)
+    fn stands_apart(&self) -> bool {
+        let [a, b] = &self.drawn;
+        let both = a.iter().zip(b).filter(|(a, b)| **a && **b).count() as f64;
+        let mut counts = self.moments.iter().map(|moments| moments.count);
+        counts.all(|count| count - both >= ELSEWHERE * count)
     }
 
     /// Where the middles, numbers of pixels and, in all but one, the long sides of both agree.
