@@ -73,6 +73,8 @@ pub struct Program {
     pub(super) watched_of: Option<(Revision, Option<PathBuf>)>,
     /// Files that the host watches.
     pub(super) watched: BTreeSet<PathBuf>,
+    /// Files that were written together with one that was chosen.
+    pub(super) exported: BTreeSet<PathBuf>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     builtin_characters: Vec<&'static str>,
@@ -114,6 +116,7 @@ impl Program {
             window_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
+            exported: BTreeSet::new(),
             asked: None,
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),

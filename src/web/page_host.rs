@@ -224,9 +224,11 @@ impl Host for PageHost {
         browser::stored(&self.entry(key)).map(String::into_bytes)
     }
 
-    fn leave_unsaved_work(&mut self) {
-        let free = (0..SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_none());
-        self.slot = free.unwrap_or(SLOTS);
+    fn pass_unsaved_work(&mut self) {
+        let is_kept = |slot: usize| browser::stored(&autosave(slot)).is_some();
+        let left = (self.slot + 1..SLOTS).find(|&slot| is_kept(slot));
+        let free = || (0..SLOTS).find(|&slot| !is_kept(slot));
+        self.slot = left.or_else(free).unwrap_or(SLOTS);
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
