@@ -107,7 +107,8 @@ impl OpenDialog {
         config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
         let popup = egui::Popup::is_any_open(context);
         let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
-        ui::in_colors_of_file_dialogs(context, || {
+        let layer = self.layer();
+        ui::in_colors_of_file_dialogs(context, layer, || {
             self.dialog.update(context);
             self.paint_hint(context);
         });
@@ -129,6 +130,10 @@ impl OpenDialog {
         self.dialog.get_window_id()
     }
 
+    fn layer(&self) -> LayerId {
+        LayerId::new(Order::Middle, self.window())
+    }
+
     /// Whether the field at the bottom has the keyboard: that of the path is at the top.
     fn types_name_now(&self, context: &Context) -> bool {
         let focused = context.memory(|memory| memory.focused());
@@ -144,7 +149,7 @@ impl OpenDialog {
         let Some(dialog) = self.rect(context) else {
             return;
         };
-        let painter = context.layer_painter(LayerId::new(Order::Middle, self.window()));
+        let painter = context.layer_painter(self.layer());
         let at = pos2(dialog.left() + 16.0, dialog.bottom() - 22.0);
         let style = context.global_style();
         let font = TextStyle::Small.resolve(&style);

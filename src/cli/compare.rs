@@ -2,15 +2,18 @@
 
 use super::output::{self, DiagnosticJson, json_text, picture_format, refuse_input};
 use super::{CliError, print};
+use crate::character::{Character, Influence};
 use crate::compare::{
-    Allowance, Area, MeshOptions, Pair, PictureOptions, compare_meshes, side_by_side,
+    Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
 use crate::disk::{self, files};
 use crate::io::image;
-use crate::io::{Diagnostic, Files, builtin, read_character_obj};
+use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_character_obj};
+use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Compare B with the reference A: two pictures, or two .obj files vertex by vertex.
 ///
@@ -44,6 +47,10 @@ pub struct Args {
     /// (.png, .jpg, .gif)
     #[arg(short, long, value_name = "DIFF.png")]
     output: Option<PathBuf>,
+    /// Tell where meshes differ by the joints of this character, whose vertices they have; of A if
+    /// that is one
+    #[arg(long, value_name = "MODEL")]
+    character: Option<PathBuf>,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -123,6 +130,11 @@ fn pictures(args: &Args) -> Result<(), CliError> {
         threshold: picture_threshold(args.threshold)?,
         allowed: args.max_pixels,
     };
+    if args.character.is_some() {
+        return Err(CliError::Usage(
+            "--character is for meshes, found two pictures".to_owned(),
+        ));
+    }
     let output = match &args.output {
         Some(path) => Some((path, picture_format(path)?)),
         None => None,
@@ -176,12 +188,61 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         Ok(imported.value)
     };
     let (a, b) = (read(&args.a)?, read(&args.b)?);
+    let parts = parts(args, &files, a.positions.len())?;
     let options = MeshOptions {
         tolerance: args.threshold,
         allowed: args.max_pixels,
+        parts: parts.as_ref(),
     };
     let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
     print_result(args, &comparison, comparison.passed)
+}
+
+/// What each joint moves of the character that is named, or else of A if it is one; `None` without a
+/// character. The joint with the most weight has a vertex.
+fn parts(args: &Args, files: &dyn Files, vertices: usize) -> Result<Option<MeshParts>, CliError> {
+    let character = match &args.character {
+        Some(model) => {
+            let character = character_of(files, model, vertices)?;
+            character.ok_or_else(|| {
+                let expected = format!("expected a character with {vertices} vertices, found none");
+                Diagnostic::new(model, expected)
+            })?
+        }
+        // A mesh can be compared whatever lies beside it.
+        None if is_character(files, &builtin::resolve(&args.a)?) => {
+            match character_of(files, &args.a, vertices) {
+                Ok(Some(character)) => character,
+                Ok(None) | Err(_) => return Ok(None),
+            }
+        }
+        None => return Ok(None),
+    };
+    let strongest = |influences: &[Influence]| {
+        let most = influences
+            .iter()
+            .max_by(|a, b| a.weight.total_cmp(&b.weight));
+        most.map(|influence| influence.joint)
+    };
+    let joints = character.skeleton().joints().iter();
+    Ok(Some(MeshParts {
+        names: joints.map(|joint| joint.name.clone()).collect(),
+        of_vertex: character.attachments().vertices().map(strongest).collect(),
+    }))
+}
+
+/// The first character in a file that has so many vertices.
+fn character_of(
+    files: &dyn Files,
+    model: &Path,
+    vertices: usize,
+) -> Result<Option<Arc<Character>>, Diagnostic> {
+    let shapes = import_any(files, model)?.value.into_iter();
+    let mut characters = shapes.filter_map(|shape| match shape.kind {
+        ShapeKind::Character(character) => Some(character.character),
+        _ => None,
+    });
+    Ok(characters.find(|character| character.attachments().vertex_count() == vertices))
 }
 
 /// Prints the result; a comparison that did not pass is an error that has been reported.

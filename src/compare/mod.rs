@@ -24,7 +24,8 @@ pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
 pub use mesh::{
-    MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, WorstVertex, compare_meshes,
+    MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, WorstVertex,
+    compare_meshes,
 };
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{

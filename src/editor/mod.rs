@@ -2,6 +2,7 @@
 //! out; a [`Session`] is a document with the selection and the view of its user. Drags of the tools
 //! turn the pointer's position into edits.
 
+mod among;
 mod apply;
 mod control_point_drag;
 mod edit;
@@ -20,6 +21,7 @@ mod shape_turn;
 mod step_name;
 mod swing;
 
+pub use among::set_among;
 pub use apply::{Change, EditError, apply};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use edit::{Edit, View};

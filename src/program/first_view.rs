@@ -2,7 +2,7 @@
 
 use super::running::Program;
 use crate::character::Facing;
-use crate::editor::View;
+use crate::editor::{View, set_among};
 use crate::io;
 use crate::math::Aabb;
 use crate::scene::{
@@ -24,7 +24,7 @@ impl Program {
     /// View of a document without shapes. A ground of the look's own stands for the axes, which would
     /// cross what stands on it.
     pub(super) fn view_without_scene(&self) -> ViewSettings {
-        let look = self.preferences.look.unwrap_or(Look::Studio);
+        let look = self.ui.look_of_new.unwrap_or(Look::Studio);
         ViewSettings {
             look,
             axis: look == Look::Course,
@@ -60,7 +60,7 @@ impl Program {
             return ViewSettings::default();
         }
         if shapes.iter().any(is_of_the_course) {
-            let look = self.preferences.look.unwrap_or(Look::Course);
+            let look = self.ui.look_of_new.unwrap_or(Look::Course);
             return ViewSettings {
                 look,
                 ..ViewSettings::default()
@@ -91,14 +91,19 @@ impl Program {
         }
     }
 
-    /// Prepares `shapes` for being imported into the document: they get their colors. Returns the view
+    /// Prepares `shapes` for being imported into the document: they get their colors and, unless the
+    /// view is compared with a picture, their places among those that are there. Returns the view
     /// that the document has with them, if they are the first in it.
     pub(super) fn view_of_import(&self, shapes: &mut [NewShape]) -> Option<ViewSettings> {
         let is_first = self.session.scene().shapes().is_empty();
         if is_first {
             return Some(self.first_view(shapes, self.comparison.is_some()));
         }
-        self.make_neutral(shapes, self.session.view().look);
+        let view = self.session.view();
+        self.make_neutral(shapes, view.look);
+        if self.comparison.is_none() {
+            set_among(&self.session, shapes, &view.camera);
+        }
         None
     }
 
@@ -171,13 +176,6 @@ fn is_seen_well(camera: &Camera, bounds: &Aabb) -> bool {
 
 /// The front of the first character among `shapes`, in the world; +Z if there is none.
 fn front(shapes: &[NewShape]) -> Vec3 {
-    let first = shapes.iter().find_map(|shape| match &shape.kind {
-        ShapeKind::Character(character) => {
-            let front = character.character.skeleton().facing().front();
-            let world_from_model = shape.placement.transform.world_from_model();
-            Some(world_from_model.transform_vector3(front))
-        }
-        _ => None,
-    });
+    let first = shapes.iter().find_map(NewShape::front);
     first.unwrap_or_else(|| Facing::default().front())
 }

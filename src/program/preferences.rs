@@ -125,6 +125,7 @@ impl Program {
         now.panel_folded = self.ui.panel_folded;
         now.panel_width = self.ui.panel_width;
         now.navigation = self.ui.navigation;
+        now.look = self.ui.look_of_new;
         // One that was asked for on the command line, and left so, is for that time only.
         if self.ui.skinning != self.skinning_at_start {
             now.skinning = self.ui.skinning;

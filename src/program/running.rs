@@ -136,6 +136,7 @@ impl Program {
         program.preferences = Preferences::load(host);
         program.program_title = options.title.clone().unwrap_or_else(globals::title);
         program.ui.theme = program.preferences.theme;
+        program.ui.look_of_new = program.preferences.look;
         program.ui.panel_folded = program.preferences.panel_folded;
         program.ui.panel_width = program.preferences.panel_width;
         program.ui.set_navigation(program.preferences.navigation);
@@ -205,7 +206,7 @@ impl Program {
         let compare = self.comparison.as_ref().and_then(Comparison::view);
         let is_busy = compare.is_some() || self.asked.is_some();
         let is_start_page = ui::has_start_page(&self.session, is_busy);
-        let drawn_with = (self.backdrop, self.preferences.look);
+        let drawn_with = (self.backdrop, self.ui.look_of_new);
         self.start_pictures
             .notice(is_start_page, drawn_with, &context);
         let name = self.document_name();
@@ -228,6 +229,7 @@ impl Program {
             compare: compare.as_ref(),
             progress: progress.as_ref().map(|(text, part)| (text.as_str(), *part)),
         };
+        self.ui.has_file = self.document.path().is_some();
         let mut output = ui::show(root, &self.session, &mut self.ui, &input);
         self.backdrop = match context.theme() {
             egui::Theme::Dark => Backdrop::Dark,
@@ -331,7 +333,7 @@ impl Program {
                     if let View::SetLook(look) = view
                         && self.comparison.is_none()
                     {
-                        self.preferences.look = Some(look);
+                        self.ui.look_of_new = Some(look);
                     }
                     self.session.look(view);
                     true

@@ -1,5 +1,5 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Scene, Shape, ShapeId, ShapeKind};
+use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::{Character, StickFigure};
 use crate::geometry::{Normals, SharedMesh};
 use crate::math::Aabb;
@@ -26,6 +26,8 @@ pub struct EvaluatedShape {
     pub pickable: bool,
     /// Transform from model space to the world.
     pub world_from_model: Mat4,
+    /// How far it was moved down from where it was inserted, in the world; 0 if it was not.
+    pub sunk: f32,
     /// Geometry under the current pose, in model space.
     pub geometry: Arc<EvaluatedGeometry>,
 }
@@ -99,6 +101,12 @@ impl EvaluatedGeometry {
     }
 }
 
+/// See [`EvaluatedShape::sunk`].
+fn sunk(shape: &Shape) -> f32 {
+    let height = |placement: &Placement| placement.transform.position.y;
+    (height(&shape.start) - height(&shape.placement)).max(0.0)
+}
+
 impl EvaluatedShape {
     /// Bounds of the shape, in the world.
     pub fn world_bounds(&self) -> Aabb {
@@ -153,6 +161,7 @@ impl Evaluator {
                 visible: shape.visible,
                 pickable: shape.visible && !shape.locked,
                 world_from_model: shape.placement.transform.world_from_model(),
+                sunk: sunk(shape),
                 geometry: self.geometry(shape, time),
             })
             .collect();

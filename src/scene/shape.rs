@@ -1,6 +1,7 @@
 use super::{CharacterShape, CurveShape, ShapeColor, custom};
 use crate::geometry::{self, Mesh, SharedMesh};
 use crate::math::Transform;
+use glam::Vec3;
 use std::collections::HashSet;
 use std::sync::{Arc, LazyLock};
 
@@ -42,6 +43,12 @@ pub struct Shape {
 }
 
 impl Shape {
+    /// Direction in the world in which a character faces at rest, as long as it is scaled to be;
+    /// `None` for all else.
+    pub fn front(&self) -> Option<Vec3> {
+        front(&self.kind, &self.placement)
+    }
+
     /// See [`super::Scene::memory`].
     pub(super) fn memory(&self, counted: &mut HashSet<usize>) -> usize {
         let file = self.source.as_ref().map_or(0, |source| source.file.len());
@@ -59,6 +66,15 @@ impl Shape {
             | ShapeKind::Missing(_) => 0,
         }
     }
+}
+
+fn front(kind: &ShapeKind, placement: &Placement) -> Option<Vec3> {
+    let ShapeKind::Character(character) = kind else {
+        return None;
+    };
+    let front = character.character.skeleton().facing().front();
+    let world_from_model = placement.transform.world_from_model();
+    Some(world_from_model.transform_vector3(front))
 }
 
 /// Shape before it is added to a scene: everything but its identifier.
@@ -93,6 +109,11 @@ impl NewShape {
             visible: true,
             locked: false,
         }
+    }
+
+    /// See [`Shape::front`].
+    pub fn front(&self) -> Option<Vec3> {
+        front(&self.kind, &self.placement)
     }
 
     /// The same shape, imported from `source`.

@@ -1,9 +1,9 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
-use super::commands::{COMMANDS, Command, Entry, run, why_disabled};
+use super::commands::{COMMANDS, Command, Entry, full_label, in_words, run, why_disabled};
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
-use super::{Action, Navigation, ViewInput, is_there};
+use super::{Action, ViewInput, is_there};
 use crate::editor::Session;
 use egui::{
     Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,
@@ -38,14 +38,13 @@ pub(super) fn show(
     let Some(mut search) = state.search.take() else {
         return;
     };
-    let navigation = state.navigation;
     let frame = Frame::popup(root.style()).inner_margin(12);
     let area = Modal::default_area(Id::new("find command"));
     let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 48.0));
     let modal = Modal::new(Id::new("find command")).area(area).frame(frame);
     let shown = modal.show(root.ctx(), |ui| {
         ui.set_width(WIDTH.min(room(ui).x));
-        contents(ui, session, navigation, input, &mut search)
+        contents(ui, session, state, input, &mut search)
     });
     match shown.inner {
         Some(command) => actions.extend(run(command, session, state, aspect)),
@@ -58,7 +57,7 @@ pub(super) fn show(
 fn contents(
     ui: &mut Ui,
     session: &Session,
-    navigation: Navigation,
+    state: &UiState,
     input: &ViewInput,
     search: &mut CommandSearch,
 ) -> Option<Command> {
@@ -93,11 +92,12 @@ fn contents(
     let tallest = TALLEST.min(room(ui).y);
     ScrollArea::vertical().max_height(tallest).show(ui, |ui| {
         for (row, entry) in found.iter().enumerate() {
-            let why = why_disabled(entry.command, session);
-            let button = Button::selectable(row == search.row, entry.label)
-                .shortcut_text(entry.first_key(ui.ctx(), navigation))
+            let why = why_disabled(entry.command, session, state);
+            let name = name(entry, session, state);
+            let button = Button::selectable(row == search.row, &name)
+                .shortcut_text(entry.first_key(ui.ctx(), state.navigation))
                 .min_size(vec2(ui.available_width(), 0.0));
-            let item = ui.add_enabled(why.is_none(), button);
+            let item = named(ui.add_enabled(why.is_none(), button), &name);
             tip_beside(&item, entry.tooltip, why);
             if row == search.row && (up || down) {
                 item.scroll_to_me(None);
@@ -107,8 +107,18 @@ fn contents(
             }
         }
     });
-    let chosen = chosen.filter(|entry| why_disabled(entry.command, session).is_none());
+    let chosen = chosen.filter(|entry| why_disabled(entry.command, session, state).is_none());
     chosen.map(|entry| entry.command)
+}
+
+/// A command as the list names it: with its menu where that says what it is, and with what it is about.
+fn name(entry: &Entry, session: &Session, state: &UiState) -> String {
+    let words = in_words(entry);
+    if words == entry.label {
+        full_label(entry.command, session, state)
+    } else {
+        words
+    }
 }
 
 /// Commands whose label or tooltip have all the words, in any order; those whose label has them
@@ -119,8 +129,8 @@ fn found(words: &str) -> Vec<&'static Entry> {
         let text = text.to_lowercase();
         words.split_whitespace().all(|word| text.contains(word))
     };
-    let labeled = |entry: &&Entry| all_in(entry.label);
-    let explained = |entry: &&Entry| all_in(&format!("{} {}", entry.label, entry.tooltip));
+    let labeled = |entry: &&Entry| all_in(&in_words(entry));
+    let explained = |entry: &&Entry| all_in(&format!("{} {}", in_words(entry), entry.tooltip));
     let (first, rest): (Vec<&Entry>, Vec<&Entry>) =
         COMMANDS.iter().filter(explained).partition(labeled);
     [first, rest].concat()

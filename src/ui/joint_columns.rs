@@ -7,8 +7,9 @@ use egui::{Color32, FontId, Rect, TextStyle, Ui, pos2, vec2};
 
 const HEIGHT: f32 = 20.0;
 const INDENT: f32 = 4.0;
-/// Depth from which joints are indented no further: their names need the room.
-const DEEPEST: usize = 8;
+/// From these depths on, each joint is indented only so many points further than the one above it:
+/// names need the room, but what hangs on what is to be seen, too.
+const DEEP_INDENTS: [(usize, f32); 3] = [(8, 2.0), (16, 1.0), (48, 0.0)];
 const ARROW: f32 = 12.0;
 const RESET: f32 = 14.0;
 const GAP: f32 = 2.0;
@@ -114,7 +115,16 @@ pub(super) fn arrow(row: Rect, left: f32) -> Rect {
 
 /// Left edge of the name within a row.
 pub(super) fn name_left(row: &Row) -> f32 {
-    row.depth.min(DEEPEST) as f32 * INDENT + ARROW
+    indent(row.depth) + ARROW
+}
+
+fn indent(depth: usize) -> f32 {
+    let ends = DEEP_INDENTS.iter().map(|(from, _)| *from).chain([depth]);
+    let steps = std::iter::once((0, INDENT)).chain(DEEP_INDENTS);
+    steps
+        .zip(ends)
+        .map(|((from, step), end)| end.min(depth).saturating_sub(from) as f32 * step)
+        .sum()
 }
 
 /// Label of the row below a root.
@@ -212,6 +222,12 @@ mod tests {
         assert_eq!(prefix_of(&["mixamorig:Hips", "Spine"]), 0);
         assert_eq!(prefix_of(&["Left hip", "Left knee"]), 0);
         assert_eq!(prefix_of(&["a:", "a:b"]), 0, "no name becomes empty");
+    }
+
+    #[test]
+    fn deeper_joints_are_indented_further_but_ever_less() {
+        let at = [0, 1, 8, 9, 16, 17, 48, 1000].map(indent);
+        assert_eq!(at, [0.0, 4.0, 32.0, 34.0, 48.0, 49.0, 80.0, 80.0]);
     }
 
     #[test]

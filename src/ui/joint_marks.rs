@@ -54,8 +54,8 @@ impl<'a> Marks<'a> {
         Look {
             selected: self.selected == Some(row.joint),
             hovered: self.hovered == Some(row.joint),
-            changed: self.pose.is_changed(row.joint)
-                || is_folded && self.above_changed.contains(&row.joint),
+            changed: self.pose.is_changed(row.joint),
+            changed_inside: is_folded && self.above_changed.contains(&row.joint),
             inside: joint.map(|joint| joint.name.as_str()),
         }
     }

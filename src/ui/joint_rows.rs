@@ -11,17 +11,22 @@ use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
 use egui::{
     Align2, Id, Rect, Response, Sense, Stroke, StrokeKind, TextStyle, Ui, WidgetInfo, WidgetType,
-    pos2,
+    pos2, vec2,
 };
 use glam::Vec3;
+
+/// Width of the sign for a joint, folded away, that is not at rest, in points.
+const DOT: f32 = 10.0;
 
 /// Marks of a row.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Look<'a> {
     pub selected: bool,
     pub hovered: bool,
-    /// Whether the joint, or one that is folded away below it, is not at rest.
+    /// Whether the joint is not at rest.
     pub changed: bool,
+    /// Whether a joint that is folded away below it is not at rest.
+    pub changed_inside: bool,
     /// Name of the joint, folded away below this one, that is selected or under the pointer.
     pub inside: Option<&'a str>,
 }
@@ -136,13 +141,13 @@ fn paint_background(ui: &Ui, rect: Rect, look: Look, hovered: bool, label: &Resp
 
 fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Look) {
     let palette = Palette::of(ui.visuals());
-    let color = match (look.selected, look.changed) {
+    let color = match (look.selected, look.changed || look.changed_inside) {
         (true, _) => palette.on_selection,
         (false, true) => palette.strong,
         (false, false) => palette.text,
     };
     let whole = columns.written(name);
-    let room = label.rect.width();
+    let room = label.rect.width() - if look.changed_inside { DOT } else { 0.0 };
     let shown = match look.inside {
         Some(inside) => shortened_path(ui, whole, columns.written(inside), room),
         None => shortened(ui, whole, room),
@@ -159,9 +164,16 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Lo
             name,
         )
     });
+    if look.changed_inside {
+        let center = label.rect.right_center() - vec2(DOT / 2.0, 0.0);
+        painter.circle_filled(center, 3.0, palette.accent);
+    }
     if let Some(inside) = look.inside {
         let holds = format!("{inside} is folded away in it");
         spoken(label.clone(), &holds).on_hover_text(format!("{name}: {holds}"));
+    } else if look.changed_inside {
+        let holds = "a joint that is folded away in it is not at rest";
+        spoken(label.clone(), holds).on_hover_text(format!("{name}: {holds}"));
     } else if shown != name {
         label.clone().on_hover_text(name);
     }

@@ -99,6 +99,8 @@ impl Items<'_> {
         self.all(ui, Menu::Clipboard);
         ui.separator();
         self.all(ui, Menu::Shape);
+        ui.separator();
+        self.all(ui, Menu::Preferences);
     }
 
     fn insert(&mut self, ui: &mut Ui) {
@@ -157,17 +159,22 @@ impl Items<'_> {
     }
 
     fn item(&mut self, ui: &mut Ui, entry: &Entry) {
-        let why = why_disabled(entry.command, self.session);
+        let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
             Some(true) => format!("✔ {}", entry.label),
             Some(false) => format!("     {}", entry.label),
-            None => full_label(entry.command, self.session),
+            None => full_label(entry.command, self.session, self.state),
+        };
+        // What Undo and Redo are about is no part of what they are called; what Copy copies is.
+        let name = match entry.command {
+            Command::Copy => mark.clone(),
+            _ => entry.label.to_owned(),
         };
         let button = Button::new(mark)
             .shortcut_text(entry.first_key(ui.ctx(), self.state.navigation))
             .wrap_mode(egui::TextWrapMode::Extend);
-        let item = named(ui.add_enabled(why.is_none(), button), entry.label);
+        let item = named(ui.add_enabled(why.is_none(), button), &name);
         if let Some(on) = on {
             let toggled = egui::accesskit::Toggled::from(on);
             ui.ctx()

@@ -25,6 +25,7 @@ mod messages;
 mod navigation;
 mod number_field;
 mod posing;
+mod preferences;
 mod progress;
 mod question;
 mod scene_places;
@@ -173,7 +174,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     view_overlay::status_line(root, session, state, input);
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
-        compare::panel(root, session, compare, settings, &mut actions);
+        let outlined = &mut state.outlined;
+        compare::panel(root, session, compare, settings, outlined, &mut actions);
     }
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);
@@ -182,7 +184,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Set(settings))));
     }
-    windows::show(root, session, state, input, &mut actions);
+    windows::show(root, session, state, input, aspect(last_view), &mut actions);
     command_search::show(root, session, state, input, aspect(last_view), &mut actions);
     if let Some(question) = input.question {
         question::show(root, question, &mut actions);
@@ -388,10 +390,6 @@ fn press(
     }
     // The joint at hand, rather than all that hangs together with it.
     let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
-    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-        && session
-            .selected()
-            .is_some_and(|id| session.scene().character(id).is_some());
     if command == Command::Delete
         && let Some(action) = control_points::delete_clicked(session, &state.curves)
     {
@@ -400,7 +398,6 @@ fn press(
     }
     let command = match command {
         Command::Delete if joint_at_hand => Command::ResetJoint,
-        Command::Copy if poses => Command::CopyPose,
         command => command,
     };
     actions.extend(commands::run(command, session, state, aspect));

@@ -39,9 +39,10 @@ pub(super) fn show(
     let widest = (root.available_width() * 0.7).clamp(NARROWEST, WIDEST);
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
     let (id, width) = if state.is_narrow {
-        ("shape panel of a narrow window", NARROWEST)
+        (Id::new("shape panel of a narrow window"), NARROWEST)
     } else {
-        ("shape panel", state.panel_width.unwrap_or(WIDTH))
+        let id = Id::new("shape panel").with(state.panel_resets);
+        (id, state.panel_width.unwrap_or(WIDTH))
     };
     let shown = Panel::right(id)
         .frame(frame)

@@ -2,6 +2,7 @@ use super::Navigation;
 use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
+use super::compare::Outlined;
 use super::curve_panel::CurveState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
@@ -10,7 +11,7 @@ use super::shape_list::Renaming;
 use super::windows::Windows;
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
-use crate::scene::{Camera, ShapeId, Skinning};
+use crate::scene::{Camera, Look, ShapeId, Skinning};
 use egui::{Pos2, Rect, ThemePreference, vec2};
 use glam::Vec3;
 
@@ -24,6 +25,11 @@ pub struct UiState {
     pub navigation: Navigation,
     /// What deforms characters; automatic if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
+    /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
+    /// them if `None`. Kept by the program, too.
+    pub look_of_new: Option<Look>,
+    /// Whether the document has a file, as the program knows.
+    pub has_file: bool,
     /// Whether the shape panel is folded away. Kept by the program, too.
     pub panel_folded: bool,
     /// Whether the window is so narrow that the shape panel is folded away unless it is asked for.
@@ -32,6 +38,8 @@ pub struct UiState {
     pub(super) unfolded_in_narrow: bool,
     /// Width of the shape panel in points, once it is known. Kept by the program, too.
     pub panel_width: Option<f32>,
+    /// How often the panel got its first width back, which begins its layout anew.
+    pub(super) panel_resets: u32,
     /// Whether the first help is shown: three lines for newcomers.
     pub first_help: bool,
     pub(super) windows: Windows,
@@ -54,6 +62,8 @@ pub struct UiState {
     pub(super) pose: PoseState,
     pub(super) box_select: BoxSelect,
     pub(super) notices: NoticeState,
+    /// What is outlined in the pictures of a comparison.
+    pub(super) outlined: Outlined,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.
@@ -76,10 +86,13 @@ impl Default for UiState {
             theme: ThemePreference::System,
             navigation: Navigation::default(),
             skinning: None,
+            look_of_new: None,
+            has_file: false,
             panel_folded: false,
             is_narrow: false,
             unfolded_in_narrow: false,
             panel_width: None,
+            panel_resets: 0,
             first_help: false,
             windows: Windows::default(),
             opened: None,
@@ -94,6 +107,7 @@ impl Default for UiState {
             pose: PoseState::default(),
             box_select: BoxSelect::default(),
             notices: NoticeState::default(),
+            outlined: Outlined::default(),
             camera_before_drag: None,
             held_point: None,
             keys_were_taken: false,

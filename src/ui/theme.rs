@@ -1,5 +1,8 @@
-use egui::{Color32, Context, CornerRadius, FontFamily, FontId, Margin, Shadow, Stroke, Style};
-use egui::{TextStyle, Theme, Visuals, vec2};
+use egui::layers::ShapeIdx;
+use egui::{
+    Color32, Context, CornerRadius, FontFamily, FontId, Frame, LayerId, Margin, Shadow, Shape,
+    Stroke, Style, TextStyle, Theme, Visuals, vec2,
+};
 
 /// The colors of one theme. Text is at least 4.5 : 1 against everything it stands on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -144,19 +147,31 @@ fn set_spacing(style: &mut Style) {
     style.interaction.tooltip_delay = 0.7;
 }
 
-/// Shows file dialogs in colors in which all of them can be read: they lay text on black and on
-/// the color of the selection in every theme.
-pub fn in_colors_of_file_dialogs(context: &Context, show: impl FnOnce()) {
-    let preference = context.options(|options| options.theme_preference);
-    let dark = context.style_of(Theme::Dark);
-    let mut style = Style::clone(&dark);
-    style.visuals.selection.bg_fill = DARK.accent;
-    style.visuals.selection.stroke.color = DARK.panel;
-    context.set_style_of(Theme::Dark, style);
-    context.set_theme(Theme::Dark);
+/// Shows a file dialog, which paints into `layer`, in colors in which all of it can be read: it writes
+/// in the color of the selection, and its fields are black in every theme.
+pub fn in_colors_of_file_dialogs(context: &Context, layer: LayerId, show: impl FnOnce()) {
+    let theme = context.theme();
+    let own = context.style_of(theme);
+    let palette = Palette::of(&own.visuals);
+    let mut style = Style::clone(&own);
+    style.visuals.selection.bg_fill = palette.accent;
+    style.visuals.selection.stroke.color = palette.panel;
+    context.set_style_of(theme, style);
     show();
-    context.set_style_of(Theme::Dark, dark);
-    context.set_theme(preference);
+    let black = Frame::dark_canvas(&own).fill;
+    context.set_style_of(theme, own);
+    context.graphics_mut(|layers| {
+        let painted = layers.entry(layer);
+        for index in 0..painted.next_idx().0 {
+            painted.mutate_shape(ShapeIdx(index), |painted| {
+                if let Shape::Rect(field) = &mut painted.shape
+                    && field.fill == black
+                {
+                    field.fill = palette.typing;
+                }
+            });
+        }
+    });
 }
 
 fn set_colors(visuals: &mut Visuals, palette: &Palette) {

@@ -44,7 +44,8 @@ pub(super) fn show(
 
     let places = match (input.compare, settings) {
         (Some(compare), Some(settings)) => {
-            compare::pictures(&mut over, &response, compare, settings)
+            let outlined = state.outlined.area();
+            compare::pictures(&mut over, &response, compare, settings, outlined)
         }
         _ => ScenePlaces::whole(rect),
     };

@@ -1,10 +1,10 @@
-//! Windows over the view: Keys and Mouse, Messages, History, About; which of them are open.
+//! Windows over the view: Keys and Mouse, Messages, History, Preferences, About; which of them are open.
 
 use super::commands::{GESTURES, Menu, entries};
 use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::{Action, Navigation, ViewInput, history, is_there, messages};
+use super::{Action, Navigation, ViewInput, history, is_there, messages, preferences};
 use crate::editor::Session;
 use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -14,6 +14,7 @@ pub(super) enum Dialog {
     Keys,
     Messages,
     History,
+    Preferences,
     About,
     Screenshot,
 }
@@ -57,8 +58,15 @@ pub(super) fn show(
     session: &Session,
     state: &mut UiState,
     input: &ViewInput,
+    aspect: f32,
     actions: &mut Vec<Action>,
 ) {
+    let mut windows = std::mem::take(&mut state.windows);
+    let title = "Preferences";
+    window(root, &mut windows, Dialog::Preferences, title, |ui| {
+        preferences::show(ui, session, state, aspect, actions);
+    });
+    state.windows = windows;
     let navigation = state.navigation;
     let windows = &mut state.windows;
     window(root, windows, Dialog::Keys, "Keys and Mouse", |ui| {
@@ -97,6 +105,7 @@ fn window(
         // As high as the program's window allows.
         Dialog::Keys => vec2(480.0, 720.0),
         Dialog::History => vec2(280.0, 360.0),
+        Dialog::Preferences => vec2(480.0, 560.0),
         _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
@@ -165,6 +174,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::File => "File, other files",
         Menu::Scenes => "File ⏵ Built-in Scene",
         Menu::Edit => "Edit",
+        Menu::Preferences => "Edit, preferences",
         Menu::Clipboard => "Edit, clipboard and selection",
         Menu::Insert => "Insert",
         Menu::Curves => "Insert, curves",

@@ -1,6 +1,6 @@
 use crate::work::grows_in_proportion;
 use editor_core::compare::{
-    CompareError, MeshComparison, MeshFinding, MeshOptions, Which, compare_meshes,
+    CompareError, MeshComparison, MeshFinding, MeshOptions, MeshParts, Which, compare_meshes,
 };
 use editor_core::geometry::{Mesh, icosahedron, teapot};
 use glam::Vec3;
@@ -88,6 +88,7 @@ fn tolerance_and_allowance_decide() {
         let options = MeshOptions {
             tolerance,
             allowed: allowed.parse().unwrap(),
+            parts: None,
         };
         compare_meshes(&a, &b, &options).unwrap().passed
     };
@@ -547,4 +548,64 @@ fn what_rounds_to_nothing_has_no_sign() {
     };
     let told = "B is A moved by (0.100000, 0.000000, 0.000000)";
     assert_eq!(offset.to_string(), told);
+}
+
+#[test]
+fn vertices_that_differ_are_placed_by_the_parts_that_they_belong_to() {
+    let a = reference();
+    let mut b = a.clone();
+    for index in [1, 2, 3, 8, 9] {
+        b.positions[index].x += 0.5;
+    }
+    let of = |index: usize| match index {
+        0..8 => Some(0),
+        8 => Some(1),
+        _ => None,
+    };
+    let parts = MeshParts {
+        names: vec!["Lid".to_owned(), "Spout".to_owned()],
+        of_vertex: (0..a.positions.len()).map(of).collect(),
+    };
+    let options = MeshOptions {
+        parts: Some(&parts),
+        ..MeshOptions::default()
+    };
+    let comparison = compare_meshes(&a, &b, &options).unwrap();
+    let places = comparison.places.iter();
+    let places: Vec<_> = places.map(|p| (p.place.as_str(), p.vertices)).collect();
+    let expected = [
+        ("near Lid", 3),
+        ("near Spout", 1),
+        ("where no joint moves them", 1),
+    ];
+    assert_eq!(places, expected);
+    assert!(
+        comparison
+            .to_string()
+            .contains("  near Lid: less than 1 % of the vertices (3)")
+    );
+}
+
+#[test]
+fn without_parts_they_are_placed_by_the_sides_of_the_mesh_and_a_cause_needs_no_place() {
+    let a = reference();
+    let (mut b, mut moved) = (a.clone(), a.clone());
+    let highest = a.positions.iter().map(|p| p.y).fold(f32::MIN, f32::max);
+    for position in &mut b.positions {
+        position.y += if position.y > highest - 0.05 {
+            0.2
+        } else {
+            0.0
+        };
+    }
+    for position in &mut moved.positions {
+        position.y += 0.2;
+    }
+    let comparison = compare(&a, &b);
+    let [place] = &comparison.places[..] else {
+        panic!("{:?}", comparison.places);
+    };
+    assert_eq!(place.place, "at the top of the mesh");
+    assert_eq!(place.vertices, comparison.differing_vertices);
+    assert_eq!(compare(&a, &moved).places, []);
 }

@@ -692,7 +692,16 @@ fn an_outline_of_another_size_is_measured() {
         ..alone
     };
     let found = findings(&alone.paint(), &larger.paint());
-    let [Finding::Scaled { factor }] = found[..] else {
+    let [
+        Finding::Placed {
+            dx: 0,
+            dy: 0,
+            factor,
+            degrees: 0.0,
+            unexplained: 0.0,
+        },
+    ] = found[..]
+    else {
         panic!("{found:?}");
     };
     assert!((factor - 1.25).abs() < 0.01, "{factor}");
@@ -703,6 +712,147 @@ fn an_outline_of_another_size_is_measured() {
     assert!(
         matches!(only_the_ball[..], [Finding::Outline { .. }]),
         "{only_the_ball:?}"
+    );
+}
+
+/// A picture of a figure of head, body and one arm, moved, in another size and turned clockwise by
+/// degrees about its middle.
+fn figure(by: [f32; 2], factor: f32, degrees: f32) -> Picture {
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let places = (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x as f32, y as f32)));
+    let drawn = |(x, y): (f32, f32)| {
+        let (x, y) = (x - 70.0 - by[0], y - 60.0 - by[1]);
+        let (x, y) = ((x * cos + y * sin) / factor, (y * cos - x * sin) / factor);
+        let head = x.hypot(y + 22.0) < 8.0;
+        let body = x.abs() < 10.0 && y.abs() < 18.0;
+        head || body || (0.0..26.0).contains(&x) && (-14.0..-8.0).contains(&y)
+    };
+    Picture {
+        width: WIDTH,
+        height: HEIGHT,
+        rgba: places
+            .flat_map(|place| {
+                if drawn(place) {
+                    [90, 200, 90, 255]
+                } else {
+                    [26, 26, 26, 255]
+                }
+            })
+            .collect(),
+    }
+}
+
+#[test]
+fn a_picture_by_another_camera_is_told_as_the_whole_figure_moved_scaled_and_turned() {
+    let still = figure([0.0; 2], 1.0, 0.0);
+    for (by, larger, turned) in [
+        ([24.0, -9.0], 1.3, 0.0),
+        ([-14.0, 6.0], 0.8, 12.0),
+        ([3.0, 2.0], 1.1, -35.0),
+    ] {
+        let found = findings(&still, &figure(by, larger, turned));
+        let [
+            Finding::Placed {
+                dx,
+                dy,
+                factor,
+                degrees,
+                unexplained: 0.0,
+            },
+        ] = found[..]
+        else {
+            panic!("{found:?}");
+        };
+        // The middle of what is drawn is a little off the point about which it turns.
+        assert!(
+            (dx as f32 - by[0]).abs() < 4.0 && (dy as f32 - by[1]).abs() < 4.0,
+            "{found:?}"
+        );
+        assert!((factor - f64::from(larger)).abs() < 0.03, "{found:?}");
+        assert!((degrees - f64::from(turned)).abs() < 1.0, "{found:?}");
+        assert!(
+            found[0].to_string().contains("another camera"),
+            "{}",
+            found[0]
+        );
+    }
+    // Axes that only one of them has are no part of the figure.
+    let (mut with_axis, row) = (figure([24.0, -9.0], 1.3, 0.0), 80 * WIDTH as usize);
+    with_axis.rgba[4 * row..4 * (row + WIDTH as usize)]
+        .as_chunks_mut::<4>()
+        .0
+        .fill([200, 0, 0, 255]);
+    let found = findings(&still, &with_axis);
+    assert!(
+        matches!(
+            found[..],
+            [Finding::Placed {
+                unexplained: 0.0,
+                ..
+            }]
+        ),
+        "{found:?}"
+    );
+    let placed = Finding::Placed {
+        dx: 24,
+        dy: -9,
+        factor: 1.3,
+        degrees: -12.0,
+        unexplained: 0.25,
+    };
+    assert_eq!(
+        placed.to_string(),
+        "the whole figure is moved 24 pixels right and 9 pixels up, 1.300 times as large, turned 12.0 degrees counterclockwise in B, and 25 % of it differs even so: a camera in another direction, or another pose"
+    );
+}
+
+#[test]
+fn an_arm_in_another_place_is_no_other_camera() {
+    let still = figure([0.0; 2], 1.0, 0.0);
+    // The arm ten pixels lower.
+    let lowered = rearranged(&still, |x, y| match (x, y) {
+        (81.., 10..) => (x, y - 10),
+        _ => (x, y),
+    });
+    assert!(lowered != still);
+    let found = findings(&still, &lowered);
+    assert!(
+        matches!(
+            found[..],
+            [Finding::Outline {
+                everywhere: false,
+                ..
+            }]
+        ),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn an_outline_that_differs_in_every_part_of_the_figure_is_told_so() {
+    let still = figure([0.0; 2], 1.0, 0.0);
+    // Narrower and shorter, as seen from another side.
+    let center =
+        |at: u32, middle: i32, by: f32| (middle as f32 + (at as i32 - middle) as f32 * by) as u32;
+    let narrow = rearranged(&still, |x, y| {
+        (
+            center(x, 76, 1.35).min(WIDTH - 1),
+            center(y, 54, 1.12).min(HEIGHT - 1),
+        )
+    });
+    let found = findings(&still, &narrow);
+    let [
+        Finding::Outline {
+            everywhere: true, ..
+        },
+    ] = found[..]
+    else {
+        panic!("{found:?}");
+    };
+    assert!(
+        found[0].to_string().contains("another camera"),
+        "{}",
+        found[0]
     );
 }
 

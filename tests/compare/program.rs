@@ -269,3 +269,39 @@ fn meshes_are_compared_by_vertex() {
         (&3.0.into(), &"offset".into())
     );
 }
+
+#[test]
+fn a_mesh_that_is_bent_at_an_elbow_is_told_by_that_joint() {
+    let folder = tempfile::tempdir().unwrap();
+    let bent = r#"{"joints": {"Left elbow": [0, 0, 25]}}"#;
+    fs::write(folder.path().join("bent.json"), bent).unwrap();
+    let export = |arguments: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_editor"));
+        let command = command.args(["export", "builtin:adult"]).args(arguments);
+        assert!(
+            command
+                .current_dir(folder.path())
+                .status()
+                .unwrap()
+                .success()
+        );
+    };
+    export(&["-o", "a.obj"]);
+    export(&["--pose", "bent.json", "-o", "b.obj"]);
+    let told = "\n  near Left elbow: 10 % of the vertices";
+    for arguments in [
+        &["a.obj", "b.obj", "--character", "builtin:adult"][..],
+        &["builtin:adult", "b.obj"],
+    ] {
+        let (code, out, _) = compare(&folder, arguments);
+        assert!(code == 1 && out.contains(told), "{out}");
+    }
+    let (_, out, _) = compare(&folder, &["a.obj", "b.obj"]);
+    assert!(out.contains("\n  toward +X of the mesh: 11 %"), "{out}");
+    let other = ["a.obj", "b.obj", "--character", "builtin:robot"];
+    let (code, _, err) = compare(&folder, &other);
+    assert!(code == 1 && err.contains("found none"), "{err}");
+    let pictures = pictures();
+    let wrong = ["a.png", "b.png", "--character", "builtin:adult"];
+    assert_eq!(compare(&pictures, &wrong).0, 2);
+}

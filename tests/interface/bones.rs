@@ -602,3 +602,33 @@ fn a_number_typed_while_a_bone_is_dragged_is_shown_and_turns_it_by_exactly_that(
     assert!((angle.to_degrees() - 45.5).abs() < 1e-2, "{turned}");
     assert_eq!(editor.session().done_steps(), 2);
 }
+
+#[test]
+fn thin_lines_for_bones_stand_out_from_a_light_background_as_from_a_dark_one() {
+    use editor_core::scene::Look;
+    let mut editor = Editor::with_figure();
+    editor.click("Pose tool");
+    let brightness = |editor: &Editor| {
+        let shapes = editor.harness.output().shapes.iter();
+        let thin = shapes.filter_map(|clipped| match &clipped.shape {
+            egui::Shape::LineSegment { stroke, .. } if stroke.width == 1.5 => Some(stroke.color),
+            _ => None,
+        });
+        let colors: Vec<egui::Color32> = thin.collect();
+        assert!(colors.len() > 10, "the bones of the figure");
+        let [r, g, b, _] = colors[0].to_srgba_unmultiplied();
+        r.max(g).max(b)
+    };
+    for (theme, look, is_light_line) in [
+        ("Dark", Look::Studio, true),
+        ("Light", Look::Studio, false),
+        // Its background is dark whatever the theme.
+        ("Light", Look::Course, true),
+    ] {
+        editor.choose(&["View", "Theme", theme]);
+        editor.view(View::SetLook(look));
+        let found = brightness(&editor);
+        assert_eq!(found > 200, is_light_line, "{theme}, {look:?}: {found}");
+        assert!(is_light_line || found < 80, "{theme}, {look:?}: {found}");
+    }
+}

@@ -6,8 +6,8 @@ use editor_core::editor::View;
 use editor_core::geometry::Picture;
 use editor_core::scene::{Look, Shading};
 use editor_core::ui::{
-    Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
-    course_panels,
+    Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, DARK, LIGHT,
+    ShownPicture, course_panels,
 };
 use egui::{Key, Rect, TextureId, pos2, vec2};
 
@@ -544,4 +544,104 @@ fn everything_is_there_in_a_small_window_too() {
     assert_eq!(settings(&editor).masks.len(), 1);
     editor.click("Stop comparing");
     assert!(editor.harness.state().comparing.is_none());
+}
+
+/// Rectangles over the pictures with an edge of the color of what is chosen.
+fn outlines(editor: &Editor) -> Vec<Rect> {
+    let pictures: Vec<Rect> = shown(editor).iter().map(|shown| shown.1).collect();
+    let accents = [DARK, LIGHT].map(|palette| palette.accent);
+    let shapes = editor.harness.output().shapes.iter();
+    let outlines = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Rect(rect) if accents.contains(&rect.stroke.color) => Some(rect.rect),
+        _ => None,
+    });
+    let is_over_one = |rect: &Rect| pictures.iter().any(|picture| picture.intersects(*rect));
+    outlines.filter(is_over_one).collect()
+}
+
+/// Moves the pointer to where nothing is.
+fn away(editor: &mut Editor) {
+    editor.harness.hover_at(pos2(5.0, 5.0));
+    editor.settle();
+}
+
+#[test]
+fn the_place_of_a_finding_is_outlined_in_both_pictures() {
+    let mut editor = comparing();
+    let area = |text: &str| text.parse().ok();
+    let told = CompareReport {
+        differences: Some(counts(240, 200)),
+        judgment: Some(Judgment {
+            ssim: Some(0.5),
+            flip: 0.25,
+            findings: vec![Finding::Outline {
+                only_a: 240,
+                area_a: area("600,450,80,60"),
+                only_b: 0,
+                area_b: None,
+                everywhere: false,
+            }],
+            figure: area("200,150,500,400"),
+        }),
+        measuring: false,
+        problem: None,
+    };
+    report(&mut editor, told.clone());
+    let place = "At the bottom right of the figure, about 2 % of it.";
+    assert_eq!(outlines(&editor), []);
+    editor.click(place);
+    let pictures: Vec<Rect> = shown(&editor).iter().map(|shown| shown.1).collect();
+    let check = |editor: &Editor| {
+        let outlines = outlines(editor);
+        assert_eq!(outlines.len(), 2, "{outlines:?}");
+        for (outline, picture) in outlines.iter().zip(&pictures) {
+            let scale = picture.width() / 800.0;
+            let expected = picture.min + vec2(600.0, 450.0) * scale;
+            assert!(
+                (outline.min + vec2(3.0, 3.0)).distance(expected) < 1.0,
+                "{outline}"
+            );
+            assert!(
+                (outline.width() - 80.0 * scale - 6.0).abs() < 1.0,
+                "{outline}"
+            );
+        }
+    };
+    check(&editor);
+    away(&mut editor);
+    check(&editor);
+    editor.click(place);
+    away(&mut editor);
+    assert_eq!(outlines(&editor), []);
+    let link = editor.widget(place).rect().center();
+    editor.harness.hover_at(link);
+    editor.settle();
+    check(&editor);
+    report(&mut editor, CompareReport::default());
+    assert_eq!(outlines(&editor), [], "what is not told any more");
+}
+
+#[test]
+fn the_bar_of_tools_hides_no_caption_in_a_small_window() {
+    for mode in CompareMode::ALL {
+        let mut editor = Editor::sized(vec2(640.0, 400.0));
+        editor.harness.state_mut().comparing = Some(Comparing::new());
+        editor.settle();
+        let comparing = &mut editor.harness.state_mut().comparing;
+        comparing.as_mut().expect("a comparison").settings.mode = mode;
+        editor.settle();
+        let tools = ["Select tool", "Scale tool"].map(|tool| editor.widget(tool).rect());
+        let bar = tools[0].union(tools[1]);
+        let panel = editor.widget("Stop comparing").rect();
+        let captions = ["A: ", "B: ", "A left of", "Differences, "];
+        let mut count = 0;
+        for (text, rect) in editor.painted() {
+            if captions.iter().any(|start| text.starts_with(start)) {
+                count += 1;
+                assert!(!rect.intersects(bar), "{text} at {rect}, the bar at {bar}");
+                assert!(rect.bottom() <= panel.top(), "{text} at {rect}");
+            }
+        }
+        assert!(count > 0, "{mode:?}");
+    }
 }

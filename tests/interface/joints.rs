@@ -4,6 +4,7 @@ use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::ui::Ask;
 use egui::{Key, Modifiers};
+use egui_kittest::kittest::NodeT;
 use glam::Vec3;
 
 const ROOT: usize = 0;
@@ -177,6 +178,26 @@ fn the_arrow_before_a_joint_folds_it() {
     assert!(!editor.has("Waist"));
     editor.click("Unfold Chest");
     assert!(editor.has("Waist"));
+}
+
+#[test]
+fn a_folded_branch_says_that_a_joint_in_it_is_not_at_rest() {
+    const HOLDS: &str = "a joint that is folded away in it is not at rest";
+    let mut editor = Editor::with_figure();
+    editor.type_into("Left elbow Z", "30");
+    editor.click("Left shoulder");
+    editor.click("Fold Left shoulder");
+    let told = |editor: &Editor, name: &str| {
+        let value = editor.widget(name).accesskit_node().value();
+        value.as_deref() == Some(HOLDS)
+    };
+    assert!(told(&editor, "Left shoulder"));
+    assert!(!told(&editor, "Right shoulder"));
+    editor.click("Unfold Left shoulder");
+    assert!(!told(&editor, "Left shoulder"), "the joint itself shows it");
+    editor.click("Fold Left shoulder");
+    editor.click("Reset all");
+    assert!(!told(&editor, "Left shoulder"));
 }
 
 #[test]

@@ -368,7 +368,44 @@ fn an_ellipsis_says_that_a_dialog_follows_and_nothing_else_has_one() {
                 | Command::SavePose
                 | Command::LoadPose
                 | Command::FindCommand
+                | Command::Preferences
         );
         assert_eq!(entry.label.ends_with('…'), asks, "{}", entry.label);
     }
+}
+
+#[test]
+fn copy_in_the_menu_is_named_for_what_its_key_copies_with_each_tool() {
+    let mut editor = Editor::with_figure();
+    let shape = editor.shape().id;
+    let copy = |editor: &mut Editor, name| {
+        editor.choose(&["Edit", name]);
+        editor.key_with(Modifiers::COMMAND, Key::C);
+    };
+    copy(&mut editor, "Copy Shape");
+    editor.click("Pose tool");
+    copy(&mut editor, "Copy Pose");
+    editor.click("IK tool");
+    copy(&mut editor, "Copy Pose");
+    editor.choose(&["Insert", "Cube"]);
+    copy(&mut editor, "Copy Shape");
+    editor.key_with(Modifiers::COMMAND, Key::A);
+    editor.click("Select tool");
+    copy(&mut editor, "Copy Shapes");
+    let (shapes, pose) = (Ask::CopyShapes, Ask::CopyPose(shape));
+    let asked = [&shapes, &pose, &pose, &shapes, &shapes];
+    let each_twice = asked.into_iter().flat_map(|ask| [ask.clone(), ask.clone()]);
+    assert_eq!(editor.asked(), each_twice.collect::<Vec<_>>());
+}
+
+#[test]
+fn a_document_without_a_file_cannot_be_reverted() {
+    let mut editor = Editor::new();
+    editor.choose(&["File", "Revert"]);
+    assert_eq!(editor.asked(), []);
+    let mut editor = Editor::new();
+    editor.harness.state_mut().state.has_file = true;
+    editor.settle();
+    editor.choose(&["File", "Revert"]);
+    assert_eq!(editor.asked(), [Ask::Revert]);
 }

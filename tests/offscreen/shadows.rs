@@ -117,6 +117,24 @@ fn the_ground_lies_under_the_lowest_shape() {
 }
 
 #[test]
+fn a_shape_that_is_moved_below_the_ground_leaves_it_where_it_is_and_is_hidden() {
+    on_each_backend(|gl| {
+        let mut scene = cube_at(0.0);
+        let alone = draw(gl, &scene, &studio(), Skinning::Cpu);
+        let other = scene.add(NewShape::new("Sphere", ShapeKind::Sphere));
+        let mut place = |x: f32, y: f32| {
+            let placement = &mut scene.shape_mut(other).expect("the sphere").placement;
+            placement.transform.position = Vec3::new(x, y, 0.0);
+            draw(gl, &scene, &studio(), Skinning::Cpu)
+        };
+        assert!(place(-1.5, 0.0) != alone);
+        for height in [-1.5, -3.0, -6.0] {
+            assert!(place(0.3, height) == alone, "{height}");
+        }
+    });
+}
+
+#[test]
 fn shadows_are_the_same_whoever_skins() {
     let mut scene = characters::scene_of(characters::column(false));
     characters::bend(&mut scene);

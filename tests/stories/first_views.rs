@@ -257,6 +257,63 @@ fn the_first_import_is_fitted_and_others_move_the_camera_only_if_they_are_out_of
 }
 
 #[test]
+fn a_figure_that_is_imported_stands_beside_others_and_faces_as_they_do() {
+    let mut story = start(&["builtin:adult"]);
+    let insert = |story: &mut Story, name| {
+        let ask = Action::Ask(Ask::InsertBuiltin(name));
+        story.program.carry_out(vec![ask], &mut story.host);
+        story.settle();
+    };
+    insert(&mut story, "robot");
+    insert(&mut story, "adult");
+    let bounds: Vec<_> = {
+        let shapes = story.session().evaluated().shapes.iter();
+        shapes.map(|shape| shape.world_bounds()).collect()
+    };
+    assert!(bounds[0].max.x < bounds[1].min.x && bounds[1].max.x < bounds[2].min.x);
+    assert!(
+        bounds[2].min.x < bounds[1].max.x + 0.5,
+        "no farther than needed"
+    );
+    let place = story.shape().placement;
+    assert_eq!(place, story.shape().start, "Reset leaves it there");
+    assert_eq!(place.transform.position.with_x(0.0), Vec3::ZERO);
+    // Its left hand is at −X: alone it shows its back to whoever sees the others' faces.
+    story.import("models/large.obj");
+    let front = |story: &Story| story.shape().front().expect("a character");
+    assert!(front(&story).distance(Vec3::Z * front(&story).length()) < 1e-5);
+
+    let mut story = start(&["models/large.obj"]);
+    insert(&mut story, "adult");
+    assert!(front(&story).z < -0.9, "with the one that is there");
+
+    let mut story = start(&["models/far.obj"]);
+    story
+        .program
+        .session_mut()
+        .look(View::SetCamera(Camera::default()));
+    story.import("models/large.obj");
+    assert!(front(&story).z > 0.9, "to the viewer, where no other is");
+}
+
+#[test]
+fn a_figure_stays_where_its_file_has_it_while_it_is_compared_or_where_nothing_is() {
+    let mut story = start(&["models/far.obj"]);
+    let insert = Action::Ask(Ask::InsertBuiltin("adult"));
+    story
+        .program
+        .carry_out(vec![insert.clone()], &mut story.host);
+    story.settle();
+    assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+    story.key(Key::F8);
+    story.choose("reference.png");
+    story.program.carry_out(vec![insert], &mut story.host);
+    story.settle();
+    assert_eq!(story.names().len(), 3);
+    assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+}
+
+#[test]
 fn the_course_s_character_is_imported_into_an_empty_scene_as_it_is_opened() {
     let mut story = start(&[]);
     assert!(!story.session().view().axis);

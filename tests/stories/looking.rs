@@ -4,8 +4,10 @@
 use super::{Story, differing};
 use editor_core::editor::Tool;
 use editor_core::scene::{Camera, Look, Shading, ShapeKind};
-use editor_core::ui::{COMMANDS, Command};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, pos2, vec2};
+use editor_core::ui::{COMMANDS, Command, Navigation};
+use egui::{
+    Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, ThemePreference, pos2, vec2,
+};
 use glam::{Vec2, Vec3};
 
 /// A place in the view over which there is nothing.
@@ -365,6 +367,50 @@ fn the_look_that_was_chosen_last_is_that_of_documents_without_one_of_their_own()
 }
 
 #[test]
+fn preferences_are_chosen_in_one_window_kept_and_put_back_to_the_defaults() {
+    let next_start = |story: &Story, files: &[&str]| {
+        let host = crate::host::MemoryHost {
+            stored: story.host.stored.clone(),
+            ..crate::host::MemoryHost::default()
+        };
+        Story::start_at(host, files)
+    };
+    let mut story = Story::start(&[]);
+    story.key_with(Modifiers::COMMAND, Key::Comma);
+    for choice in [
+        "Theme: Light",
+        "New views: Mannequin",
+        "Navigation: Blender",
+        "Shown",
+    ] {
+        story.click(choice);
+    }
+    let mut next = next_start(&story, &["models/strip.obj"]);
+    assert_eq!(next.session().view().look, Look::Mannequin);
+    let ui = next.program.ui_mut();
+    assert_eq!(
+        (ui.theme, ui.navigation),
+        (ThemePreference::Light, Navigation::Blender)
+    );
+    assert!(ui.panel_folded);
+
+    next.key_with(Modifiers::COMMAND, Key::Comma);
+    next.click("Reset to defaults");
+    assert!(next.has("Theme: Light"), "the window stays");
+    next.key(Key::Escape);
+    assert!(!next.has("Theme: Light"));
+    let mut last = next_start(&next, &["models/strip.obj"]);
+    let look = last.session().view().look;
+    assert_eq!(look, Look::Course, "that of such a character");
+    let ui = last.program.ui_mut();
+    assert_eq!(
+        (ui.theme, ui.navigation),
+        (ThemePreference::System, Navigation::default())
+    );
+    assert!(!ui.panel_folded);
+}
+
+#[test]
 fn a_command_is_found_by_its_name_and_run() {
     let mut story = Story::start(&["models/strip.obj"]);
     let find = Modifiers::COMMAND | Modifiers::SHIFT;
@@ -382,6 +428,17 @@ fn a_command_is_found_by_its_name_and_run() {
     story.key(Key::Enter);
     assert_eq!(story.names(), ["Strip", "Icosahedron", "Sphere"]);
 
+    for (words, named) in [
+        ("theme light", "Theme: Light"),
+        ("course look", "Look: Course"),
+        ("prefer", "Preferences…"),
+    ] {
+        story.key_with(find, Key::P);
+        story.frame(vec![Event::Text(words.into())]);
+        story.settle();
+        assert!(story.has(named), "{words}");
+        story.key(Key::Escape);
+    }
     story.key_with(find, Key::P);
     story.key(Key::Escape);
     assert!(!story.has("Find a command"));

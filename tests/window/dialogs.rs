@@ -119,7 +119,7 @@ fn esc_closes_the_dialog_first_and_then_the_program() {
 }
 
 #[test]
-fn the_dialog_is_dark_where_the_panels_are_light() {
+fn the_dialog_and_its_fields_are_light_where_the_panels_are() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
     let models = home_with_character(home.path());
@@ -137,7 +137,14 @@ fn the_dialog_is_dark_where_the_panels_are_light() {
             all.partition(|&at| colors[at].iter().all(|&c| c < 100));
         dark.len() as f32 / (dark.len() + light.len()) as f32
     };
-    // The dialog of 640×440 is in the middle of the window, the panels at its right edge.
-    let (dialog, panels) = (dark(400..880, 250..550), dark(1000..1270, 40..780));
-    assert!(dialog > 0.8 && panels < 0.2, "{dialog} {panels}");
+    // The dialog of 640×440 is in the middle of the window, the name of the file at its bottom.
+    let (dialog, field) = (dark(400..880, 190..610), dark(480..760, 560..590));
+    assert!(dialog < 0.2 && field < 0.2, "{dialog} {field}");
+    press(&program, &["Escape", "ctrl+o"]);
+    // Above its folders are the path, which is typed now, and the search.
+    press(&program, &["ctrl+l"]);
+    let colors = Program::colors(&program.picture(), 1280, 800);
+    let black = (190..300).flat_map(|y| (320..960).map(move |x| 1280 * y + x));
+    let black = black.filter(|&at| colors[at].iter().all(|&c| c < 8));
+    assert!(black.count() < 200, "a field is black");
 }

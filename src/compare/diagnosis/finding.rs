@@ -45,10 +45,18 @@ pub enum Finding {
         /// Top and bottom are exchanged.
         top_bottom: bool,
     },
-    /// What is drawn in B has A's outline in another size.
-    Scaled {
+    /// What is drawn in B has A's outline elsewhere in the picture, in another size or turned.
+    Placed {
+        /// By how many pixels its middle is farther to the right.
+        dx: i32,
+        /// By how many it is farther down.
+        dy: i32,
         /// Size in B by size in A.
         factor: f64,
+        /// By how much it is turned, clockwise as it is seen.
+        degrees: f64,
+        /// Share of what is drawn whose outlines differ even so; 0 if that is next to nothing.
+        unexplained: f64,
     },
     /// B has red and blue exchanged.
     RedBlueExchanged,
@@ -118,6 +126,8 @@ pub enum Finding {
         only_b: u64,
         /// Where these are.
         area_b: Option<Area>,
+        /// Whether that is so in every part of the figure.
+        everywhere: bool,
     },
     /// What is drawn has a different color in B.
     Shading {
@@ -189,7 +199,7 @@ impl Finding {
             | Self::Transparent { .. }
             | Self::Shifted { .. }
             | Self::Mirrored { .. }
-            | Self::Scaled { .. }
+            | Self::Placed { .. }
             | Self::RedBlueExchanged
             | Self::Gray
             | Self::Background { .. }
@@ -264,10 +274,13 @@ impl fmt::Display for Finding {
                 (true, false) => "B is A mirrored: left and right are exchanged",
                 _ => "B is A upside down: top and bottom are exchanged (rows in reverse order?)",
             }),
-            Self::Scaled { factor } => write!(
-                f,
-                "what is drawn in B has A's outline, {factor:.3} times as large: distance, field of view or scale"
-            ),
+            Self::Placed {
+                dx,
+                dy,
+                factor,
+                degrees,
+                unexplained,
+            } => fmt_placed(f, (*dx, *dy), *factor, *degrees, *unexplained),
             Self::RedBlueExchanged => f.write_str("B has red and blue exchanged (BGR instead of RGB?)"),
             Self::Gray => f.write_str("B has no colors: it is A in shades of gray"),
             Self::Background { a, b, alone } => {
@@ -313,7 +326,16 @@ impl fmt::Display for Finding {
                 area_a,
                 only_b,
                 area_b,
-            } => fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)]),
+                everywhere,
+            } => {
+                fmt_outline(f, [(*only_a, *area_a), (*only_b, *area_b)])?;
+                if *everywhere {
+                    f.write_str(
+                        ", in every part of the figure: another camera, or the whole figure posed otherwise",
+                    )?;
+                }
+                Ok(())
+            }
             Self::Shading {
                 share,
                 area,
@@ -370,6 +392,37 @@ fn moved(dx: i32, dy: i32) -> String {
         .flatten()
         .collect::<Vec<_>>()
         .join(" and ")
+}
+
+/// A figure elsewhere, of which a share is unexplained even so.
+fn fmt_placed(
+    f: &mut fmt::Formatter<'_>,
+    (dx, dy): (i32, i32),
+    factor: f64,
+    degrees: f64,
+    unexplained: f64,
+) -> fmt::Result {
+    let way = if degrees > 0.0 {
+        "clockwise"
+    } else {
+        "counterclockwise"
+    };
+    let parts = [
+        ((dx, dy) != (0, 0)).then(|| format!("moved {}", moved(dx, dy))),
+        (factor != 1.0).then(|| format!("{factor:.3} times as large")),
+        (degrees != 0.0).then(|| format!("turned {:.1} degrees {way}", degrees.abs())),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    write!(f, "the whole figure is {} in B", parts.join(", "))?;
+    if unexplained == 0.0 {
+        f.write_str(": another camera, or another place or size of the shape")
+    } else {
+        write!(
+            f,
+            ", and {:.0} % of it differs even so: a camera in another direction, or another pose",
+            100.0 * unexplained
+        )
+    }
 }
 
 fn fmt_brightness(f: &mut fmt::Formatter<'_>, factors: [f64; 3]) -> fmt::Result {

@@ -7,6 +7,7 @@ mod evidence;
 mod finding;
 mod highlight;
 mod outline;
+mod placed;
 
 pub use finding::{Finding, HighlightChange, Which};
 
@@ -47,7 +48,7 @@ impl Evidence<'_> {
         rule("highlight", BACKGROUND, highlight::highlight),
         rule("edges", BACKGROUND, detail::edges),
         rule("detail", BACKGROUND, detail::detail),
-        rule("scaled", BACKGROUND, outline::scaled),
+        rule("placed", BACKGROUND, placed::placed),
         rule("outline", BACKGROUND, outline::outline),
         rule(
             "shading",
@@ -167,7 +168,7 @@ mod tests {
             "highlight",
             "edges",
             "detail",
-            "scaled",
+            "placed",
             "outline",
             "shading",
         ];
@@ -291,14 +292,14 @@ mod tests {
         for (name, b) in provoking() {
             assert_eq!(names(&scene(), &b), [name]);
         }
-        assert_eq!(names(&square(20), &square(24)), ["scaled"]);
+        assert_eq!(names(&square(20), &square(24)), ["placed"]);
         let elsewhere = changed(&scene(), |_, y, pixel| match is_dark(pixel) || y > 38 {
             true => [90, 120, 140, 255],
             false => pixel,
         });
         assert_eq!(names(&scene(), &elsewhere), ["background", "outline"]);
         let mut tried: Vec<_> = provoking().into_iter().map(|(name, _)| name).collect();
-        tried.extend(["scaled", "background"]);
+        tried.extend(["placed", "background"]);
         for rule in Evidence::RULES {
             assert!(
                 tried.contains(&rule.name),

@@ -10,8 +10,10 @@ const FARTHEST: i32 = 8;
 const SPOILED_ONE_IN: u64 = 100;
 /// Movements are tried on every row of so many first.
 const ROW_STEP: u32 = 16;
-/// Outlines of another size agree if they differ in no more than this share of their pixels.
-const SCALED_SLACK: f64 = 0.02;
+/// Share of the figure below which a ninth of the area round it has no part of it worth the name.
+const LEAST_PART: f64 = 0.02;
+/// Share of each part of a figure of which the outline must differ to differ everywhere.
+const EVERYWHERE: f64 = 0.04;
 /// Shading differs if it does so in more than this share of the drawn pixels.
 const LEAST_SHADING: f64 = 0.001;
 
@@ -62,41 +64,6 @@ pub(super) fn shifted(evidence: &Evidence) -> Option<Finding> {
         .map(|(_, _, (dx, dy))| Finding::Shifted { dx, dy })
 }
 
-/// A's outline in another size.
-pub(super) fn scaled(evidence: &Evidence) -> Option<Finding> {
-    let pair = evidence.pair();
-    let [drawn_a, drawn_b] = evidence.drawn_masks()?;
-    let [area_a, area_b] = [evidence.area_of(drawn_a)?, evidence.area_of(drawn_b)?];
-    if touches_border(pair, area_a) || touches_border(pair, area_b) {
-        return None;
-    }
-    let ratio = |b: u32, a: u32| f64::from(b) / f64::from(a);
-    let factors = [
-        ratio(area_b.width, area_a.width),
-        ratio(area_b.height, area_a.height),
-    ];
-    // Steadier than the sides, which are off by up to a pixel each.
-    let factor = (count(drawn_b) as f64 / count(drawn_a) as f64).sqrt();
-    let rounding = 2.0 / f64::from(area_a.width.min(area_a.height));
-    if (factors[0] - factors[1]).abs() > 0.01 + rounding || (factor - 1.0).abs() < 0.02 {
-        return None;
-    }
-    let width = pair.width() as usize;
-    let (mut differing, mut drawn) = (0_u32, 0_u32);
-    for y in 0..area_b.height {
-        for x in 0..area_b.width {
-            let in_b = (area_b.y + y) as usize * width + (area_b.x + x) as usize;
-            let scaled = |place: u32, factor: f64| ((f64::from(place) + 0.5) / factor) as u32;
-            let from_x = area_a.x + scaled(x, factors[0]).min(area_a.width - 1);
-            let from_y = area_a.y + scaled(y, factors[1]).min(area_a.height - 1);
-            let in_a = from_y as usize * width + from_x as usize;
-            drawn += u32::from(drawn_b[in_b]);
-            differing += u32::from(drawn_b[in_b] != drawn_a[in_a]);
-        }
-    }
-    (f64::from(differing) <= SCALED_SLACK * f64::from(drawn)).then_some(Finding::Scaled { factor })
-}
-
 /// What is drawn in one picture alone.
 pub(super) fn outline(evidence: &Evidence) -> Option<Finding> {
     let Outline { only, areas } = evidence.outline()?;
@@ -105,7 +72,37 @@ pub(super) fn outline(evidence: &Evidence) -> Option<Finding> {
         area_a: areas[0],
         only_b: only[1],
         area_b: areas[1],
+        everywhere: differs_everywhere(evidence).unwrap_or(false),
     })
+}
+
+/// Whether the outlines differ in each ninth of the figure that has a part of it worth the name.
+fn differs_everywhere(evidence: &Evidence) -> Option<bool> {
+    let [drawn_a, drawn_b] = evidence.drawn_masks()?;
+    let pair = evidence.pair();
+    let figure = pair.figure()?;
+    let ninth = |index: usize| {
+        let place = |at: usize, first: u32, length: u32| {
+            let along = at.checked_sub(first as usize)?;
+            Some(3 * along / length as usize).filter(|third| *third < 3)
+        };
+        let width = pair.width() as usize;
+        let column = place(index % width, figure.x, figure.width)?;
+        Some(3 * place(index / width, figure.y, figure.height)? + column)
+    };
+    let mut counts = [[0_u32; 2]; 9];
+    for (index, (&a, &b)) in drawn_a.iter().zip(drawn_b).enumerate() {
+        if let Some(ninth) = ninth(index).filter(|_| a || b) {
+            counts[ninth][0] += 1;
+            counts[ninth][1] += u32::from(a != b);
+        }
+    }
+    let drawn: u32 = counts.iter().map(|[drawn, _]| drawn).sum();
+    let mut parts = counts.iter();
+    Some(parts.all(|&[part, differing]| {
+        let is_little = f64::from(part) < LEAST_PART * f64::from(drawn);
+        is_little || f64::from(differing) >= EVERYWHERE * f64::from(part)
+    }))
 }
 
 /// Different colors of what is drawn. Where the outlines differ, more pixels than theirs must
@@ -254,13 +251,6 @@ fn unexplained_by(
         }
     }
     Some(unexplained)
-}
-
-fn touches_border(pair: &Pair, area: Area) -> bool {
-    area.x == 0
-        || area.y == 0
-        || area.x + area.width == pair.width()
-        || area.y + area.height == pair.height()
 }
 
 fn whole(pair: &Pair) -> Area {

@@ -2,9 +2,11 @@
 
 mod finding;
 mod matching;
+mod place;
 mod placement;
 
 pub use finding::MeshFinding;
+pub use place::{MeshParts, MeshPlace};
 
 use super::rules::Beside::{self, Everything, Only};
 use super::rules::{Rule, findings, with_messages};
@@ -25,12 +27,14 @@ const LISTED: usize = 10;
 
 /// Options of a comparison of meshes, and what still passes.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MeshOptions {
+pub struct MeshOptions<'a> {
     /// Vertices differ if they are farther apart than this, in model space; [`MESH_TOLERANCE`] of
     /// the size if not given.
     pub tolerance: Option<f64>,
     /// How many vertices may differ.
     pub allowed: Allowance,
+    /// Parts that tell where vertices differ; sides of the mesh if not given.
+    pub parts: Option<&'a MeshParts>,
 }
 
 /// Result of a comparison of two meshes. Lengths are in their model space; distances that are
@@ -64,6 +68,9 @@ pub struct MeshComparison {
     pub rms: f64,
     /// The vertices farthest apart, at most ten, those that do not differ left out.
     pub worst: Vec<WorstVertex>,
+    /// Where vertices differ, the place with the most first; empty where something that is wrong with
+    /// the whole mesh accounts for them.
+    pub places: Vec<MeshPlace>,
     /// Whether both have the same triangles, wound alike, in whatever order.
     pub same_triangles: bool,
     /// What is wrong.
@@ -91,7 +98,7 @@ pub struct WorstVertex {
 pub fn compare_meshes(
     a: &Mesh,
     b: &Mesh,
-    options: &MeshOptions,
+    options: &MeshOptions<'_>,
 ) -> Result<MeshComparison, CompareError> {
     let finite = a.positions.iter().copied().filter(|p| p.is_finite());
     let size = Aabb::from_points(finite).size().as_dvec3().length();
@@ -112,7 +119,10 @@ pub fn compare_meshes(
     }
     let tolerance = options.tolerance.unwrap_or(MESH_TOLERANCE * size);
     let distances = distances(&points_a, &points_b);
-    let differing = distances.iter().filter(|d| **d > tolerance).count() as u64;
+    let differing = distances
+        .iter()
+        .filter(|d| is_apart(**d, tolerance))
+        .count() as u64;
     let allowed_vertices = options.allowed.of(count as u64);
     let matching = if differing > 0 {
         Matching::find(&points_a, &points_b, rounding)
@@ -131,6 +141,12 @@ pub fn compare_meshes(
         triangles,
     };
     let max = distances.iter().copied().fold(0.0, f64::max);
+    let findings = findings(&Evidence::RULES, &evidence);
+    let places = if is_explained(&findings, differing) {
+        Vec::new()
+    } else {
+        place::places(&points_a, &distances, tolerance, options.parts)
+    };
     Ok(MeshComparison {
         passed: differing <= allowed_vertices && triangles.are_same(),
         vertices: count as u64,
@@ -145,8 +161,9 @@ pub fn compare_meshes(
         mean: distances.iter().sum::<f64>() / count as f64,
         rms: (distances.iter().map(|d| d * d).sum::<f64>() / count as f64).sqrt(),
         worst: worst(a, b, &distances, tolerance),
+        places,
         same_triangles: triangles.are_same(),
-        findings: findings(&Evidence::RULES, &evidence),
+        findings,
     })
 }
 
@@ -247,9 +264,19 @@ fn distances(a: &[DVec3], b: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
+fn is_apart(distance: f64, tolerance: f64) -> bool {
+    distance > tolerance
+}
+
+/// Whether a cause accounts for all of the `differing` vertices.
+fn is_explained(findings: &[MeshFinding], differing: u64) -> bool {
+    findings.iter().any(|found| found.explains(differing))
+}
+
 fn differing_bounds(a: &[DVec3], distances: &[f64], tolerance: f64) -> Option<[[f64; 3]; 2]> {
     let points = a.iter().zip(distances);
-    let differing = points.filter(|(point, distance)| **distance > tolerance && point.is_finite());
+    let differing =
+        points.filter(|(point, distance)| is_apart(**distance, tolerance) && point.is_finite());
     let corners = differing.map(|(point, _)| (*point, *point));
     let (low, high) = corners.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
     Some([low.to_array(), high.to_array()])
@@ -257,7 +284,7 @@ fn differing_bounds(a: &[DVec3], distances: &[f64], tolerance: f64) -> Option<[[
 
 fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVertex> {
     let mut order: Vec<usize> = (0..distances.len())
-        .filter(|&index| distances[index] > tolerance)
+        .filter(|&index| is_apart(distances[index], tolerance))
         .collect();
     order.sort_by(|&i, &j| distances[j].total_cmp(&distances[i]));
     let listed = order.into_iter().take(LISTED);
@@ -275,8 +302,7 @@ impl MeshComparison {
     /// A sentence on the vertices that differ where no cause accounts for them.
     fn unexplained(&self) -> Option<String> {
         let differing = self.differing_vertices;
-        let explained = self.findings.iter().any(|found| found.explains(differing));
-        if differing == 0 || explained {
+        if differing == 0 || is_explained(&self.findings, differing) {
             return None;
         }
         let agreeing = self.vertices - differing;
@@ -335,6 +361,7 @@ impl fmt::Display for MeshComparison {
         }
         if let Some(unexplained) = self.unexplained() {
             writeln!(f, "{unexplained}")?;
+            place::fmt_places(f, &self.places)?;
         }
         let verdict = if self.passed { "passed" } else { "failed" };
         write!(f, "{verdict}: at most {} may differ", self.allowed_vertices)

@@ -11,7 +11,7 @@ pub(super) use keys::{
     gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key,
 };
 pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, why_disabled};
-pub(super) use table::{entries, label};
+pub(super) use table::{entries, in_words, label};
 
 use crate::editor::Tool;
 use crate::geometry::Basis;
@@ -54,9 +54,12 @@ pub enum Command {
     Redo,
     /// Opens Edit ▸ History.
     History,
+    /// Opens Edit ▸ Preferences.
+    Preferences,
     /// Copies the selected shapes to the clipboard, and deletes them.
     Cut,
-    /// Copies the selected shapes to the clipboard.
+    /// Copies the selected shapes to the clipboard, or the pose of the selected character with a tool
+    /// that poses.
     Copy,
     /// Adds the shapes on the clipboard, or applies the pose on it.
     Paste,

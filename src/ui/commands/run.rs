@@ -32,7 +32,7 @@ pub(in crate::ui) fn run(
 }
 
 fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
-    if why_disabled(command, session).is_some() {
+    if why_disabled(command, session, state).is_some() {
         return None;
     }
     state.box_select.armed = command == Command::BoxSelect;
@@ -51,6 +51,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Messages => state.windows.open(Dialog::Messages),
         Command::About => state.windows.open(Dialog::About),
         Command::History => state.windows.open(Dialog::History),
+        Command::Preferences => state.windows.open(Dialog::Preferences),
         Command::Undo => return Some(Action::History(HistoryMove::Undo)),
         Command::Redo => return Some(Action::History(HistoryMove::Redo)),
         Command::TogglePanel => state.fold_panel(!state.is_panel_folded()),
@@ -100,7 +101,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::BoxSelect => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
-        Command::Copy => return Some(Action::Ask(Ask::CopyShapes)),
+        Command::Copy => {
+            let posed = posed_character(session, state);
+            return Some(Action::Ask(posed.map_or(Ask::CopyShapes, Ask::CopyPose)));
+        }
         Command::Paste => return Some(Action::Ask(Ask::Paste)),
         Command::Rename => {
             let shape = session.selected().and_then(|id| session.scene().shape(id));
@@ -145,8 +149,23 @@ fn to_selected(session: &Session, edit: impl Fn(ShapeId) -> Edit) -> Option<Acti
     Some(Action::Edit(for_all_selected(session, edit)))
 }
 
-/// Label of a command in a menu, with the step that Undo or Redo is about.
-pub(in crate::ui) fn full_label(command: Command, session: &Session) -> String {
+/// The character whose pose is copied rather than itself: the selected one, with a tool that poses.
+fn posed_character(session: &Session, state: &UiState) -> Option<ShapeId> {
+    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik);
+    let (id, _) = selected_character(session).filter(|_| poses)?;
+    Some(id)
+}
+
+/// Label of a command in a menu, with what Copy copies, and the step that Undo or Redo is about.
+pub(in crate::ui) fn full_label(command: Command, session: &Session, state: &UiState) -> String {
+    if command == Command::Copy {
+        let several = session.selected_shapes().count() > 1;
+        return match posed_character(session, state) {
+            Some(_) => "Copy Pose".to_owned(),
+            None if several => "Copy Shapes".to_owned(),
+            None => "Copy Shape".to_owned(),
+        };
+    }
     let done = session.done_steps();
     let step = match command {
         Command::Undo => done.checked_sub(1),
@@ -179,8 +198,13 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
 }
 
 /// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
-pub(in crate::ui) fn why_disabled(command: Command, session: &Session) -> Option<&'static str> {
+pub(in crate::ui) fn why_disabled(
+    command: Command,
+    session: &Session,
+    state: &UiState,
+) -> Option<&'static str> {
     match command {
+        Command::Revert if !state.has_file => Some("The document has no file yet"),
         Command::Undo if session.done_steps() == 0 && !session.is_in_gesture() => {
             Some("There is nothing to undo")
         }

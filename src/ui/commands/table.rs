@@ -19,6 +19,8 @@ pub enum Menu {
     Edit,
     /// Edit, the part about the clipboard and the selection.
     Clipboard,
+    /// Edit, last part.
+    Preferences,
     /// Insert, first part.
     Insert,
     /// Insert, the part with curves.
@@ -63,6 +65,7 @@ impl Menu {
         Self::Curves,
         Self::Import,
         Self::Shape,
+        Self::Preferences,
         Self::View,
         Self::Look,
         Self::Shading,
@@ -157,6 +160,8 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Undo, Menu::Edit, "Undo", "Take back the last step; in the middle of a drag, all of the drag", &[key(CTRL, Key::Z)]),
     entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]),
     entry(Command::History, Menu::Edit, "History", "Every step since the document was opened; a click goes back or forward to it", &[]),
+
+    entry(Command::Preferences, Menu::Preferences, "Preferences…", "Theme, look of new views, navigation and whatever else is kept from one run to the next", &[key(CTRL, Key::Comma)]),
 
     entry(Command::Cut, Menu::Clipboard, "Cut", "Copy the selected shapes to the clipboard, and delete them", &[key(CTRL, Key::X)]),
     entry(Command::Copy, Menu::Clipboard, "Copy", "Copy the selected shapes to the clipboard, as text; with the Pose and IK tools, the pose", &[key(CTRL, Key::C)]),
@@ -257,6 +262,21 @@ pub(super) fn entry_of(command: Command) -> Option<&'static Entry> {
 /// Whether `command` is listed in `menu`.
 pub(in crate::ui) fn is_in(menu: Menu, command: Command) -> bool {
     entry_of(command).is_some_and(|entry| entry.menu == menu)
+}
+
+/// Label of a command where its menu is not seen, such as `Theme: Light`.
+pub(in crate::ui) fn in_words(entry: &Entry) -> String {
+    let menu = match entry.menu {
+        Menu::Scenes => "Built-in Scene",
+        Menu::Look => "Look",
+        Menu::Shading => "Shading",
+        Menu::Navigation => "Navigation",
+        Menu::Theme => "Theme",
+        Menu::Skinning => "Skinning",
+        _ => return entry.label.to_owned(),
+    };
+    // Its label names the look where others are called the same.
+    format!("{menu}: {}", entry.label.trim_end_matches(" Look"))
 }
 
 /// Label of `command` in menus.

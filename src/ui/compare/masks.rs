@@ -135,8 +135,8 @@ pub(super) fn show_over(ui: &mut Ui, places: &ScenePlaces, size: (u32, u32), mas
     }
 }
 
-/// Where a mask lies in a picture that is shown in `place`.
-fn shown(mask: Mask, place: Rect, points_per_pixel: f32) -> Rect {
+/// Where an area of pixels lies in a picture that is shown in `place`.
+pub(super) fn shown(mask: Mask, place: Rect, points_per_pixel: f32) -> Rect {
     let corner = vec2(mask.x as f32, mask.y as f32) * points_per_pixel;
     let size = vec2(mask.width as f32, mask.height as f32) * points_per_pixel;
     Rect::from_min_size(place.min + corner, size).intersect(place)

@@ -3,11 +3,13 @@
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
 mod masks;
+mod outlined;
 mod panel;
 mod pictures;
 mod place;
 mod settings;
 
+pub(super) use outlined::Outlined;
 pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;
 pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels};

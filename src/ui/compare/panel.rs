@@ -1,6 +1,7 @@
+use super::outlined::Outlined;
 use super::place::place;
 use super::{CompareReport, CompareView, masks};
-use crate::compare::{Differences, Judgment};
+use crate::compare::{Area, Differences, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
 use crate::ui::number_field::NumberField;
@@ -8,8 +9,8 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
 use egui::{
-    Align, Button, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea, Slider, Ui,
-    vec2,
+    Align, Button, Color32, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea,
+    Slider, Ui, vec2,
 };
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
@@ -26,6 +27,7 @@ pub(in crate::ui) fn show(
     session: &Session,
     compare: &CompareView,
     changed: &mut CompareSettings,
+    outlined: &mut Outlined,
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
@@ -44,7 +46,7 @@ pub(in crate::ui) fn show(
                 .auto_shrink(false)
                 .show(ui, |ui| {
                     if ui.available_width() < ROOM_FOR_COLUMNS {
-                        findings(ui, session, compare);
+                        findings(ui, session, compare, outlined);
                         numbers(ui, compare.report);
                         ui.separator();
                         settings(ui, look_is_course, compare, changed, actions);
@@ -56,7 +58,7 @@ pub(in crate::ui) fn show(
                             }
                             let [left, middle, right] = columns;
                             numbers(left, compare.report);
-                            findings(middle, session, compare);
+                            findings(middle, session, compare, outlined);
                             settings(right, look_is_course, compare, changed, actions);
                         });
                     }
@@ -248,7 +250,7 @@ fn of_which(part: u64, whole: u64) -> String {
     format!("{part} of {whole} ({percent:.3} %)")
 }
 
-fn line(ui: &mut Ui, name: &str, value: &str, color: egui::Color32, hint: &str) {
+fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &str) {
     let weak = Palette::of(ui.visuals()).weak;
     ui.label(RichText::new(name).small().color(weak))
         .on_hover_text(hint);
@@ -259,49 +261,75 @@ fn line(ui: &mut Ui, name: &str, value: &str, color: egui::Color32, hint: &str) 
 }
 
 /// What is wrong, in words.
-fn findings(ui: &mut Ui, session: &Session, compare: &CompareView) {
+fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mut Outlined) {
     let look_is_course = session.view().look == Look::Course;
     let palette = Palette::of(ui.visuals());
+    let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
+    let is_still_told = |area: &Area| areas.clone().any(|f| f.area() == Some(*area));
+    *outlined = Outlined {
+        hovered: None,
+        clicked: outlined.clicked.filter(is_still_told),
+    };
     ui.vertical(|ui| {
-        let mut say = |text: &str, color| {
-            let text = RichText::new(text).color(color);
-            ui.add(Label::new(text).wrap().selectable(true));
-        };
         let report = compare.report;
         if let Some(problem) = &report.problem {
-            return say(&problem.to_string(), palette.error);
+            return say(ui, &problem.to_string(), palette.error);
         }
         let Some(counts) = &report.differences else {
-            return say("Measuring…", palette.weak);
+            return say(ui, "Measuring…", palette.weak);
         };
         if counts.max == 0 {
-            return say("A and B are equal, pixel by pixel.", palette.strong);
+            return say(ui, "A and B are equal, pixel by pixel.", palette.strong);
         }
         if counts.differing_pixels == 0 {
             say(
+                ui,
                 "No pixel differs by more than the threshold.",
                 palette.strong,
             );
         }
         for hint in hints(look_is_course, compare.settings, counts) {
-            say(hint, palette.text);
+            say(ui, hint, palette.text);
         }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
                 for finding in &judgment.findings {
-                    say(&finding.sentence(), palette.strong);
+                    say(ui, &finding.sentence(), palette.strong);
                     if let Some((area, figure)) = finding.area().zip(judgment.figure) {
                         let place = place(session, area, figure, compare.size());
-                        say(&place, palette.text);
+                        link(ui, &place, area, outlined);
                     }
                 }
                 if judgment.findings.is_empty() {
-                    say("No single cause explains the differences.", palette.text);
+                    say(
+                        ui,
+                        "No single cause explains the differences.",
+                        palette.text,
+                    );
                 }
             }
-            _ => say("Looking for the cause…", palette.weak),
+            _ => say(ui, "Looking for the cause…", palette.weak),
         }
     });
+}
+
+fn say(ui: &mut Ui, text: &str, color: Color32) {
+    let text = RichText::new(text).color(color);
+    ui.add(Label::new(text).wrap().selectable(true));
+}
+
+/// The place of a finding, which outlines its `area` in the pictures: while the pointer is over it,
+/// and after a click until the next.
+fn link(ui: &mut Ui, place: &str, area: Area, outlined: &mut Outlined) {
+    let is_clicked = outlined.clicked == Some(area);
+    let link = ui.add(Button::selectable(is_clicked, place).wrap());
+    let link = link.on_hover_text("Outline it in the pictures; a click keeps the outline");
+    if link.hovered() {
+        outlined.hovered = Some(area);
+    }
+    if link.clicked() {
+        outlined.clicked = (!is_clicked).then_some(area);
+    }
 }
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";

@@ -1,4 +1,5 @@
 use super::{CompareView, masks};
+use crate::compare::Area;
 use crate::geometry::Picture;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
@@ -13,7 +14,7 @@ use std::time::Duration;
 const BLINK: f64 = 0.6;
 /// How far from the line between two pictures it can be taken hold of, in points.
 const GRIP: f32 = 6.0;
-/// Height of the line of text above a picture, in points.
+/// Height of the line of text below a picture, in points: above it, the bar of tools would hide it.
 const CAPTION: f32 = 20.0;
 /// Between two pictures, and around them where there is room, in points.
 const GAP: f32 = 8.0;
@@ -27,6 +28,7 @@ pub(in crate::ui) fn show(
     view: &Response,
     compare: &CompareView,
     settings: &mut CompareSettings,
+    outlined: Option<Area>,
 ) -> ScenePlaces {
     let area = view.rect;
     let size = compare.size();
@@ -43,6 +45,9 @@ pub(in crate::ui) fn show(
     let blinked = blinked(ui, compare.settings.mode);
     paint(ui, &places.rects, compare, blinked);
     masks::show_over(ui, &places, size, &mut settings.masks);
+    if let Some(outlined) = outlined {
+        outline(ui, &places, outlined);
+    }
     if compare.settings.mode == CompareMode::Swipe {
         swipe_line(ui, places.rects[0], settings);
     }
@@ -51,13 +56,8 @@ pub(in crate::ui) fn show(
         pixel_at(place, size, position)
     });
     let texts = captions(compare, blinked, pixel);
-    // One picture alone reaches up to the bar of tools at the left.
-    let align = match places.rects.len() {
-        1 => Align::Max,
-        _ => Align::Min,
-    };
     for (place, text) in places.rects.iter().zip(texts) {
-        caption(ui, *place, area, align, &text);
+        caption(ui, *place, area, &text);
     }
     places
 }
@@ -118,6 +118,19 @@ fn paint(ui: &Ui, places: &[Rect], compare: &CompareView, blinked: bool) {
     }
 }
 
+/// A rectangle round the pixels `area` of each picture, a little out of it so that they stay seen.
+fn outline(ui: &Ui, places: &ScenePlaces, area: Area) {
+    let color = Palette::of(ui.visuals()).accent;
+    for &place in &places.rects {
+        let rect = masks::shown(area, place, places.points_per_pixel).expand(3.0);
+        let painter = ui.painter();
+        // Black beside the color shows on every picture.
+        let dark = Stroke::new(4.0, Color32::from_black_alpha(160));
+        painter.rect_stroke(rect, 2, dark, StrokeKind::Middle);
+        painter.rect_stroke(rect, 2, Stroke::new(2.0, color), StrokeKind::Middle);
+    }
+}
+
 /// Where the line stands, on a whole pixel of the screen so that both parts stay sharp.
 fn swipe_x(place: Rect, settings: &CompareSettings, ui: &Ui) -> f32 {
     let pixels_per_point = ui.ctx().pixels_per_point();
@@ -156,22 +169,19 @@ fn swipe_line(ui: &mut Ui, place: Rect, settings: &mut CompareSettings) {
     }
 }
 
-/// What is written above a picture, at its left or right: which it is, and the pixel under the
-/// pointer.
-fn caption(ui: &mut Ui, place: Rect, area: Rect, align: Align, text: &str) {
-    let top = (place.top() - CAPTION).max(area.top());
+/// What is written below a picture: which it is, and the pixel under the pointer.
+fn caption(ui: &mut Ui, place: Rect, area: Rect, text: &str) {
     let line = Rect::from_min_max(
-        pos2(place.left(), top),
-        pos2(place.right().max(place.left() + 120.0), place.top()),
+        place.left_bottom(),
+        pos2(
+            place.right().max(place.left() + 120.0),
+            (place.bottom() + CAPTION).min(area.bottom()),
+        ),
     );
     let color = Palette::of(ui.visuals()).text;
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(line.intersect(area)));
     inside.set_clip_rect(line.intersect(area));
-    let layout = match align {
-        Align::Max => Layout::right_to_left(Align::Center),
-        _ => Layout::left_to_right(Align::Center),
-    };
-    inside.with_layout(layout, |ui| {
+    inside.with_layout(Layout::left_to_right(Align::Center), |ui| {
         ui.add(Label::new(RichText::new(text).small().color(color)).truncate());
     });
 }
@@ -242,17 +252,17 @@ fn fitted(area: Rect, size: Vec2, pixels_per_point: f32) -> Rect {
     Rect::from_min_size(pos2(whole(corner.x), whole(corner.y)), shown)
 }
 
-fn below_caption(area: Rect) -> Rect {
-    let top = (area.top() + CAPTION).min(area.bottom());
-    Rect::from_min_max(pos2(area.left(), top), area.max)
+fn above_caption(area: Rect) -> Rect {
+    let bottom = (area.bottom() - CAPTION).max(area.top());
+    Rect::from_min_max(area.min, pos2(area.right(), bottom))
 }
 
-/// Where one picture with a caption above it is shown.
+/// Where one picture with a caption below it is shown.
 fn place_of_one(area: Rect, size: Vec2, pixels_per_point: f32) -> Rect {
-    fitted(below_caption(area), size, pixels_per_point)
+    fitted(above_caption(area), size, pixels_per_point)
 }
 
-/// Where two pictures of the same size are shown, each with a caption above it: side by side, or
+/// Where two pictures of the same size are shown, each with a caption below it: side by side, or
 /// one above the other where they can be clearly larger so.
 fn places_of_two(area: Rect, size: Vec2, pixels_per_point: f32) -> [Rect; 2] {
     let area = area.shrink(GAP.min(area.size().min_elem().max(0.0) * 0.1));
@@ -337,7 +347,7 @@ mod tests {
         let [a, b] = places_of_two(area(1000.0, 600.0), COURSE, 1.0);
         assert_eq!(a.size(), b.size());
         assert!(a.right() + GAP <= b.left() + 1.0 && a.top() == b.top());
-        assert!(a.top() >= area(1000.0, 600.0).top() + CAPTION);
+        assert!(a.bottom() + CAPTION <= area(1000.0, 600.0).bottom());
         let [a, b] = places_of_two(area(400.0, 900.0), COURSE, 1.0);
         assert_eq!(a.size(), b.size());
         assert!(a.bottom() + CAPTION <= b.top() && a.left() == b.left());

@@ -3,15 +3,17 @@
 use super::held::PoseGesture;
 use super::ik::{followed, lost_pins, pinned};
 use crate::editor::{IkGrip, Session, Tool};
-use crate::scene::{ModelDisplay, ShapeId, bones_in_world};
+use crate::scene::{Look as SceneLook, ModelDisplay, ShapeId, bones_in_world};
 use crate::ui::grab::is_pickable;
 use crate::ui::scene_places::Place;
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, StrokeKind, Theme, Vec2};
 
 /// Colors of joints, as in the skeleton where that is shown.
 const HOVERED: Color32 = Color32::from_rgb(0x1a, 0xd9, 0xff);
 const SELECTED: Color32 = Color32::from_rgb(0xff, 0x9e, 0x1c);
 const OTHERS: Color32 = Color32::from_rgba_premultiplied(0x60, 0x60, 0x60, 0x60);
+/// The same before the Studio look's light background.
+const OTHERS_IN_LIGHT: Color32 = Color32::from_rgba_premultiplied(0x18, 0x1e, 0x28, 0xb0);
 const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
 /// With a tool for bones, paints the bones of the selected joint over everything, and thin lines
@@ -24,8 +26,15 @@ pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session,
             character.is_some_and(|shape| shape.display.mode != ModelDisplay::Mesh)
         };
         if let Some(shape) = selected.filter(|&id| !shown(id) && is_pickable(session, id)) {
+            let is_light = painter.ctx().theme() == Theme::Light;
+            let is_before_light = is_light && session.view().look == SceneLook::Studio;
+            let color = if is_before_light {
+                OTHERS_IN_LIGHT
+            } else {
+                OTHERS
+            };
             let thin = Look {
-                line: Stroke::new(1.5, OTHERS),
+                line: Stroke::new(1.5, color),
                 dot: 2.5,
                 shade: 0.0,
             };

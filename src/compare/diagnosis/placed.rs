@@ -1,0 +1,347 @@
+//! A's outline elsewhere in B, in another size or turned, as another camera shows it.
+
+use super::Finding;
+use super::evidence::{Evidence, FEWEST_PIXELS, count};
+use crate::compare::{Area, Pair};
+use glam::DVec2;
+
+/// Outlines agree if no more than this share of what is drawn does not.
+const SAME: f64 = 0.03;
+/// Where so much of each outline lies outside of the other, the figure stands elsewhere, however else
+/// it differs.
+const ELSEWHERE: f64 = 0.4;
+/// A movement that makes the outlines agree leaves at most one in so many pixels of those that
+/// differ without it.
+const LEFT_ONE_IN: f64 = 4.0;
+/// What such a movement may leave of the share that differs.
+const ELSEWHERE_LEAVES: f64 = 0.75;
+/// Pixels that agree only without the movement: one for so many that differ without it, or else
+/// something stayed where it was.
+const SPOILED_ONE_IN: f64 = 25.0;
+/// Smallest change of size that is told.
+const LEAST_SCALE: f64 = 0.02;
+/// Smallest turn that is told, in radians.
+const LEAST_TURN: f64 = 0.03;
+/// Pixels that are looked at while a movement is sought.
+const SAMPLES: f64 = 10_000.0;
+/// Steps of a search that does not come to an end before.
+const MOST_STEPS: usize = 200;
+
+/// A's outline found again in B. Told where it explains nearly all of the differences; also where
+/// the figure stands quite elsewhere, with what differs even so.
+pub(super) fn placed(evidence: &Evidence) -> Option<Finding> {
+    evidence.outline()?;
+    let outlines = Outlines::new(evidence)?;
+    let starts = outlines.starts();
+    let found = starts.map(|start| outlines.refined(start));
+    let (_, place) = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+    let before = outlines.misfit(outlines.still());
+    let after = outlines.misfit(place);
+    let explains_all = after.share() <= SAME && after.differing * LEFT_ONE_IN <= before.differing;
+    let is_elsewhere =
+        outlines.stands_apart() && after.share() <= before.share() * ELSEWHERE_LEAVES;
+    let spoils_little = after.spoiled * SPOILED_ONE_IN <= before.differing;
+    let is_in_view = 2.0 * after.seen >= outlines.drawn_in_b;
+    if !(explains_all || is_elsewhere) || !spoils_little || !is_in_view {
+        return None;
+    }
+    let by = place.center_b - outlines.center_a;
+    let told = |value: f64, least: f64, size: f64| if size < least { 0.0 } else { value };
+    let (dx, dy) = (by.x.round() as i32, by.y.round() as i32);
+    let scale = (place.factor - 1.0).abs();
+    let factor = 1.0 + told(place.factor - 1.0, LEAST_SCALE, scale);
+    let degrees = told(place.turn.to_degrees(), LEAST_TURN, place.turn.abs());
+    let is_nothing = (dx, dy) == (0, 0) && factor == 1.0 && degrees == 0.0;
+    (!is_nothing).then_some(Finding::Placed {
+        dx,
+        dy,
+        factor,
+        degrees,
+        unexplained: if explains_all { 0.0 } else { after.share() },
+    })
+}
+
+/// Where B has what A has around a center of its own.
+#[derive(Clone, Copy, Debug)]
+struct Place {
+    /// The place in B of A's center.
+    center_b: DVec2,
+    /// Size in B by size in A.
+    factor: f64,
+    /// Clockwise as it is seen, in radians.
+    turn: f64,
+}
+
+/// How far the outlines differ with A in another place. All in pixels of B.
+#[derive(Clone, Copy, Debug, Default)]
+struct Misfit {
+    /// Drawn in one alone.
+    differing: f64,
+    /// Those of them that agree where A is.
+    spoiled: f64,
+    /// Drawn in either.
+    drawn: f64,
+    /// Drawn in B, with a place in A's picture.
+    seen: f64,
+}
+
+impl Misfit {
+    fn share(self) -> f64 {
+        self.differing / self.drawn.max(1.0)
+    }
+}
+
+/// What is drawn in both pictures.
+struct Outlines<'a> {
+    width: usize,
+    kept: &'a [bool],
+    drawn: [Vec<bool>; 2],
+    /// Where A is drawn in a pixel or one beside it, and where in all of these: lines are as exact
+    /// as a pixel.
+    about: [Vec<bool>; 2],
+    moments: [Moments; 2],
+    center_a: DVec2,
+    drawn_in_b: f64,
+    /// Part of B in which movements are sought, and the distance of the pixels looked at.
+    sought: (Area, usize),
+}
+
+/// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
+/// two has only lines.
+fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
+    let solid = drawn.each_ref().map(|drawn| -> Vec<bool> {
+        let core = (0..drawn.len()).map(|i| pair.around(i).all(|near| drawn[near]));
+        let core: Vec<bool> = core.collect();
+        (0..drawn.len())
+            .map(|i| pair.around(i).any(|near| core[near]))
+            .collect()
+    });
+    if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
+        drawn.clone()
+    } else {
+        solid
+    }
+}
+
+/// Number of the drawn pixels, their middle, and the direction in which they reach farthest.
+#[derive(Clone, Copy, Debug)]
+struct Moments {
+    count: f64,
+    center: DVec2,
+    direction: f64,
+}
+
+impl<'a> Outlines<'a> {
+    fn new(evidence: &'a Evidence) -> Option<Self> {
+        let pair = evidence.pair();
+        let drawn = without_lines(pair, evidence.drawn_masks()?);
+        let width = pair.width() as usize;
+        let [Some(a), Some(b)] = [0, 1].map(|which| Moments::of(&drawn[which], width)) else {
+            return None;
+        };
+        let all = 0..drawn[0].len();
+        let any = all
+            .clone()
+            .map(|i| pair.around(i).any(|near| drawn[0][near]));
+        let every = all.map(|i| pair.around(i).all(|near| drawn[0][near]));
+        let about = [any.collect(), every.collect()];
+        let area = evidence.area_of(&drawn[1])?;
+        let (beside, above) = (area.width / 4 + 2, area.height / 4 + 2);
+        let (x, y) = (area.x.saturating_sub(beside), area.y.saturating_sub(above));
+        let region = Area {
+            x,
+            y,
+            width: area.x + area.width + beside - x,
+            height: area.y + area.height + above - y,
+        };
+        let region = region.clipped(pair.width(), pair.height())?;
+        let pixels = f64::from(region.width) * f64::from(region.height);
+        Some(Self {
+            width,
+            kept: pair.kept(),
+            drawn_in_b: count(&drawn[1]) as f64,
+            drawn,
+            about,
+            moments: [a, b],
+            center_a: a.center,
+            sought: (region, (pixels / SAMPLES).sqrt().ceil().max(1.0) as usize),
+        })
+    }
+
+    /// A where it is.
+    fn still(&self) -> Place {
+        Place {
+            center_b: self.center_a,
+            factor: 1.0,
+            turn: 0.0,
+        }
+    }
+
+    /// Whether much of what either shows is where the other shows nothing. What was only added to A
+    /// leaves it where it was.
+    fn stands_apart(&self) -> bool {
+        let [a, b] = &self.drawn;
+        let both = a.iter().zip(b).filter(|(a, b)| **a && **b).count() as f64;
+        let mut counts = self.moments.iter().map(|moments| moments.count);
+        counts.all(|count| count - both >= ELSEWHERE * count)
+    }
+
+    /// Where the middles, numbers of pixels and, in all but one, the long sides of both agree.
+    fn starts(&self) -> [Place; 3] {
+        let [a, b] = self.moments;
+        let upright = Place {
+            center_b: b.center,
+            factor: (b.count / a.count).sqrt(),
+            turn: 0.0,
+        };
+        // The long side points both ways.
+        let turn = b.direction - a.direction;
+        let other = if turn > 0.0 { -1.0 } else { 1.0 };
+        let turned = [turn, turn + other * std::f64::consts::PI];
+        let [one, opposite] = turned.map(|turn| Place { turn, ..upright });
+        [upright, one, opposite]
+    }
+
+    /// The nearest place from which no small step is better, with the share that differs there.
+    fn refined(&self, start: Place) -> (f64, Place) {
+        let (region, _) = self.sought;
+        let size = f64::from(region.width.max(region.height));
+        let (mut best, mut least) = (start, self.cost(start));
+        let mut step = 1.0 / 16.0;
+        for _ in 0..MOST_STEPS {
+            if step * size < 0.2 {
+                break;
+            }
+            let by = step * size;
+            let moved = [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y].map(|to| Place {
+                center_b: best.center_b + by * to,
+                ..best
+            });
+            let scaled = [step, -step].map(|by| Place {
+                factor: best.factor * by.exp(),
+                ..best
+            });
+            let turned = [step, -step].map(|by| Place {
+                turn: best.turn + by,
+                ..best
+            });
+            let tried = moved.into_iter().chain(scaled).chain(turned);
+            let tried = tried.map(|place| (self.cost(place), place));
+            match tried.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                Some((cost, place)) if cost < least => (best, least) = (place, cost),
+                _ => step /= 2.0,
+            }
+        }
+        (least, best)
+    }
+
+    /// Share that differs, by some of the pixels.
+    fn cost(&self, place: Place) -> f64 {
+        let (region, step) = self.sought;
+        let (mut differing, mut drawn) = (0_u32, 0_u32);
+        let from = Source::new(self, place);
+        for y in (region.y..region.y + region.height).step_by(step) {
+            for x in (region.x..region.x + region.width).step_by(step) {
+                let (Some(in_a), in_b) = (from.index(x, y), y as usize * self.width + x as usize)
+                else {
+                    continue;
+                };
+                let (a, b) = (self.drawn[0][in_a], self.drawn[1][in_b]);
+                drawn += u32::from(a | b);
+                differing += u32::from(a != b);
+            }
+        }
+        if drawn == 0 {
+            return 1.0;
+        }
+        f64::from(differing) / f64::from(drawn)
+    }
+
+    /// What differs by more than a pixel, by all pixels.
+    fn misfit(&self, place: Place) -> Misfit {
+        let mut misfit = Misfit::default();
+        let from = Source::new(self, place);
+        let (width, height) = (self.width as u32, (self.kept.len() / self.width) as u32);
+        for y in 0..height {
+            for x in 0..width {
+                let in_b = y as usize * self.width + x as usize;
+                let b = self.drawn[1][in_b];
+                let Some(in_a) = from.index(x, y).filter(|_| self.kept[in_b]) else {
+                    continue;
+                };
+                if !b && !self.about[0][in_a] {
+                    continue;
+                }
+                let differs = if b {
+                    !self.about[0][in_a]
+                } else {
+                    self.about[1][in_a]
+                };
+                let agrees_still = self.drawn[0][in_b] == b;
+                misfit.drawn += f64::from(u8::from(b || self.drawn[0][in_a]));
+                misfit.seen += f64::from(u8::from(b));
+                misfit.differing += f64::from(u8::from(differs));
+                misfit.spoiled += f64::from(u8::from(differs && agrees_still));
+            }
+        }
+        misfit
+    }
+}
+
+/// The places in A that pixels of B show.
+struct Source<'a> {
+    outlines: &'a Outlines<'a>,
+    place: Place,
+    /// A step along x in B, as one in A.
+    along: DVec2,
+}
+
+impl<'a> Source<'a> {
+    fn new(outlines: &'a Outlines, place: Place) -> Self {
+        Self {
+            outlines,
+            place,
+            along: DVec2::from_angle(-place.turn) / place.factor,
+        }
+    }
+
+    /// Index in A of the pixel that column and row of B show; `None` outside of the picture, and
+    /// where A is left out.
+    fn index(&self, x: u32, y: u32) -> Option<usize> {
+        let off = DVec2::new(f64::from(x), f64::from(y)) - self.place.center_b;
+        let at = (self.outlines.center_a + self.along.rotate(off)).round();
+        let (width, kept) = (self.outlines.width, self.outlines.kept);
+        let is_beside = at.x < 0.0 || at.y < 0.0 || at.x >= width as f64;
+        if is_beside {
+            return None;
+        }
+        let index = at.y as usize * width + at.x as usize;
+        kept.get(index)?.then_some(index)
+    }
+}
+
+impl Moments {
+    /// `None` where nothing is drawn.
+    fn of(drawn: &[bool], width: usize) -> Option<Self> {
+        let places = || {
+            let drawn = drawn.iter().enumerate().filter(|(_, drawn)| **drawn);
+            drawn.map(|(i, _)| DVec2::new((i % width) as f64, (i / width) as f64))
+        };
+        let (count, sum) = places().fold((0.0, DVec2::ZERO), |(count, sum), at| {
+            (count + 1.0, sum + at)
+        });
+        if count == 0.0 {
+            return None;
+        }
+        let center = sum / count;
+        let (squares, product) = places().fold((DVec2::ZERO, 0.0), |(squares, product), at| {
+            let off = at - center;
+            (squares + off * off, product + off.x * off.y)
+        });
+        Some(Self {
+            count,
+            center,
+            direction: 0.5 * (2.0 * product).atan2(squares.x - squares.y),
+        })
+    }
+}

@@ -1,0 +1,129 @@
+//! Where a figure that is added stands among the shapes that are there already.
+
+use super::Session;
+use crate::math::{Aabb, Euler};
+use crate::scene::{Camera, Evaluator, NewShape, Scene};
+use glam::Vec3;
+
+/// Gap between a figure and what it stands beside, relative to its width.
+const GAP: f32 = 0.1;
+/// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
+/// does not, nor does a figure in a room.
+const INSIDE: f32 = 0.1;
+/// Cosine of the angle from which on a figure shows its back.
+const BACK: f32 = -0.5;
+
+/// Places `shapes`, which are to be added, if one of them is a character: turned round where it would
+/// show its back beside other characters, or else to `camera`, and beside whatever it would stand in.
+/// What it does not stand in stays where its file has it.
+pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
+    let Some(front) = shapes.iter().find_map(NewShape::front) else {
+        return;
+    };
+    let mut bounds = bounds_of(shapes);
+    let to_eye = camera.eye() - bounds.center();
+    let wanted = session.scene().shapes().iter().find_map(|shape| {
+        let front = shape.front();
+        front.filter(|_| shape.visible)
+    });
+    if shows_back(front, wanted.unwrap_or(to_eye)) && turn_round(shapes, bounds.center()) {
+        bounds = bounds_of(shapes);
+    }
+    let evaluated = session.evaluated().shapes.iter();
+    let there = evaluated.filter(|shape| shape.visible);
+    let there: Vec<Aabb> = there.map(|shape| shape.world_bounds()).collect();
+    let beside = way_out(&bounds, &there);
+    for shape in shapes {
+        shape.placement.transform.position += beside;
+        shape.start.transform.position += beside;
+    }
+}
+
+fn bounds_of(shapes: &[NewShape]) -> Aabb {
+    let mut alone = Scene::new();
+    for shape in shapes {
+        alone.add(shape.clone());
+    }
+    let evaluated = Evaluator::new().evaluate(&alone, 0.0);
+    let all = evaluated.shapes.iter();
+    all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
+}
+
+fn shows_back(front: Vec3, toward: Vec3) -> bool {
+    let level = |vector: Vec3| vector.with_y(0.0).normalize_or_zero();
+    level(front).dot(level(toward)) < BACK
+}
+
+/// Turns all shapes by half a turn about the vertical through `center`; not those that are turned
+/// already, whose angles would become others than their file has. Whether they were turned.
+fn turn_round(shapes: &mut [NewShape], center: Vec3) -> bool {
+    let is_turned = |shape: &NewShape| shape.placement.transform.rotation != Euler::ZERO;
+    if shapes.iter().any(is_turned) {
+        return false;
+    }
+    for shape in shapes {
+        for placement in [&mut shape.placement, &mut shape.start] {
+            let transform = &mut placement.transform;
+            let opposite = 2.0 * center - transform.position;
+            transform.position = opposite.with_y(transform.position.y);
+            transform.rotation = Euler::from_degrees(Vec3::new(0.0, 180.0, 0.0));
+        }
+    }
+    true
+}
+
+/// The least movement along +X after which a box stands in none of those that are there.
+fn way_out(bounds: &Aabb, there: &[Aabb]) -> Vec3 {
+    let gap = GAP * bounds.size().x;
+    let after = |other: &Aabb| other.max.x + gap - bounds.min.x;
+    let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
+    ways.sort_by(f32::total_cmp);
+    let ways = std::iter::once(0.0).chain(ways);
+    let ways = ways.map(|way| Vec3::X * way);
+    let mut free = ways.filter(|&way| {
+        let moved = Aabb {
+            min: bounds.min + way,
+            max: bounds.max + way,
+        };
+        !there
+            .iter()
+            .any(|other| stand_in_one_another(&moved, other))
+    });
+    free.next().unwrap_or(Vec3::ZERO)
+}
+
+fn stand_in_one_another(a: &Aabb, b: &Aabb) -> bool {
+    let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
+    let common = volume(a.max.min(b.max) - a.min.max(b.min));
+    common > INSIDE * volume(a.size()) && common > INSIDE * volume(b.size())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn boxed(low: [f32; 3], high: [f32; 3]) -> Aabb {
+        Aabb::from_points([low, high].map(Vec3::from))
+    }
+
+    #[test]
+    fn a_box_moves_past_all_that_it_would_stand_in_and_no_further() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let beside = boxed([0.7, 0.0, -0.5], [1.7, 2.0, 0.5]);
+        assert_eq!(way_out(&own, &[beside]), Vec3::ZERO);
+        let way = way_out(&own, &[own, beside]);
+        assert!((way.x - 2.3).abs() < 1e-5 && way.y == 0.0, "{way}");
+        let far = boxed([9.0, 0.0, -0.5], [9.5, 2.0, 0.5]);
+        let way = way_out(&own, &[far, own]);
+        assert!((way.x - 1.1).abs() < 1e-5, "{way}");
+    }
+
+    #[test]
+    fn a_figure_in_a_room_and_a_lamp_in_a_hand_stay_there() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let room = boxed([-5.0, 0.0, -5.0], [5.0, 3.0, 5.0]);
+        let lamp = boxed([0.3, 1.0, 0.2], [0.4, 1.2, 0.3]);
+        let floor = boxed([-5.0, 0.0, -5.0], [5.0, 0.0, 5.0]);
+        assert_eq!(way_out(&own, &[room, lamp, floor]), Vec3::ZERO);
+    }
+}
