@@ -303,9 +303,14 @@ fn add_gestures_of_panels(
     }
 }
 
-/// Whether a command exists where the program runs: browsers close their pages themselves.
+/// Whether a command exists where the program runs: browsers close their pages themselves, and only
+/// pages have an address.
 fn is_there(command: Command, input: &ViewInput) -> bool {
-    !(input.is_page && command == Command::Quit)
+    match command {
+        Command::Quit => !input.is_page,
+        Command::CopyLink => input.is_page,
+        _ => true,
+    }
 }
 
 /// Whether a text field or a popup has the keyboard focus.

@@ -1,6 +1,7 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
 use super::page::Page;
+use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
 use crate::program::{Graphics, Pass};
 use crate::render::view_place;
@@ -10,12 +11,15 @@ use std::cell::RefCell;
 use std::error::Error;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::time::Duration;
 use web_sys::WebGl2RenderingContext;
 
 /// What eframe runs as long as one context of WebGL lives.
 pub(super) struct Application {
     page: Rc<RefCell<Page>>,
     context: CanvasContext,
+    /// Whether there has been a picture.
+    is_shown: bool,
 }
 
 thread_local! {
@@ -35,12 +39,17 @@ impl Application {
         page: Rc<RefCell<Page>>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let gl = creation.gl.clone().ok_or("There is no WebGL.")?;
+        fonts::use_in(&creation.egui_ctx);
         let context = CanvasContext::new(context, gl)?;
         let graphics = Graphics::new(context.gl())?;
         let info = graphics.info();
         GRAPHICS.with(|kept| *kept.borrow_mut() = Some(graphics));
         page.borrow_mut().use_graphics(info, &creation.egui_ctx);
-        Ok(Self { page, context })
+        Ok(Self {
+            page,
+            context,
+            is_shown: false,
+        })
     }
 }
 
@@ -77,6 +86,9 @@ impl eframe::App for Application {
         self.context.gl().bind_window();
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
+        if !std::mem::replace(&mut self.is_shown, true) {
+            browser::after(Duration::ZERO, browser::tell_shown);
+        }
         match wait {
             _ if came_in || shown.changed || told => context.request_repaint(),
             Some(wait) => context.request_repaint_after(wait),

@@ -2,6 +2,8 @@
 
 mod application;
 mod browser;
+mod fetching;
+mod fonts;
 mod given_files;
 mod kept_files;
 mod keys;
@@ -29,6 +31,7 @@ async fn start() -> Result<(), JsValue> {
     let page = Page::of_earlier_visit().await;
     showing::show(&canvas, &page).await?;
     showing::look_after_context(&canvas, &page)?;
+    page::follow_links()?;
     keys::keep_for_commands()?;
     leaving::keep_work(&page)
 }

@@ -4,14 +4,22 @@ use super::given_files::{GivenFiles, main_files};
 use super::page_host::PageHost;
 use super::{browser, kept_files};
 use crate::editor::Severity;
+use crate::io::scene_link;
 use crate::program::{GraphicsInfo, Host as _, Options, Program, StorageKey};
 use egui::Context;
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
+use wasm_bindgen::JsValue;
 
 /// Most bytes of files that are kept while no unsaved work needs them.
 const MOST_KEPT: usize = 64 << 20;
+
+/// Name of the file that a scene in a link becomes.
+const LINKED: &str = "shared.scene";
+
+/// What is before a scene in the fragment of the page's address.
+const SCENE: &str = "scene=";
 
 /// The program and its host, which outlive a context of WebGL that the browser takes away.
 pub(super) struct Page {
@@ -35,14 +43,25 @@ impl Page {
             let _ = kept_files::forget().await;
         }
         let given = GivenFiles::of(kept);
-        let (files, refused) = in_address(&given).await;
+        let (mut files, mut refused) = in_address(&given).await;
+        match linked_scene() {
+            Some(Ok(text)) => {
+                given.add(vec![(PathBuf::from(LINKED), text.into_bytes())]);
+                files.push(PathBuf::from(LINKED));
+            }
+            Some(Err(error)) => refused.push(format!("The link cannot be opened: {error}")),
+            None => {}
+        }
+        let host = PageHost::new(given);
+        let options = Options {
+            files,
+            ..Options::default()
+        };
+        host.fetch_for(&options.files_at_start(&host)).await;
         Rc::new(RefCell::new(Self {
             program: None,
-            host: PageHost::new(given),
-            options: Options {
-                files,
-                ..Options::default()
-            },
+            host,
+            options,
             refused,
         }))
     }
@@ -72,17 +91,34 @@ impl Page {
     }
 }
 
+/// The text of the scene in the page's address, as in `#scene=…`, if there is one.
+fn linked_scene() -> Option<Result<String, String>> {
+    let fragment = browser::fragment();
+    Some(scene_link::from_link(fragment.strip_prefix(SCENE)?))
+}
+
+/// Opens the scenes of links that are followed to the page while it is open.
+///
+/// # Errors
+/// If the browser refuses to tell.
+pub(super) fn follow_links() -> Result<(), JsValue> {
+    let window = browser::window().ok_or("There is no page.")?;
+    browser::listen(&window, "hashchange", |_| {
+        if browser::fragment().starts_with(SCENE) {
+            browser::reload();
+        }
+    })
+}
+
 /// Fetches the files that the page's address names, as in `?open=man.obj,man.skel,man.attach`.
 /// Returns those to open, and why others could not be had.
 async fn in_address(given: &GivenFiles) -> (Vec<PathBuf>, Vec<String>) {
     let (mut files, mut refused) = (Vec::new(), Vec::new());
     let names = browser::in_address("open").unwrap_or_default();
     for name in names.split(',').filter(|name| !name.is_empty()) {
-        let elsewhere = name.contains(':') || name.starts_with(['/', '\\']);
-        let fetched = if elsewhere {
-            Err("the page opens only files that lie beside it".to_owned())
-        } else {
-            browser::fetch(name).await
+        let fetched = match browser::beside(name) {
+            Ok(address) => browser::fetch(&address, |_| {}).await,
+            Err(error) => Err(error),
         };
         match fetched {
             Ok(bytes) => files.push((PathBuf::from(name), bytes)),

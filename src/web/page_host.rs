@@ -1,8 +1,9 @@
 //! The browser as the program's host.
 
 use super::browser;
+use super::fetching::{self, Fetching};
 use super::given_files::{GivenFiles, main_files};
-use crate::io::builtin::WithBuiltin;
+use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
 use crate::program::{FileRequest, Host, HostEvent, Job, Previous, StorageKey, Suggested};
@@ -24,6 +25,7 @@ pub(super) struct PageHost {
     events: Events,
     /// Text that the user has the browser paste in this frame.
     pasted: Option<String>,
+    fetching: Fetching,
     /// Number of the entry for unsaved work.
     slot: usize,
 }
@@ -72,8 +74,16 @@ impl PageHost {
             given,
             events: Events::default(),
             pasted: None,
+            fetching: Fetching::default(),
             slot: left.unwrap_or(0),
         }
+    }
+
+    /// Fetches the built-in files that opening `paths` reads, before there is a program.
+    pub async fn fetch_for(&self, paths: &[PathBuf]) {
+        let files = all_files(&self.given);
+        let absent = paths.iter().flat_map(|path| absent(&*files, path));
+        fetching::fetch_all(absent.collect(), &self.given).await;
     }
 
     /// Wakes `context` from now on when something has happened.
@@ -204,6 +214,21 @@ impl Host for PageHost {
     }
 
     fn watch(&mut self, _: Vec<PathBuf>) {}
+
+    fn bring(&mut self, builtin: Vec<PathBuf>) {
+        let events = self.events.clone();
+        self.fetching.begin(builtin, &self.given, move |result| {
+            events.push(HostEvent::Brought(result));
+        });
+    }
+
+    fn part_brought(&self) -> Option<f32> {
+        self.fetching.part()
+    }
+
+    fn link(&self, fragment: &str) -> Option<String> {
+        browser::link(fragment)
+    }
 
     fn copy_text(&mut self, text: String) {
         browser::copy_text(&text);

@@ -1,0 +1,30 @@
+// Starts the editor, and keeps the page for times without a network.
+(async () => {
+  const note = document.getElementById("note");
+  const workers = location.protocol === "file:" ? undefined : navigator.serviceWorker;
+  try {
+    // A newer version that came during the last visit is used from now on.
+    const waiting = (await workers?.getRegistration())?.waiting;
+    if (waiting) {
+      const taken = new Promise((done) => workers.addEventListener("controllerchange", done, { once: true }));
+      waiting.postMessage("take over");
+      await taken;
+      location.reload();
+      return;
+    }
+    const { default: start } = await import("./editor.js");
+    await start({ module_or_path: "./editor_bg.wasm" });
+  } catch (error) {
+    if (!note.hidden) {
+      note.textContent = location.protocol === "file:"
+        ? "Browsers run the editor only from a web server: see README.md beside this page."
+        : `The editor cannot be loaded: ${error.message ?? error}`;
+    }
+    throw error;
+  }
+  // What is kept comes after what the first picture needs.
+  addEventListener("editor-shown", () => {
+    // Where the browser keeps nothing, the page works as before.
+    workers?.register("./service-worker.js", { updateViaCache: "none" }).catch(() => {});
+  }, { once: true });
+})();
