@@ -45,6 +45,9 @@ check-assets:
 lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
+	@if rustc --print target-libdir --target wasm32-unknown-unknown 2>/dev/null | xargs -r test -d; then \
+		$(CARGO) clippy --locked --target wasm32-unknown-unknown --bin editor -- -D warnings; \
+	fi
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --lib
 
 pictures: packages-run editor

@@ -1,6 +1,6 @@
 // Keeps all files of one version of the page, so that it works without a network.
-const KEPT = "editor-" + VERSION;
-const KEPT_FILES = FILES;
+const KEPT = "editor-" + __VERSION__;
+const KEPT_FILES = __FILES__;
 const ADDRESSES = new Set(KEPT_FILES.map((name) => new URL(name, registration.scope).href));
 
 addEventListener("install", (event) => {

@@ -24,7 +24,7 @@
   }
   // What is kept comes after what the first picture needs.
   addEventListener("editor-shown", () => {
-    // Where the browser keeps nothing, the page works as before.
-    workers?.register("./service-worker.js", { updateViaCache: "none" }).catch(() => {});
+    const registered = workers?.register("./service-worker.js", { updateViaCache: "none" });
+    registered?.catch((error) => console.warn(`The page is not kept for times without a network: ${error}`));
   }, { once: true });
 })();

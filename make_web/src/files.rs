@@ -7,9 +7,11 @@ use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
 /// Files that are the same for every program.
-const PAGE: [(&str, &[u8]); 4] = [
+const PAGE: [(&str, &[u8]); 6] = [
     ("index.html", include_bytes!("../page/index.html")),
     ("start.js", include_bytes!("../page/start.js")),
+    ("editor-view.js", include_bytes!("../page/editor-view.js")),
+    ("example.html", include_bytes!("../page/example.html")),
     ("icon.svg", include_bytes!("../page/icon.svg")),
     ("README.md", include_bytes!("../page/README.md")),
 ];
@@ -78,8 +80,8 @@ fn service_worker(folder: &Path) -> io::Result<String> {
     }
     let version = format!("{:08x}", version.finalize());
     Ok(SERVICE_WORKER
-        .replace("VERSION", &format!("{version:?}"))
-        .replace("FILES", &format!("[{}]", names.join(", "))))
+        .replace("__VERSION__", &format!("{version:?}"))
+        .replace("__FILES__", &format!("[{}]", names.join(", "))))
 }
 
 /// Names of all files in `folder` and the folders below it, in order.

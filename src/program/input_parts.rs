@@ -1,7 +1,7 @@
 use egui::{Event, RawInput};
 
 /// Takes the events of one frame apart, so that each part has one press or release of a button at
-/// most, and alone.
+/// most, and alone but for the finger that it is of, which comes after it.
 ///
 /// egui looks at a frame as a whole: what is pressed is what lies where the pointer was last, a
 /// drag ends where it was before the frame of the release, and text typed after a click goes to
@@ -14,7 +14,7 @@ pub fn input_parts(mut input: RawInput) -> Vec<RawInput> {
         let begins = groups
             .last()
             .and_then(|group| group.last())
-            .is_some_and(|last| alone || is_button(last));
+            .is_some_and(|last| alone || is_button(last) && !matches!(event, Event::Touch { .. }));
         if begins {
             groups.push(Vec::new());
         }
@@ -83,6 +83,23 @@ mod tests {
         fn bytes(&self) -> Result<Vec<u8>, String> {
             Ok(Vec::new())
         }
+    }
+
+    #[test]
+    fn a_press_by_a_finger_stays_with_its_finger() {
+        let finger = Event::Touch {
+            device_id: egui::TouchDeviceId(0),
+            id: egui::TouchId(1),
+            phase: egui::TouchPhase::Start,
+            pos: pos2(1.0, 2.0),
+            force: None,
+        };
+        let parts = input_parts(RawInput {
+            events: vec![button(true), finger, Event::PointerMoved(pos2(3.0, 2.0))],
+            ..RawInput::default()
+        });
+        let counts: Vec<usize> = parts.iter().map(|part| part.events.len()).collect();
+        assert_eq!(counts, [2, 1]);
     }
 
     #[test]

@@ -34,6 +34,8 @@ pub struct Options {
     pub title: Option<String>,
     /// Way of skinning, in place of the one in the preferences.
     pub skinning: Option<Skinning>,
+    /// Whether there is only the scene, to be turned, posed and reset, without panels.
+    pub is_viewer: bool,
 }
 
 impl Options {
@@ -81,6 +83,8 @@ pub struct Program {
     shown_title: String,
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
+    /// Whether there is only the scene, without panels.
+    is_viewer: bool,
     /// Width and height of the window, in points.
     pub(super) window_size: Option<(f32, f32)>,
     /// Document and file whose files are watched.
@@ -127,6 +131,7 @@ impl Program {
             shown_title: String::new(),
             document,
             autosave: Autosave::default(),
+            is_viewer: false,
             window_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
@@ -157,7 +162,14 @@ impl Program {
 
         let is_first = !program.preferences.started_before;
         program.ui.first_help = is_first;
+        program.is_viewer = options.is_viewer;
+        if options.is_viewer {
+            program.ui.become_viewer();
+        }
         program.open_at_start(&options.files_at_start(host), host);
+        if options.is_viewer {
+            program.session.look(View::Select(None));
+        }
         program.preferences.started_before = true;
         program.keep_preferences(host);
         program.offer_restoring(host);
@@ -226,6 +238,7 @@ impl Program {
         let input = ui::ViewInput {
             title: &title,
             is_page: host.is_page(),
+            is_viewer: self.is_viewer,
             recent: &self.preferences.recent,
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,

@@ -66,6 +66,8 @@ pub struct ViewInput<'a> {
     /// Whether a browser shows the program as a page, which cannot be quit, and takes pictures of the
     /// panels.
     pub is_page: bool,
+    /// Whether there is only the scene, to be turned, posed and reset, without panels and keys.
+    pub is_viewer: bool,
     /// Documents for File ▸ Open Recent, the newest first.
     pub recent: &'a [PathBuf],
     /// Question that has to be answered before anything else.
@@ -147,6 +149,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let keys_taken = input.keys_are_taken
+        || input.is_viewer
         || dragging
         || input.question.is_some()
         || state.search.is_some()
@@ -167,10 +170,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         posing::roll_by_keys(&ctx, session, state, &mut actions);
     }
     let last_view = state.view_rect;
-    menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
-    shape_panel::show(root, session, state, &mut actions);
+    if !input.is_viewer {
+        menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
+        shape_panel::show(root, session, state, &mut actions);
+    }
     posing::notice_selection(&mut state.pose, &actions);
-    view_overlay::status_line(root, session, state, input);
+    if !input.is_viewer {
+        view_overlay::status_line(root, session, state, input);
+    }
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
         compare::panel(root, session, compare, settings, &mut actions);

@@ -3,10 +3,10 @@
 use super::page::Page;
 use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
-use crate::program::{Graphics, Pass};
+use crate::program::{Graphics, Pass, input_parts};
 use crate::render::view_place;
 use eframe::{CreationContext, Frame};
-use egui::{Event, Shape, Ui};
+use egui::{Event, RawInput, Shape, Ui};
 use std::cell::RefCell;
 use std::error::Error;
 use std::rc::Rc;
@@ -18,6 +18,8 @@ use web_sys::WebGl2RenderingContext;
 pub(super) struct Application {
     page: Rc<RefCell<Page>>,
     context: CanvasContext,
+    /// Events of the next frames: each has one of the parts that egui is given.
+    later: Vec<Event>,
     /// Whether there has been a picture.
     is_shown: bool,
 }
@@ -48,6 +50,7 @@ impl Application {
         Ok(Self {
             page,
             context,
+            later: Vec::new(),
             is_shown: false,
         })
     }
@@ -93,6 +96,18 @@ impl eframe::App for Application {
             _ if came_in || shown.changed || told => context.request_repaint(),
             Some(wait) => context.request_repaint_after(wait),
             None => {}
+        }
+    }
+
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut RawInput) {
+        let mut events = std::mem::take(&mut self.later);
+        events.append(&mut input.events);
+        input.events = events;
+        let mut parts = input_parts(std::mem::take(input)).into_iter();
+        *input = parts.next().unwrap_or_default();
+        self.later = parts.flat_map(|part| part.events).collect();
+        if !self.later.is_empty() {
+            context.request_repaint();
         }
     }
 

@@ -83,6 +83,21 @@ pub(super) fn store(entry: &str, text: &str) -> bool {
     storage().is_some_and(|storage| storage.set_item(&key(entry), text).is_ok())
 }
 
+/// Text that is stored as `entry` for this tab alone, if any.
+pub(super) fn of_this_tab(entry: &str) -> Option<String> {
+    let storage = window()?.session_storage().ok().flatten()?;
+    storage.get_item(&key(entry)).ok()?
+}
+
+/// Stores `text` as `entry` for as long as this tab is there, also when its page is loaded again.
+pub(super) fn remember_for_tab(entry: &str, text: &str) {
+    let storage = window().and_then(|window| window.session_storage().ok().flatten());
+    if let Some(storage) = storage {
+        // A browser that keeps nothing for tabs has one slot after the other.
+        let _ = storage.set_item(&key(entry), text);
+    }
+}
+
 /// Removes what is stored as `entry`.
 pub(super) fn remove(entry: &str) {
     if let Some(storage) = storage() {
@@ -253,19 +268,19 @@ pub(super) fn in_address(name: &str) -> Option<String> {
         .get(name)
 }
 
-/// The address of a file beside the page, or in a folder there.
+/// The address of a file of the page's site.
 ///
 /// # Errors
 /// If `name` leads anywhere else, in words.
-pub(super) fn beside(name: &str) -> Result<String, String> {
+pub(super) fn of_site(name: &str) -> Result<String, String> {
     let base = || document()?.base_uri().ok().flatten();
     let base = base().ok_or("there is no page")?;
-    let folder = Url::new_with_base(".", &base).map_err(|error| words(&error))?;
     let url = Url::new_with_base(name, &base).map_err(|error| words(&error))?;
-    if url.href().starts_with(&folder.href()) {
+    let page = Url::new(&base).map_err(|error| words(&error))?;
+    if url.origin() == page.origin() {
         Ok(url.href())
     } else {
-        Err("the page opens only files that lie beside it".to_owned())
+        Err("the page opens only files of its own site".to_owned())
     }
 }
 

@@ -3,6 +3,7 @@
 mod application;
 mod browser;
 mod fetching;
+mod folders;
 mod fonts;
 mod given_files;
 mod kept_files;
@@ -12,6 +13,7 @@ mod note;
 mod page;
 mod page_host;
 mod showing;
+mod tabs;
 
 use page::Page;
 use wasm_bindgen::JsValue;
@@ -32,6 +34,7 @@ async fn start() -> Result<(), JsValue> {
     showing::show(&canvas, &page).await?;
     showing::look_after_context(&canvas, &page)?;
     page::follow_links()?;
+    folders::take_dropped(&page)?;
     keys::keep_for_commands()?;
     leaving::keep_work(&page)
 }

@@ -2,18 +2,23 @@
 
 use super::given_files::{GivenFiles, main_files};
 use super::page_host::PageHost;
+use super::tabs::Slots;
 use super::{browser, kept_files};
 use crate::editor::Severity;
+use crate::io::builtin::is_builtin;
 use crate::io::scene_link;
 use crate::program::{GraphicsInfo, Host as _, Options, Program, StorageKey};
 use egui::Context;
 use std::cell::RefCell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use wasm_bindgen::JsValue;
 
 /// Most bytes of files that are kept while no unsaved work needs them.
 const MOST_KEPT: usize = 64 << 20;
+
+/// What the address of a page without panels has.
+const VIEWER: &str = "view";
 
 /// Name of the file that a scene in a link becomes.
 const LINKED: &str = "shared.scene";
@@ -36,7 +41,8 @@ impl Page {
     pub async fn of_earlier_visit() -> Rc<RefCell<Self>> {
         let mut kept = kept_files::load().await;
         let size: usize = kept.values().map(Vec::len).sum();
-        let host = PageHost::new(GivenFiles::default());
+        let slots = Slots::take().await;
+        let host = PageHost::new(GivenFiles::default(), slots);
         if size > MOST_KEPT && host.load(StorageKey::Autosave).is_none() {
             kept.clear();
             // What could not be forgotten is forgotten at the next visit.
@@ -52,11 +58,15 @@ impl Page {
             Some(Err(error)) => refused.push(format!("The link cannot be opened: {error}")),
             None => {}
         }
-        let host = PageHost::new(given);
+        let mut host = PageHost::new(given, slots);
         let options = Options {
             files,
+            is_viewer: browser::in_address(VIEWER).is_some(),
             ..Options::default()
         };
+        if options.is_viewer {
+            host = host.forgetting();
+        }
         host.fetch_for(&options.files_at_start(&host)).await;
         Rc::new(RefCell::new(Self {
             program: None,
@@ -87,7 +97,7 @@ impl Page {
 
     /// Whether there is work that no file has.
     pub fn is_modified(&self) -> bool {
-        self.program.as_ref().is_some_and(Program::is_modified)
+        !self.options.is_viewer && self.program.as_ref().is_some_and(Program::is_modified)
     }
 }
 
@@ -115,8 +125,13 @@ pub(super) fn follow_links() -> Result<(), JsValue> {
 async fn in_address(given: &GivenFiles) -> (Vec<PathBuf>, Vec<String>) {
     let (mut files, mut refused) = (Vec::new(), Vec::new());
     let names = browser::in_address("open").unwrap_or_default();
+    let mut builtin = Vec::new();
     for name in names.split(',').filter(|name| !name.is_empty()) {
-        let fetched = match browser::beside(name) {
+        if is_builtin(Path::new(name)) {
+            builtin.push(PathBuf::from(name));
+            continue;
+        }
+        let fetched = match browser::of_site(name) {
             Ok(address) => browser::fetch(&address, |_| {}).await,
             Err(error) => Err(error),
         };
@@ -129,5 +144,10 @@ async fn in_address(given: &GivenFiles) -> (Vec<PathBuf>, Vec<String>) {
     if !files.is_empty() {
         given.add(files);
     }
-    (main_files(&names), refused)
+    let opened = if names.is_empty() {
+        Vec::new()
+    } else {
+        main_files(&names)
+    };
+    (builtin.into_iter().chain(opened).collect(), refused)
 }

@@ -3,6 +3,7 @@
 use super::browser;
 use super::fetching::{self, Fetching};
 use super::given_files::{GivenFiles, main_files};
+use super::tabs::{self, Slots};
 use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
@@ -16,9 +17,6 @@ use std::sync::Arc;
 use std::time::Duration;
 use wasm_bindgen_futures::spawn_local;
 
-/// Entries for unsaved work that earlier visits left and that nobody has restored yet, at most.
-const SLOTS: usize = 8;
-
 /// The browser: files come from the user's hands and go to the user's downloads.
 pub(super) struct PageHost {
     given: GivenFiles,
@@ -26,8 +24,9 @@ pub(super) struct PageHost {
     /// Text that the user has the browser paste in this frame.
     pasted: Option<String>,
     fetching: Fetching,
-    /// Number of the entry for unsaved work.
-    slot: usize,
+    slots: Slots,
+    /// Whether nothing is kept from one visit to the next.
+    forgets: bool,
 }
 
 /// Events that wait for the program. A clone is another handle to the same events.
@@ -64,19 +63,41 @@ impl Events {
         given.add(files);
         names
     }
+
+    /// Takes in what was dropped, and has the program use it.
+    fn tell_dropped(&self, given: &GivenFiles, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
+        let names = self.take_in(given, read);
+        for path in main_files(&names) {
+            let files = all_files(given);
+            self.push(HostEvent::Dropped { path, files });
+        }
+    }
 }
 
 impl PageHost {
     /// A host with the files of an earlier visit.
-    pub fn new(given: GivenFiles) -> Self {
-        let left = (0..=SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_some());
+    pub fn new(given: GivenFiles, slots: Slots) -> Self {
         Self {
             given,
             events: Events::default(),
             pasted: None,
             fetching: Fetching::default(),
-            slot: left.unwrap_or(0),
+            slots,
+            forgets: false,
         }
+    }
+
+    /// The host of a scene in somebody else's page, which keeps nothing.
+    pub fn forgetting(self) -> Self {
+        Self {
+            forgets: true,
+            ..self
+        }
+    }
+
+    /// Takes in files that were dropped, by their ways from where they were dropped.
+    pub fn take_files(&self, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
+        self.events.tell_dropped(&self.given, read);
     }
 
     /// Fetches the built-in files that opening `paths` reads, before there is a program.
@@ -103,18 +124,14 @@ impl PageHost {
             for file in dropped {
                 read.push((file.path().to_owned(), file.bytes_async().await));
             }
-            let names = events.take_in(&given, read);
-            for path in main_files(&names) {
-                let files = all_files(&given);
-                events.push(HostEvent::Dropped { path, files });
-            }
+            events.tell_dropped(&given, read);
         });
     }
 
     /// Name of the entry in the browser's storage.
     fn entry(&self, key: StorageKey) -> String {
         match key {
-            StorageKey::Autosave => autosave(self.slot),
+            StorageKey::Autosave => tabs::entry(self.slots.own),
             StorageKey::Preferences => key.name().to_owned(),
         }
     }
@@ -151,11 +168,6 @@ impl PageHost {
             });
         });
     }
-}
-
-/// Name of an entry for unsaved work.
-fn autosave(slot: usize) -> String {
-    format!("{slot}-{}", StorageKey::Autosave.name())
 }
 
 /// What the program can read: files that were given, also inside archives, and those built in.
@@ -246,15 +258,20 @@ impl Host for PageHost {
     }
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        if self.forgets {
+            return None;
+        }
         browser::stored(&self.entry(key)).map(String::into_bytes)
     }
 
     fn leave_unsaved_work(&mut self) {
-        let free = (0..SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_none());
-        self.slot = free.unwrap_or(SLOTS);
+        self.slots.leave();
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        if self.forgets {
+            return;
+        }
         let text = String::from_utf8_lossy(&bytes);
         if !browser::store(&self.entry(key), &text) && key == StorageKey::Autosave {
             let error = Diagnostic::new(
@@ -266,7 +283,9 @@ impl Host for PageHost {
     }
 
     fn remove(&mut self, key: StorageKey) {
-        browser::remove(&self.entry(key));
+        if !self.forgets {
+            browser::remove(&self.entry(key));
+        }
     }
 
     fn start_job(&mut self, job: Job) {

@@ -5,6 +5,9 @@
 mod browser;
 mod files;
 mod graphics;
+mod offline;
 mod picture;
+mod sharing;
+mod touch;
 mod using;
 mod web_driver;
