@@ -7,7 +7,7 @@ use editor_core::program::{
 };
 use std::collections::{BTreeMap, HashMap, HashSet, VecDeque};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// Files by path.
@@ -48,7 +48,7 @@ pub struct MemoryHost {
     /// The newest widgets, as assistive technologies see them.
     pub widgets: Option<egui::accesskit::TreeUpdate>,
     /// Built-in files that have to be brought before they can be read.
-    pub absent: HashSet<PathBuf>,
+    pub absent: Arc<Mutex<HashSet<PathBuf>>>,
     /// Those that the program asked for and that did not come yet.
     pub asked: Vec<PathBuf>,
     pub events: VecDeque<HostEvent>,
@@ -57,19 +57,19 @@ pub struct MemoryHost {
 /// Files of which some are not there yet.
 struct Without<F> {
     files: F,
-    absent: HashSet<PathBuf>,
+    absent: Arc<Mutex<HashSet<PathBuf>>>,
 }
 
 impl<F: Files> Files for Without<F> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-        if self.absent.contains(path) {
+        if self.absent.lock().unwrap().contains(path) {
             return Err(Diagnostic::new(path, "it has not been brought"));
         }
         self.files.read(path)
     }
 
     fn exists(&self, path: &Path) -> bool {
-        !self.absent.contains(path) && self.files.exists(path)
+        !self.absent.lock().unwrap().contains(path) && self.files.exists(path)
     }
 
     fn absolute(&self, path: &Path) -> PathBuf {
@@ -82,7 +82,7 @@ impl MemoryHost {
     pub fn answer_asked(&mut self, result: Result<(), Diagnostic>) {
         for path in self.asked.drain(..) {
             if result.is_ok() {
-                self.absent.remove(&path);
+                self.absent.lock().unwrap().remove(&path);
             }
         }
         self.events.push_back(HostEvent::Brought(result));
@@ -128,7 +128,7 @@ impl Host for MemoryHost {
     fn files(&self) -> Arc<dyn Files> {
         Arc::new(Without {
             files: WithBuiltin(WithArchives::new(self.files.clone())),
-            absent: self.absent.clone(),
+            absent: Arc::clone(&self.absent),
         })
     }
 

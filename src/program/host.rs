@@ -50,8 +50,8 @@ pub trait Host {
     /// [`HostEvent::Changed`].
     fn watch(&mut self, files: Vec<PathBuf>);
 
-    /// Brings built-in files that [`Host::files`] does not have. Answered by [`HostEvent::Brought`].
-    /// Hosts that have all of them are never asked.
+    /// Brings built-in files that [`Host::files`] does not have, also for those who have asked for its
+    /// files before. Answered by [`HostEvent::Brought`]. Hosts that have all of them are never asked.
     fn bring(&mut self, _builtin: Vec<PathBuf>) {}
 
     /// The part of what [`Host::bring`] asked for that is there, from 0 to 1; `None` if all of it is.

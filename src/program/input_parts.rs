@@ -11,10 +11,10 @@ pub fn input_parts(mut input: RawInput) -> Vec<RawInput> {
     let mut groups: Vec<Vec<Event>> = vec![Vec::new()];
     for event in std::mem::take(&mut input.events) {
         let alone = is_button(&event);
-        let begins = groups
-            .last()
-            .and_then(|group| group.last())
-            .is_some_and(|last| alone || is_button(last) && !matches!(event, Event::Touch { .. }));
+        // A group with a button begins with it.
+        let is_of_finger = matches!(event, Event::Touch { .. });
+        let before = groups.last().and_then(|group| group.first());
+        let begins = before.is_some_and(|first| alone || is_button(first) && !is_of_finger);
         if begins {
             groups.push(Vec::new());
         }
