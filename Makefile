@@ -71,6 +71,8 @@ web-package: web
 
 test-web:
 	@sh scripts/packages.sh test-web
+	@sh scripts/packages.sh run
+	$(CARGO) build --locked
 	@CARGO="$(CARGO)" sh scripts/web.sh test
 	$(CARGO) test --locked --quiet --package make_web
 

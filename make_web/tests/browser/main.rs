@@ -5,6 +5,7 @@
 mod browser;
 mod files;
 mod graphics;
+mod native;
 mod offline;
 mod picture;
 mod sharing;
