@@ -35,8 +35,10 @@ pub struct MemoryHost {
     pub stored: HashMap<StorageKey, Vec<u8>>,
     /// Time since what is stored was stored.
     pub stored_since: Option<Duration>,
-    /// Unsaved work of an earlier run that was left for a later one.
-    pub left: Option<Vec<u8>>,
+    /// Unsaved work of earlier runs that was left for a later one.
+    pub left: Vec<Vec<u8>>,
+    /// Unsaved work of earlier runs after the one that is stored.
+    pub more: VecDeque<Vec<u8>>,
     pub time: Duration,
     pub requests: Vec<Request>,
     pub dialog_is_open: bool,
@@ -210,8 +212,11 @@ impl Host for MemoryHost {
         self.stored_since.filter(|_| self.stored.contains_key(&key))
     }
 
-    fn leave_unsaved_work(&mut self) {
-        self.left = self.stored.remove(&StorageKey::Autosave);
+    fn pass_unsaved_work(&mut self) {
+        self.left.extend(self.stored.remove(&StorageKey::Autosave));
+        let next = self.more.pop_front();
+        self.stored
+            .extend(next.map(|bytes| (StorageKey::Autosave, bytes)));
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {

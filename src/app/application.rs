@@ -225,6 +225,9 @@ impl ApplicationHandler<Wake> for Application {
             Wake::JobFinished => {}
             Wake::FileChanged(path) => running.host.on_file_changed(path),
             Wake::Terminate => {
+                running.program.prepare_to_end();
+                // Without this frame, only what is being typed is lost.
+                let _ = running.redraw();
                 running.program.end(&mut running.host);
                 if let Some(error) = running.host.finish_storing() {
                     // Whoever does not listen need not be told.

@@ -38,6 +38,11 @@ impl Storage {
         let folder = directories::ProjectDirs::from("", "", globals::SETTINGS_FOLDER)
             .map(|folders| folders.config_dir().to_owned())
             .filter(|folder| std::fs::create_dir_all(folder).is_ok());
+        Self::at(folder)
+    }
+
+    /// What is kept in `folder`; nothing if there is none.
+    fn at(folder: Option<PathBuf>) -> Self {
         let autosave = folder.as_ref().and_then(|folder| {
             // One that was left comes before one that is free.
             let left = slots(folder).filter(|path| path.exists());
@@ -66,14 +71,18 @@ impl Storage {
         written.elapsed().ok()
     }
 
-    /// Leaves the unsaved work of an earlier run to a later one, and takes a slot that is free.
-    pub fn leave_unsaved_work(&mut self) {
+    /// Goes on from the unsaved work of one earlier run to that of the next, and from the last to a
+    /// slot that is free.
+    pub fn pass_unsaved_work(&mut self) {
         self.wait();
         let Some(folder) = &self.folder else {
             return;
         };
-        let is_free = |path: &PathBuf| !path.exists();
-        self.autosave = slots(folder).filter(is_free).find_map(Slot::take);
+        let at = self.autosave_path();
+        let others = slots(folder).skip_while(|path| at.as_ref().is_some_and(|at| path != at));
+        let left = others.skip(1).filter(|path| path.exists());
+        let free = slots(folder).filter(|path| !path.exists());
+        self.autosave = left.chain(free).find_map(Slot::take);
     }
 
     /// Stores `bytes`, unsaved work in the background.
@@ -175,5 +184,42 @@ impl Slot {
         let lock = options.open(path.with_extension("lock")).ok()?;
         lock.try_lock().ok()?;
         Some(Self { path, _lock: lock })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AUTOSAVE: StorageKey = StorageKey::Autosave;
+
+    #[test]
+    fn the_work_of_each_run_that_has_ended_is_passed_once_and_that_of_a_running_one_never() {
+        let name = format!("editor-storage-{}", std::process::id());
+        let folder = std::env::temp_dir().join(name);
+        std::fs::create_dir(&folder).unwrap();
+        for (slot, path) in slots(&folder).take(4).enumerate() {
+            std::fs::write(path, slot.to_string()).unwrap();
+        }
+        let running = Slot::take(folder.join("autosave-1.json")).unwrap();
+        let mut storage = Storage::at(Some(folder.clone()));
+        let mut left = Vec::new();
+        while let Some(bytes) = storage.load(AUTOSAVE) {
+            left.push(String::from_utf8(bytes).unwrap());
+            if left.len() == 2 {
+                storage.put_aside(AUTOSAVE).unwrap();
+            }
+            storage.pass_unsaved_work();
+        }
+        assert_eq!(left, ["0", "2", "3"]);
+        storage.store(AUTOSAVE, b"own".to_vec());
+        storage.wait();
+        let there = |slot| std::fs::read_to_string(folder.join(format!("autosave-{slot}.json")));
+        assert_eq!(there(0).unwrap(), "0");
+        assert_eq!(there(1).unwrap(), "1");
+        // The place of what was put aside is free again.
+        assert_eq!(there(2).unwrap(), "own");
+        drop(running);
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -234,8 +234,8 @@ impl Host for WindowHost {
         self.storage.stored_since(key)
     }
 
-    fn leave_unsaved_work(&mut self) {
-        self.storage.leave_unsaved_work();
+    fn pass_unsaved_work(&mut self) {
+        self.storage.pass_unsaved_work();
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {

@@ -214,7 +214,7 @@ impl Host for StillHost {
         None
     }
 
-    fn leave_unsaved_work(&mut self) {}
+    fn pass_unsaved_work(&mut self) {}
 
     fn store(&mut self, _: StorageKey, _: Vec<u8>) {}
 

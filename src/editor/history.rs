@@ -89,6 +89,12 @@ impl History {
         Some((state, selection))
     }
 
+    /// All states that can be gone to.
+    pub fn states(&self) -> impl Iterator<Item = &State> {
+        let after = self.steps.iter().map(|step| &step.state);
+        std::iter::once(&self.first).chain(after)
+    }
+
     /// Number of steps that are done and can be undone.
     pub fn done(&self) -> usize {
         self.done
@@ -102,9 +108,7 @@ impl History {
     /// Memory of all kept states, in bytes; what several share counts once.
     fn memory(&self) -> usize {
         let mut counted = HashSet::new();
-        let states = self.steps.iter().map(|step| &step.state);
-        std::iter::once(&self.first)
-            .chain(states)
+        self.states()
             .map(|state| state.scene.memory(&mut counted))
             .sum()
     }

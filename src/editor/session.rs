@@ -205,6 +205,12 @@ impl Session {
         self.history.names()
     }
 
+    /// The scene, and all scenes to which undoing and redoing lead.
+    pub fn remembered_scenes(&self) -> impl Iterator<Item = &Scene> {
+        let states = self.history.states().map(|state| &state.scene);
+        std::iter::once(&self.scene).chain(states)
+    }
+
     /// Number of steps that can be undone.
     pub fn done_steps(&self) -> usize {
         self.history.done()

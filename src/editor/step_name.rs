@@ -59,7 +59,14 @@ fn altered_shape(was: &Shape, is: &Shape) -> Named {
         found.push((placed(was, is), name.clone()));
     }
     match (&was.kind, &is.kind) {
-        (was, is) if was == is => {}
+        (same, kind) if same == kind => {
+            if was.source != is.source {
+                let file = |shape: &Shape| shape.source.as_ref().map(|source| source.file.clone());
+                let is_elsewhere = file(was) != file(is);
+                let verb = if is_elsewhere { "Relink" } else { "Reload" };
+                found.push((verb, name.clone()));
+            }
+        }
         (ShapeKind::Character(was), ShapeKind::Character(is)) => {
             found.push(altered_character(was, is, name));
         }

@@ -48,7 +48,8 @@ pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
 pub use scene::{
-    Missing, Reimported, SceneError, SceneFile, normal, package, read_scene, reimport, scene_text,
+    Missing, Package, Reimported, SceneError, SceneFile, needed_files, normal, package, read_scene,
+    reimport, scene_text,
 };
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};

@@ -110,6 +110,11 @@ impl Program {
         })
     }
 
+    /// Has the next frame, which may be the last, take over what is being typed.
+    pub fn prepare_to_end(&mut self) {
+        self.ui.give_up_typing();
+    }
+
     /// Ends the program at once, because the system asks for it: unsaved work is stored.
     pub fn end(&mut self, host: &mut dyn Host) {
         self.session.commit_gesture();
@@ -201,6 +206,12 @@ impl Program {
             }
             Err(error) => self.give_up_restoring(&error.to_string(), host),
         }
+    }
+
+    /// Offers what another earlier run left, if there is one.
+    pub(super) fn offer_next(&mut self, host: &mut dyn Host) {
+        host.pass_unsaved_work();
+        self.offer_restoring(host);
     }
 
     /// Says why what an earlier run left cannot be restored, and puts it out of the way of what this

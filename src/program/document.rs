@@ -1,12 +1,13 @@
 //! Opening and saving the document, and asking before unsaved work is lost.
 
 use super::awaited::Awaited;
-use super::document_file::{DocumentFile, Writing, digest_at};
+use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
 use super::questions::Asked;
 use super::running::Program;
 use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
-use crate::editor::Severity;
+use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
+use crate::scene::{ShapeId, Source};
 use crate::ui::Answer;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -217,7 +218,12 @@ impl Program {
         } else {
             Previous::KeepBeside
         };
-        self.document.begin_writing(&path, document, &bytes, then);
+        self.document.writing = Some(Writing {
+            path: path.clone(),
+            document,
+            becomes: Becomes::Own(crc32fast::hash(&bytes), Vec::new()),
+            then,
+        });
         host.write_file(&path, bytes, previous);
     }
 
@@ -230,20 +236,41 @@ impl Program {
         host: &mut dyn Host,
     ) {
         let is_saved = result.is_ok();
+        if !is_saved {
+            // Which of them were written is not known.
+            self.exported.clear();
+        }
         self.tell_written(path, result);
         let is_document = |writing: &mut Writing| writing.path == path;
         let Some(writing) = self.document.writing.take_if(is_document) else {
             return;
         };
         if is_saved {
-            self.document.path = Some(writing.path);
             self.document.saved = writing.document;
             self.document.saved_in_lost_file = None;
-            self.document.digest = Some(writing.digest);
+            if let Becomes::Own(digest, sources) = writing.becomes {
+                self.document.path = Some(writing.path);
+                self.document.digest = Some(digest);
+                self.relink(sources);
+            }
             self.remember_recent(path);
             if let Some(next) = writing.then {
                 self.leave_for(next, host);
             }
+        }
+    }
+
+    /// Has shapes come from other files with the same contents from now on, as they do in the document's
+    /// file already.
+    fn relink(&mut self, sources: Vec<(ShapeId, Source)>) {
+        let is_saved = !self.is_modified();
+        let edits = sources.into_iter().filter_map(|(id, source)| {
+            let kind = self.session.scene().shape(id)?.kind.clone();
+            Some(Edit::Replace(id, kind, source))
+        });
+        let edits: Vec<Edit> = edits.collect();
+        if !edits.is_empty() && self.edit(Edit::Together(edits)) && is_saved {
+            self.document.saved = self.session.document();
         }
     }
 
@@ -262,14 +289,18 @@ impl Program {
                 self.write_document(path, then, host);
             }
             (Some(Asked::Overwrite(_, then)), Answer::SaveAs) => self.save_as(then, host),
+            (Some(Asked::Replace(together)), Answer::Overwrite) => {
+                self.write_now(together, host);
+            }
             (Some(Asked::Restore(kept, _)), Answer::Restore) => self.restore(&kept, host),
             (Some(Asked::Restore(..)), Answer::Forget) => {
                 if let Some(path) = host.put_aside(StorageKey::Autosave) {
                     let text = format!("What was discarded is in {}", path.display());
                     self.tell(Severity::Info, text);
                 }
+                self.offer_next(host);
             }
-            (Some(Asked::Restore(..)), Answer::Later) => host.leave_unsaved_work(),
+            (Some(Asked::Restore(..)), Answer::Later) => self.offer_next(host),
             _ => {}
         }
     }

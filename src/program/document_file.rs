@@ -3,6 +3,7 @@
 use super::document::Next;
 use crate::io::Files;
 use crate::revision::Revision;
+use crate::scene::{ShapeId, Source};
 use std::path::{Path, PathBuf};
 
 /// File of the document, and how much of the document is in it.
@@ -28,11 +29,21 @@ pub(super) struct DocumentFile {
     pub saved_in_lost_file: Option<Revision>,
 }
 
+/// Write after which the document is saved.
 pub(super) struct Writing {
     pub path: PathBuf,
+    /// Revision of the document that is written.
     pub document: Revision,
-    pub digest: u32,
+    pub becomes: Becomes,
     pub then: Option<Next>,
+}
+
+/// What the file that is written is to the document from then on.
+pub(super) enum Becomes {
+    /// Its own file, with the CRC-32 of its bytes, in which these shapes come from these files.
+    Own(u32, Vec<(ShapeId, Source)>),
+    /// An archive that holds all of it, but that Save does not write.
+    Archive,
 }
 
 impl DocumentFile {
@@ -87,23 +98,6 @@ impl DocumentFile {
         if let Some(saved) = self.saved_in_lost_file.take() {
             self.saved = saved;
         }
-    }
-
-    /// Takes note that `document` is being written to the file at `path` as `bytes`; `then` is done
-    /// when it is.
-    pub fn begin_writing(
-        &mut self,
-        path: &Path,
-        document: Revision,
-        bytes: &[u8],
-        then: Option<Next>,
-    ) {
-        self.writing = Some(Writing {
-            path: path.to_owned(),
-            document,
-            digest: crc32fast::hash(bytes),
-            then,
-        });
     }
 
     /// Digest of the file's bytes as they were read or written last.

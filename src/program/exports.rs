@@ -1,11 +1,26 @@
 //! Geometry, characters and curves written for other programs.
 
 use super::Host;
+use super::document_file::Writing;
+use super::questions::Asked;
 use super::running::Program;
 use crate::editor::Severity;
 use crate::io::{self, Diagnostic, Files};
-use crate::scene::ShapeId;
+use crate::scene::{Scene, ShapeId};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+/// Files that are written together.
+pub(super) struct Together {
+    /// The one that was chosen.
+    pub path: PathBuf,
+    /// All of them with their bytes.
+    pub files: Vec<(PathBuf, Vec<u8>)>,
+    /// Files beside the chosen one whose place others take.
+    pub replaced: Vec<PathBuf>,
+    /// The document's save that is done with them, if it is.
+    pub saves: Option<Writing>,
+}
 
 impl Program {
     pub(super) fn export_curve(&mut self, shape: ShapeId, path: &Path, host: &mut dyn Host) {
@@ -69,10 +84,52 @@ impl Program {
         match files {
             Ok(files) => match files.iter().find(|(file, _)| self.is_source(file)) {
                 Some((file, _)) => self.tell_needed(path, file),
-                None => host.write_files(path, files),
+                None => self.write_together(path, files, None, host),
             },
             Err(error) => self.tell_written(path, Err(error)),
         }
+    }
+
+    /// Writes files of which only the one at `path` was chosen; asks before others of which this program
+    /// did not write the last version are replaced.
+    pub(super) fn write_together(
+        &mut self,
+        path: &Path,
+        files: Vec<(PathBuf, Vec<u8>)>,
+        saves: Option<Writing>,
+        host: &mut dyn Host,
+    ) {
+        let there = host.files();
+        let others = files
+            .iter()
+            .filter(|(file, _)| file != path && !self.exported.contains(file));
+        let is_other = |file: &Path, bytes: &[u8]| there.read(file).is_ok_and(|old| old != bytes);
+        let replaced = others.filter(|(file, bytes)| is_other(file, bytes));
+        let mut replaced: Vec<PathBuf> = replaced.map(|(file, _)| file.clone()).collect();
+        replaced.sort();
+        let together = Together {
+            path: path.to_owned(),
+            files,
+            replaced,
+            saves,
+        };
+        if together.replaced.is_empty() {
+            self.write_now(together, host);
+        } else {
+            self.asked = Some(Asked::Replace(together));
+        }
+    }
+
+    pub(super) fn write_now(&mut self, together: Together, host: &mut dyn Host) {
+        let Together {
+            path, files, saves, ..
+        } = together;
+        if saves.is_some() {
+            self.document.writing = saves;
+        }
+        self.exported
+            .extend(files.iter().map(|(file, _)| file.clone()));
+        host.write_files(&path, files);
     }
 
     /// The first of `files` but the one at `path` that is a file of the document and has other bytes.
@@ -92,19 +149,27 @@ impl Program {
 
     /// Says that nothing is written to `path`, because `file` would be replaced.
     pub(super) fn tell_needed(&mut self, path: &Path, file: &Path) {
-        let message = format!(
-            "expected a name whose files are not those of the document, which needs {}",
-            file.display()
-        );
-        self.tell_written(path, Err(Diagnostic::new(path, message)));
+        self.tell_written(path, Err(needed_error(path, file)));
     }
 
-    /// Whether a shape of the document comes from `file`, or from one that is read with it: those
-    /// of a character differ in their extensions alone.
+    /// Whether a shape of the document, or one that undoing brings back, comes from `file`, or from one
+    /// that is read with it: those of a character differ in their extensions alone.
     fn is_source(&self, file: &Path) -> bool {
         let stem = |path: &Path| io::normal(path).with_extension("");
-        let sources = self.session.scene().shapes().iter();
-        let mut files = sources.filter_map(|shape| Some(&shape.source.as_ref()?.file));
+        let shapes = self.session.remembered_scenes().flat_map(Scene::shapes);
+        let files: BTreeSet<&str> = shapes
+            .filter_map(|shape| Some(shape.source.as_ref()?.file.as_str()))
+            .collect();
+        let mut files = files.into_iter();
         files.any(|source| stem(Path::new(source)) == stem(file))
     }
+}
+
+/// Error of writing to `path`, because the document needs `file`, which would be replaced.
+pub(super) fn needed_error(path: &Path, file: &Path) -> Diagnostic {
+    let message = format!(
+        "expected a name whose files are not those of the document, which needs {}",
+        file.display()
+    );
+    Diagnostic::new(path, message)
 }

@@ -79,9 +79,9 @@ pub trait Host {
         None
     }
 
-    /// Leaves the unsaved work of an earlier run as it is, for a later one: what this one stores is
-    /// stored elsewhere from now on.
-    fn leave_unsaved_work(&mut self);
+    /// Goes on from the unsaved work of one earlier run, which stays as it is, to that of another one
+    /// that was not loaded yet. If there is none, what this run stores is stored in a place of its own.
+    fn pass_unsaved_work(&mut self);
 
     /// Stores `bytes` for later runs. May end in [`HostEvent::StoreFailed`].
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);

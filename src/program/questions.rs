@@ -2,6 +2,7 @@
 
 use super::autosave::Kept;
 use super::document::Next;
+use super::exports::Together;
 use crate::ui::{Answer, Question};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -12,6 +13,8 @@ pub(super) enum Asked {
     Unsaved(Next),
     /// The file was changed by another program since it was read or written here.
     Overwrite(PathBuf, Option<Next>),
+    /// Files that are written together with the one that was chosen are there already.
+    Replace(Together),
     /// An earlier run did not end in order, and left unsaved work, this long ago if that is known.
     Restore(Kept, Option<Duration>),
 }
@@ -29,6 +32,11 @@ impl Asked {
                     path.display()
                 ),
                 answers: vec![Answer::SaveAs, Answer::Overwrite, Answer::Cancel],
+            },
+            Self::Replace(together) => Question {
+                title: "Replace these files, too?".to_owned(),
+                text: replace_text(&together.path, &together.replaced),
+                answers: vec![Answer::Overwrite, Answer::Cancel],
             },
             Self::Restore(kept, since) => Question {
                 title: "Restore unsaved changes?".to_owned(),
@@ -61,6 +69,26 @@ fn unsaved(next: &Next, name: &str) -> Question {
         ),
         answers: vec![Answer::Save, Answer::Discard, Answer::Cancel],
     }
+}
+
+/// Text of the question about files at `replaced` that are written with the one at `path`.
+fn replace_text(path: &Path, replaced: &[PathBuf]) -> String {
+    const NAMED: usize = 4;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let name = |file: &PathBuf| {
+        let inner = file.strip_prefix(folder).unwrap_or(file);
+        inner.display().to_string()
+    };
+    let named: Vec<String> = replaced.iter().take(NAMED).map(name).collect();
+    let more = match replaced.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!(
+        "{} is written together with files that are there already, with other contents: {}{more}.",
+        path.file_name().unwrap_or(path.as_os_str()).display(),
+        named.join(", "),
+    )
 }
 
 /// Text of the question about what an earlier run left of the document at `path`, `since` then.

@@ -91,6 +91,8 @@ pub struct Program {
     pub(super) watched_of: Option<(Revision, Option<PathBuf>)>,
     /// Files that the host watches.
     pub(super) watched: BTreeSet<PathBuf>,
+    /// Files that were written together with one that was chosen.
+    pub(super) exported: BTreeSet<PathBuf>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     /// What waits for files that the host brings.
@@ -135,6 +137,7 @@ impl Program {
             window_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
+            exported: BTreeSet::new(),
             asked: None,
             awaited: Vec::new(),
             builtin_characters: builtins(BuiltinKind::Character),

@@ -2,13 +2,18 @@
 //! and saved together with the scene.
 
 use super::document::Next;
+use super::document_file::{Becomes, Writing};
+use super::exports::needed_error;
 use super::running::Program;
 use super::{Host, Purpose};
 use crate::editor::{Edit, Severity};
-use crate::io::{self, Files, Reimported, builtin};
-use crate::scene::{Shape, ShapeId, ShapeKind};
+use crate::io::{self, Diagnostic, Files, Package, Reimported, builtin};
+use crate::scene::{Shape, ShapeId, ShapeKind, Source};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+/// Files with their bytes, and the save of the document that writing them is.
+type Saved = (Vec<(PathBuf, Vec<u8>)>, Option<Writing>);
 
 impl Program {
     /// Has the host watch the files of the document, if they are others than before.
@@ -124,32 +129,74 @@ impl Program {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let (scene, view) = (self.session.scene(), self.session.view());
         let packed = io::package(&*host.files(), scene, view, &stem);
-        let written = packed.and_then(|files| {
+        let written = packed.and_then(|package| {
             if is_archive {
-                Ok(vec![(path.to_owned(), io::to_zip(&files)?)])
+                self.archive(path, package, host)
             } else {
-                let folder = path.parent().unwrap_or(Path::new(""));
-                let placed = files
-                    .into_iter()
-                    .map(|(name, bytes)| (folder.join(name), bytes));
-                // The scene comes last: it must not be there without its files.
-                Ok(placed.rev().collect())
+                Ok(self.scene_with_folder(path, package))
             }
         });
         match written {
-            Ok(files) => {
-                let own = files.iter().find(|(file, _)| file == path);
-                if let Some(needed) = self.replaced_source(path, &files, &*host.files()) {
-                    return self.tell_needed(path, &needed);
-                }
-                if let Some((_, bytes)) = own.filter(|_| self.document.path() == Some(path)) {
-                    let document = self.session.document();
-                    self.document.begin_writing(path, document, bytes, None);
-                }
-                host.write_files(path, files);
-            }
+            Ok((files, saves)) => match self.replaced_source(path, &files, &*host.files()) {
+                Some(needed) => self.tell_needed(path, &needed),
+                None => self.write_together(path, files, saves, host),
+            },
             Err(error) => self.tell_written(path, Err(error)),
         }
+    }
+
+    /// The archive at `path` with `package`, and what that saves of the document. Files that the archive
+    /// there has and that shapes come from, or those that undoing brings back, stay in it.
+    fn archive(&self, path: &Path, package: Package, host: &dyn Host) -> Result<Saved, Diagnostic> {
+        let there = host.files();
+        let mut entries = package.files;
+        let needed = io::needed_files(&*there, self.session.remembered_scenes());
+        let archive = io::normal(path);
+        for file in needed {
+            let Ok(name) = file.strip_prefix(&archive) else {
+                continue;
+            };
+            let bytes = there.read(&file)?;
+            match entries.iter().find(|(entry, _)| entry == name) {
+                None => entries.push((name.to_owned(), bytes)),
+                Some((_, new)) if *new == bytes => {}
+                Some(_) => return Err(needed_error(path, &file)),
+            }
+        }
+        let saves = self.document.path().is_none().then(|| Writing {
+            path: path.to_owned(),
+            document: self.session.document(),
+            becomes: Becomes::Archive,
+            then: None,
+        });
+        Ok((vec![(path.to_owned(), io::to_zip(&entries)?)], saves))
+    }
+
+    /// The scene at `path` with the files of `package` beside it, and what that saves of the document:
+    /// all of it, if it has no file or this one.
+    fn scene_with_folder(&self, path: &Path, package: Package) -> Saved {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let is_own = self.document.path().is_none_or(|own| own == path);
+        let text = package.files.first().filter(|_| is_own);
+        let saves = text.map(|(_, text)| {
+            let shapes = self.session.scene().shapes().iter();
+            let sources = shapes.filter_map(|shape| {
+                let source = shape.source.clone()?;
+                let file = folder.join(package.place(&source)?);
+                let file = file.to_string_lossy().into_owned();
+                Some((shape.id, Source { file, ..source }))
+            });
+            Writing {
+                path: path.to_owned(),
+                document: self.session.document(),
+                becomes: Becomes::Own(crc32fast::hash(text), sources.collect()),
+                then: None,
+            }
+        });
+        // The scene comes last: it must not be there without its files.
+        let files = package.files.into_iter().rev();
+        let files = files.map(|(name, bytes)| (folder.join(name), bytes));
+        (files.collect(), saves)
     }
 
     /// Imports the parts of files that shapes came from again, from where `at` says or else where

@@ -145,16 +145,16 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         posing::take_keys(&ctx, &mut state.pose);
         box_select::cancel_by_esc(&ctx, &mut state.box_select);
     }
-    let mut actions = finish_typing(&ctx, session, state, input);
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
+    let in_drag = dragging || state.gesture_under_way();
+    let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
         || input.is_viewer
-        || dragging
+        || in_drag
         || input.question.is_some()
         || state.search.is_some()
         || state.keys_were_taken
-        || state.gesture_under_way()
         || takes_keys(&ctx);
 
     let now = ctx.input(|input| input.time);
@@ -236,29 +236,37 @@ const MEANT_WHILE_TYPING: [Command; 5] = [
     Command::Quit,
 ];
 
-/// Takes what is being typed over before a command about the document: the field gives up the
-/// keyboard in this frame, and the command runs in the next. Where `keys_are_taken`, such as by a
-/// file dialog, keys mean no commands.
-fn finish_typing(
+/// Has commands about the document wait until what is being typed is taken over, for which the field
+/// gives up the keyboard in this frame, and saving until a drag has ended; runs the one that has
+/// waited. Where `keys_are_taken`, such as by a file dialog, keys mean no commands.
+fn run_waiting(
     ctx: &egui::Context,
     session: &Session,
     state: &mut UiState,
     input: &ViewInput,
+    in_drag: bool,
 ) -> Vec<Action> {
-    let aspect = aspect(state.view_rect);
+    let gives_up = std::mem::take(&mut state.gives_up_typing);
     let typing = ctx.text_edit_focused() && state.search.is_none();
-    if !typing {
-        let command = state.after_typing.take();
+    let saves = |command: Command| matches!(command, Command::Save | Command::SaveAs);
+    let in_gesture = in_drag || session.is_in_gesture();
+    let waits = typing || in_gesture && state.waiting.is_none_or(saves);
+    if !waits {
+        let aspect = aspect(state.view_rect);
+        let command = state.waiting.take();
         return command.map_or_else(Vec::new, |command| {
             commands::run(command, session, state, aspect)
         });
     }
-    if state.after_typing.is_none() && !input.keys_are_taken {
-        let is_meant =
-            |command: &Command| MEANT_WHILE_TYPING.contains(command) && is_there(*command, input);
-        state.after_typing = commands::pressed_with_ctrl(ctx, state.navigation).filter(is_meant);
+    if state.waiting.is_none() && !input.keys_are_taken {
+        let is_meant = |&command: &Command| {
+            let may_wait = saves(command) || typing && MEANT_WHILE_TYPING.contains(&command);
+            may_wait && is_there(command, input)
+        };
+        let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
+        state.waiting = pressed.filter(is_meant);
     }
-    if state.after_typing.is_some() {
+    if typing && (gives_up || state.waiting.is_some()) {
         ctx.memory_mut(|memory| {
             if let Some(field) = memory.focused() {
                 memory.surrender_focus(field);

@@ -42,8 +42,10 @@ pub struct UiState {
     pub(super) joints: JointListState,
     /// Name typed for a pose to keep.
     pub(super) pose_name: String,
-    /// Command that waits until what is being typed has been taken over.
-    pub(super) after_typing: Option<Command>,
+    /// Command that waits until what is being typed has been taken over, or a drag has ended.
+    pub(super) waiting: Option<Command>,
+    /// Whether what is being typed is to be taken over in the next frame.
+    pub(super) gives_up_typing: bool,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -84,7 +86,8 @@ impl Default for UiState {
             selected: None,
             joints: JointListState::default(),
             pose_name: String::new(),
-            after_typing: None,
+            waiting: None,
+            gives_up_typing: false,
             search: None,
             renaming: None,
             curves: CurveState::default(),
@@ -144,7 +147,12 @@ impl UiState {
     /// Asks to quit, as the window's close button does, once what is being typed has been taken
     /// over.
     pub fn close(&mut self) {
-        self.after_typing = Some(Command::Quit);
+        self.waiting = Some(Command::Quit);
+    }
+
+    /// Has the next frame take over what is being typed, since there may be none after it.
+    pub fn give_up_typing(&mut self) {
+        self.gives_up_typing = true;
     }
 
     /// Goes on in another context of egui, which knows nothing of fonts and colors yet.

@@ -7,7 +7,7 @@ use super::{browser, kept_files};
 use crate::editor::Severity;
 use crate::io::builtin::is_builtin;
 use crate::io::scene_link;
-use crate::program::{GraphicsInfo, Host as _, Options, Program, StorageKey};
+use crate::program::{GraphicsInfo, Options, Program};
 use egui::Context;
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
@@ -41,9 +41,13 @@ impl Page {
     pub async fn of_earlier_visit() -> Rc<RefCell<Self>> {
         let mut kept = kept_files::load().await;
         let size: usize = kept.values().map(Vec::len).sum();
-        let slots = Slots::take().await;
-        let host = PageHost::new(GivenFiles::default(), slots);
-        if size > MOST_KEPT && host.load(StorageKey::Autosave).is_none() {
+        let is_viewer = browser::in_address(VIEWER).is_some();
+        let slots = if is_viewer {
+            Slots::default()
+        } else {
+            Slots::take().await
+        };
+        if size > MOST_KEPT && !slots.have_work() {
             kept.clear();
             // What could not be forgotten is forgotten at the next visit.
             let _ = kept_files::forget().await;
@@ -61,7 +65,7 @@ impl Page {
         let mut host = PageHost::new(given, slots);
         let options = Options {
             files,
-            is_viewer: browser::in_address(VIEWER).is_some(),
+            is_viewer,
             ..Options::default()
         };
         if options.is_viewer {

@@ -131,7 +131,7 @@ impl PageHost {
     /// Name of the entry in the browser's storage.
     fn entry(&self, key: StorageKey) -> String {
         match key {
-            StorageKey::Autosave => tabs::entry(self.slots.own),
+            StorageKey::Autosave => tabs::entry(self.slots.own()),
             StorageKey::Preferences => key.name().to_owned(),
         }
     }
@@ -264,8 +264,8 @@ impl Host for PageHost {
         browser::stored(&self.entry(key)).map(String::into_bytes)
     }
 
-    fn leave_unsaved_work(&mut self) {
-        self.slots.leave();
+    fn pass_unsaved_work(&mut self) {
+        self.slots.pass();
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {

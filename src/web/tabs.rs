@@ -4,44 +4,68 @@
 use super::browser;
 use crate::program::StorageKey;
 use js_sys::{Function, Object, Promise, Reflect};
+use std::collections::VecDeque;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 
 /// Slots for unsaved work, at most.
 const SLOTS: usize = 16;
 
-/// Slots of this page.
-#[derive(Clone, Copy, Debug)]
+/// Slots of this page, which no other page has. That of a page that keeps nothing has none.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Slots {
-    /// The one whose work is offered, and where work is kept.
-    pub own: usize,
-    /// Where work is kept once that of the other is left for later.
-    pub spare: usize,
+    /// Those with the work of pages that are gone, the next to be offered first.
+    left: VecDeque<usize>,
+    /// One without work.
+    spare: usize,
 }
 
 impl Slots {
-    /// Slots that no other page has: first that of the same page before it was loaded again, then those
-    /// with the work of pages that are gone.
+    /// Takes the slots that no other page has and that have work: first that of the same page before
+    /// it was loaded again, so that it is offered first.
     pub async fn take() -> Self {
         let before = browser::of_this_tab(TAB).and_then(|slot| slot.parse().ok());
+        let others = (0..SLOTS).filter(|slot| Some(*slot) != before);
         let has_work = |slot: &usize| browser::stored(&entry(*slot)).is_some();
-        let (with_work, free): (Vec<usize>, Vec<usize>) = before
-            .into_iter()
-            .chain((0..SLOTS).filter(|slot| Some(*slot) != before))
-            .partition(has_work);
-        let own = first_free(with_work.iter().chain(&free)).await;
-        let others = free.iter().filter(|slot| Some(**slot) != own);
+        let (with_work, without): (Vec<usize>, Vec<usize>) =
+            before.into_iter().chain(others).partition(has_work);
+        let mut left = VecDeque::new();
+        for slot in with_work {
+            if lock(slot).await {
+                left.push_back(slot);
+            }
+        }
         // Where there is none, the last one is shared.
-        let spare = first_free(others).await.unwrap_or(SLOTS);
-        let own = own.unwrap_or(spare);
-        browser::remember_for_tab(TAB, &own.to_string());
-        Self { own, spare }
+        let mut spare = SLOTS;
+        for slot in without {
+            if lock(slot).await {
+                spare = slot;
+                break;
+            }
+        }
+        let slots = Self { left, spare };
+        slots.remember();
+        slots
     }
 
-    /// Leaves the work in the own slot for later.
-    pub fn leave(&mut self) {
-        self.own = self.spare;
-        browser::remember_for_tab(TAB, &self.own.to_string());
+    /// Whether pages that are gone have left work in them.
+    pub fn have_work(&self) -> bool {
+        !self.left.is_empty()
+    }
+
+    /// The slot whose work is offered, and where work is kept.
+    pub fn own(&self) -> usize {
+        self.left.front().copied().unwrap_or(self.spare)
+    }
+
+    /// Leaves the work in the own slot as it is, and goes on to the next one.
+    pub fn pass(&mut self) {
+        self.left.pop_front();
+        self.remember();
+    }
+
+    fn remember(&self) {
+        browser::remember_for_tab(TAB, &self.own().to_string());
     }
 }
 
@@ -53,19 +77,10 @@ pub(super) fn entry(slot: usize) -> String {
     format!("{slot}-{}", StorageKey::Autosave.name())
 }
 
-async fn first_free<'a>(slots: impl Iterator<Item = &'a usize>) -> Option<usize> {
-    for &slot in slots {
-        if lock(&format!("editor slot {slot}")).await {
-            return Some(slot);
-        }
-    }
-    None
-}
-
-/// Whether this page has the lock `name` from now on, until it is gone. Browsers without locks give it
-/// to everybody.
-async fn lock(name: &str) -> bool {
-    match ask_for(name) {
+/// Whether this page has the lock of a slot from now on, until it is gone. Browsers without locks give
+/// it to everybody.
+async fn lock(slot: usize) -> bool {
+    match ask_for(&format!("editor slot {slot}")) {
         Ok(asked) => JsFuture::from(asked).await.is_ok_and(|had| had.is_truthy()),
         Err(_) => true,
     }

@@ -43,7 +43,7 @@ fn everything() -> (Table, Scene, ViewSettings) {
 #[test]
 fn a_scene_saved_with_its_files_opens_from_the_archive_alone() {
     let (files, scene, view) = everything();
-    let entries = package(&files, &scene, &view, "My scene").unwrap();
+    let entries = package(&files, &scene, &view, "My scene").unwrap().files;
     let names: Vec<&str> = entries
         .iter()
         .map(|(path, _)| path.to_str().unwrap())
@@ -104,7 +104,7 @@ fn a_scene_saved_with_its_files_opens_from_the_archive_alone() {
 #[test]
 fn equal_scenes_make_equal_archives() {
     let (files, scene, view) = everything();
-    let zip = || to_zip(&package(&files, &scene, &view, "a").unwrap()).unwrap();
+    let zip = || to_zip(&package(&files, &scene, &view, "a").unwrap().files).unwrap();
     assert_eq!(zip(), zip());
 }
 

@@ -151,11 +151,45 @@ fn later_keeps_the_work_for_the_next_start_and_this_one_begins_empty() {
     let kept = stored(&story).expect("unsaved work").clone();
     story.click("Later");
     assert!(story.names().is_empty() && !story.has("Restore"));
-    assert_eq!(story.host.left.as_ref(), Some(&kept));
+    assert_eq!(story.host.left, std::slice::from_ref(&kept));
     // What is done now is kept elsewhere.
     story.key_with(Modifiers::SHIFT, Key::C);
     assert_ne!(stored(&story), Some(&kept));
-    assert_eq!(story.host.left, Some(kept));
+    assert_eq!(story.host.left, [kept]);
+}
+
+#[test]
+fn the_work_of_several_earlier_runs_is_offered_one_after_the_other() {
+    let mut story = with_bent_elbow();
+    story.type_into("Elbow Z", "45");
+    story.wait(11.0);
+    let second = stored(&story).expect("unsaved work").clone();
+    let mut story = after_crash(with_bent_elbow());
+    story.host.more = [second.clone(), second.clone()].into();
+    story.click("Later");
+    story.click("Discard");
+    story.click("Restore");
+    assert!((story.degrees("Elbow").z - 45.0).abs() < 1e-4);
+    assert!(!story.has("Restore"));
+    assert_eq!(
+        story.host.left.len(),
+        1,
+        "the first waits for the next start"
+    );
+}
+
+#[test]
+fn a_name_that_is_being_typed_when_a_signal_comes_is_kept() {
+    let mut story = with_bent_elbow();
+    story.click("Edit");
+    story.click("Rename");
+    story.frame(vec![egui::Event::Text("Arm".to_owned())]);
+    story.program.prepare_to_end();
+    story.frame(Vec::new());
+    story.program.end(&mut story.host);
+    let mut story = after_crash(story);
+    story.click("Restore");
+    assert_eq!(story.names(), ["Arm"]);
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use super::Story;
 use editor_core::editor::Severity;
 use editor_core::program::{HostEvent, Purpose};
-use egui::{Key, Modifiers};
+use editor_core::ui::Navigation;
+use egui::{Key, Modifiers, vec2};
 use std::path::Path;
 
 const CTRL: Modifiers = Modifiers::COMMAND;
@@ -381,6 +382,32 @@ fn saving_with_files_over_the_documents_own_file_saves_it() {
     assert!(title(&story).starts_with('*'), "{}", title(&story));
     story.key_with(CTRL, Key::S);
     assert!(!is_asked(&story), "nobody else has changed the file");
+}
+
+#[test]
+fn ctrl_and_s_in_the_middle_of_a_drag_saves_when_it_has_ended() {
+    let mut story = with_saved_cube();
+    let before = file(&story, "work/a.scene");
+    let field = story.place("Position X");
+    story.press_and_drag(field, field + vec2(40.0, 0.0));
+    story.key_with(CTRL, Key::S);
+    assert_eq!(file(&story, "work/a.scene"), before);
+    story.button(false);
+    story.settle();
+    assert_ne!(file(&story, "work/a.scene"), before);
+    assert!(!title(&story).starts_with('*'), "{}", title(&story));
+
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let view = story.view();
+    story.point(view.center());
+    story.key(Key::G);
+    story.point(view.center() + vec2(50.0, 0.0));
+    story.key_with(CTRL, Key::S);
+    let saved = file(&story, "work/a.scene");
+    story.key(Key::Enter);
+    story.settle();
+    assert_ne!(file(&story, "work/a.scene"), saved);
+    assert!(!title(&story).starts_with('*'), "{}", title(&story));
 }
 
 #[test]

@@ -156,6 +156,35 @@ fn a_character_is_exported_in_the_courses_format_with_its_pose_and_opens_again()
 }
 
 #[test]
+fn files_beside_an_export_are_replaced_only_after_asking() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let theirs = b"theirs".to_vec();
+    for name in ["out/mine.attach", "out/mine.json"] {
+        story.host.files.insert(name.into(), theirs.clone());
+    }
+    let export = |story: &mut Story| {
+        story.click("File");
+        story.click("Export Character…");
+        story.choose("out/mine.skel");
+    };
+    export(&mut story);
+    let text = "mine.skel is written together with files that are there already, \
+                with other contents: mine.attach, mine.json.";
+    assert!(story.has_text(text));
+    story.click("Cancel");
+    assert!(!story.host.files.contains_key(Path::new("out/mine.skel")));
+    assert_eq!(story.host.files[Path::new("out/mine.attach")], theirs);
+    export(&mut story);
+    story.click("Overwrite");
+    assert!(story.host.files.contains_key(Path::new("out/mine.skel")));
+    assert_ne!(story.host.files[Path::new("out/mine.attach")], theirs);
+    // Its own files are replaced without another word.
+    story.type_into("Elbow Z", "30");
+    export(&mut story);
+    assert!(!story.has("Overwrite"));
+}
+
+#[test]
 fn curves_are_exported_under_the_name_of_their_shape_and_read_back() {
     let mut story = Story::start(&["builtin:vase"]);
     story.click("File");

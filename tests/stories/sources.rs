@@ -299,6 +299,83 @@ fn saving_with_files_replaces_no_model_that_the_document_has_from_there() {
 }
 
 #[test]
+fn after_saving_with_files_over_its_own_file_the_document_uses_those_files() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("work/bent.scene");
+    assert_eq!(story.host.title, "bent.scene — Editor");
+    story.type_into("Elbow Z", "10");
+    story.key_with(CTRL, Key::S);
+    let scene = file(&story, "work/bent.scene");
+    let scene = String::from_utf8(scene).unwrap();
+    assert!(scene.contains("bent files/models/strip.obj"), "{scene}");
+    let before = story.session().steps().len();
+    story.key_with(CTRL, Key::Z);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(
+        story.session().steps().nth(before - 2),
+        Some("Relink Strip")
+    );
+    story.key_with(CTRL, Key::S);
+    let scene = String::from_utf8(file(&story, "work/bent.scene")).unwrap();
+    assert!(!scene.contains("bent files"), "{scene}");
+}
+
+#[test]
+fn an_untitled_document_that_is_saved_with_files_is_saved() {
+    for name in ["out/a.scene", "out/a.zip"] {
+        let mut story = Story::start(&["models/strip.obj"]);
+        story.type_into("Elbow Z", "10");
+        story.click("File");
+        story.click("Save with Files…");
+        story.choose(name);
+        story.key_with(CTRL, Key::Q);
+        assert!(story.host.quits, "{name}");
+    }
+}
+
+#[test]
+fn an_archive_that_is_saved_over_itself_keeps_what_undoing_brings_back() {
+    let mut story = with_saved_strip();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/bent.zip");
+    let archive = file(&story, "out/bent.zip");
+    let mut other = elsewhere(&[("mail/bent.zip", archive)]);
+    open(&mut other, "mail/bent.zip");
+    other.key(Key::Delete);
+    other.click("File");
+    other.click("Save with Files…");
+    other.choose("mail/bent.zip");
+    other.key_with(CTRL, Key::Z);
+    other.key_with(CTRL, Key::S);
+    other.choose("mail/mine.scene");
+    open(&mut other, "mail/mine.scene");
+    assert!(is_bent(&other));
+    assert!(
+        other
+            .messages()
+            .iter()
+            .all(|(severity, _)| *severity == Severity::Info)
+    );
+}
+
+#[test]
+fn a_model_that_undoing_brings_back_is_not_replaced_by_an_export() {
+    let mut story = with_saved_strip();
+    story.key(Key::Delete);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    let before = file(&story, STRIP[0].0);
+    story.click("File");
+    story.click("Export Geometry…");
+    story.choose(STRIP[0].0);
+    assert_eq!(file(&story, STRIP[0].0), before);
+    let told = story.messages().last().unwrap().1;
+    assert!(told.starts_with("Not saved: models/strip.obj"), "{told}");
+}
+
+#[test]
 fn a_scene_with_a_folder_opens_where_nothing_else_is() {
     let mut story = with_saved_strip();
     story.click("File");

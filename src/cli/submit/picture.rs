@@ -63,7 +63,7 @@ pub(super) fn of_scene(path: &Path) -> Result<Vec<Entry>, CliError> {
     // Built-in scenes have no file, and a name with a colon is none on every system.
     let name = name.rsplit(':').next().unwrap_or_default().to_owned();
     let (scene, view) = (session.scene(), session.view());
-    let models = to_zip(&package(&files(), scene, view, &name)?)?;
+    let models = to_zip(&package(&files(), scene, view, &name)?.files)?;
     Ok(vec![
         Entry::new("picture.png", png),
         Entry::new(Path::new("data").join(name + ".zip"), models),

@@ -6,8 +6,49 @@ use crate::io::file_importer::import_with;
 use crate::io::recorder::Recorder;
 use crate::io::{Diagnostic, Files, builtin};
 use crate::scene::{Importer, Scene, ShapeKind, Source, ViewSettings};
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Component, Path, PathBuf};
+
+/// A scene with the files that it needs.
+#[derive(Clone, Debug)]
+pub struct Package {
+    /// Relative paths and their bytes, that of the scene first.
+    pub files: Vec<(PathBuf, Vec<u8>)>,
+    /// Where the files that shapes came from lie in it, by their paths without `..`.
+    places: BTreeMap<PathBuf, PathBuf>,
+}
+
+impl Package {
+    /// Path in the package of the file that a shape came from; `None` if it is not in it, as built-in
+    /// files never are.
+    pub fn place(&self, source: &Source) -> Option<&Path> {
+        let file = paths::normal(Path::new(&source.file));
+        self.places.get(&file).map(PathBuf::as_path)
+    }
+}
+
+/// Paths, without `..`, of all files that shapes of `scenes` came from. Files that cannot be read any
+/// more are left out.
+pub fn needed_files<'a>(
+    files: &dyn Files,
+    scenes: impl Iterator<Item = &'a Scene>,
+) -> BTreeSet<PathBuf> {
+    let mut seen = HashSet::new();
+    let mut needed = BTreeSet::new();
+    let sources = scenes
+        .flat_map(|scene| scene.shapes())
+        .filter_map(|shape| shape.source.as_ref());
+    for source in sources {
+        let is_builtin = source.file.starts_with(builtin::PREFIX);
+        if !is_builtin && seen.insert((&source.file, source.importer)) {
+            let recorder = Recorder::new(files);
+            // What was read before an error is needed as well.
+            let _ = import_with(&recorder, Path::new(&source.file), source.importer);
+            needed.extend(recorder.into_paths().iter().map(|path| paths::normal(path)));
+        }
+    }
+    needed
+}
 
 /// The scene as `NAME.scene`, and below `NAME files/` all files that its shapes came from, those of
 /// one folder as they lie there relative to each other. Paths are relative, and the scene comes
@@ -22,10 +63,10 @@ pub fn package(
     scene: &Scene,
     view: &ViewSettings,
     name: &str,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, Diagnostic> {
+) -> Result<Package, Diagnostic> {
     let folders = folders(files, scene)?;
     let root = PathBuf::from(format!("{name} files"));
-    let mut places = places(&folders, &root);
+    let places = places(&folders, &root);
     let named = |source: &Source| {
         if source.file.starts_with(builtin::PREFIX) {
             return Some(source.file.clone());
@@ -37,12 +78,16 @@ pub fn package(
     let text = scene_text_with(scene, view, &named);
     let text = text.map_err(|error| Diagnostic::new(&scene_name, error.to_string()))?;
     let mut entries = vec![(scene_name, text.into_bytes())];
+    let mut written = HashSet::new();
     for (file, path) in folders.values().flatten() {
-        if let Some(place) = places.remove(file) {
-            entries.push((place, files.read(path)?));
+        if let Some(place) = places.get(file).filter(|_| written.insert(file)) {
+            entries.push((place.clone(), files.read(path)?));
         }
     }
-    Ok(entries)
+    Ok(Package {
+        files: entries,
+        places,
+    })
 }
 
 /// The files that the scene needs, by the folders of those that its shapes name: the path without
