@@ -3,6 +3,10 @@
   const note = document.getElementById("note");
   const workers = location.protocol === "file:" ? undefined : navigator.serviceWorker;
   try {
+    // They come while the browser looks for what it has kept.
+    const program = fetch("./editor_bg.wasm");
+    const script = import("./editor.js");
+    for (const coming of [program, script]) coming.catch(() => {});
     // A newer version that came during the last visit is used from now on.
     const waiting = (await workers?.getRegistration())?.waiting;
     if (waiting) {
@@ -12,8 +16,8 @@
       location.reload();
       return;
     }
-    const { default: start } = await import("./editor.js");
-    await start({ module_or_path: "./editor_bg.wasm" });
+    const { default: start } = await script;
+    await start({ module_or_path: program });
   } catch (error) {
     if (!note.hidden) {
       note.textContent = location.protocol === "file:"

@@ -41,7 +41,7 @@ impl Application {
         page: Rc<RefCell<Page>>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let gl = creation.gl.clone().ok_or("There is no WebGL.")?;
-        fonts::use_in(&creation.egui_ctx);
+        fonts::set(&creation.egui_ctx);
         let context = CanvasContext::new(context, gl)?;
         let graphics = Graphics::new(context.gl())?;
         let info = graphics.info();
@@ -90,7 +90,11 @@ impl eframe::App for Application {
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
         if !std::mem::replace(&mut self.is_shown, true) {
-            browser::after(Duration::ZERO, browser::tell_shown);
+            let context = context.clone();
+            browser::after(Duration::ZERO, move || {
+                browser::tell_shown();
+                fonts::fetch_signs(&context);
+            });
         }
         match wait {
             _ if came_in || shown.changed || told => context.request_repaint(),

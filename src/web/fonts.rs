@@ -14,9 +14,13 @@ thread_local! {
 }
 
 /// Gives `context` the fonts of egui, in its order and sizes, but for the one with letters of one
-/// width, which no panel uses. That with most of the signs comes when it has been fetched.
-pub(super) fn use_in(context: &Context) {
-    set(context);
+/// width, which no panel uses, and as long as it has not been fetched that with most of the signs.
+pub(super) fn set(context: &Context) {
+    context.set_fonts(definitions());
+}
+
+/// Fetches the font with most of the signs, for `context` and all later ones.
+pub(super) fn fetch_signs(context: &Context) {
     if FETCHED.with(|fetched| fetched.get().is_some()) {
         return;
     }
@@ -31,7 +35,7 @@ pub(super) fn use_in(context: &Context) {
     });
 }
 
-fn set(context: &Context) {
+fn definitions() -> FontDefinitions {
     let scaled = |font: FontData, scale| {
         font.tweak(FontTweak {
             scale,
@@ -57,5 +61,5 @@ fn set(context: &Context) {
             .font_data
             .insert(name.to_owned(), Arc::new(font));
     }
-    context.set_fonts(definitions);
+    definitions
 }
