@@ -219,10 +219,12 @@ impl Browser {
         let fingers = fingers.iter().enumerate();
         let fingers = fingers.map(|(number, &(from, to))| {
             let between = (u32::midpoint(from.0, to.0), u32::midpoint(from.1, to.1));
+            // A finger that rests for long means something else.
             let actions = json!([
-                moved(from, 0), {"type": "pointerDown", "button": 0}, rest, moved(between, 200),
-                rest, moved(to, 200), rest, {"type": "pointerUp", "button": 0}, rest,
+                moved(from, 0), {"type": "pointerDown", "button": 0}, moved(between, 30),
+                moved(to, 30), rest, {"type": "pointerUp", "button": 0}, rest,
             ]);
+
             let id = format!("finger {number}");
             json!({"type": "pointer", "id": id, "parameters": parameters, "actions": actions})
         });
