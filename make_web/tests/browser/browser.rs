@@ -212,12 +212,12 @@ impl Browser {
     }
 
     /// Moves fingers from one place to another each, in points, all at the same time.
-    pub fn touch(&self, fingers: &[((u32, u32), (u32, u32))]) {
+    pub fn touch(&self, fingers: &[[(u32, u32); 2]]) {
         let moved = |(x, y): (u32, u32), time: u32| json!({"type": "pointerMove", "duration": time, "x": x, "y": y});
         let rest = json!({"type": "pause", "duration": 250});
         let parameters = json!({"pointerType": "touch"});
         let fingers = fingers.iter().enumerate();
-        let fingers = fingers.map(|(number, &(from, to))| {
+        let fingers = fingers.map(|(number, &[from, to])| {
             let between = (u32::midpoint(from.0, to.0), u32::midpoint(from.1, to.1));
             // A finger that rests for long means something else.
             let actions = json!([
