@@ -49,6 +49,9 @@ check-assets:
 lint:
 	$(CARGO) fmt --all --check
 	$(CARGO) clippy --locked --workspace --all-targets -- -D warnings
+	@if rustc --print target-libdir --target wasm32-unknown-unknown 2>/dev/null | xargs -r test -d; then \
+		$(CARGO) clippy --locked --target wasm32-unknown-unknown --bin editor -- -D warnings; \
+	fi
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --lib
 
 pictures: packages-run editor
@@ -72,6 +75,8 @@ web-package: web
 
 test-web:
 	@sh scripts/packages.sh test-web
+	@sh scripts/packages.sh run
+	$(CARGO) build --locked
 	@CARGO="$(CARGO)" sh scripts/web.sh test
 	$(CARGO) test --locked --quiet --package make_web
 

@@ -35,5 +35,8 @@ else
     RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_LINKER=$linker \
         /usr/bin/cargo $build -Zbuild-std=std,panic_abort --target-dir $built
 fi
-$cargo run --locked --quiet --package make_web -- write "$built/$target/$folder/editor.wasm" $page
+make_web="$cargo run --locked --quiet --package make_web --"
+$make_web write "$built/$target/$folder/editor.wasm" assets $page
+# A browser on the same machine takes the files as they are.
+[ $profile = dev ] || $make_web compress $page
 echo "The page is in $page."

@@ -17,6 +17,7 @@ fn main() -> std::process::ExitCode {
             files: window.files,
             title: window.title.as_deref().map(globals::title_for),
             skinning: window.skinning.map(Into::into),
+            ..Options::default()
         };
         app::run(options).map_err(|error| error.to_string())
     })

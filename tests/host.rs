@@ -5,9 +5,9 @@ use editor_core::io::{Diagnostic, Files, WithArchives};
 use editor_core::program::{
     FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey, Suggested,
 };
-use std::collections::{BTreeMap, HashMap, VecDeque};
+use std::collections::{BTreeMap, HashMap, HashSet, VecDeque};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 /// Files by path.
@@ -49,10 +49,47 @@ pub struct MemoryHost {
     pub cursor: Option<egui::CursorIcon>,
     /// The newest widgets, as assistive technologies see them.
     pub widgets: Option<egui::accesskit::TreeUpdate>,
+    /// Built-in files that have to be brought before they can be read.
+    pub absent: Arc<Mutex<HashSet<PathBuf>>>,
+    /// Those that the program asked for and that did not come yet.
+    pub asked: Vec<PathBuf>,
     pub events: VecDeque<HostEvent>,
 }
 
+/// Files of which some are not there yet.
+struct Without<F> {
+    files: F,
+    absent: Arc<Mutex<HashSet<PathBuf>>>,
+}
+
+impl<F: Files> Files for Without<F> {
+    fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+        if self.absent.lock().unwrap().contains(path) {
+            return Err(Diagnostic::new(path, "it has not been brought"));
+        }
+        self.files.read(path)
+    }
+
+    fn exists(&self, path: &Path) -> bool {
+        !self.absent.lock().unwrap().contains(path) && self.files.exists(path)
+    }
+
+    fn absolute(&self, path: &Path) -> PathBuf {
+        self.files.absolute(path)
+    }
+}
+
 impl MemoryHost {
+    /// Brings what was asked for, or says why it cannot be had.
+    pub fn answer_asked(&mut self, result: Result<(), Diagnostic>) {
+        for path in self.asked.drain(..) {
+            if result.is_ok() {
+                self.absent.lock().unwrap().remove(&path);
+            }
+        }
+        self.events.push_back(HostEvent::Brought(result));
+    }
+
     /// Does the jobs that were started since, in order; how many there were.
     pub fn run_jobs(&mut self) -> usize {
         let jobs = std::mem::take(&mut self.jobs);
@@ -91,7 +128,18 @@ impl Host for MemoryHost {
     }
 
     fn files(&self) -> Arc<dyn Files> {
-        Arc::new(WithBuiltin(WithArchives::new(self.files.clone())))
+        Arc::new(Without {
+            files: WithBuiltin(WithArchives::new(self.files.clone())),
+            absent: Arc::clone(&self.absent),
+        })
+    }
+
+    fn bring(&mut self, builtin: Vec<PathBuf>) {
+        self.asked.extend(builtin);
+    }
+
+    fn part_brought(&self) -> Option<f32> {
+        (!self.asked.is_empty()).then_some(0.5)
     }
 
     fn choose_file(&mut self, request: FileRequest, suggested: Suggested) {

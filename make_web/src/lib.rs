@@ -1,9 +1,11 @@
-//! The page's files: written from the program for WebAssembly, packed in an archive, served.
+//! The page's files: written from the program for WebAssembly, compressed, packed in an archive, served.
 
+mod compress;
 mod files;
 mod package;
 mod server;
 
+pub use compress::compress;
 pub use files::write;
 pub use package::package;
 pub use server::{Server, serve};

@@ -1,10 +1,11 @@
-//! Writes, packs or serves the files of the page: see `USAGE`.
+//! Writes, compresses, packs or serves the files of the page: see `USAGE`.
 
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: make_web write PROGRAM.wasm FOLDER
+const USAGE: &str = "usage: make_web write PROGRAM.wasm ASSETS FOLDER
+       make_web compress FOLDER
        make_web package FOLDER ARCHIVE.zip
        make_web serve FOLDER [PORT]";
 
@@ -12,7 +13,10 @@ fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let done = match arguments[..] {
-        ["write", program, folder] => make_web::write(Path::new(program), Path::new(folder)),
+        ["write", program, assets, folder] => {
+            make_web::write(Path::new(program), Path::new(assets), Path::new(folder))
+        }
+        ["compress", folder] => make_web::compress(Path::new(folder)),
         ["package", folder, archive] => make_web::package(Path::new(folder), Path::new(archive)),
         ["serve", folder] => serve(folder, "8080"),
         ["serve", folder, port] => serve(folder, port),

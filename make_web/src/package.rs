@@ -1,5 +1,6 @@
 //! The page in one archive.
 
+use super::files::{files_below, with_slashes};
 use std::error::Error;
 use std::fs;
 use std::io::Write;
@@ -15,14 +16,10 @@ const FOLDER: &str = "editor-page";
 /// # Errors
 /// If a file cannot be read or written.
 pub fn package(folder: &Path, archive: &Path) -> Result<(), Box<dyn Error>> {
-    let mut names: Vec<String> = Vec::new();
-    for entry in fs::read_dir(folder)? {
-        names.push(entry?.file_name().to_string_lossy().into_owned());
-    }
-    names.sort();
     let mut zip = ZipWriter::new(fs::File::create(archive)?);
-    for name in names {
-        zip.start_file(format!("{FOLDER}/{name}"), SimpleFileOptions::default())?;
+    for name in files_below(folder)? {
+        let inside = format!("{FOLDER}/{}", with_slashes(&name));
+        zip.start_file(inside, SimpleFileOptions::default())?;
         zip.write_all(&fs::read(folder.join(name))?)?;
     }
     zip.finish()?;

@@ -1,5 +1,6 @@
 //! A small server of files, for the machine that it runs on alone.
 
+use super::compress::with_extension;
 use std::fs;
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
@@ -55,16 +56,18 @@ pub fn serve(server: &Server) {
 fn answer(folder: &Path, mut stream: TcpStream) -> io::Result<()> {
     let mut lines = BufReader::new(stream.try_clone()?).lines();
     let request = lines.next().unwrap_or(Ok(String::new()))?;
-    let mut takes_gzip = false;
+    let mut accepted = String::new();
     for line in lines {
         let line = line?.to_lowercase();
         if line.is_empty() {
             break;
         }
-        takes_gzip |= line.starts_with("accept-encoding:") && line.contains("gzip");
+        if let Some(list) = line.strip_prefix("accept-encoding:") {
+            accepted = list.to_owned();
+        }
     }
     match file_of(folder, &request) {
-        Some(path) => send(&mut stream, &path, takes_gzip),
+        Some(path) => send(&mut stream, &path, &accepted),
         None => stream
             .write_all(b"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\nConnection: close\r\n\r\n"),
     }
@@ -85,7 +88,8 @@ fn file_of(folder: &Path, request: &str) -> Option<PathBuf> {
     path.is_file().then_some(path)
 }
 
-fn send(stream: &mut TcpStream, path: &Path, takes_gzip: bool) -> io::Result<()> {
+/// Sends the file at `path`, in the smallest form that is there and `accepted`.
+fn send(stream: &mut TcpStream, path: &Path, accepted: &str) -> io::Result<()> {
     let kind = match path.extension().and_then(|extension| extension.to_str()) {
         Some("html") => "text/html; charset=utf-8",
         Some("js") => "text/javascript",
@@ -93,14 +97,10 @@ fn send(stream: &mut TcpStream, path: &Path, takes_gzip: bool) -> io::Result<()>
         Some("svg") => "image/svg+xml",
         _ => "application/octet-stream",
     };
-    let mut packed = path.as_os_str().to_owned();
-    packed.push(".gz");
-    let packed = Path::new(&packed);
-    let (bytes, encoding) = if takes_gzip && packed.is_file() {
-        (fs::read(packed)?, "Content-Encoding: gzip\r\n")
-    } else {
-        (fs::read(path)?, "")
-    };
+    let (sent, encoding) = smallest(path, accepted);
+    let bytes = fs::read(sent)?;
+    let encoding =
+        encoding.map_or_else(String::new, |name| format!("Content-Encoding: {name}\r\n"));
     let length = bytes.len();
     write!(
         stream,
@@ -108,6 +108,18 @@ fn send(stream: &mut TcpStream, path: &Path, takes_gzip: bool) -> io::Result<()>
          Vary: Accept-Encoding\r\nCache-Control: no-cache\r\nConnection: close\r\n\r\n"
     )?;
     stream.write_all(&bytes)
+}
+
+/// The file that is sent for `path`, with its encoding if it has one.
+fn smallest(path: &Path, accepted: &str) -> (PathBuf, Option<&'static str>) {
+    let is_accepted = |name: &str| accepted.split([',', ';']).any(|word| word.trim() == name);
+    let packed = [("br", "br"), ("gzip", "gz")]
+        .into_iter()
+        .find_map(|(name, extension)| {
+            let packed = with_extension(path, extension);
+            (is_accepted(name) && packed.is_file()).then_some((packed, Some(name)))
+        });
+    packed.unwrap_or_else(|| (path.to_owned(), None))
 }
 
 #[cfg(test)]
@@ -126,5 +138,18 @@ mod tests {
         assert_eq!(found("GET /../index.html HTTP/1.1"), None);
         assert_eq!(found("GET //etc/hostname HTTP/1.1"), None);
         assert_eq!(found("POST / HTTP/1.1"), None);
+    }
+
+    #[test]
+    fn files_are_sent_in_the_smallest_form_that_the_browser_takes() {
+        let folder = tempfile::tempdir().unwrap();
+        let script = folder.path().join("editor.js");
+        fs::write(&script, "start();".repeat(1000)).unwrap();
+        crate::compress(folder.path()).unwrap();
+        let sent = |accepted: &str| smallest(&script, accepted);
+        let with = |extension| with_extension(&script, extension);
+        assert_eq!(sent(" gzip, deflate, br"), (with("br"), Some("br")));
+        assert_eq!(sent(" gzip;q=1.0"), (with("gz"), Some("gzip")));
+        assert_eq!(sent(""), (script.clone(), None));
     }
 }

@@ -1,6 +1,8 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
+use super::archive::only_scene;
 use super::{Diagnostic, Files, file_access};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Prefix of the paths of built-in files.
@@ -30,22 +32,43 @@ pub struct Builtin {
     pub kind: BuiltinKind,
 }
 
-macro_rules! assets {
+/// A file of `assets/`.
+struct Asset {
+    /// Path below `assets/`.
+    path: &'static str,
+    /// Its bytes, where they are inside the program.
+    content: Option<&'static [u8]>,
+    /// Number of its bytes.
+    size: usize,
+}
+
+/// Files that are inside the program everywhere.
+macro_rules! small {
     ($($path:literal),* $(,)?) => {
-        &[$(($path, include_bytes!(concat!("../../assets/", $path)))),*]
+        [$({
+            let content: &[u8] = include_bytes!(concat!("../../assets/", $path));
+            Asset { path: $path, content: Some(content), size: content.len() }
+        }),*]
     };
 }
 
-/// Path below `assets/`, and content.
-static ASSETS: &[(&str, &[u8])] = assets![
-    "characters/adult.attach",
-    "characters/adult.obj",
+/// Files that a page fetches when they are used: with them, it would be twice as long to load.
+macro_rules! large {
+    ($($path:literal),* $(,)?) => {
+        [$({
+            let content: &[u8] = include_bytes!(concat!("../../assets/", $path));
+            Asset {
+                path: $path,
+                content: if cfg!(target_arch = "wasm32") { None } else { Some(content) },
+                size: content.len(),
+            }
+        }),*]
+    };
+}
+
+static SMALL: &[Asset] = &small![
     "characters/adult.skel",
-    "characters/dog.attach",
-    "characters/dog.obj",
     "characters/dog.skel",
-    "characters/robot.attach",
-    "characters/robot.obj",
     "characters/robot.skel",
     "curves/goblet.swp",
     "curves/knot.swp",
@@ -56,16 +79,6 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "shapes/gear.obj",
     "shapes/gem.obj",
     "shapes/plant.mtl",
-    "shapes/plant.obj",
-    "rigs/chain.dae",
-    "rigs/column.dae",
-    "rigs/crate.dae",
-    "rigs/crate.png",
-    "rigs/creature.dae",
-    "rigs/face.dae",
-    "rigs/humanoid.dae",
-    "rigs/lizard.dae",
-    "rigs/tentacle.dae",
     "scenes/mannequin-1.scene",
     "scenes/mannequin-2.scene",
     "scenes/mannequin-3.scene",
@@ -90,6 +103,29 @@ static ASSETS: &[(&str, &[u8])] = assets![
     "poses/tentacle-curl.json",
 ];
 
+static LARGE: &[Asset] = &large![
+    "characters/adult.attach",
+    "characters/adult.obj",
+    "characters/dog.attach",
+    "characters/dog.obj",
+    "characters/robot.attach",
+    "characters/robot.obj",
+    "shapes/plant.obj",
+    "rigs/chain.dae",
+    "rigs/column.dae",
+    "rigs/crate.dae",
+    "rigs/crate.png",
+    "rigs/creature.dae",
+    "rigs/face.dae",
+    "rigs/humanoid.dae",
+    "rigs/lizard.dae",
+    "rigs/tentacle.dae",
+];
+
+fn assets() -> impl Iterator<Item = &'static Asset> {
+    SMALL.iter().chain(LARGE)
+}
+
 /// Everything that has a name of its own, in the order of the kinds and then of the names.
 pub fn catalogue() -> Vec<Builtin> {
     [
@@ -102,8 +138,8 @@ pub fn catalogue() -> Vec<Builtin> {
     ]
     .into_iter()
     .flat_map(|(folder, extension, kind)| {
-        ASSETS.iter().filter_map(move |(path, _)| {
-            let name = path.strip_prefix(folder)?.strip_suffix(extension)?;
+        assets().filter_map(move |asset| {
+            let name = asset.path.strip_prefix(folder)?.strip_suffix(extension)?;
             Some(Builtin { name, kind })
         })
     })
@@ -122,7 +158,7 @@ pub fn resolve(path: &Path) -> Result<PathBuf, Diagnostic> {
     let primary = |asset: &Path| {
         ["obj", "dae", "swp", "scene", "json"].contains(&&*file_access::extension(asset))
     };
-    let paths = || ASSETS.iter().map(|(asset, _)| Path::new(asset));
+    let paths = || assets().map(|asset| Path::new(asset.path));
     paths()
         .find(|asset| *asset == Path::new(name))
         .or_else(|| paths().find(|a| primary(a) && a.with_extension("") == Path::new(name)))
@@ -145,7 +181,53 @@ fn builtin_name(path: &Path) -> Option<&str> {
     path.to_str()?.strip_prefix(PREFIX)
 }
 
-/// Answers for paths that start with `builtin:` from inside the program, and hands all others on.
+/// Names below `assets/` of the built-in files that are read with `path` and that `files` does not
+/// have, so that they must be brought before.
+pub fn absent(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
+    let Ok(path) = resolve(path) else {
+        return Vec::new();
+    };
+    let own = companions(&path).filter(|path| !files.exists(path));
+    let mut absent: Vec<PathBuf> = own.collect();
+    let scene = match &*file_access::extension(&path) {
+        "scene" => Some(path),
+        "zip" => only_scene(files, &path).ok(),
+        _ => None,
+    };
+    if let Some(Ok(bytes)) = scene.map(|scene| files.read(&scene)) {
+        absent.extend(absent_in(files, &String::from_utf8_lossy(&bytes)));
+    }
+    absent
+}
+
+/// The same for a scene with this text.
+pub fn absent_in(files: &dyn Files, text: &str) -> Vec<PathBuf> {
+    let named = text.match_indices(PREFIX).filter_map(|(start, _)| {
+        let name = text[start..].split('"').next()?;
+        resolve(Path::new(name)).ok()
+    });
+    let named: BTreeSet<PathBuf> = named.collect();
+    let all = named.iter().flat_map(|path| companions(path));
+    all.filter(|path| !files.exists(path)).collect()
+}
+
+/// A built-in file and those that belong to it by their names; nothing for other files.
+fn companions(path: &Path) -> impl Iterator<Item = PathBuf> {
+    let stem = builtin_name(path).map(|name| Path::new(name).with_extension(""));
+    let belongs = move |asset: &&Asset| Some(Path::new(asset.path).with_extension("")) == stem;
+    assets()
+        .filter(belongs)
+        .map(|asset| PathBuf::from(format!("{PREFIX}{}", asset.path)))
+}
+
+/// Number of bytes of the built-in file at `path`, wherever it is; 0 if there is none.
+pub fn size(path: &Path) -> usize {
+    let is = |asset: &&Asset| builtin_name(path) == Some(asset.path);
+    assets().find(is).map_or(0, |asset| asset.size)
+}
+
+/// Answers for paths that start with `builtin:` from inside the program, and hands all others on;
+/// and those of built-in files that are not inside it.
 #[derive(Clone, Copy, Debug)]
 pub struct WithBuiltin<F>(
     /// Where the others go.
@@ -155,21 +237,14 @@ pub struct WithBuiltin<F>(
 impl<F: Files> Files for WithBuiltin<F> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let resolved = resolve(path)?;
-        match builtin_name(&resolved) {
-            None => self.0.read(path),
-            Some(name) => ASSETS
-                .iter()
-                .find(|(asset, _)| *asset == name)
-                .map(|(_, bytes)| bytes.to_vec())
-                .ok_or_else(|| Diagnostic::new(path, "there is no such built-in file")),
+        match content(&resolved) {
+            Some(content) => Ok(content.to_vec()),
+            None => self.0.read(&resolved),
         }
     }
 
     fn exists(&self, path: &Path) -> bool {
-        match builtin_name(path) {
-            None => self.0.exists(path),
-            Some(_) => resolve(path).is_ok(),
-        }
+        resolve(path).is_ok_and(|path| content(&path).is_some() || self.0.exists(&path))
     }
 
     fn absolute(&self, path: &Path) -> PathBuf {
@@ -185,4 +260,11 @@ impl<F: Files> Files for WithBuiltin<F> {
             Some(_) => path.to_owned(),
         }
     }
+}
+
+/// Bytes of the built-in file at `path`, complete with folder and extension, if they are inside the
+/// program.
+fn content(path: &Path) -> Option<&'static [u8]> {
+    let name = builtin_name(path)?;
+    assets().find(|asset| asset.path == name)?.content
 }

@@ -27,6 +27,7 @@ mod pose_file;
 mod recorder;
 mod scanner;
 mod scene;
+pub mod scene_link;
 mod skel;
 mod swp;
 

@@ -1,5 +1,6 @@
 //! Unsaved work that outlives the program: kept while it runs, offered at the next start.
 
+use super::awaited::Awaited;
 use super::document_file::DocumentFile;
 use super::questions::Asked;
 use super::running::Program;
@@ -60,14 +61,14 @@ impl Unsaved {
 }
 
 /// Unsaved work that an earlier run left.
-#[derive(serde::Serialize, serde::Deserialize)]
+#[derive(Clone, serde::Serialize, serde::Deserialize)]
 pub(super) struct Kept {
     /// File of the document.
     path: Option<PathBuf>,
     /// Digest of that file's bytes as they were known to the earlier run.
     digest: Option<u32>,
     /// Text of a scene file.
-    scene: String,
+    pub(super) scene: String,
 }
 
 impl Kept {
@@ -226,6 +227,9 @@ impl Program {
 
     /// Restores what an earlier run left. It is unsaved as before.
     pub(super) fn restore(&mut self, kept: &Kept, host: &mut dyn Host) {
+        if self.has_to_wait(&Awaited::Restore(Box::new(kept.clone())), host) {
+            return;
+        }
         let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE));
         let files = WithText {
             path,

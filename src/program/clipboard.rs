@@ -3,6 +3,7 @@
 
 use super::Host;
 use super::autosave::WithText;
+use super::awaited::Awaited;
 use super::files::CLIPBOARD;
 use super::running::Program;
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
@@ -68,7 +69,10 @@ impl Program {
         }
     }
 
-    fn paste_shapes(&mut self, text: &str, host: &mut dyn Host) {
+    pub(super) fn paste_shapes(&mut self, text: &str, host: &mut dyn Host) {
+        if self.has_to_wait(&Awaited::Paste(text.to_owned()), host) {
+            return;
+        }
         let path = Path::new(AS_SCENE);
         let files = WithText {
             path,

@@ -1,5 +1,6 @@
 //! Opening and saving the document, and asking before unsaved work is lost.
 
+use super::awaited::Awaited;
 use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
 use super::questions::Asked;
 use super::running::Program;
@@ -96,6 +97,9 @@ impl Program {
     }
 
     pub(super) fn go_on(&mut self, next: Next, host: &mut dyn Host) {
+        if self.has_to_wait(&Awaited::Next(next.clone()), host) {
+            return;
+        }
         match next {
             Next::New => {
                 self.end_comparison();

@@ -1,5 +1,6 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
+use super::awaited::Awaited;
 use super::comparison::Comparison;
 use super::document::{Next, is_scene};
 use super::document_file::DocumentFile;
@@ -58,7 +59,7 @@ impl Program {
         } else if let Some(shape) = posed {
             self.load_pose(shape, path, &*files);
         } else {
-            self.import_any(path, &*files);
+            self.import_any(path, &files, host);
         }
     }
 
@@ -105,8 +106,11 @@ impl Program {
     }
 
     /// Adds what the file at `path` holds, whatever it is.
-    pub(super) fn import_any(&mut self, path: &Path, files: &dyn Files) {
-        self.insert(io::import_any(files, path));
+    pub(super) fn import_any(&mut self, path: &Path, files: &Arc<dyn Files>, host: &mut dyn Host) {
+        let work = Awaited::Import(path.to_owned(), Arc::clone(files));
+        if !self.has_to_wait(&work, host) {
+            self.insert(io::import_any(&**files, path));
+        }
     }
 
     fn insert(&mut self, imported: Result<Imported<Vec<NewShape>>, Diagnostic>) {

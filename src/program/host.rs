@@ -49,6 +49,21 @@ pub trait Host {
     /// [`HostEvent::Changed`].
     fn watch(&mut self, files: Vec<PathBuf>);
 
+    /// Brings built-in files that [`Host::files`] does not have, also for those who have asked for its
+    /// files before. Answered by [`HostEvent::Brought`]. Hosts that have all of them are never asked.
+    fn bring(&mut self, _builtin: Vec<PathBuf>) {}
+
+    /// The part of what [`Host::bring`] asked for that is there, from 0 to 1; `None` if all of it is.
+    fn part_brought(&self) -> Option<f32> {
+        None
+    }
+
+    /// The address of a page that shows what `fragment` says, behind a `#`; `None` where there is no
+    /// such page.
+    fn link(&self, _fragment: &str) -> Option<String> {
+        None
+    }
+
     /// Puts text on the clipboard.
     fn copy_text(&mut self, text: String);
 
@@ -133,6 +148,8 @@ pub enum HostEvent {
         /// Outcome.
         result: Result<(), Diagnostic>,
     },
+    /// All built-in files that were asked for are there, or one of them could not be had.
+    Brought(Result<(), Diagnostic>),
     /// A watched file has changed, appeared or gone.
     Changed(PathBuf),
     /// Unsaved work could not be stored.

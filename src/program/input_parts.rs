@@ -1,33 +1,42 @@
 use egui::{Event, Key, RawInput};
 
 /// Takes the events of one frame apart, so that each part has one press or release of a button at
-/// most, and alone, and what is typed after a shortcut or Enter, or before a shortcut, is in another
-/// part than that.
+/// most, and alone but for the finger that it is of, which comes after it; and what is typed after a
+/// shortcut or Enter, or before a shortcut, is in another part than that.
 ///
 /// egui looks at a frame as a whole: what is pressed is what lies where the pointer was last, a
 /// drag ends where it was before the frame of the release, and text typed after a click goes to
 /// where the keyboard was before it. On slow frames so one thing is taken for another.
 pub fn input_parts(mut input: RawInput) -> Vec<RawInput> {
     let is_button = |event: &Event| matches!(event, Event::PointerButton { .. });
+    let pressed = |event: &Event| match event {
+        Event::Key {
+            pressed: true,
+            key,
+            modifiers,
+            ..
+        } => Some((*key, modifiers.command)),
+        _ => None,
+    };
+    let is_shortcut = |event: &Event| pressed(event).is_some_and(|(_, command)| command);
+    let is_enter = |event: &Event| pressed(event).is_some_and(|(key, _)| key == Key::Enter);
     let types = |event: &Event| {
         matches!(event, Event::Text(_) | Event::Paste(_) | Event::Ime(_))
-            || matches!(event, Event::Key { pressed: true, modifiers, .. } if !modifiers.command)
-    };
-    let is_shortcut = |event: &Event| matches!(event, Event::Key { pressed: true, modifiers, .. } if modifiers.command);
-    let is_enter = |event: &Event| {
-        let enter = Key::Enter;
-        matches!(event, Event::Key { pressed: true, key, .. } if *key == enter)
+            || pressed(event).is_some_and(|(_, command)| !command)
     };
     let mut groups: Vec<Vec<Event>> = vec![Vec::new()];
     for event in std::mem::take(&mut input.events) {
+        let is_of_finger = matches!(event, Event::Touch { .. });
         let begins = groups.last().is_some_and(|group| {
-            let Some(last) = group.last() else {
+            let Some(first) = group.first() else {
                 return false;
             };
             let ends = |event: &Event| is_shortcut(event) || is_enter(event);
             let is_typed_after = (types(&event) || is_shortcut(&event)) && group.iter().any(ends);
             let is_shortcut_after = is_shortcut(&event) && group.iter().any(types);
-            is_button(&event) || is_button(last) || is_typed_after || is_shortcut_after
+            // A group with a button begins with it.
+            let is_button_over = is_button(first) && !is_of_finger;
+            is_button(&event) || is_button_over || is_typed_after || is_shortcut_after
         });
         if begins {
             groups.push(Vec::new());
@@ -122,6 +131,23 @@ mod tests {
         fn bytes(&self) -> Result<Vec<u8>, String> {
             Ok(Vec::new())
         }
+    }
+
+    #[test]
+    fn a_press_by_a_finger_stays_with_its_finger() {
+        let finger = Event::Touch {
+            device_id: egui::TouchDeviceId(0),
+            id: egui::TouchId(1),
+            phase: egui::TouchPhase::Start,
+            pos: pos2(1.0, 2.0),
+            force: None,
+        };
+        let parts = input_parts(RawInput {
+            events: vec![button(true), finger, Event::PointerMoved(pos2(3.0, 2.0))],
+            ..RawInput::default()
+        });
+        let counts: Vec<usize> = parts.iter().map(|part| part.events.len()).collect();
+        assert_eq!(counts, [2, 1]);
     }
 
     #[test]

@@ -7,6 +7,7 @@
 //! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
 mod autosave;
+mod awaited;
 mod clipboard;
 mod comparison;
 mod document;
@@ -26,6 +27,7 @@ mod preferences;
 mod purpose;
 mod questions;
 mod running;
+mod scene_link;
 mod sources;
 mod start_pictures;
 

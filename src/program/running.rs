@@ -1,4 +1,5 @@
 use super::autosave::Autosave;
+use super::awaited::Awaited;
 use super::comparison::Comparison;
 use super::document::Next;
 use super::document_file::DocumentFile;
@@ -33,6 +34,21 @@ pub struct Options {
     pub title: Option<String>,
     /// Way of skinning, in place of the one in the preferences.
     pub skinning: Option<Skinning>,
+    /// Whether there is only the scene, to be turned, posed and reset, without panels.
+    pub is_viewer: bool,
+}
+
+impl Options {
+    /// Files that the program opens when it is started with these options and what `host` stored: at
+    /// the very first start without files it is the showcase, so that there is something to see and
+    /// to turn.
+    pub fn files_at_start(&self, host: &dyn Host) -> Vec<PathBuf> {
+        if self.files.is_empty() && !Preferences::load(host).started_before {
+            vec![PathBuf::from("builtin:showcase")]
+        } else {
+            self.files.clone()
+        }
+    }
 }
 
 /// The running program, wherever it runs.
@@ -67,6 +83,8 @@ pub struct Program {
     shown_title: String,
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
+    /// Whether there is only the scene, without panels.
+    is_viewer: bool,
     /// Width and height of the window, in points.
     pub(super) window_size: Option<(f32, f32)>,
     /// Document and file whose files are watched.
@@ -77,6 +95,8 @@ pub struct Program {
     pub(super) exported: HashMap<PathBuf, u32>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
+    /// What waits for files that the host brings.
+    pub(super) awaited: Vec<Awaited>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
     pub(super) start_pictures: StartPictures,
@@ -113,11 +133,13 @@ impl Program {
             shown_title: String::new(),
             document,
             autosave: Autosave::default(),
+            is_viewer: false,
             window_size: None,
             watched_of: None,
             watched: BTreeSet::new(),
             exported: HashMap::new(),
             asked: None,
+            awaited: Vec::new(),
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             start_pictures: StartPictures::default(),
@@ -128,9 +150,8 @@ impl Program {
         }
     }
 
-    /// Starts the program with the preferences that `host` stored and the files of `options`. At
-    /// the very first start without files it is the showcase, so that there is something to see
-    /// and to turn.
+    /// Starts the program with the preferences that `host` stored and the
+    /// [`files_at_start`](Options::files_at_start) of `options`.
     pub fn start(options: &Options, graphics: GraphicsInfo, host: &mut dyn Host) -> Self {
         let mut program = Self::showing(Session::new(), graphics);
         program.preferences = Preferences::load(host);
@@ -145,10 +166,13 @@ impl Program {
 
         let is_first = !program.preferences.started_before;
         program.ui.first_help = is_first;
-        if options.files.is_empty() && is_first {
-            program.open_at_start(&[PathBuf::from("builtin:showcase")], host);
-        } else {
-            program.open_at_start(&options.files, host);
+        program.is_viewer = options.is_viewer;
+        if options.is_viewer {
+            program.ui.become_viewer();
+        }
+        program.open_at_start(&options.files_at_start(host), host);
+        if options.is_viewer {
+            program.session.look(View::Select(None));
         }
         program.preferences.started_before = true;
         program.keep_preferences(host);
@@ -212,10 +236,13 @@ impl Program {
         let name = self.document_name();
         let question = self.asked.as_ref().map(|asked| asked.question(&name));
         let title = self.title();
-        let progress = self.picture_progress();
+        let progress = self
+            .picture_progress()
+            .or_else(|| self.awaited_progress(host));
         let input = ui::ViewInput {
             title: &title,
             is_page: host.is_page(),
+            is_viewer: self.is_viewer,
             recent: &self.preferences.recent,
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,
@@ -288,6 +315,7 @@ impl Program {
                     self.tell_store_failure(&error.to_string(), host.now());
                 }
                 HostEvent::Unreadable(error) => self.tell(Severity::Error, error.to_string()),
+                HostEvent::Brought(result) => self.take_brought(result, host),
                 HostEvent::Changed(path) => self.notice_change(&path, host),
                 HostEvent::CloseRequested => self.ui.close(),
                 HostEvent::Written { path, result } => self.written(&path, result, host),
@@ -396,7 +424,10 @@ impl Program {
                 };
                 self.choose_file(Purpose::SaveScreenshot(shot), &name, host);
             }
-            Ask::CancelPictures => self.cancel_pictures(),
+            Ask::CancelPictures => {
+                self.cancel_pictures();
+                self.stop_waiting();
+            }
             Ask::ExportMaterials => {
                 let name = format!("{}.obj", self.document_stem());
                 self.choose_file(Purpose::ExportMaterials, &name, host);
@@ -416,7 +447,7 @@ impl Program {
             }
             Ask::LoadPose(shape) => self.choose_file(Purpose::LoadPose(shape), "", host),
             Ask::InsertBuiltin(name) => {
-                self.import_any(Path::new(&format!("builtin:{name}")), &*host.files());
+                self.import_any(Path::new(&format!("builtin:{name}")), &host.files(), host);
             }
             Ask::New => self.leave_for(Next::New, host),
             Ask::Open => self.leave_for(Next::Open, host),
@@ -428,6 +459,7 @@ impl Program {
                 let name = format!("{}.zip", self.document_stem());
                 self.choose_file(Purpose::SaveWithFiles, &name, host);
             }
+            Ask::CopyLink => self.copy_link(host),
             Ask::Revert => self.revert(host),
             Ask::Reload => self.reload(host),
             Ask::FindSource(shape) => self.find_source(shape, host),

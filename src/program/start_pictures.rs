@@ -1,6 +1,7 @@
 //! Small pictures of the built-in characters and scenes, for the start page.
 
 use super::Host;
+use super::awaited::Awaited;
 use super::graphics::Graphics;
 use super::running::Program;
 use crate::editor::{Session, View};
@@ -11,7 +12,7 @@ use crate::render::{Backdrop, Background, Frame, LargePicture, Marks};
 use crate::scene::{FitArea, Look};
 use crate::ui::{START_SCENES, StartPicture, picture_texture};
 use egui::{Context, TextureHandle};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Width and height of a picture, in pixels: enough for screens with two pixels a point.
 const SIZE: (u32, u32) = (192, 144);
@@ -21,6 +22,8 @@ const SIZE: (u32, u32) = (192, 144);
 #[derive(Default)]
 pub(super) struct StartPictures {
     is_wanted: bool,
+    /// Whether files of the next one are on their way.
+    is_waiting: bool,
     /// What all of them are drawn with: others are drawn anew.
     drawn_with: (Backdrop, Option<Look>),
     /// Number of the names of [`names`] that have been drawn, or cannot be.
@@ -53,6 +56,18 @@ impl StartPictures {
         }
     }
 
+    /// Goes on with files that are there now.
+    pub fn go_on(&mut self) {
+        self.is_waiting = false;
+    }
+
+    /// Goes on without the picture whose files cannot be had.
+    pub fn go_without(&mut self) {
+        if std::mem::take(&mut self.is_waiting) {
+            self.done += 1;
+        }
+    }
+
     /// Pictures that can be shown.
     pub fn shown(&self) -> &[StartPicture] {
         &self.shown
@@ -67,14 +82,21 @@ impl Program {
         host: &mut dyn Host,
     ) -> bool {
         let pictures = &mut self.start_pictures;
-        let next = names().nth(pictures.done).filter(|_| pictures.is_wanted);
-        let Some(name) = next else {
+        let is_due = pictures.is_wanted && !pictures.is_waiting;
+        let Some(name) = names().nth(pictures.done).filter(|_| is_due) else {
             return false;
         };
+        let path = PathBuf::from(format!("{}{name}", builtin::PREFIX));
+        let absent = builtin::absent(&*host.files(), &path);
+        if !absent.is_empty() {
+            pictures.is_waiting = true;
+            self.wait_for(absent, Awaited::StartPicture, host);
+            return false;
+        }
         pictures.done += 1;
         // Without its picture there is still its name.
         let backdrop = self.backdrop;
-        let picture = self.shown_first(name, host).and_then(|session| {
+        let picture = self.shown_first(&path, host).and_then(|session| {
             let frame = Frame {
                 scene: session.scene(),
                 evaluated: session.evaluated(),
@@ -100,10 +122,9 @@ impl Program {
     }
 
     /// A built-in file as it is seen when it is opened.
-    fn shown_first(&self, name: &str, host: &dyn Host) -> Option<Session> {
+    fn shown_first(&self, path: &Path, host: &dyn Host) -> Option<Session> {
         let mut loaded = Loaded::default();
-        let path = PathBuf::from(format!("builtin:{name}"));
-        loaded.add(&*host.files(), &path).ok()?;
+        loaded.add(&*host.files(), path).ok()?;
         let Loaded {
             mut shapes, view, ..
         } = loaded;

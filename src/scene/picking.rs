@@ -115,8 +115,6 @@ const BONE_RADIUS: f32 = 0.1;
 /// Upper bound of that radius, relative to the bone's length: the cylinders of fingers would
 /// otherwise hide each other and the hand.
 const MOST_OF_LENGTH: f32 = 0.4;
-/// Lower bound of that radius on the screen, in pixels, so that thin rigs can be picked.
-const LEAST_PIXELS: f32 = 8.0;
 
 /// Bone under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -153,7 +151,7 @@ pub fn bones_in_world<'a>(
 
 /// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
 /// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
-/// bones, and never so thin that it is hard to hit. Characters that are hidden or locked are
+/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or locked are
 /// ignored.
 pub fn pick_bone(
     scene: &Scene,
@@ -161,6 +159,7 @@ pub fn pick_bone(
     camera: &Camera,
     pixel: Vec2,
     size: Vec2,
+    reach: f32,
 ) -> Option<BoneHit> {
     let ray = camera.ray(pixel, size);
     let characters = scene
@@ -177,7 +176,7 @@ pub fn pick_bone(
             .filter_map(move |(bone, (joint, start, end))| {
                 let nearest = ray.nearest_on_segment(start, end);
                 let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
-                let least = LEAST_PIXELS * camera.pixel_at_depth(depth, size.y);
+                let least = reach * camera.pixel_at_depth(depth, size.y);
                 let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
                 let cylinder = Cylinder {
                     start,

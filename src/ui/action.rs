@@ -55,6 +55,8 @@ pub enum Ask {
     SaveAs,
     /// Choose a file, and write the document with all files that it needs.
     SaveWithFiles,
+    /// Put a link to the document on the clipboard.
+    CopyLink,
     /// Open the document's file as it is now.
     Revert,
     /// Read the files of all shapes again.

@@ -67,6 +67,8 @@ pub struct ViewInput<'a> {
     /// Whether a browser shows the program as a page, which cannot be quit, and takes pictures of the
     /// panels.
     pub is_page: bool,
+    /// Whether there is only the scene, to be turned, posed and reset, without panels and keys.
+    pub is_viewer: bool,
     /// Documents for File ▸ Open Recent, the newest first.
     pub recent: &'a [PathBuf],
     /// Question that has to be answered before anything else.
@@ -149,6 +151,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let in_drag = dragging || state.gesture_under_way();
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
+        || input.is_viewer
         || in_drag
         || input.question.is_some()
         || state.search.is_some()
@@ -168,10 +171,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         posing::roll_by_keys(&ctx, session, state, &mut actions);
     }
     let last_view = state.view_rect;
-    menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
-    shape_panel::show(root, session, state, &mut actions);
+    if !input.is_viewer {
+        menu_bar::show(root, session, state, input, aspect(last_view), &mut actions);
+        shape_panel::show(root, session, state, &mut actions);
+    }
     posing::notice_selection(&mut state.pose, &actions);
-    view_overlay::status_line(root, session, state, input);
+    if !input.is_viewer {
+        view_overlay::status_line(root, session, state, input);
+    }
     let mut settings = input.compare.map(|compare| compare.settings.clone());
     if let (Some(compare), Some(settings)) = (input.compare, &mut settings) {
         let outlined = &mut state.outlined;
@@ -321,9 +328,14 @@ fn add_gestures_of_panels(
     }
 }
 
-/// Whether a command exists where the program runs: browsers close their pages themselves.
+/// Whether a command exists where the program runs: browsers close their pages themselves, and only
+/// pages have an address.
 fn is_there(command: Command, input: &ViewInput) -> bool {
-    !(input.is_page && command == Command::Quit)
+    match command {
+        Command::Quit => !input.is_page,
+        Command::CopyLink => input.is_page,
+        _ => true,
+    }
 }
 
 /// Whether a text field or a popup has the keyboard focus.

@@ -1,6 +1,6 @@
 use super::commands::{Gesture, gesture};
 use crate::scene::Camera;
-use egui::{Context, Event, Id, Key, Modifiers, PointerButton, Response};
+use egui::{Context, Event, Id, InputState, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
 /// How mouse and keys move the camera, each as in a program that users may know.
@@ -149,6 +149,17 @@ pub(super) struct PointerMove {
     pub height: f32,
     /// Notches of the wheel.
     pub notches: f32,
+    /// What two or more fingers did.
+    pub fingers: Option<Fingers>,
+}
+
+/// Movement of two or more fingers in a frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fingers {
+    /// Of the point in their middle, in pixels of the picture, y down.
+    pub moved: Vec2,
+    /// How many times as far apart they are as before; positive.
+    pub apart: f32,
 }
 
 /// Step of one press of a key, in units of the world or in radians.
@@ -216,6 +227,11 @@ impl Navigation {
 
     /// `camera` after what the pointer did over `view` in this frame.
     pub(super) fn moved(self, mut camera: Camera, view: &Response, by: &PointerMove) -> Camera {
+        if let Some(fingers) = by.fingers {
+            camera.pan_with_pointer(fingers.moved, by.height, by.held);
+            camera.dolly(-fingers.apart.ln());
+            return camera;
+        }
         let PointerMove {
             delta,
             height,
@@ -226,7 +242,14 @@ impl Navigation {
         let row = self.drags().iter().find(|row| {
             view.dragged_by(row.button) && (row.modifiers.is_none() || held.contains(row.modifiers))
         });
-        match row.map(|row| row.motion) {
+        let motion = row.map(|row| row.motion);
+        // One finger has no other button to turn with.
+        let by_finger = view.ctx.input(InputState::any_touches) && view.dragged();
+        match if by_finger {
+            Some(Motion::Orbit)
+        } else {
+            motion
+        } {
             Some(Motion::Pan) => camera.pan(delta),
             Some(Motion::Turn) => camera.turn(delta),
             Some(Motion::Follow) => camera.pan_with_pointer(by.all, height, by.held),

@@ -119,6 +119,13 @@ impl Default for UiState {
 }
 
 impl UiState {
+    /// Sets everything up for a scene without panels: a drag turns a bone or else the scene.
+    pub fn become_viewer(&mut self) {
+        self.pose.tool = Tool::Pose;
+        self.first_help = false;
+        self.set_navigation(Navigation::Orbit);
+    }
+
     /// A state with all windows closed and no search.
     pub fn new() -> Self {
         Self::default()

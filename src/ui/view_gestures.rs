@@ -1,7 +1,7 @@
 //! Gestures in the view: what takes the pointer, the camera, and selection.
 
 use super::grab::PointerUse;
-use super::navigation::PointerMove;
+use super::navigation::{Fingers, PointerMove};
 use super::scene_places::{Picked, ScenePlaces};
 use super::{Action, UiState, box_select, control_points, posing};
 use crate::editor::{Session, Tool, View};
@@ -11,6 +11,9 @@ use glam::{Vec2, Vec3};
 
 /// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
 const POINTS_PER_NOTCH: f32 = 50.0;
+
+/// Logarithm of the zoom of a touchpad that counts as one notch of a wheel.
+const ZOOM_PER_NOTCH: f32 = 0.1;
 
 /// Handles the pointer over the scene: drags and the wheel move the camera according to the
 /// [`super::Navigation`], and a click selects the shape under the pointer. Control points of the
@@ -125,6 +128,10 @@ fn pointer_move(
         } else {
             0.0
         },
+        fingers: fingers(view).map(|(moved, apart)| Fingers {
+            moved: in_pixels(moved),
+            apart,
+        }),
     }
 }
 
@@ -159,6 +166,13 @@ fn shape_at(
     picked.shape_at(session, place.pixel(position), place.size())
 }
 
+/// How several fingers on the view have moved and come apart since the last frame.
+fn fingers(view: &Response) -> Option<(egui::Vec2, f32)> {
+    let touch = view.ctx.multi_touch()?;
+    let is_there = view.interact_rect.contains(touch.start_pos) && touch.zoom_delta > 0.0;
+    is_there.then_some((touch.translation_delta, touch.zoom_delta))
+}
+
 /// Notches of the wheel since the last frame. egui's smoothing would spread a notch over several
 /// frames, but the course's editor zooms by whole notches.
 fn notches(context: &egui::Context) -> f32 {
@@ -170,6 +184,8 @@ fn notches(context: &egui::Context) -> f32 {
                 ..
             } => delta.y / POINTS_PER_NOTCH,
             Event::MouseWheel { delta, .. } => delta.y,
+            // Two fingers on a touchpad.
+            Event::Zoom(factor) => factor.ln() / ZOOM_PER_NOTCH,
             _ => 0.0,
         });
         wheel.sum()

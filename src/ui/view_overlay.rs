@@ -7,10 +7,10 @@ use super::theme::Palette;
 use super::widgets::named;
 use super::windows::Dialog;
 use super::{
-    Action, CompareSettings, ScenePlaces, ViewInput, axis_ball, box_select, compare,
+    Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
     control_points, look_switch, messages, posing, start_page,
 };
-use crate::editor::{Session, Tool};
+use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
 use egui::{
     Align, Button, Frame, Grid, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
@@ -49,6 +49,14 @@ pub(super) fn show(
         }
         _ => ScenePlaces::whole(rect),
     };
+    if input.is_viewer {
+        if viewer_reset(&mut over, rect) {
+            actions.push(Action::History(HistoryMove::GoTo(0)));
+            actions.push(Action::View(View::Select(None)));
+            actions.push(Action::View(View::ResetCamera));
+        }
+        return (rect, response, places);
+    }
     posing::show(
         &mut over,
         &places,
@@ -81,6 +89,16 @@ pub(super) fn show(
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
+}
+
+/// The one button of a scene without panels; whether it was clicked.
+fn viewer_reset(ui: &mut Ui, view: Rect) -> bool {
+    let size = vec2(64.0, 24.0);
+    let place = Rect::from_min_size(view.min + Vec2::splat(8.0), size);
+    let button = ui.put(place, Button::new("Reset"));
+    button
+        .on_hover_text("Show the scene as it was at first")
+        .clicked()
 }
 
 /// Picture that things are fitted into, `aspect` times as wide as high: what the tool bar leaves free

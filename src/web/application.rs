@@ -1,21 +1,27 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
 use super::page::Page;
+use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
-use crate::program::{Graphics, Pass};
+use crate::program::{Graphics, Pass, input_parts};
 use crate::render::view_place;
 use eframe::{CreationContext, Frame};
-use egui::{Event, Shape, Ui};
+use egui::{Event, RawInput, Shape, Ui};
 use std::cell::RefCell;
 use std::error::Error;
 use std::rc::Rc;
 use std::sync::Arc;
+use std::time::Duration;
 use web_sys::WebGl2RenderingContext;
 
 /// What eframe runs as long as one context of WebGL lives.
 pub(super) struct Application {
     page: Rc<RefCell<Page>>,
     context: CanvasContext,
+    /// Events of the next frames: each has one of the parts that egui is given.
+    later: Vec<Event>,
+    /// Whether there has been a picture.
+    is_shown: bool,
 }
 
 thread_local! {
@@ -35,12 +41,18 @@ impl Application {
         page: Rc<RefCell<Page>>,
     ) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let gl = creation.gl.clone().ok_or("There is no WebGL.")?;
+        fonts::set(&creation.egui_ctx);
         let context = CanvasContext::new(context, gl)?;
         let graphics = Graphics::new(context.gl())?;
         let info = graphics.info();
         GRAPHICS.with(|kept| *kept.borrow_mut() = Some(graphics));
         page.borrow_mut().use_graphics(info, &creation.egui_ctx);
-        Ok(Self { page, context })
+        Ok(Self {
+            page,
+            context,
+            later: Vec::new(),
+            is_shown: false,
+        })
     }
 }
 
@@ -77,10 +89,29 @@ impl eframe::App for Application {
         self.context.gl().bind_window();
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
+        if !std::mem::replace(&mut self.is_shown, true) {
+            let context = context.clone();
+            browser::after(Duration::ZERO, move || {
+                browser::tell_shown();
+                fonts::fetch_signs(&context);
+            });
+        }
         match wait {
             _ if came_in || shown.changed || told => context.request_repaint(),
             Some(wait) => context.request_repaint_after(wait),
             None => {}
+        }
+    }
+
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut RawInput) {
+        let mut events = std::mem::take(&mut self.later);
+        events.append(&mut input.events);
+        input.events = events;
+        let mut parts = input_parts(std::mem::take(input)).into_iter();
+        *input = parts.next().unwrap_or_default();
+        self.later = parts.flat_map(|part| part.events).collect();
+        if !self.later.is_empty() {
+            context.request_repaint();
         }
     }
 

@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
 use web_sys::{
     Blob, Clipboard, Document, Event, EventTarget, File, HtmlAnchorElement, HtmlCanvasElement,
-    HtmlInputElement, Storage, Url, WebGl2RenderingContext, Window,
+    HtmlInputElement, ReadableStream, ReadableStreamDefaultReader, ReadableStreamReadResult,
+    Storage, Url, WebGl2RenderingContext, Window,
 };
 
 /// Element of the page that the program is shown in.
@@ -80,6 +81,21 @@ pub(super) fn stored(entry: &str) -> Option<String> {
 /// Stores `text` as `entry` for later visits; whether there is room for it.
 pub(super) fn store(entry: &str, text: &str) -> bool {
     storage().is_some_and(|storage| storage.set_item(&key(entry), text).is_ok())
+}
+
+/// Text that is stored as `entry` for this tab alone, if any.
+pub(super) fn of_this_tab(entry: &str) -> Option<String> {
+    let storage = window()?.session_storage().ok().flatten()?;
+    storage.get_item(&key(entry)).ok()?
+}
+
+/// Stores `text` as `entry` for as long as this tab is there, also when its page is loaded again.
+pub(super) fn remember_for_tab(entry: &str, text: &str) {
+    let storage = window().and_then(|window| window.session_storage().ok().flatten());
+    if let Some(storage) = storage {
+        // A browser that keeps nothing for tabs has one slot after the other.
+        let _ = storage.set_item(&key(entry), text);
+    }
 }
 
 /// Removes what is stored as `entry`.
@@ -184,11 +200,11 @@ pub(super) fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     Ok(())
 }
 
-/// The content of a file beside the page.
+/// The content of a file beside the page. `here` is told how many of its bytes have come.
 ///
 /// # Errors
 /// If there is none, in words.
-pub(super) async fn fetch(address: &str) -> Result<Vec<u8>, String> {
+pub(super) async fn fetch(address: &str, here: impl FnMut(usize)) -> Result<Vec<u8>, String> {
     let window = window().ok_or("there is no page")?;
     let failed = |error: JsValue| words(&error);
     let response = JsFuture::from(window.fetch_with_str(address)).await;
@@ -197,8 +213,23 @@ pub(super) async fn fetch(address: &str) -> Result<Vec<u8>, String> {
     if !response.ok() {
         return Err("there is no such file beside the page".to_owned());
     }
-    let buffer = response.array_buffer().map_err(failed)?;
-    buffered(buffer).await.map_err(failed)
+    let body = response.body().ok_or("it is empty")?;
+    streamed(body, here).await.map_err(failed)
+}
+
+/// All that comes from `stream`.
+async fn streamed(stream: ReadableStream, mut here: impl FnMut(usize)) -> Result<Vec<u8>, JsValue> {
+    let reader: ReadableStreamDefaultReader = stream.get_reader().unchecked_into();
+    let mut bytes = Vec::new();
+    loop {
+        let part = JsFuture::from(reader.read()).await?;
+        let part: ReadableStreamReadResult = part.unchecked_into();
+        if part.get_done() == Some(true) {
+            return Ok(bytes);
+        }
+        bytes.extend(Uint8Array::new(&part.get_value()).to_vec());
+        here(bytes.len());
+    }
 }
 
 /// The bytes that are promised.
@@ -207,12 +238,66 @@ async fn buffered(buffer: Promise) -> Result<Vec<u8>, JsValue> {
     Ok(Uint8Array::new(&buffer).to_vec())
 }
 
+/// The page's address with `fragment` behind it, and nothing else.
+pub(super) fn link(fragment: &str) -> Option<String> {
+    let location = window()?.location();
+    let (origin, path) = (location.origin().ok()?, location.pathname().ok()?);
+    Some(format!("{origin}{path}#{fragment}"))
+}
+
+/// What the page's address has behind `#`, without that; empty if nothing.
+pub(super) fn fragment() -> String {
+    let hash = window().and_then(|window| window.location().hash().ok());
+    let hash = hash.unwrap_or_default();
+    hash.strip_prefix('#').unwrap_or_default().to_owned()
+}
+
+/// Opens the page anew.
+pub(super) fn reload() {
+    if let Some(window) = window() {
+        // A browser that refuses shows what it has shown.
+        let _ = window.location().reload();
+    }
+}
+
 /// Values of `name` in the page's address, as `?open=a.obj,b.scene`.
 pub(super) fn in_address(name: &str) -> Option<String> {
     let query = window()?.location().search().ok()?;
     web_sys::UrlSearchParams::new_with_str(&query)
         .ok()?
         .get(name)
+}
+
+/// The address of a file of the page's site.
+///
+/// # Errors
+/// If `name` leads anywhere else, in words.
+pub(super) fn of_site(name: &str) -> Result<String, String> {
+    let base = || document()?.base_uri().ok().flatten();
+    let base = base().ok_or("there is no page")?;
+    let url = Url::new_with_base(name, &base).map_err(|error| words(&error))?;
+    let page = Url::new(&base).map_err(|error| words(&error))?;
+    if url.origin() == page.origin() {
+        Ok(url.href())
+    } else {
+        Err("the page opens only files of its own site".to_owned())
+    }
+}
+
+/// Says that the first picture is there: `editor-shown`, as an event and in the browser's measures.
+pub(super) fn tell_shown() {
+    const NAME: &str = "editor-shown";
+    let Some(window) = window() else {
+        return;
+    };
+    if let Some(clock) = window.performance() {
+        // Without it nobody can measure.
+        let _ = clock.mark(NAME);
+    }
+    if let Ok(event) = Event::new(NAME) {
+        // Nobody can refuse it.
+        let _ = window.dispatch_event(&event);
+    }
 }
 
 fn clipboard() -> Option<Clipboard> {

@@ -2,6 +2,7 @@
 
 use super::browser;
 use super::kept_files;
+use crate::io::builtin::is_builtin;
 use crate::io::{Diagnostic, Files};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -35,6 +36,11 @@ impl GivenFiles {
         });
     }
 
+    /// Adds a built-in file that was fetched. The next visit fetches it again.
+    pub fn add_builtin(&self, path: PathBuf, bytes: Vec<u8>) {
+        self.table().insert(path, bytes);
+    }
+
     /// `path`, or a name like it if one of the files is called the same but for its extension: what is
     /// exported must not take the place of a model.
     pub fn free_name(&self, path: PathBuf) -> PathBuf {
@@ -42,6 +48,7 @@ impl GivenFiles {
         let is_taken = |path: &Path| {
             files
                 .keys()
+                .filter(|file| !is_builtin(file))
                 .any(|file| file.file_stem() == path.file_stem())
         };
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -2,6 +2,9 @@
 
 mod application;
 mod browser;
+mod fetching;
+mod folders;
+mod fonts;
 mod given_files;
 mod kept_files;
 mod keys;
@@ -10,6 +13,7 @@ mod note;
 mod page;
 mod page_host;
 mod showing;
+mod tabs;
 
 use page::Page;
 use wasm_bindgen::JsValue;
@@ -29,6 +33,8 @@ async fn start() -> Result<(), JsValue> {
     let page = Page::of_earlier_visit().await;
     showing::show(&canvas, &page).await?;
     showing::look_after_context(&canvas, &page)?;
+    page::follow_links()?;
+    folders::take_dropped(&page)?;
     keys::keep_for_commands()?;
     leaving::keep_work(&page)
 }

@@ -1,8 +1,10 @@
 //! The browser as the program's host.
 
 use super::browser;
+use super::fetching::{self, Fetching};
 use super::given_files::{GivenFiles, main_files};
-use crate::io::builtin::WithBuiltin;
+use super::tabs::{self, Slots};
+use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
 use crate::program::{FileRequest, Host, HostEvent, Job, Previous, StorageKey, Suggested};
@@ -15,17 +17,16 @@ use std::sync::Arc;
 use std::time::Duration;
 use wasm_bindgen_futures::spawn_local;
 
-/// Entries for unsaved work that earlier visits left and that nobody has restored yet, at most.
-const SLOTS: usize = 8;
-
 /// The browser: files come from the user's hands and go to the user's downloads.
 pub(super) struct PageHost {
     given: GivenFiles,
     events: Events,
     /// Text that the user has the browser paste in this frame.
     pasted: Option<String>,
-    /// Number of the entry for unsaved work.
-    slot: usize,
+    fetching: Fetching,
+    slots: Slots,
+    /// Whether nothing is kept from one visit to the next.
+    forgets: bool,
 }
 
 /// Events that wait for the program. A clone is another handle to the same events.
@@ -62,18 +63,48 @@ impl Events {
         given.add(files);
         names
     }
+
+    /// Takes in what was dropped, and has the program use it.
+    fn tell_dropped(&self, given: &GivenFiles, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
+        let names = self.take_in(given, read);
+        for path in main_files(&names) {
+            let files = all_files(given);
+            self.push(HostEvent::Dropped { path, files });
+        }
+    }
 }
 
 impl PageHost {
     /// A host with the files of an earlier visit.
-    pub fn new(given: GivenFiles) -> Self {
-        let left = (0..=SLOTS).find(|&slot| browser::stored(&autosave(slot)).is_some());
+    pub fn new(given: GivenFiles, slots: Slots) -> Self {
         Self {
             given,
             events: Events::default(),
             pasted: None,
-            slot: left.unwrap_or(0),
+            fetching: Fetching::default(),
+            slots,
+            forgets: false,
         }
+    }
+
+    /// The host of a scene in somebody else's page, which keeps nothing.
+    pub fn forgetting(self) -> Self {
+        Self {
+            forgets: true,
+            ..self
+        }
+    }
+
+    /// Takes in files that were dropped, by their ways from where they were dropped.
+    pub fn take_files(&self, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
+        self.events.tell_dropped(&self.given, read);
+    }
+
+    /// Fetches the built-in files that opening `paths` reads, before there is a program.
+    pub async fn fetch_for(&self, paths: &[PathBuf]) {
+        let files = all_files(&self.given);
+        let absent = paths.iter().flat_map(|path| absent(&*files, path));
+        fetching::fetch_all(absent.collect(), &self.given).await;
     }
 
     /// Wakes `context` from now on when something has happened.
@@ -93,18 +124,14 @@ impl PageHost {
             for file in dropped {
                 read.push((file.path().to_owned(), file.bytes_async().await));
             }
-            let names = events.take_in(&given, read);
-            for path in main_files(&names) {
-                let files = all_files(&given);
-                events.push(HostEvent::Dropped { path, files });
-            }
+            events.tell_dropped(&given, read);
         });
     }
 
     /// Name of the entry in the browser's storage.
     fn entry(&self, key: StorageKey) -> String {
         match key {
-            StorageKey::Autosave => autosave(self.slot),
+            StorageKey::Autosave => tabs::entry(self.slots.own()),
             StorageKey::Preferences => key.name().to_owned(),
         }
     }
@@ -141,11 +168,6 @@ impl PageHost {
             });
         });
     }
-}
-
-/// Name of an entry for unsaved work.
-fn autosave(slot: usize) -> String {
-    format!("{slot}-{}", StorageKey::Autosave.name())
 }
 
 /// What the program can read: files that were given, also inside archives, and those built in.
@@ -205,6 +227,21 @@ impl Host for PageHost {
 
     fn watch(&mut self, _: Vec<PathBuf>) {}
 
+    fn bring(&mut self, builtin: Vec<PathBuf>) {
+        let events = self.events.clone();
+        self.fetching.begin(builtin, &self.given, move |result| {
+            events.push(HostEvent::Brought(result));
+        });
+    }
+
+    fn part_brought(&self) -> Option<f32> {
+        self.fetching.part()
+    }
+
+    fn link(&self, fragment: &str) -> Option<String> {
+        browser::link(fragment)
+    }
+
     fn copy_text(&mut self, text: String) {
         browser::copy_text(&text);
     }
@@ -221,17 +258,20 @@ impl Host for PageHost {
     }
 
     fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
+        if self.forgets {
+            return None;
+        }
         browser::stored(&self.entry(key)).map(String::into_bytes)
     }
 
     fn pass_unsaved_work(&mut self) {
-        let is_kept = |slot: usize| browser::stored(&autosave(slot)).is_some();
-        let left = (self.slot + 1..SLOTS).find(|&slot| is_kept(slot));
-        let free = || (0..SLOTS).find(|&slot| !is_kept(slot));
-        self.slot = left.or_else(free).unwrap_or(SLOTS);
+        self.slots.pass();
     }
 
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
+        if self.forgets {
+            return;
+        }
         let text = String::from_utf8_lossy(&bytes);
         if !browser::store(&self.entry(key), &text) && key == StorageKey::Autosave {
             let error = Diagnostic::new(
@@ -243,7 +283,9 @@ impl Host for PageHost {
     }
 
     fn remove(&mut self, key: StorageKey) {
-        browser::remove(&self.entry(key));
+        if !self.forgets {
+            browser::remove(&self.entry(key));
+        }
     }
 
     fn start_job(&mut self, job: Job) {

@@ -50,7 +50,7 @@ proptest! {
             first_point_inside(&ray, start, end, radius, step).map(|at| (at, joint))
         });
         let expected = walked.min_by(|a, b| a.0.total_cmp(&b.0));
-        let found = pick_bone(session.scene(), session.evaluated(), &camera, pixel, SIZE);
+        let found = pick_bone(session.scene(), session.evaluated(), &camera, pixel, SIZE, 8.0);
         match (expected, found) {
             (Some((at, joint)), Some(hit)) => {
                 prop_assert!(hit.distance <= at + 1e-3);

@@ -25,8 +25,10 @@ pub const VIEW: Part = (200, 80, 900, 640);
 
 /// Keys of WebDriver.
 pub const CTRL: &str = "\u{e009}";
+pub const SHIFT: &str = "\u{e008}";
 pub const ESC: &str = "\u{e00c}";
 pub const ENTER: &str = "\u{e007}";
+pub const DELETE: &str = "\u{e017}";
 pub const F12: &str = "\u{e03c}";
 
 /// A browser with the page.
@@ -37,6 +39,11 @@ pub struct Browser {
     _one: MutexGuard<'static, ()>,
 }
 
+/// The page that `make test-web` has built.
+pub fn page_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/web-test")
+}
+
 impl Browser {
     /// Opens the page in a new browser of [`SIZE`], and waits until it shows the program.
     pub fn open() -> Self {
@@ -45,11 +52,15 @@ impl Browser {
 
     /// The same in another size, with so many pixels a point.
     pub fn with_size(size: (u32, u32), scale: f32) -> Self {
-        let one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/web-test");
-        let server = make_web::Server::new(&folder, 0).expect("run `make test-web`");
+        let server = make_web::Server::new(&page_folder(), 0).expect("run `make test-web`");
         let address = server.address();
         thread::spawn(move || make_web::serve(&server));
+        Self::at(address, size, scale)
+    }
+
+    /// The same with the page at `address`, whoever serves it.
+    pub fn at(address: String, size: (u32, u32), scale: f32) -> Self {
+        let one = ONE.lock().unwrap_or_else(PoisonError::into_inner);
         let downloads = TempDir::new().unwrap();
         let browser = Self {
             driver: WebDriver::start(downloads.path(), scale),
@@ -58,9 +69,9 @@ impl Browser {
             _one: one,
         };
         let (width, height) = size;
-        let metrics = json!({"cmd": "Emulation.setDeviceMetricsOverride", "params":
-            {"width": width, "height": height, "deviceScaleFactor": 0, "mobile": false}});
-        browser.driver.post("/goog/cdp/execute", &metrics);
+        let metrics =
+            json!({"width": width, "height": height, "deviceScaleFactor": 0, "mobile": false});
+        browser.devtools("Emulation.setDeviceMetricsOverride", &metrics);
         browser.go("");
         browser
     }
@@ -72,10 +83,55 @@ impl Browser {
         self.wait_for_program();
     }
 
+    /// Opens the page again, as it is now.
+    pub fn reload(&self) {
+        self.driver.post("/refresh", &json!({}));
+        self.wait_for_program();
+    }
+
+    /// Opens another page of the same site.
+    pub fn go_elsewhere(&self, name: &str) {
+        let url = format!("{}{name}", self.address);
+        self.driver.post("/url", &json!({"url": url}));
+    }
+
+    /// Opens another tab, and goes on there.
+    pub fn open_tab(&self) {
+        let opened = self.driver.post("/window/new", &json!({"type": "tab"}));
+        self.use_tab(opened["handle"].as_str().unwrap());
+        self.go("");
+    }
+
+    /// The tab that is used now.
+    pub fn tab(&self) -> String {
+        self.driver.get("/window").as_str().unwrap().to_owned()
+    }
+
+    /// Goes on in another tab.
+    pub fn use_tab(&self, tab: &str) {
+        self.driver.post("/window", &json!({"handle": tab}));
+    }
+
+    /// Carries out a command of Chromium's DevTools.
+    pub fn devtools(&self, command: &str, parameters: &Value) {
+        let body = json!({"cmd": command, "params": parameters});
+        self.driver.post("/goog/cdp/execute", &body);
+    }
+
+    /// Runs the command with this name, by the search for commands.
+    pub fn command(&self, name: &str) {
+        self.press(&[CTRL, SHIFT, "p"]);
+        for letter in name.chars() {
+            self.press_for(&[&letter.to_string()], 40);
+        }
+        self.press(&[ENTER]);
+    }
+
     /// Waits until the page shows the program.
     pub fn wait_for_program(&self) {
         self.wait("the program is there", || {
-            self.script("return document.getElementById('note').hidden") == true
+            let shown = "return performance.getEntriesByName('editor-shown').length > 0";
+            self.script(shown) == true
         });
     }
 
@@ -119,7 +175,20 @@ impl Browser {
 
     /// Clicks at a place, in points.
     pub fn click(&self, x: u32, y: u32) {
-        self.drag((x, y), (x, y));
+        let rest = json!({"type": "pause", "duration": 250});
+        // Longer ones are no clicks.
+        let short = json!({"type": "pause", "duration": 60});
+        let actions = json!([
+            {"type": "pointerMove", "duration": 60, "x": x, "y": y}, rest,
+            {"type": "pointerDown", "button": 0}, short, {"type": "pointerUp", "button": 0}, rest,
+        ]);
+        let pointer = json!({"pointerType": "mouse"});
+        self.driver.post(
+            "/actions",
+            &json!({"actions": [
+                {"type": "pointer", "id": "mouse", "parameters": pointer, "actions": actions}
+            ]}),
+        );
     }
 
     /// Drags from one place to another, in points, with the left button.
@@ -142,12 +211,38 @@ impl Browser {
         );
     }
 
+    /// Moves fingers from one place to another each, in points, all at the same time.
+    pub fn touch(&self, fingers: &[[(u32, u32); 2]]) {
+        let moved = |(x, y): (u32, u32), time: u32| json!({"type": "pointerMove", "duration": time, "x": x, "y": y});
+        let rest = json!({"type": "pause", "duration": 250});
+        let parameters = json!({"pointerType": "touch"});
+        let fingers = fingers.iter().enumerate();
+        let fingers = fingers.map(|(number, &[from, to])| {
+            let between = (u32::midpoint(from.0, to.0), u32::midpoint(from.1, to.1));
+            // A finger that rests for long means something else.
+            let actions = json!([
+                moved(from, 0), {"type": "pointerDown", "button": 0}, moved(between, 30),
+                moved(to, 30), rest, {"type": "pointerUp", "button": 0}, rest,
+            ]);
+
+            let id = format!("finger {number}");
+            json!({"type": "pointer", "id": id, "parameters": parameters, "actions": actions})
+        });
+        let fingers: Vec<Value> = fingers.collect();
+        self.driver.post("/actions", &json!({"actions": fingers}));
+    }
+
     /// Presses `keys` together.
     pub fn press(&self, keys: &[&str]) {
+        self.press_for(keys, 250);
+    }
+
+    /// The same for so many milliseconds, with as many after it.
+    fn press_for(&self, keys: &[&str], time: u32) {
         let down = keys
             .iter()
             .map(|key| json!({"type": "keyDown", "value": key}));
-        let rest = [json!({"type": "pause", "duration": 250})];
+        let rest = [json!({"type": "pause", "duration": time})];
         let up = keys.iter().rev();
         let up = up.map(|key| json!({"type": "keyUp", "value": key}));
         let actions: Vec<Value> = down.chain(rest.clone()).chain(up).chain(rest).collect();
@@ -176,7 +271,9 @@ impl Browser {
 
     /// Ends the test: nothing may have gone wrong on the page.
     pub fn finish(self) {
-        if self.script("return innerWidth") == SIZE.0 {
+        if self.script("return innerWidth") == SIZE.0
+            && self.script("return document.getElementById('editor') !== null") == true
+        {
             assert_not_blank(&self.picture(), VIEW);
         }
         let log = self.driver.post("/se/log", &json!({"type": "browser"}));

@@ -1,7 +1,8 @@
 //! Files in the user's hands: chosen, dropped, saved, and opened again.
 
-use super::browser::{Browser, CTRL, ENTER, F12, VIEW};
+use super::browser::{Browser, CTRL, ENTER, F12, SHIFT, VIEW};
 use super::picture::{assert_not_blank, difference};
+use serde_json::json;
 use std::path::{Path, PathBuf};
 
 fn asset(name: &str) -> PathBuf {
@@ -34,6 +35,40 @@ fn a_file_that_is_dropped_is_added_to_the_scene() {
          document.getElementById('editor').dispatchEvent(new DragEvent('drop', at));",
     );
     assert!(difference(&before, &browser.picture(), VIEW) > 0.01);
+    browser.finish();
+}
+
+#[test]
+fn a_folder_that_is_dropped_is_read_with_all_that_is_in_it() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("figure/parts");
+    std::fs::create_dir_all(&inner).unwrap();
+    for extension in ["obj", "skel", "attach"] {
+        let name = format!("robot.{extension}");
+        std::fs::copy(asset(&format!("characters/{name}")), inner.join(name)).unwrap();
+    }
+    let data =
+        json!({"items": [], "files": [folder.path().join("figure")], "dragOperationsMask": 1});
+    for kind in ["dragEnter", "dragOver", "drop"] {
+        let event = json!({"type": kind, "x": 500, "y": 300, "data": data});
+        browser.devtools("Input.dispatchDragEvent", &event);
+    }
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.01);
+    browser.finish();
+}
+
+#[test]
+fn an_export_does_not_take_the_name_of_a_model_that_was_given() {
+    let browser = Browser::open();
+    browser.press(&[CTRL, "o"]);
+    let files = ["robot.obj", "robot.skel", "robot.attach"];
+    browser.choose(&files.map(|name| asset(&format!("characters/{name}"))));
+    browser.picture();
+    browser.press(&[CTRL, SHIFT, "e"]);
+    let exported = browser.downloaded("robot-2.obj");
+    assert!(String::from_utf8(exported).unwrap().contains("\nv "));
     browser.finish();
 }
 

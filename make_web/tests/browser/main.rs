@@ -5,6 +5,10 @@
 mod browser;
 mod files;
 mod graphics;
+mod native;
+mod offline;
 mod picture;
+mod sharing;
+mod touch;
 mod using;
 mod web_driver;

@@ -1,7 +1,8 @@
 //! Work on the page: numbers, undoing, and what a reload leaves.
 
-use super::browser::{Browser, CTRL, ENTER, ESC, SIZE, VIEW};
+use super::browser::{Browser, CTRL, DELETE, ENTER, ESC, SIZE, VIEW};
 use super::picture::difference;
+use serde_json::json;
 
 /// The field with the rotation about Y of the active shape.
 const ROTATION_Y: (u32, u32) = (SIZE.0 - 100, 289);
@@ -27,6 +28,55 @@ fn a_bone_is_dragged_with_the_pose_tool() {
     // The raised hand of the man.
     browser.drag((318, 170), (270, 300));
     assert!(difference(&before, &browser.picture(), VIEW) > 0.005);
+    browser.finish();
+}
+
+#[test]
+fn keys_of_commands_are_kept_from_the_browser_and_others_are_not() {
+    let browser = Browser::open();
+    let is_kept = |key: &str, ctrl: bool| {
+        let script = format!(
+            "const press = new KeyboardEvent('keydown', {{key: '{key}', ctrlKey: {ctrl}, cancelable: true}});
+             return !window.dispatchEvent(press)"
+        );
+        browser.script(&script) == true
+    };
+    assert!(is_kept("F5", false) && is_kept("s", true) && is_kept("o", true));
+    assert!(!is_kept("r", true) && !is_kept("F11", false) && !is_kept("t", true));
+    browser.finish();
+}
+
+#[test]
+fn each_tab_keeps_its_own_unsaved_work_and_offers_it_again() {
+    let browser = Browser::open();
+    let first = browser.tab();
+    let turn = || {
+        let (x, y) = ROTATION_Y;
+        browser.drag((x, y), (x - 100, y));
+        browser.script("dispatchEvent(new Event('pagehide'))");
+    };
+    turn();
+    let of_first = browser.picture();
+    browser.open_tab();
+    let metrics =
+        json!({"width": SIZE.0, "height": SIZE.1, "deviceScaleFactor": 0, "mobile": false});
+    browser.devtools("Emulation.setDeviceMetricsOverride", &metrics);
+    browser.go("?open=builtin:showcase");
+    let kept = "return Object.keys(localStorage).filter((key) => key.includes('autosave')).length";
+    browser.picture();
+    assert_eq!(browser.script(kept), 1);
+    browser.command("Select All");
+    browser.press(&[DELETE]);
+    browser.script("dispatchEvent(new Event('pagehide'))");
+    assert_eq!(
+        browser.script(kept),
+        2,
+        "neither takes the place of the other"
+    );
+    browser.use_tab(&first);
+    browser.reload();
+    browser.press(&[ENTER]);
+    assert!(difference(&of_first, &browser.picture(), VIEW) < 0.001);
     browser.finish();
 }
 

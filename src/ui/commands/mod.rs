@@ -32,6 +32,8 @@ pub enum Command {
     SaveAs,
     /// Saves the document with all files that it needs.
     SaveWithFiles,
+    /// Puts a link to the document on the clipboard.
+    CopyLink,
     /// Opens the document's file as it is now.
     Revert,
     /// Reads the files of all shapes again.

@@ -5,7 +5,7 @@ use super::{Command, Menu, Primitive};
 use crate::character::{Mirror, Pose};
 use crate::editor::{Edit, GizmoAxes, Session, Tool, View, duplicates, for_all_selected};
 use crate::geometry::{Curve, CurveForm};
-use crate::scene::{CharacterShape, CurveSet, Look, NewShape, ShapeId, ShapeKind};
+use crate::scene::{CharacterShape, CurveSet, Look, NewShape, Shape, ShapeId, ShapeKind};
 use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
@@ -42,6 +42,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Open => return Some(Action::Ask(Ask::Open)),
         Command::Save => return Some(Action::Ask(Ask::Save)),
         Command::SaveWithFiles => return Some(Action::Ask(Ask::SaveWithFiles)),
+        Command::CopyLink => return Some(Action::Ask(Ask::CopyLink)),
         Command::Revert => return Some(Action::Ask(Ask::Revert)),
         Command::Reload => return Some(Action::Ask(Ask::Reload)),
         Command::SaveAs => return Some(Action::Ask(Ask::SaveAs)),
@@ -211,6 +212,9 @@ pub(in crate::ui) fn why_disabled(
         Command::Redo if session.done_steps() == session.steps().len() => {
             Some("There is nothing to redo")
         }
+        Command::CopyLink if has_files(session) => {
+            Some("A link holds no files, and this scene has some (Save with Files)")
+        }
         Command::UnpinAll if !posing::has_pins(session) => Some("Nothing is pinned"),
         Command::ToggleGrid if session.view().look == Look::Course => {
             Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
@@ -251,6 +255,16 @@ pub(in crate::ui) fn why_disabled(
         }
         _ => None,
     }
+}
+
+/// Whether the scene needs files that are not built in. Curves are in the scene itself.
+fn has_files(session: &Session) -> bool {
+    let needs = |shape: &Shape| {
+        let file = shape.source.as_ref().map(|source| &source.file);
+        let is_curve = matches!(shape.kind, ShapeKind::Curve(_));
+        !is_curve && file.is_some_and(|file| !file.starts_with("builtin:"))
+    };
+    session.scene().shapes().iter().any(needs)
 }
 
 /// Why nothing can be done to the selection with the pointer.

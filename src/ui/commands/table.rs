@@ -138,6 +138,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Open, Menu::Document, "Open…", "Open a scene, or a model as a new document", &[key(CTRL, Key::O)]),
     entry(Command::Save, Menu::Document, "Save", "Save the document; the version before stays beside it, as NAME~", &[key(CTRL, Key::S)]),
     entry(Command::SaveAs, Menu::Document, "Save As…", "Save the document to another file", &[key(CTRL.plus(SHIFT), Key::S)]),
+    entry(Command::CopyLink, Menu::Document, "Copy Link to This Scene", "Put an address on the clipboard that shows this scene to everybody who opens it", &[]),
     entry(Command::SaveWithFiles, Menu::Document, "Save with Files…", "Write the document and all files that it needs, as a .zip archive or a scene with a folder, to be opened on another machine", &[]),
     entry(Command::Revert, Menu::Document, "Revert", "Open the document's file again, as it is now", &[]),
     entry(Command::Reload, Menu::Document, "Reload Models", "Read the files that shapes came from again, where other programs have changed them; poses and places stay", &[key(CTRL, Key::R)]),

@@ -42,6 +42,8 @@ pub(super) struct PoseState {
     pub picked: Picked,
     /// Whether the view itself was under the pointer in the last frame.
     pub over_view: bool,
+    /// Whether the pointer is a finger.
+    pub by_finger: bool,
     /// The bone that was dragged or clicked last: of its joint's bones, keys roll this one.
     pub taken: Option<BoneHit>,
     /// A joint that was selected by turning its bone. Its gizmo is hidden until the joint is

@@ -12,8 +12,13 @@ use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
 use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::scene_places::{Place, ScenePlaces};
 use crate::ui::{Action, Navigation, UiState};
-use egui::{Context, CursorIcon, Key, Modifiers, Pos2, Response};
+use egui::{Context, CursorIcon, InputState, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
+
+/// Distance in points within which a bone is taken, however thin it is: with a mouse or a pen, and
+/// with a finger, where nothing is nearer.
+const POINTER_REACH: f32 = 8.0;
+const FINGER_REACH: f32 = 24.0;
 
 /// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks
 /// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
@@ -27,6 +32,7 @@ pub(in crate::ui) fn pointer(
     actions: &mut Vec<Action>,
 ) -> PointerUse {
     state.over_view = view.hovered();
+    state.by_finger = view.ctx.input(InputState::any_touches);
     if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
         state.gesture = Grab::begin_by_key(view, places, actions, |place, pixel| {
             begin_by_key(session, state, does, place, pixel)
@@ -54,9 +60,10 @@ pub(in crate::ui) fn pointer(
         mark(session, held, actions);
         return PointerUse::Holding;
     }
+    // A finger that lies on a bone has not said yet what it wants.
     let under = view
         .hover_pos()
-        .filter(|_| !view.dragged())
+        .filter(|_| !view.dragged() && !state.by_finger)
         .map_or(Under::Nothing, |at| under(session, state, places, at));
     let bone = match under {
         Under::Bone(hit, place) => Some((hit, place)),
@@ -115,7 +122,7 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
     if gizmo.and_then(|gizmo| gizmo.hit(pixel)).is_some() {
         return Under::Handle;
     }
-    if let Some(hit) = bone_at(session, state.tool, place, pixel) {
+    if let Some(hit) = bone_at(session, (state.tool, state.by_finger), place, pixel) {
         return Under::Bone(hit, place);
     }
     let mut is_shape = || {
@@ -132,18 +139,28 @@ fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos
 
 /// The bone under the pointer: with tools that take no bones only where bones are displayed, and
 /// with those that turn and scale shapes none.
-fn bone_at(session: &Session, tool: Tool, place: Place, pixel: Vec2) -> Option<BoneHit> {
+fn bone_at(
+    session: &Session,
+    (tool, by_finger): (Tool, bool),
+    place: Place,
+    pixel: Vec2,
+) -> Option<BoneHit> {
     if matches!(tool, Tool::Rotate | Tool::Scale) {
         return None;
     }
     let camera = &session.view().camera;
-    let hit = pick_bone(
-        session.scene(),
-        session.evaluated(),
-        camera,
-        pixel,
-        place.size(),
-    )?;
+    let at = |reach| {
+        pick_bone(
+            session.scene(),
+            session.evaluated(),
+            camera,
+            pixel,
+            place.size(),
+            reach,
+        )
+    };
+    let by_finger = || by_finger.then(|| at(FINGER_REACH)).flatten();
+    let hit = at(POINTER_REACH).or_else(by_finger)?;
     let display = session.scene().character(hit.shape)?.display;
     (tool.takes_bones() || display.mode != ModelDisplay::Mesh).then_some(hit)
 }
@@ -178,7 +195,7 @@ fn take(
     {
         return gizmo.take(session, state, place, (hit, pixel), all);
     }
-    if let Some(hit) = bone_at(session, state.tool, place, pixel) {
+    if let Some(hit) = bone_at(session, (state.tool, state.by_finger), place, pixel) {
         let drag = match state.tool {
             Tool::Pose => turn_bone(session, state, hit)?,
             Tool::Ik => ik::take(session, &hit, &screen, &ray)?,

@@ -1,0 +1,36 @@
+// <editor-view src="…">: a scene or a character in somebody's page, to be turned, posed and reset.
+// The files named in `src`, apart from each other by commas, belong together: a scene with its models,
+// or `man.obj,man.skel,man.attach`. `builtin:NAME` is one of the editor's own.
+const EDITOR = new URL(".", import.meta.url);
+
+class EditorView extends HTMLElement {
+  static observedAttributes = ["src"];
+
+  #frame = document.createElement("iframe");
+
+  constructor() {
+    super();
+    const style = document.createElement("style");
+    style.textContent = `
+      :host { display: block; aspect-ratio: 4 / 3; }
+      iframe { display: block; width: 100%; height: 100%; border: 0; }`;
+    this.#frame.title = "A scene to be turned and posed";
+    this.#frame.loading = "lazy";
+    this.attachShadow({ mode: "open" }).append(style, this.#frame);
+  }
+
+  attributeChangedCallback() {
+    const names = (this.getAttribute("src") ?? "").split(",").map((name) => name.trim()).filter(Boolean);
+    const inEditor = (name) => {
+      if (name.startsWith("builtin:")) return name;
+      const url = new URL(name, document.baseURI);
+      // The editor opens files of its own site alone, and says so.
+      return url.origin === EDITOR.origin ? url.pathname : url.href;
+    };
+    const address = new URL("index.html", EDITOR);
+    address.search = new URLSearchParams({ view: "", open: names.map(inEditor).join(",") });
+    this.#frame.src = address;
+  }
+}
+
+customElements.define("editor-view", EditorView);

@@ -1,0 +1,39 @@
+//! Fingers.
+
+use super::browser::{Browser, VIEW};
+use super::picture::difference;
+
+#[test]
+fn one_finger_turns_the_scene() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    browser.touch(&[[(700, 650), (850, 650)]]);
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.05);
+    browser.finish();
+}
+
+#[test]
+fn two_fingers_move_and_zoom() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    browser.touch(&[[(400, 400), (300, 400)], [(600, 400), (700, 400)]]);
+    let apart = browser.picture();
+    assert!(difference(&before, &apart, VIEW) > 0.05);
+    browser.touch(&[[(400, 300), (400, 400)], [(600, 300), (600, 400)]]);
+    assert!(difference(&apart, &browser.picture(), VIEW) > 0.05);
+    browser.finish();
+}
+
+#[test]
+fn a_bone_is_dragged_by_a_finger_that_only_comes_near_it() {
+    let browser = Browser::open();
+    browser.press(&["b"]);
+    let before = browser.picture();
+    // Beside the raised arm of the man, farther than a mouse may be.
+    browser.touch(&[[(255, 160), (215, 300)]]);
+    let after = browser.picture();
+    assert!(difference(&before, &after, (150, 60, 480, 640)) > 0.005);
+    // The camera stands still: the robot is where it was.
+    assert!(difference(&before, &after, (560, 100, 900, 640)) < 0.001);
+    browser.finish();
+}
