@@ -134,7 +134,8 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn all_ways_that_lead_to_a_file_are_one_path_also_where_it_is_not_there_yet() {
-        let folder = std::env::temp_dir().join(format!("editor-real-{}", std::process::id()));
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
         fs::create_dir_all(folder.join("models")).unwrap();
         fs::write(folder.join("models/a.obj"), "").unwrap();
         std::os::unix::fs::symlink(folder.join("models"), folder.join("link")).unwrap();
@@ -143,7 +144,6 @@ mod tests {
             assert_eq!(Disk.real(&folder.join("link").join(name)), direct);
             assert_eq!(Disk.real(&folder.join("x/../link").join(name)), direct);
         }
-        fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]

@@ -17,22 +17,10 @@ impl WebDriver {
     /// Starts Chromium with WebGL 2 on the processor, for a screen of `scale` pixels a point; downloads
     /// go into `downloads`.
     pub fn start(downloads: &Path, scale: f32) -> Self {
-        let mut process = Command::new("chromedriver")
-            .arg("--port=0")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("chromedriver is installed: run `make test-web`");
-        let mut lines = BufReader::new(process.stdout.take().unwrap()).lines();
-        let port = lines
-            .find_map(|line| {
-                let line = line.unwrap();
-                let port = line.split("started successfully on port ").nth(1)?;
-                port.trim_end_matches('.').parse().ok()
-            })
-            .expect("chromedriver says its port");
-        // Whatever else it says must find somebody who reads it.
-        std::thread::spawn(move || lines.count());
+        // It looks for a port that is free before it takes it, and ends if another has it by then.
+        let mut tries = (0..5).map(|_| start_chromedriver());
+        let started = tries.find_map(|started| started);
+        let (process, port) = started.expect("chromedriver says its port");
         let mut driver = Self {
             process,
             port,
@@ -114,6 +102,30 @@ fn body_of(mut answer: impl BufRead) -> Vec<u8> {
     let mut body = vec![0; length];
     answer.read_exact(&mut body).unwrap();
     body
+}
+
+/// Starts a chromedriver, and returns it with its port; `None` if it ends before it has one.
+fn start_chromedriver() -> Option<(Child, u16)> {
+    let mut process = Command::new("chromedriver")
+        .arg("--port=0")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("chromedriver is installed: run `make test-web`");
+    let output = process.stdout.take().expect("its output is read");
+    let mut lines = BufReader::new(output).lines();
+    let port = lines.find_map(|line| {
+        let line = line.ok()?;
+        let port = line.split("started successfully on port ").nth(1)?;
+        port.trim_end_matches('.').parse().ok()
+    });
+    let Some(port) = port else {
+        let _ = process.wait();
+        return None;
+    };
+    // Whatever else it says must find somebody who reads it.
+    std::thread::spawn(move || lines.count());
+    Some((process, port))
 }
 
 fn capabilities(downloads: &Path, scale: f32) -> Value {
