@@ -4,6 +4,7 @@ use crate::io::Files;
 use crate::revision::Revision;
 use crate::scene::ShapeId;
 use crate::ui::Screenshot;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Places and a name that a host suggests to whoever chooses a file.
@@ -214,8 +215,12 @@ impl Purpose {
         if path.extension().is_some() && path.extension() == stem.extension() {
             return Some(path.with_file_name(stem));
         }
-        let complete = path.with_extension(extension);
-        path.extension().is_none().then_some(complete)
+        if path.extension().is_some_and(is_extension) {
+            return None;
+        }
+        let mut name = path.file_name()?.to_owned();
+        name.push(format!(".{extension}"));
+        Some(path.with_file_name(name))
     }
 
     /// Whether a dialog offers `path`. AppleDouble files, which archives from some systems carry
@@ -249,6 +254,15 @@ impl Purpose {
             }
         }
     }
+}
+
+/// Whether the end of a name is meant as an extension, and is not part of it as in `v1.2` or `Dr. No`.
+fn is_extension(end: &OsStr) -> bool {
+    let end = end.to_string_lossy();
+    let is_short = (1..=5).contains(&end.len());
+    is_short
+        && end.starts_with(|c: char| c.is_ascii_alphabetic())
+        && end.chars().all(|c| c.is_ascii_alphanumeric())
 }
 
 #[cfg(test)]
@@ -311,6 +325,13 @@ mod tests {
         let walk = PathBuf::from("poses/walk.json");
         assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
         assert_eq!(save.completed(Path::new("poses/walk.txt")), None);
+        for name in ["v1.2", "Dr. No", "a."] {
+            let complete = PathBuf::from(format!("poses/{name}.json"));
+            assert_eq!(
+                save.completed(&Path::new("poses").join(name)),
+                Some(complete)
+            );
+        }
         assert_eq!(save.completed(Path::new("poses/walk.json")), None);
         let twice = Path::new("poses/walk.json.json");
         assert_eq!(save.completed(twice), Some("poses/walk.json".into()));

@@ -8,7 +8,7 @@ use crate::io::{self, scene_link};
 impl Program {
     /// Puts a link to a page that shows the document on the clipboard.
     pub(super) fn copy_link(&mut self, host: &mut dyn Host) {
-        let text = io::scene_text(self.session.scene(), self.session.view(), None);
+        let text = io::scene_text(self.session.scene(), &self.document_view(), None);
         let text = match text {
             Ok(text) => text,
             Err(error) => return self.tell(Severity::Error, format!("Not copied: {error}")),

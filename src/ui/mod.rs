@@ -268,7 +268,9 @@ fn run_waiting(
     }
     if state.waiting.is_none() && !input.keys_are_taken {
         let is_meant = |&command: &Command| {
-            let may_wait = saves(command) || typing && MEANT_WHILE_TYPING.contains(&command);
+            let is_quit = command == Command::Quit;
+            let may_wait =
+                saves(command) || is_quit || typing && MEANT_WHILE_TYPING.contains(&command);
             may_wait && is_there(command, input)
         };
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);

@@ -305,3 +305,11 @@ fn a_locked_or_missing_selection_is_not_taken_and_x_deletes_none_of_it() {
     assert_eq!(story.session().document(), document);
     assert_eq!(story.names(), ["Cube"]);
 }
+
+#[test]
+fn ctrl_and_q_in_the_middle_of_a_movement_asks_about_it() {
+    let mut story = Story::with_cube_in_blender();
+    story.keys(&[Key::G, Key::X, Key::Num7]);
+    story.key_with(Modifiers::COMMAND, Key::Q);
+    assert!(story.has("Don't Save") && !story.host.quits);
+}
