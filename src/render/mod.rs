@@ -13,6 +13,7 @@ mod ground_pass;
 mod mesh_cache;
 mod mesh_programs;
 #[cfg(not(target_arch = "wasm32"))]
+mod moving;
 mod offscreen;
 mod outline_pass;
 mod picture_parts;

@@ -1,0 +1,125 @@
+//! Pictures of something that is dragged, one after the other.
+
+use super::area::Area;
+use super::backdrop_pass::draw_axis;
+use super::ground_pass::{Shadows, hides_below, shadow_area};
+use super::renderer::{Background, Frame, Marks, PassContext, RenderError, Renderer, has_ground};
+use super::still_layer::Plan;
+use super::tile::Tile;
+use crate::gpu::{Framebuffer, GpuError};
+
+impl Renderer {
+    /// As [`Renderer::draw`], with the same pixels, but fast where it is called for one picture after
+    /// the other of something that is dragged: what stands still is kept. `target` has no samples.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub fn draw_moving(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        self.draw_by(frame, |renderer| {
+            let tile = Tile::whole((target.width(), target.height()));
+            let context = renderer.context(frame, target, tile, Background::Look);
+            let hides_below = hides_below(&context, &frame.view.camera);
+            match renderer.layer.plan(frame, &context, hides_below) {
+                Plan::Whole => renderer.draw_passes(frame, target, &context),
+                Plan::Over {
+                    is_new,
+                    moving,
+                    still,
+                } => {
+                    let [moving, still] = [&moving, &still].map(|evaluated| Frame {
+                        evaluated,
+                        marks: Marks::default(),
+                        ..frame.clone()
+                    });
+                    let layer = match is_new {
+                        true => renderer.draw_layer(&still, &context),
+                        false => Ok(()),
+                    };
+                    let drawn =
+                        layer.and_then(|()| renderer.draw_over(frame, &moving, target, &context));
+                    if drawn.is_err() {
+                        renderer.layer.forget();
+                    }
+                    drawn
+                }
+            }
+        })
+    }
+
+    /// Draws the layer of what stands still.
+    fn draw_layer(&mut self, still: &Frame, context: &PassContext) -> Result<(), GpuError> {
+        let Self {
+            gl, meshes, layer, ..
+        } = self;
+        let (width, height) = (context.width, context.height);
+        let picture = Framebuffer::fitting(&mut layer.picture, gl, width, height)?;
+        self.background.draw(gl, context, still.view.look, picture);
+        self.surfaces.draw_opaque(gl, context, still, meshes);
+        if !has_ground(still) {
+            return Ok(());
+        }
+        let drawn = self.shadows.draw(gl, context, still, meshes, None)?;
+        let shadows = Framebuffer::fitting(&mut layer.shadows, gl, width, height)?;
+        drawn.copy_into(shadows)?;
+        let shadows = Shadows {
+            picture: drawn,
+            area: shadow_area(context, still),
+        };
+        let whole = Area::whole([width, height]);
+        let camera = &still.view.camera;
+        self.ground
+            .draw(gl, context, camera, Some(shadows), whole, picture);
+        Ok(())
+    }
+
+    /// Draws the shapes that move, those of `moving`, over the layer of what stands still, and what
+    /// marks shapes of `frame`.
+    fn draw_over(
+        &mut self,
+        frame: &Frame,
+        moving: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        let Self {
+            gl,
+            meshes,
+            layer,
+            immediate,
+            ..
+        } = self;
+        let size = [context.width, context.height];
+        let kept = Framebuffer::fitting(&mut layer.picture, gl, size[0], size[1])?;
+        kept.copy_into(target)?;
+        self.surfaces.draw_opaque(gl, context, moving, meshes);
+        if has_ground(frame) {
+            let others = layer.shadows.as_ref();
+            let picture = self.shadows.draw(gl, context, moving, meshes, others)?;
+            let shadows = Shadows {
+                picture,
+                area: shadow_area(context, frame),
+            };
+            // The ground before shapes that have moved, and in their shadows.
+            let boxes = moving.shapes().map(|(_, evaluated)| {
+                let corners = evaluated.world_box().corners();
+                Area::around(&corners, context.clip_from_world, size)
+            });
+            let within = boxes.fold(shadow_area(context, moving), Area::union);
+            let camera = &frame.view.camera;
+            self.ground
+                .draw(gl, context, camera, Some(shadows), within, target);
+        }
+        if frame.view.axis {
+            let floor = has_ground(frame).then_some(context.ground);
+            draw_axis(gl, immediate, context, floor);
+        }
+        self.outline.draw(
+            gl,
+            context,
+            frame,
+            meshes,
+            (&mut self.skeletons, immediate),
+            target,
+        )
+    }
+}
