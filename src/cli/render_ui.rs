@@ -122,7 +122,7 @@ pub(super) fn picture(
     let offscreen = HeadlessContext::new(backend).map_err(OffscreenError::from)?;
     // Fails before any work if the driver does not have as many samples.
     drop(Framebuffer::new(offscreen.gl(), 1, 1, samples)?);
-    let mut graphics = Graphics::new(offscreen.gl())?.with_samples(samples);
+    let mut graphics = Graphics::new(offscreen.gl())?.for_pictures(samples);
     let no_name = GraphicsInfo {
         // It differs between machines.
         description: String::new(),

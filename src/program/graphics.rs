@@ -29,6 +29,8 @@ pub struct Graphics {
     has_wrong_size: bool,
     /// Samples a pixel of pictures of the scene.
     samples: u32,
+    /// Whether the scene is drawn as a draft while something moves.
+    drafts: bool,
     gl: Gl,
 }
 
@@ -83,14 +85,19 @@ impl Graphics {
             window: None,
             has_wrong_size: false,
             samples: globals::SAMPLES.min(gl.info().max_samples),
+            drafts: gl.info().is_software,
             gl: gl.clone(),
         })
     }
 
-    /// The same with another number of samples a pixel, 0 for none; it must be one that the driver
-    /// has.
-    pub fn with_samples(self, samples: u32) -> Self {
-        Self { samples, ..self }
+    /// The same for pictures that are kept: with so many samples a pixel, 0 for none, of a number that
+    /// the driver has, also while something is dragged.
+    pub fn for_pictures(self, samples: u32) -> Self {
+        Self {
+            samples,
+            drafts: false,
+            ..self
+        }
     }
 
     /// Properties of what draws.
@@ -203,7 +210,7 @@ impl Graphics {
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),
         };
-        let drafts = moves && self.gl.info().is_software && target.samples() > 0;
+        let drafts = moves && self.drafts && target.samples() > 0;
         let shown = self.shown.as_ref().filter(|shown| shown.key == key);
         let draft_since = match shown.map(|shown| shown.draft_since) {
             Some(None) => return Ok(Duration::MAX),

@@ -155,6 +155,13 @@ fn a_bone_in_the_hand_can_be_shown_with_the_panels() {
             .count()
     };
     assert!(arm(&posing) == 0 && arm(&held) > 40, "{}", arm(&held));
+    // A picture that is kept has its samples, whatever is in the hand.
+    let [smooth, rough] = [4, 0].map(|samples| {
+        let drag = "--tool pose --drag 240,280,150,180";
+        render("c.png", &format!("{drag} --samples {samples}"))
+    });
+    let different = smooth.pixels().zip(rough.pixels()).filter(|(a, b)| a != b);
+    assert!(different.count() > 1000);
 }
 
 #[test]
