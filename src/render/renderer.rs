@@ -151,6 +151,8 @@ impl Renderer {
     /// When something does not fit into the driver's memory or limits, or a GL error occurred: the
     /// first of these.
     pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        // What moved is at rest: its pictures and old meshes need no memory any more.
+        self.layer = StillLayer::default();
         let tile = Tile::whole((target.width(), target.height()));
         self.draw_tile(frame, target, tile, Background::Look)
     }
