@@ -12,13 +12,14 @@ mod edge_pass;
 mod ground_pass;
 mod mesh_cache;
 mod mesh_programs;
-#[cfg(not(target_arch = "wasm32"))]
 mod moving;
+#[cfg(not(target_arch = "wasm32"))]
 mod offscreen;
 mod outline_pass;
 mod picture_parts;
 mod read_back;
 mod renderer;
+mod rows;
 mod skeleton_pass;
 mod skinning_tables;
 mod still_layer;
