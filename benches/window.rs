@@ -3,11 +3,10 @@
 use crate::host::MemoryHost;
 use cpu_time::ProcessTime;
 use editor_core::gpu::{Backend, HeadlessContext};
-use editor_core::program::{FrameInput, Graphics, Options, Program, StorageKey};
+use editor_core::program::{Graphics, Options, Program, StorageKey};
 use editor_core::scene::bones_in_world;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use std::path::PathBuf;
-use std::time::Duration;
 
 /// Width and height in pixels.
 const SIZE: (u32, u32) = (1280, 800);
@@ -60,27 +59,11 @@ impl Window {
     }
 
     fn frame(&mut self, events: Vec<Event>) {
-        let (width, height) = SIZE;
-        let screen = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
-        let raw = RawInput {
-            screen_rect: Some(screen),
-            max_texture_side: Some(4096),
-            time: Some(self.host.time.as_secs_f64()),
-            events,
-            ..RawInput::default()
-        };
-        let input = FrameInput {
-            context: self.context.clone(),
-            raw,
-            size: SIZE,
-        };
-        let drawn = self
-            .program
-            .frame(&mut self.graphics, input, &mut self.host);
-        drawn.expect("the program goes on");
+        let (program, graphics) = (&mut self.program, &mut self.graphics);
+        self.host
+            .frame(program, graphics, &self.context, SIZE, events);
         // What the driver puts off would be counted to the next round.
         self.headless.gl().finish();
-        self.host.time += Duration::from_millis(16);
     }
 
     pub fn key(&mut self, key: Key) {

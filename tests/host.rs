@@ -3,8 +3,10 @@
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::io::{Diagnostic, Files, WithArchives};
 use editor_core::program::{
-    FileRequest, Host, HostEvent, Job, Previous, Purpose, StorageKey, Suggested,
+    FileRequest, FrameInput, Graphics, Host, HostEvent, Job, Previous, Program, Purpose,
+    StorageKey, Suggested,
 };
+use egui::{Event, Pos2, RawInput, Rect, vec2};
 use std::collections::{BTreeMap, HashMap, HashSet, VecDeque};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
@@ -80,6 +82,34 @@ impl<F: Files> Files for Without<F> {
 }
 
 impl MemoryHost {
+    /// Draws one frame of `program` in a window of `size` pixels, in which `events` happen. Returns how
+    /// long no other is needed.
+    pub fn frame(
+        &mut self,
+        program: &mut Program,
+        graphics: &mut Graphics,
+        context: &egui::Context,
+        size: (u32, u32),
+        events: Vec<Event>,
+    ) -> Duration {
+        let screen = vec2(size.0 as f32, size.1 as f32);
+        let raw = RawInput {
+            screen_rect: Some(Rect::from_min_size(Pos2::ZERO, screen)),
+            max_texture_side: Some(4096),
+            time: Some(self.time.as_secs_f64()),
+            events,
+            ..RawInput::default()
+        };
+        let input = FrameInput {
+            context: context.clone(),
+            raw,
+            size,
+        };
+        let wait = program.frame(graphics, input, self);
+        self.time += Duration::from_millis(16);
+        wait.expect("the program goes on")
+    }
+
     /// Brings what was asked for, or says why it cannot be had.
     pub fn answer_asked(&mut self, result: Result<(), Diagnostic>) {
         for path in self.asked.drain(..) {

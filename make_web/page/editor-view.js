@@ -25,7 +25,7 @@ class EditorView extends HTMLElement {
       if (name.startsWith("builtin:")) return name;
       const url = new URL(name, document.baseURI);
       // The editor opens files of its own site alone, and says so.
-      return url.origin === EDITOR.origin ? url.pathname : url.href;
+      return url.origin === EDITOR.origin ? decodeURI(url.pathname) : url.href;
     };
     const address = new URL("index.html", EDITOR);
     address.search = new URLSearchParams({ view: "", open: names.map(inEditor).join(",") });

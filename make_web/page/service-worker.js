@@ -1,5 +1,6 @@
 // Keeps all files of one version of the page, so that it works without a network.
-const KEPT = "editor-" + __VERSION__;
+const OF_THIS_PAGE = `editor-${registration.scope}-`;
+const KEPT = OF_THIS_PAGE + __VERSION__;
 const KEPT_FILES = __FILES__;
 const ADDRESSES = new Set(KEPT_FILES.map((name) => new URL(name, registration.scope).href));
 
@@ -17,9 +18,9 @@ addEventListener("message", (event) => {
 
 addEventListener("activate", (event) => {
   event.waitUntil((async () => {
-    // Other pages of the same site may keep something, too.
+    // Other pages of the same site may keep something, too, and be editors.
     const names = await caches.keys();
-    const older = names.filter((name) => name.startsWith("editor-") && name !== KEPT);
+    const older = names.filter((name) => name.startsWith(OF_THIS_PAGE) && name !== KEPT);
     await Promise.all(older.map((name) => caches.delete(name)));
     await clients.claim();
   })());

@@ -1,14 +1,19 @@
 // Starts the editor, and keeps the page for times without a network.
 (async () => {
   const note = document.getElementById("note");
-  const workers = location.protocol === "file:" ? undefined : navigator.serviceWorker;
+  let workers;
+  try {
+    if (location.protocol !== "file:") workers = navigator.serviceWorker;
+  } catch {
+    // Frames that may keep nothing have none.
+  }
   try {
     // They come while the browser looks for what it has kept.
     const program = fetch("./editor_bg.wasm");
     const script = import("./editor.js");
     for (const coming of [program, script]) coming.catch(() => {});
     // A newer version that came during the last visit is used from now on.
-    const waiting = (await workers?.getRegistration())?.waiting;
+    const waiting = (await workers?.getRegistration().catch(() => undefined))?.waiting;
     if (waiting) {
       const taken = new Promise((done) => workers.addEventListener("controllerchange", done, { once: true }));
       waiting.postMessage("take over");

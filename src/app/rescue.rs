@@ -84,9 +84,8 @@ mod tests {
 
     #[test]
     fn a_panic_writes_unsaved_work_and_says_where() {
-        let folder = format!("editor-rescue-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir(&folder).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
         let path = folder.join("autosave-0.json");
         let mut program = Program::showing(
             Session::new(),
@@ -111,7 +110,6 @@ mod tests {
                 .map(|unsaved| (unsaved, folder.join("no/where"))),
         );
         assert!(write_latest().contains("could not be kept"));
-        std::fs::remove_dir_all(&folder).unwrap();
         remember(None);
         assert!(write_latest().contains("Nothing was unsaved"));
     }

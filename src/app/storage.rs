@@ -131,7 +131,7 @@ impl Storage {
     pub fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
         self.wait();
         let path = self.path(key)?;
-        // What was put aside before is worth as much; of too many the last gives way.
+        // What was put aside before is worth as much; of too many the one without a number gives way.
         let mut names = (0..MOST_ASIDE).map(|number| match number {
             0 => path.with_extension("json~"),
             number => path.with_extension(format!("json~{number}")),
@@ -195,14 +195,13 @@ mod tests {
 
     #[test]
     fn the_work_of_each_run_that_has_ended_is_passed_once_and_that_of_a_running_one_never() {
-        let name = format!("editor-storage-{}", std::process::id());
-        let folder = std::env::temp_dir().join(name);
-        std::fs::create_dir(&folder).unwrap();
-        for (slot, path) in slots(&folder).take(4).enumerate() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = folder.path();
+        for (slot, path) in slots(folder).take(4).enumerate() {
             std::fs::write(path, slot.to_string()).unwrap();
         }
         let running = Slot::take(folder.join("autosave-1.json")).unwrap();
-        let mut storage = Storage::at(Some(folder.clone()));
+        let mut storage = Storage::at(Some(folder.to_owned()));
         let mut left = Vec::new();
         while let Some(bytes) = storage.load(AUTOSAVE) {
             left.push(String::from_utf8(bytes).unwrap());
@@ -220,6 +219,5 @@ mod tests {
         // The place of what was put aside is free again.
         assert_eq!(there(2).unwrap(), "own");
         drop(running);
-        std::fs::remove_dir_all(&folder).unwrap();
     }
 }

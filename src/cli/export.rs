@@ -70,17 +70,10 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         Format::Geometry => geometry(args, &session)?,
         Format::Character => character(args, &session)?,
     };
-    // Scenes name their models, and characters have files beside them.
-    let shapes = session.scene().shapes().iter();
-    let sources = shapes.filter_map(|shape| Some(PathBuf::from(&shape.source.as_ref()?.file)));
-    let sources = sources.flat_map(|file| {
-        ["skel", "attach"]
-            .map(|extension| file.with_extension(extension))
-            .into_iter()
-            .chain([file])
-    });
+    // Scenes name their models, and models the files that are read with them.
+    let read = io::needed_files(&disk::files(), std::iter::once(session.scene()));
     let named = args.files.iter().chain(&args.pose).cloned();
-    let inputs: Vec<PathBuf> = named.chain(sources).collect();
+    let inputs: Vec<PathBuf> = named.chain(read).collect();
     for (path, _) in &files {
         refuse_input(path, &inputs)?;
     }

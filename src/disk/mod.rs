@@ -41,17 +41,16 @@ impl Files for Disk {
 
     fn real(&self, path: &Path) -> PathBuf {
         // Links in what is there of it; what is not there has none.
-        let absolute = crate::io::normal(&self.absolute(path));
-        let known = |there: &Path| {
-            let rest = absolute.strip_prefix(there).ok()?;
-            let real = std::fs::canonicalize(there).ok()?;
-            Some(if rest.as_os_str().is_empty() {
-                real
-            } else {
-                real.join(rest)
-            })
+        let resolved = |path: PathBuf| {
+            let known = |there: &Path| {
+                let rest = path.strip_prefix(there).ok()?;
+                Some(std::fs::canonicalize(there).ok()?.join(rest))
+            };
+            path.ancestors().find_map(known).unwrap_or(path.clone())
         };
-        absolute.ancestors().find_map(known).unwrap_or(absolute)
+        // Those before `..` first, and then those after folders that are not there.
+        let resolved_before = crate::io::normal(&resolved(self.absolute(path)));
+        crate::io::normal(&resolved(resolved_before))
     }
 }
 
@@ -139,6 +138,10 @@ mod tests {
         fs::create_dir_all(folder.join("models")).unwrap();
         fs::write(folder.join("models/a.obj"), "").unwrap();
         std::os::unix::fs::symlink(folder.join("models"), folder.join("link")).unwrap();
+        assert_eq!(
+            Disk.real(&folder.join("link/../c.obj")),
+            Disk.real(&folder.join("c.obj"))
+        );
         for name in ["a.obj", "b.obj", "c.zip/d.obj"] {
             let direct = Disk.real(&folder.join("models").join(name));
             assert_eq!(Disk.real(&folder.join("link").join(name)), direct);

@@ -125,7 +125,7 @@ impl Program {
     /// Stores unsaved work and preferences at once, since the program may end without being told.
     pub fn keep(&mut self, host: &mut dyn Host) {
         // What an earlier run left is for the user to answer first.
-        if !matches!(self.asked, Some(Asked::Restore(..))) {
+        if !self.has_work_to_answer() {
             self.store_unsaved(host);
         }
         self.keep_at_end(host);
@@ -134,13 +134,16 @@ impl Program {
     /// Stores unsaved work after a gesture, at most every ten seconds, in the middle of a long one
     /// now and then, and removes it once it is saved. Returns how long no frame is needed for its sake.
     pub(super) fn autosave(&mut self, host: &mut dyn Host) -> Duration {
+        if !self.session.is_in_gesture() {
+            self.autosave.gesture_since = None;
+        }
         if !self.is_modified() {
             self.forget_autosave(host);
             return Duration::MAX;
         }
         let document = self.session.document();
         // What an earlier run left must not be overwritten before the question about it is answered.
-        if matches!(self.asked, Some(Asked::Restore(..))) {
+        if self.has_work_to_answer() {
             return Duration::MAX;
         }
         let now = host.now();
@@ -153,7 +156,6 @@ impl Program {
             let since = *self.autosave.gesture_since.get_or_insert(now);
             after_stored.max(Some(since + IN_A_GESTURE))
         } else {
-            self.autosave.gesture_since = None;
             after_stored
         };
         match due {
@@ -165,6 +167,12 @@ impl Program {
                 Duration::MAX
             }
         }
+    }
+
+    /// Whether the place of this run's unsaved work has that of an earlier one, which nobody has decided
+    /// about or which is on its way.
+    fn has_work_to_answer(&self) -> bool {
+        matches!(self.asked, Some(Asked::Restore(..))) || self.is_restoring()
     }
 
     /// Removes what was stored by this run, if anything.
@@ -204,7 +212,10 @@ impl Program {
                 let since = host.stored_since(StorageKey::Autosave);
                 self.asked = Some(Asked::Restore(kept, since));
             }
-            Err(error) => self.give_up_restoring(&error.to_string(), host),
+            Err(error) => {
+                self.give_up_restoring(&error.to_string(), host);
+                self.offer_next(host);
+            }
         }
     }
 

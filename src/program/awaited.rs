@@ -63,25 +63,50 @@ impl Program {
     }
 
     /// Gives up what waits for files. They may come all the same.
-    pub(super) fn stop_waiting(&mut self) {
-        self.awaited.retain(|work| !work.is_shown());
+    pub(super) fn stop_waiting(&mut self, host: &mut dyn Host) {
+        let (given_up, left) = std::mem::take(&mut self.awaited)
+            .into_iter()
+            .partition(Awaited::is_shown);
+        self.awaited = left;
+        for work in given_up {
+            self.give_up(&work, host);
+        }
     }
 
-    /// Goes on with what waited for files that the host has brought, or says why it could not.
-    pub(super) fn take_brought(&mut self, brought: Result<(), Diagnostic>, host: &mut dyn Host) {
-        let awaited = std::mem::take(&mut self.awaited);
-        if let Err(error) = brought {
-            if awaited.iter().any(Awaited::is_shown) {
-                self.tell(Severity::Error, error.to_string());
-            }
-            return self.start_pictures.go_without();
+    /// Has nothing be lost with work whose files do not come: an earlier run's is offered again.
+    fn give_up(&mut self, work: &Awaited, host: &mut dyn Host) {
+        match work {
+            Awaited::Restore(_) => self.offer_restoring(host),
+            Awaited::StartPicture => self.start_pictures.go_without(),
+            Awaited::Next(_) | Awaited::Import(..) | Awaited::Paste(_) => {}
         }
-        for work in awaited {
-            if self.has_to_wait(&work, host) {
+    }
+
+    /// Whether work of an earlier run waits for its files.
+    pub(super) fn is_restoring(&self) -> bool {
+        let restores = |work: &Awaited| matches!(work, Awaited::Restore(_));
+        self.awaited.iter().any(restores)
+    }
+
+    /// Goes on with what waited for files that the host has brought. Says why others could not be had,
+    /// and gives up what needs them.
+    pub(super) fn take_brought(&mut self, brought: Result<(), Diagnostic>, host: &mut dyn Host) {
+        let mut error = brought.err();
+        let has_failed = error.is_some();
+        for work in std::mem::take(&mut self.awaited) {
+            let is_absent = match work {
+                Awaited::StartPicture => has_failed,
+                _ => !work.absent(&*host.files()).is_empty(),
+            };
+            if is_absent && has_failed {
+                if let Some(error) = error.take_if(|_| work.is_shown()) {
+                    self.tell(Severity::Error, error.to_string());
+                }
+                self.give_up(&work, host);
                 continue;
             }
             match work {
-                Awaited::Next(next) => self.leave_for(next, host),
+                Awaited::Next(next) => self.leave_as_answered(next, host),
                 Awaited::Import(path, files) => self.import_any(&path, &files, host),
                 Awaited::Paste(text) => self.paste_shapes(&text, host),
                 Awaited::Restore(kept) => self.restore(&kept, host),

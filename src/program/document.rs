@@ -98,6 +98,8 @@ impl Program {
 
     pub(super) fn go_on(&mut self, next: Next, host: &mut dyn Host) {
         if self.has_to_wait(&Awaited::Next(next.clone()), host) {
+            // What is done meanwhile is asked about then; what is not wanted now is not.
+            self.document.discarded = Some(self.session.document());
             return;
         }
         match next {
@@ -260,11 +262,12 @@ impl Program {
         host: &mut dyn Host,
     ) {
         let is_saved = result.is_ok();
-        if !is_saved {
-            // None of them is of this program.
-            self.exported.clear();
-        }
         self.tell_written(path, result);
+        if let Some((_, digests)) = self.exporting.take_if(|(exported, _)| exported == path)
+            && is_saved
+        {
+            self.exported.extend(digests);
+        }
         let is_document = |writing: &mut Writing| writing.path == path;
         let Some(writing) = self.document.writing.take_if(is_document) else {
             return;

@@ -27,7 +27,7 @@ impl Program {
         // It may have been deleted while the dialog was open.
         let curves = self.session.scene().curve(shape);
         match curves.map(|shape| io::to_swp(shape.curves())) {
-            Some(_) if self.is_source(path, &*host.files()) => self.tell_needed(path, path),
+            Some(_) if self.sources(&*host.files()).have(path) => self.tell_needed(path, path),
             Some(text) => self.write(path, "swp", text, host),
             None => self.tell(
                 Severity::Error,
@@ -39,7 +39,7 @@ impl Program {
     /// Writes the geometry of the scene as one `.obj` file, bare.
     pub(super) fn export_geometry(&mut self, path: &Path, host: &mut dyn Host) {
         match io::export_obj(self.session.scene(), self.session.evaluated()) {
-            Ok(_) if self.is_source(path, &*host.files()) => self.tell_needed(path, path),
+            Ok(_) if self.sources(&*host.files()).have(path) => self.tell_needed(path, path),
             Ok(text) => self.write(path, "obj", text, host),
             Err(error) => self.tell_written(path, Err(Diagnostic::new(path, error.to_string()))),
         }
@@ -84,8 +84,8 @@ impl Program {
         match files {
             Ok(files) => {
                 let there = host.files();
-                let is_source = |(file, _): &&(PathBuf, _)| self.is_source(file, &*there);
-                match files.iter().find(is_source) {
+                let sources = self.sources(&*there);
+                match files.iter().find(|(file, _)| sources.have(file)) {
                     Some((file, _)) => self.tell_needed(path, file),
                     None => self.write_together(path, files, None, host),
                 }
@@ -141,7 +141,7 @@ impl Program {
         let digests = files
             .iter()
             .map(|(file, bytes)| (file.clone(), crc32fast::hash(bytes)));
-        self.exported.extend(digests);
+        self.exporting = Some((path.clone(), digests.collect()));
         host.write_files(&path, files, previous);
     }
 
@@ -152,10 +152,11 @@ impl Program {
         files: &[(PathBuf, Vec<u8>)],
         read: &dyn Files,
     ) -> Option<PathBuf> {
+        let sources = self.sources(read);
         let mut others = files.iter().filter(|(file, _)| file != path);
         let replaced = others.find(|(file, bytes)| {
             let is_other = |old: Vec<u8>| old != *bytes;
-            self.is_source(file, read) && read.read(file).is_ok_and(is_other)
+            sources.have(file) && read.read(file).is_ok_and(is_other)
         });
         replaced.map(|(file, _)| file.clone())
     }
@@ -165,19 +166,36 @@ impl Program {
         self.tell_written(path, Err(needed_error(path, file)));
     }
 
-    /// Whether a shape of the document, or one that undoing brings back, comes from `file`, or from one
-    /// that is read with it: those of a character differ in their extensions alone.
-    fn is_source(&self, file: &Path, there: &dyn Files) -> bool {
-        let stem = |path: &Path| there.real(path).with_extension("");
+    /// The files that shapes of the document, and those that undoing brings back, come from.
+    fn sources<'a>(&self, there: &'a dyn Files) -> Sources<'a> {
         let shapes = self.session.remembered_scenes().flat_map(Scene::shapes);
-        let sources: BTreeSet<&str> = shapes
+        let files: BTreeSet<&str> = shapes
             .filter_map(|shape| Some(shape.source.as_ref()?.file.as_str()))
             .collect();
-        let file = stem(file);
-        sources
-            .into_iter()
-            .any(|source| stem(Path::new(source)) == file)
+        let files = files.into_iter().map(Path::new);
+        Sources {
+            there,
+            stems: files.map(|file| stem(there, file)).collect(),
+        }
     }
+}
+
+/// Files that shapes come from, and those that are read with them: those of a character differ in
+/// their extensions alone.
+struct Sources<'a> {
+    there: &'a dyn Files,
+    stems: BTreeSet<PathBuf>,
+}
+
+impl Sources<'_> {
+    /// Whether `file` is one of them.
+    fn have(&self, file: &Path) -> bool {
+        self.stems.contains(&stem(self.there, file))
+    }
+}
+
+fn stem(there: &dyn Files, file: &Path) -> PathBuf {
+    there.real(file).with_extension("")
 }
 
 /// Error of writing to `path`, because the document needs `file`, which would be replaced.

@@ -178,8 +178,7 @@ impl Program {
         let wrong_size = fitted.as_ref().is_err_and(is_about_size);
         let was_wrong = graphics.replace_wrong_size(wrong_size);
         self.tell_fault(fitted, was_wrong)?;
-        let full_after = *drawn.as_ref().unwrap_or(&Duration::MAX);
-        self.tell_fault(drawn.map(drop).map_err(ProgramError::from), false)?;
+        self.tell_fault(drawn.map_err(ProgramError::from), false)?;
         let compared = self.draw_comparison(graphics, host);
         for notice in graphics.take_notices() {
             self.tell(Severity::Warning, notice);
@@ -187,8 +186,8 @@ impl Program {
         let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
         Ok(match wait {
             _ if compared => Duration::ZERO,
-            Some(wait) => wait.min(full_after),
-            None => full_after,
+            Some(wait) => wait,
+            None => graphics.full_picture_after(host.now()),
         })
     }
 
@@ -216,17 +215,12 @@ impl Program {
     }
 
     /// Draws the scene with what is marked in it, if it is shown.
-    /// Returns how long no frame is needed for its sake.
-    fn draw_scene(
-        &mut self,
-        graphics: &mut Graphics,
-        now: Duration,
-    ) -> Result<Duration, RenderError> {
+    fn draw_scene(&mut self, graphics: &mut Graphics, now: Duration) -> Result<(), RenderError> {
         graphics.set_skinning(self.ui.skinning);
         if self.comparison.is_some() {
             // Its pictures lie over the whole view, which may change its size meanwhile.
             graphics.forget_scene();
-            return Ok(Duration::MAX);
+            return Ok(());
         }
         let marks = Marks {
             selected: self.session.selected(),

@@ -116,12 +116,7 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        let is_draft = |shown: &Shown| shown.draft_since.is_some();
-        if self.shown.as_ref().is_some_and(is_draft) {
-            self.draft.as_ref()
-        } else {
-            self.scene.as_ref()
-        }
+        shown_picture(&self.shown, &self.draft, &self.scene).as_ref()
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -190,7 +185,7 @@ impl Graphics {
 
     /// Draws `frame` into the scene's picture, unless it shows just that already: at the time `now`,
     /// and while something `moves` on software OpenGL as a draft without samples, which cost it as much
-    /// as all else. Returns how long no frame is needed for the sake of the full picture.
+    /// as all else.
     ///
     /// # Errors
     /// See [`Renderer::draw`]. What failed is not tried again before something changes.
@@ -200,9 +195,9 @@ impl Graphics {
         document: Revision,
         moves: bool,
         now: Duration,
-    ) -> Result<Duration, RenderError> {
+    ) -> Result<(), RenderError> {
         let Some(target) = &self.scene else {
-            return Ok(Duration::MAX);
+            return Ok(());
         };
         let key = SceneKey {
             document,
@@ -212,19 +207,30 @@ impl Graphics {
         };
         let drafts = moves && self.drafts && target.samples() > 0;
         let shown = self.shown.as_ref().filter(|shown| shown.key == key);
-        let draft_since = match shown.map(|shown| shown.draft_since) {
-            Some(None) => return Ok(Duration::MAX),
-            Some(Some(since)) if drafts && now < since + REST => return Ok(since + REST - now),
-            Some(Some(_)) => None,
-            None => drafts.then_some(now),
+        let is_new = match shown.map(|shown| shown.draft_since) {
+            Some(None) => return Ok(()),
+            Some(Some(since)) if drafts && now < since + REST => return Ok(()),
+            Some(Some(_)) => false,
+            None => true,
         };
-        self.shown = Some(Shown { key, draft_since });
-        if draft_since.is_none() {
-            return self.renderer.draw(frame, target).map(|()| Duration::MAX);
-        }
         let size = (target.width(), target.height());
-        let draft = fit(&self.gl, &mut self.draft, size, 0)?;
-        self.renderer.draw_moving(frame, draft).map(|()| REST)
+        // Where there is no room for a draft, there still is the full picture.
+        let draft = (drafts && is_new).then(|| fit(&self.gl, &mut self.draft, size, 0));
+        let draft = draft.and_then(Result::ok);
+        self.shown = Some(Shown {
+            key,
+            draft_since: draft.map(|_| now),
+        });
+        match draft {
+            Some(draft) => self.renderer.draw_moving(frame, draft),
+            None => self.renderer.draw(frame, target),
+        }
+    }
+
+    /// Time after which the full picture has to take the place of a draft, if one is shown.
+    pub(super) fn full_picture_after(&self, now: Duration) -> Duration {
+        let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
+        since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
     }
 
     /// Draws `frame` in a size of its own, for a comparison. Pictures of the same size share their
@@ -290,10 +296,7 @@ impl Graphics {
         let Some(Window { picture, painter }) = &mut self.window else {
             return Ok(());
         };
-        let scene = match &self.shown {
-            Some(shown) if shown.draft_since.is_some() => &self.draft,
-            _ => &self.scene,
-        };
+        let scene = shown_picture(&self.shown, &self.draft, &self.scene);
         match (scene, picture) {
             (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
             _ => {
@@ -309,6 +312,20 @@ impl Graphics {
     /// When a GL error occurred.
     pub(super) fn read_window(&self) -> Result<Option<Picture>, GpuError> {
         self.window_picture().map(read_picture).transpose()
+    }
+}
+
+/// The draft while that is shown, else the full picture of the scene.
+fn shown_picture<'a>(
+    shown: &Option<Shown>,
+    draft: &'a Option<Framebuffer>,
+    scene: &'a Option<Framebuffer>,
+) -> &'a Option<Framebuffer> {
+    let is_draft = |shown: &Shown| shown.draft_since.is_some();
+    if shown.as_ref().is_some_and(is_draft) {
+        draft
+    } else {
+        scene
     }
 }
 

@@ -93,6 +93,8 @@ pub struct Program {
     pub(super) watched: BTreeSet<PathBuf>,
     /// Files that were written together with one that was chosen, with the CRC-32 of their bytes.
     pub(super) exported: HashMap<PathBuf, u32>,
+    /// Those of the write that is under way, with the file that was chosen.
+    pub(super) exporting: Option<(PathBuf, HashMap<PathBuf, u32>)>,
     /// Question that waits for its answer.
     pub(super) asked: Option<Asked>,
     /// What waits for files that the host brings.
@@ -138,6 +140,7 @@ impl Program {
             watched_of: None,
             watched: BTreeSet::new(),
             exported: HashMap::new(),
+            exporting: None,
             asked: None,
             awaited: Vec::new(),
             builtin_characters: builtins(BuiltinKind::Character),
@@ -426,7 +429,7 @@ impl Program {
             }
             Ask::CancelPictures => {
                 self.cancel_pictures();
-                self.stop_waiting();
+                self.stop_waiting(host);
             }
             Ask::ExportMaterials => {
                 let name = format!("{}.obj", self.document_stem());

@@ -8,8 +8,8 @@ use crate::gpu::{
 };
 use glam::{Vec3, Vec4};
 
-/// Side of a block in pixels. Looking whether a line passes through a block takes one look a pixel
-/// and more at its rim; drawing the line there fourteen: blocks should be large and fit closely.
+/// Side of a block in pixels. Larger blocks take fewer looks at the mask to find out whether the line
+/// passes through them, and fourteen looks at each of more pixels where it does.
 const BLOCK: u32 = 8;
 
 /// Texture unit of what a shader reads.

@@ -1,10 +1,11 @@
 //! The Studio look's ground and the shadows on it.
 
-use super::area::{Area, Rows};
+use super::area::Area;
 use super::backdrop_pass::set_gradient;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::renderer::{Background, Frame, PassContext};
+use super::rows::Rows;
 use super::surface_pass::surfaces;
 use crate::gpu::{
     Attribute, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program,

@@ -2,11 +2,12 @@
 
 use super::area::Area;
 use super::backdrop_pass::draw_axis;
-use super::ground_pass::{Shadows, hides_below, shadow_area};
+use super::ground_pass::{Shadows, shadow_area};
 use super::renderer::{Background, Frame, Marks, PassContext, RenderError, Renderer, has_ground};
 use super::still_layer::Plan;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, GpuError};
+use crate::scene::Evaluated;
 
 impl Renderer {
     /// As [`Renderer::draw`], with the same pixels, but fast where it is called for one picture after
@@ -18,23 +19,13 @@ impl Renderer {
         self.draw_by(frame, |renderer| {
             let tile = Tile::whole((target.width(), target.height()));
             let context = renderer.context(frame, target, tile, Background::Look);
-            let hides_below = hides_below(&context, &frame.view.camera);
-            match renderer.layer.plan(frame, &context, hides_below) {
+            match renderer.layer.plan(frame, &context) {
                 Plan::Whole => renderer.draw_passes(frame, target, &context),
-                Plan::Over {
-                    is_new,
-                    moving,
-                    still,
-                } => {
-                    let [moving, still] = [&moving, &still].map(|evaluated| Frame {
-                        evaluated,
-                        marks: Marks::default(),
-                        ..frame.clone()
+                Plan::Over { moving, new_layer } => {
+                    let layer = new_layer.map_or(Ok(()), |still| {
+                        renderer.draw_layer(&without_marks(frame, &still), &context)
                     });
-                    let layer = match is_new {
-                        true => renderer.draw_layer(&still, &context),
-                        false => Ok(()),
-                    };
+                    let moving = without_marks(frame, &moving);
                     let drawn =
                         layer.and_then(|()| renderer.draw_over(frame, &moving, target, &context));
                     if drawn.is_err() {
@@ -113,13 +104,15 @@ impl Renderer {
             let floor = has_ground(frame).then_some(context.ground);
             draw_axis(gl, immediate, context, floor);
         }
-        self.outline.draw(
-            gl,
-            context,
-            frame,
-            meshes,
-            (&mut self.skeletons, immediate),
-            target,
-        )
+        self.draw_outlines(frame, target, context)
+    }
+}
+
+/// Some of the shapes of `frame`: those that are visible in `evaluated`.
+fn without_marks<'a>(frame: &Frame<'a>, evaluated: &'a Evaluated) -> Frame<'a> {
+    Frame {
+        evaluated,
+        marks: Marks::default(),
+        ..frame.clone()
     }
 }

@@ -266,15 +266,18 @@ impl Renderer {
         if !is_mannequin {
             self.surfaces.draw_translucent(gl, context, frame, meshes);
         }
-        let outlined = self.outline.draw(
-            gl,
-            context,
-            frame,
-            meshes,
-            (&mut self.skeletons, immediate),
-            target,
-        );
-        drawn.and(outlined)
+        drawn.and(self.draw_outlines(frame, target, context))
+    }
+
+    pub(super) fn draw_outlines(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        let lines = (&mut self.skeletons, &mut self.immediate);
+        self.outline
+            .draw(&self.gl, context, frame, &self.meshes, lines, target)
     }
 
     /// Chooses where characters are skinned. `None` leaves it to the driver: on the graphics card if

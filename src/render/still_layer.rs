@@ -1,7 +1,8 @@
 //! What stands still while something else is dragged.
 
 use super::backdrop::Backdrop;
-use super::renderer::{Frame, PassContext};
+use super::ground_pass::hides_below;
+use super::renderer::{Frame, PassContext, has_ground};
 use super::surface_pass::is_surface_alone;
 use crate::gpu::Framebuffer;
 use crate::scene::{
@@ -30,11 +31,10 @@ pub(super) struct StillLayer {
 pub(super) enum Plan {
     /// All of it.
     Whole,
-    /// The layer, which is drawn before if it `is_new`, and `moving` over it.
+    /// The layer and `moving` over it. Where there is a `new_layer`, that is drawn before.
     Over {
-        is_new: bool,
         moving: Evaluated,
-        still: Evaluated,
+        new_layer: Option<Evaluated>,
     },
 }
 
@@ -60,12 +60,14 @@ struct ShapeState {
 
 impl StillLayer {
     /// The way in which `frame` is drawn, if something in it moves from one picture to the next.
-    pub fn plan(&mut self, frame: &Frame, context: &PassContext, hides_below: bool) -> Plan {
+    pub fn plan(&mut self, frame: &Frame, context: &PassContext) -> Plan {
         let state = State::of(frame, context);
         let before = self.before.replace(state.clone());
-        let is_seen_from_above = frame.view.look != Look::Studio || !frame.view.grid || hides_below;
+        // From below everything is seen through the ground, which could not be drawn over itself.
+        let may_have_ground_drawn_over =
+            !has_ground(frame) || hides_below(context, &frame.view.camera);
         let is_plain = frame.view.look != Look::Mannequin
-            && is_seen_from_above
+            && may_have_ground_drawn_over
             && frame.shapes().all(|(shape, _)| is_surface_alone(shape));
         if !is_plain {
             return Plan::Whole;
@@ -87,9 +89,8 @@ impl StillLayer {
             return Plan::Whole;
         };
         Plan::Over {
-            is_new,
             moving: only(frame.evaluated, |id| moving.contains(&id)),
-            still: only(frame.evaluated, |id| !moving.contains(&id)),
+            new_layer: is_new.then(|| only(frame.evaluated, |id| !moving.contains(&id))),
         }
     }
 

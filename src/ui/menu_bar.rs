@@ -122,7 +122,11 @@ impl Items<'_> {
         submenu(ui, label, |ui| {
             for &name in names {
                 let item = ui.button(name_of_import(name));
-                tip_beside(&item, "Add it at the origin", None);
+                tip_beside(
+                    &item,
+                    "Add it at the origin, a character beside others",
+                    None,
+                );
                 if item.clicked() {
                     self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
                 }

@@ -238,6 +238,9 @@ const MEANT_WHILE_TYPING: [Command; 5] = [
     Command::Quit,
 ];
 
+/// Those that are meant even in the middle of a drag.
+const MEANT_IN_A_DRAG: [Command; 3] = [Command::Save, Command::SaveAs, Command::Quit];
+
 /// Has commands about the document wait until what is being typed is taken over, for which the field
 /// gives up the keyboard in this frame, and saving until a drag has ended; runs the one that has
 /// waited. Where `keys_are_taken`, such as by a file dialog, keys mean no commands.
@@ -266,24 +269,26 @@ fn run_waiting(
             commands::run(command, session, state, aspect)
         });
     }
-    if state.waiting.is_none() && !input.keys_are_taken {
-        let is_meant = |&command: &Command| {
-            let is_quit = command == Command::Quit;
-            let may_wait =
-                saves(command) || is_quit || typing && MEANT_WHILE_TYPING.contains(&command);
-            may_wait && is_there(command, input)
+    if state.waiting.is_none() && !input.keys_are_taken && !input.is_viewer {
+        let meant: &[Command] = if typing {
+            &MEANT_WHILE_TYPING
+        } else {
+            &MEANT_IN_A_DRAG
         };
+        let is_meant = |command: &Command| meant.contains(command) && is_there(*command, input);
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
         state.waiting = pressed.filter(is_meant);
     }
-    if typing && is_typing && state.waiting.is_some() {
-        ctx.request_repaint();
-    } else if typing && (gives_up || state.waiting.is_some()) {
+    if typing && !is_typing && (gives_up || state.waiting.is_some()) {
         ctx.memory_mut(|memory| {
             if let Some(field) = memory.focused() {
                 memory.surrender_focus(field);
             }
         });
+    }
+    // What waits for the end of a drag needs no frame before.
+    let waits_for_drag = !typing && state.waiting.is_some_and(saves);
+    if state.gives_up_typing || state.waiting.is_some() && !waits_for_drag {
         ctx.request_repaint();
     }
     Vec::new()

@@ -55,6 +55,7 @@ pub(super) fn show(
             actions.push(Action::View(View::Select(None)));
             actions.push(Action::View(View::ResetCamera));
         }
+        messages::notices(&mut over, rect, session, &mut state.notices, actions);
         return (rect, response, places);
     }
     posing::show(

@@ -62,8 +62,13 @@ async fn read_all(entries: Vec<FileSystemEntry>) -> Vec<(PathBuf, Result<Vec<u8>
         let path = PathBuf::from(path.trim_start_matches('/'));
         // Programs keep what is not for people in such folders.
         let is_hidden = entry.name().starts_with('.');
-        if is_hidden || files.len() == MOST_FILES {
+        if is_hidden {
             continue;
+        }
+        if files.len() == MOST_FILES {
+            let error = format!("the page reads at most {MOST_FILES} files at once");
+            files.push((path, Err(error)));
+            break;
         }
         if !entry.is_directory() {
             let bytes = read(entry.unchecked_into()).await;

@@ -11,24 +11,34 @@ use wasm_bindgen_futures::spawn_local;
 
 /// Files by name. All of them lie beside each other, since browsers do not tell where files are from.
 /// A clone is another handle to the same files.
-#[derive(Clone, Debug, Default)]
-pub(super) struct GivenFiles(Arc<Mutex<Table>>);
+#[derive(Clone, Debug)]
+pub(super) struct GivenFiles {
+    files: Arc<Mutex<Table>>,
+    /// Whether they are kept for the next visit.
+    are_kept: bool,
+}
 
 type Table = HashMap<PathBuf, Vec<u8>>;
 
 impl GivenFiles {
-    /// Those that an earlier visit left.
-    pub fn of(files: Table) -> Self {
-        Self(Arc::new(Mutex::new(files)))
+    /// Those that an earlier visit left. Others are kept for the next one if they `are_kept` at all.
+    pub fn of(files: Table, are_kept: bool) -> Self {
+        Self {
+            files: Arc::new(Mutex::new(files)),
+            are_kept,
+        }
     }
 
     fn table(&self) -> MutexGuard<'_, Table> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Adds files, in place of others of the same names, and keeps them for the next visit.
+    /// Adds files, in place of others of the same names, and keeps them for the next visit, if that is wanted.
     pub fn add(&self, files: Vec<(PathBuf, Vec<u8>)>) {
         self.table().extend(files.iter().cloned());
+        if !self.are_kept {
+            return;
+        }
         spawn_local(async move {
             if let Err(error) = kept_files::keep(&files).await {
                 browser::warn(&format!("files are not kept for the next visit: {error}"));

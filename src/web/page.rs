@@ -2,7 +2,7 @@
 
 use super::given_files::{GivenFiles, main_files};
 use super::page_host::PageHost;
-use super::tabs::Slots;
+use super::tabs::{self, Slots};
 use super::{browser, kept_files};
 use crate::editor::Severity;
 use crate::io::builtin::is_builtin;
@@ -10,6 +10,7 @@ use crate::io::scene_link;
 use crate::program::{GraphicsInfo, Options, Program};
 use egui::Context;
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 use wasm_bindgen::JsValue;
@@ -39,20 +40,25 @@ pub(super) struct Page {
 impl Page {
     /// A page with the files that were given to it before and those that its address names.
     pub async fn of_earlier_visit() -> Rc<RefCell<Self>> {
-        let mut kept = kept_files::load().await;
-        let size: usize = kept.values().map(Vec::len).sum();
         let is_viewer = browser::in_address(VIEWER).is_some();
+        // A scene in somebody else's page knows none of the user's files.
+        let mut kept = if is_viewer {
+            HashMap::new()
+        } else {
+            kept_files::load().await
+        };
+        let size: usize = kept.values().map(Vec::len).sum();
         let slots = if is_viewer {
             Slots::default()
         } else {
             Slots::take().await
         };
-        if size > MOST_KEPT && !slots.have_work() {
+        if size > MOST_KEPT && !tabs::has_work() {
             kept.clear();
             // What could not be forgotten is forgotten at the next visit.
             let _ = kept_files::forget().await;
         }
-        let given = GivenFiles::of(kept);
+        let given = GivenFiles::of(kept, !is_viewer);
         let (mut files, mut refused) = in_address(&given).await;
         match linked_scene() {
             Some(Ok(text)) => {

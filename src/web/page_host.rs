@@ -215,12 +215,13 @@ impl Host for PageHost {
         self.events.push(HostEvent::Written { path, result });
     }
 
-    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, _: Previous) {
-        let result = match &files[..] {
-            [(path, bytes)] => download(path, bytes),
-            // A page that downloads several files asks whether it may.
-            files => to_zip(files).and_then(|zip| download(&path.with_extension("zip"), &zip)),
-        };
+    fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, previous: Previous) {
+        if let [(only, bytes)] = &files[..] {
+            return self.write_file(only, bytes.clone(), previous);
+        }
+        // A page that downloads several files asks whether it may.
+        let zip = to_zip(&files);
+        let result = zip.and_then(|zip| download(&path.with_extension("zip"), &zip));
         let path = path.to_owned();
         self.events.push(HostEvent::Written { path, result });
     }

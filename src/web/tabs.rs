@@ -3,7 +3,7 @@
 
 use super::browser;
 use crate::program::StorageKey;
-use js_sys::{Function, Object, Promise, Reflect};
+use js_sys::{Array, Function, Object, Promise, Reflect};
 use std::collections::VecDeque;
 use wasm_bindgen::prelude::*;
 use wasm_bindgen_futures::JsFuture;
@@ -26,9 +26,10 @@ impl Slots {
     pub async fn take() -> Self {
         let before = browser::of_this_tab(TAB).and_then(|slot| slot.parse().ok());
         let others = (0..SLOTS).filter(|slot| Some(*slot) != before);
-        let has_work = |slot: &usize| browser::stored(&entry(*slot)).is_some();
-        let (with_work, without): (Vec<usize>, Vec<usize>) =
-            before.into_iter().chain(others).partition(has_work);
+        let (with_work, without): (Vec<usize>, Vec<usize>) = before
+            .into_iter()
+            .chain(others)
+            .partition(|slot| is_used(*slot));
         let mut left = VecDeque::new();
         for slot in with_work {
             if lock(slot).await {
@@ -46,11 +47,6 @@ impl Slots {
         let slots = Self { left, spare };
         slots.remember();
         slots
-    }
-
-    /// Whether pages that are gone have left work in them.
-    pub fn have_work(&self) -> bool {
-        !self.left.is_empty()
     }
 
     /// The slot whose work is offered, and where work is kept.
@@ -72,6 +68,15 @@ impl Slots {
 /// Entry with the slot of a tab.
 const TAB: &str = "slot";
 
+/// Whether any page, also one that is still there, has unsaved work.
+pub(super) fn has_work() -> bool {
+    (0..=SLOTS).any(is_used)
+}
+
+fn is_used(slot: usize) -> bool {
+    browser::stored(&entry(slot)).is_some()
+}
+
 /// Name of a slot's entry in the browser's storage.
 pub(super) fn entry(slot: usize) -> String {
     format!("{slot}-{}", StorageKey::Autosave.name())
@@ -81,7 +86,9 @@ pub(super) fn entry(slot: usize) -> String {
 /// it to everybody.
 async fn lock(slot: usize) -> bool {
     match ask_for(&format!("editor slot {slot}")) {
-        Ok(asked) => JsFuture::from(asked).await.is_ok_and(|had| had.is_truthy()),
+        Ok(asked) => JsFuture::from(asked)
+            .await
+            .map_or(true, |had| had.is_truthy()),
         Err(_) => true,
     }
 }
@@ -94,11 +101,11 @@ fn ask_for(name: &str) -> Result<Promise, JsValue> {
     let options = Object::new();
     Reflect::set(&options, &"ifAvailable".into(), &JsValue::TRUE)?;
     let name = JsValue::from_str(name);
-    Ok(Promise::new(&mut |answer, _| {
-        let had = answer.clone();
+    let mut refused = JsValue::UNDEFINED;
+    let had = Promise::new(&mut |answer, _| {
         let take = Closure::once_into_js(move |lock: JsValue| {
             // Only a page that is gone does not hear the answer.
-            let _ = had.call1(&JsValue::NULL, &JsValue::from_bool(!lock.is_null()));
+            let _ = answer.call1(&JsValue::NULL, &JsValue::from_bool(!lock.is_null()));
             // A lock is held until what its taker promises has come, which is never.
             if lock.is_null() {
                 JsValue::NULL
@@ -106,8 +113,11 @@ fn ask_for(name: &str) -> Result<Promise, JsValue> {
                 Promise::new(&mut |_, _| {}).into()
             }
         });
-        if request.call3(&locks, &name, &options, &take).is_err() {
-            let _ = answer.call1(&JsValue::NULL, &JsValue::TRUE);
-        }
-    }))
+        refused = match request.call3(&locks, &name, &options, &take) {
+            Ok(requested) => requested,
+            Err(error) => Promise::reject(&error).into(),
+        };
+    });
+    // A request that is refused, as where pages may store nothing, never asks its taker.
+    Ok(Promise::race(&Array::of2(&had, &refused)))
 }

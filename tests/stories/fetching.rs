@@ -3,7 +3,7 @@
 use super::{Story, started_before};
 use crate::host::MemoryHost;
 use editor_core::io::Diagnostic;
-use editor_core::program::Options;
+use editor_core::program::{Options, StorageKey};
 use editor_core::ui::{Action, Ask};
 use egui::{Key, Modifiers};
 use std::path::{Path, PathBuf};
@@ -111,4 +111,94 @@ fn a_scene_without_panels_can_be_turned_and_reset() {
     assert_eq!(story.names(), ["Robot"], "keys mean nothing");
     story.click("Reset");
     assert_eq!(story.session().view().camera, before);
+}
+
+fn no_network() -> Diagnostic {
+    Diagnostic::new(
+        Path::new("builtin:characters/robot.obj"),
+        "there is no network",
+    )
+}
+
+/// A story on a host that lacks the robot, with unsaved work of an earlier run that has one.
+fn after_crash_with_robot() -> Story {
+    let mut crashed = Story::start(&["builtin:robot"]);
+    crashed.key_with(Modifiers::SHIFT, Key::C);
+    crashed.wait(11.0);
+    let host = MemoryHost {
+        absent: without_some(&[]).host.absent,
+        stored: crashed.host.stored,
+        ..MemoryHost::default()
+    };
+    Story::start_at(host, &[])
+}
+
+#[test]
+fn unsaved_work_whose_files_do_not_come_stays_and_is_offered_again() {
+    let mut story = after_crash_with_robot();
+    let kept = story.host.stored[&StorageKey::Autosave].clone();
+    story.click("Restore");
+    // Something else is done meanwhile, and the page is left.
+    story.key_with(Modifiers::SHIFT, Key::S);
+    story.wait(11.0);
+    story.program.keep(&mut story.host);
+    assert_eq!(story.host.stored[&StorageKey::Autosave], kept);
+    story.host.answer_asked(Err(no_network()));
+    story.settle();
+    assert_eq!(story.host.stored[&StorageKey::Autosave], kept);
+    story.click("Restore");
+    story.click("Cancel");
+    assert!(story.has("Restore"));
+    story.click("Restore");
+    bring(&mut story);
+    assert_eq!(story.names(), ["Robot", "Cube"]);
+}
+
+#[test]
+fn what_is_not_wanted_is_not_asked_about_again_when_the_files_have_come() {
+    let mut story = without_some(&["builtin:gem"]);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    ask(&mut story, Ask::OpenBuiltin("showcase"));
+    story.click("Don't Save");
+    bring(&mut story);
+    assert_eq!(story.names(), ["Robot", "Dog", "Plant", "Adult"]);
+
+    // What is changed while they come is.
+    let mut story = without_some(&["builtin:gem"]);
+    ask(&mut story, Ask::OpenBuiltin("showcase"));
+    story.key_with(Modifiers::SHIFT, Key::C);
+    bring(&mut story);
+    assert!(story.has("Don't Save"));
+}
+
+#[test]
+fn a_file_that_cannot_be_had_does_not_stop_what_needs_others() {
+    let mut story = without_some(&["builtin:gem"]);
+    ask(&mut story, Ask::InsertBuiltin("robot"));
+    ask(&mut story, Ask::InsertBuiltin("dog"));
+    let robot = |path: &PathBuf| path.to_string_lossy().contains("robot");
+    story
+        .host
+        .absent
+        .lock()
+        .unwrap()
+        .retain(|path| !robot(path));
+    story.host.answer_asked(Err(no_network()));
+    story.settle();
+    assert_eq!(story.names(), ["Gem", "Robot"]);
+    assert_eq!(story.messages().len(), 1);
+}
+
+#[test]
+fn a_scene_without_panels_tells_what_is_wrong() {
+    let options = Options {
+        is_viewer: true,
+        ..Options::default()
+    };
+    let host = MemoryHost {
+        stored: [started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let story = Story::start_with(host, options, &["missing.obj"]);
+    assert!(story.has("Dismiss: missing.obj: there is no such file"));
 }

@@ -22,11 +22,11 @@ use crate::host::MemoryHost;
 use editor_core::editor::{Session, Severity};
 use editor_core::geometry::Picture;
 use editor_core::gpu::{Backend, HeadlessContext};
-use editor_core::program::{FrameInput, Graphics, Options, Program};
+use editor_core::program::{Graphics, Options, Program};
 use editor_core::render::read_picture;
 use editor_core::scene::{CharacterShape, Shape};
 use egui::accesskit::{Node, TreeUpdate};
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, RawInput, Rect, pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -104,28 +104,13 @@ impl Story {
 
     /// Draws one frame in which `events` happen. Returns how long no other is needed.
     pub fn frame(&mut self, events: Vec<Event>) -> Duration {
-        let (width, height) = SIZE;
-        let screen = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
-        let raw = RawInput {
-            screen_rect: Some(screen),
-            max_texture_side: Some(4096),
-            time: Some(self.host.time.as_secs_f64()),
-            events,
-            ..RawInput::default()
-        };
-        let input = FrameInput {
-            context: self.context.clone(),
-            raw,
-            size: SIZE,
-        };
+        let (program, graphics) = (&mut self.program, &mut self.graphics);
         let wait = self
-            .program
-            .frame(&mut self.graphics, input, &mut self.host)
-            .expect("the program goes on");
+            .host
+            .frame(program, graphics, &self.context, SIZE, events);
         if let Some(widgets) = self.host.widgets.take() {
             self.widgets = Some(widgets);
         }
-        self.host.time += Duration::from_millis(16);
         wait
     }
 

@@ -67,8 +67,8 @@ fn a_newer_version_takes_the_place_of_the_older_at_the_next_start() {
     );
     edit(
         "service-worker.js",
-        "\"editor-\" + ",
-        "\"editor-newer-\" + ",
+        "OF_THIS_PAGE + ",
+        "OF_THIS_PAGE + \"newer-\" + ",
     );
     let is_newer = "return 'newer' in document.documentElement.dataset";
     browser.reload();
