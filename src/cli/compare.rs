@@ -199,7 +199,7 @@ fn meshes(args: &Args) -> Result<(), CliError> {
 }
 
 /// What each joint moves of the character that is named, or else of A if it is one; `None` without a
-/// character. The joint with the most weight has a vertex.
+/// character. A vertex belongs to the joint with the most weight.
 fn parts(args: &Args, files: &dyn Files, vertices: usize) -> Result<Option<MeshParts>, CliError> {
     let character = match &args.character {
         Some(model) => {

@@ -39,7 +39,9 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     }
 }
 
-fn bounds_of(shapes: &[NewShape]) -> Aabb {
+/// Bounds of shapes that are in no scene yet, in the world. Those that are hidden take their place,
+/// too.
+pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {
     let mut alone = Scene::new();
     for shape in shapes {
         alone.add(shape.clone());

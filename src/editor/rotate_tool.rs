@@ -275,11 +275,11 @@ impl RingDrag {
     }
 
     /// Begins a turn about `axis`, in the character's space, of a joint as it was when another drag
-    /// of it began, with the cursor anywhere on `ray`, as seen from `eye` in the world. `None` if no
-    /// angle follows from the cursor.
-    pub fn in_front(turn: JointTurn, axis: DVec3, eye: Vec3, ray: &Ray) -> Option<Self> {
-        let (eye, ray) = (turn.model_point(eye), turn.model_ray(ray));
-        let swing = Swing::begin_in_front(turn.center(), axis, eye, &ray)?;
+    /// of it began, with the cursor anywhere on `ray`, which comes from the eye. `None` if no angle
+    /// follows from the cursor.
+    pub fn in_front(turn: JointTurn, axis: DVec3, ray: &Ray) -> Option<Self> {
+        let ray = turn.model_ray(ray);
+        let swing = Swing::begin_in_front(turn.center(), axis, &ray)?;
         Some(Self::with(turn, swing))
     }
 

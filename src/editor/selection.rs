@@ -1,6 +1,7 @@
+use super::among::bounds_of;
 use super::{Edit, Session};
-use crate::math::{Aabb, Euler, Transform};
-use crate::scene::{Evaluator, NewShape, Scene, Shape, ShapeId};
+use crate::math::{Euler, Transform};
+use crate::scene::{NewShape, Scene, Shape, ShapeId};
 use glam::Vec3;
 
 /// What the shapes in a box become.
@@ -175,14 +176,7 @@ pub fn set_apart(session: &Session, shapes: &mut [NewShape]) {
     /// Distance, relative to that width, below which two shapes of a kind look like one.
     const TOO_NEAR: f32 = 0.01;
     let there = session.scene().shapes();
-    let mut alone = Scene::new();
-    for shape in shapes.iter() {
-        alone.add(shape.clone());
-    }
-    let evaluated = Evaluator::new().evaluate(&alone, 0.0);
-    // Those that are hidden take their place, too.
-    let all = evaluated.shapes.iter();
-    let bounds = all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()));
+    let bounds = bounds_of(shapes);
     let width = if bounds.is_empty() {
         1.0
     } else {

@@ -28,11 +28,11 @@ impl ShapeTurn {
         Some(Self::with(group, axis, swing))
     }
 
-    /// The same for the cursor anywhere on `ray`, as seen from `eye`.
-    pub fn in_front(group: ShapeGroup, axis: Vec3, eye: Vec3, ray: &Ray) -> Option<Self> {
+    /// The same for the cursor anywhere on `ray`, which comes from the eye.
+    pub fn in_front(group: ShapeGroup, axis: Vec3, ray: &Ray) -> Option<Self> {
         let pivot = group.pivot().as_dvec3();
         let axis = axis.as_dvec3().try_normalize()?;
-        let swing = Swing::begin_in_front(pivot, axis, eye.as_dvec3(), &DRay::from(ray));
+        let swing = Swing::begin_in_front(pivot, axis, &DRay::from(ray));
         Some(Self::with(group, axis, swing))
     }
 
@@ -56,7 +56,7 @@ impl ShapeTurn {
     /// start.
     pub fn update(&mut self, session: &Session, ray: &Ray, snap: bool) -> Edit {
         let (pivot, ray) = (self.group.pivot().as_dvec3(), DRay::from(ray));
-        let begun = || Swing::begin_in_front(pivot, self.axis, ray.origin, &ray);
+        let begun = || Swing::begin_in_front(pivot, self.axis, &ray);
         self.swing = self.swing.or_else(begun);
         let angle = self.swing.and_then(|swing| swing.angle(&ray, self.wanted));
         self.wanted = angle.unwrap_or(self.wanted);

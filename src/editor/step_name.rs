@@ -37,8 +37,7 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
 }
 
 fn inserted(shape: &Shape) -> String {
-    let is_file = |file: &str| !file.starts_with("builtin:");
-    let from_file = shape.source.as_ref().is_some_and(|s| is_file(&s.file));
+    let from_file = shape.source.as_ref().is_some_and(|s| !s.is_builtin());
     let verb = if from_file { "Import" } else { "Insert" };
     format!("{verb} {}", shape.name)
 }

@@ -81,10 +81,10 @@ impl Swing {
         Some(Self { center, axis, how })
     }
 
-    /// Begins where a ring around the axis is nearest to `eye`, for a cursor that has grabbed nothing
-    /// of it, wherever it is on `ray`. `None` if no angle follows from the cursor.
-    pub fn begin_in_front(center: DVec3, axis: DVec3, eye: DVec3, ray: &DRay) -> Option<Self> {
-        let towards = (eye - center).reject_from(axis);
+    /// Begins where a ring around the axis is nearest to the eye, from which `ray` comes, for a cursor
+    /// that has grabbed nothing of it, wherever it is. `None` if no angle follows from the cursor.
+    pub fn begin_in_front(center: DVec3, axis: DVec3, ray: &DRay) -> Option<Self> {
+        let towards = (ray.origin - center).reject_from(axis);
         Self::begin(center, axis, center + towards * FRONT, ray)
     }
 
@@ -129,7 +129,7 @@ mod tests {
             direction: DVec3::new(x, y, 0.0) - eye,
         };
         for (x, y) in [(0.0, 0.0), (0.0, 0.1), (0.5, 0.0), (1.0, 0.5)] {
-            let swing = Swing::begin_in_front(DVec3::ZERO, DVec3::X, eye, &ray(x, y)).unwrap();
+            let swing = Swing::begin_in_front(DVec3::ZERO, DVec3::X, &ray(x, y)).unwrap();
             assert_eq!(swing.angle(&ray(x, y), 0.0), Some(0.0));
             // 0.05 upwards at the center are 0.045 at the front of a ring of radius 0.5.
             let turned = swing.angle(&ray(x, y + 0.05), 0.0).unwrap();

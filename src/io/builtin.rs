@@ -42,31 +42,21 @@ struct Asset {
     size: usize,
 }
 
-/// Files that are inside the program everywhere.
-macro_rules! small {
-    ($($path:literal),* $(,)?) => {
-        [$({
-            let content: &[u8] = include_bytes!(concat!("../../assets/", $path));
-            Asset { path: $path, content: Some(content), size: content.len() }
-        }),*]
-    };
-}
-
-/// Files that a page fetches when they are used: with them, it would be twice as long to load.
-macro_rules! large {
-    ($($path:literal),* $(,)?) => {
+macro_rules! assets {
+    ($is_inside:expr; $($path:literal),* $(,)?) => {
         [$({
             let content: &[u8] = include_bytes!(concat!("../../assets/", $path));
             Asset {
                 path: $path,
-                content: if cfg!(target_arch = "wasm32") { None } else { Some(content) },
+                content: if $is_inside { Some(content) } else { None },
                 size: content.len(),
             }
         }),*]
     };
 }
 
-static SMALL: &[Asset] = &small![
+/// Files that are inside the program everywhere.
+static SMALL: &[Asset] = &assets![true;
     "characters/adult.skel",
     "characters/dog.skel",
     "characters/robot.skel",
@@ -103,7 +93,8 @@ static SMALL: &[Asset] = &small![
     "poses/tentacle-curl.json",
 ];
 
-static LARGE: &[Asset] = &large![
+/// Files that a page fetches when they are used: with them, it would be twice as long to load.
+static LARGE: &[Asset] = &assets![cfg!(not(target_arch = "wasm32"));
     "characters/adult.attach",
     "characters/adult.obj",
     "characters/dog.attach",
@@ -138,10 +129,9 @@ pub fn catalogue() -> Vec<Builtin> {
     ]
     .into_iter()
     .flat_map(|(folder, extension, kind)| {
-        assets().filter_map(move |asset| {
-            let name = asset.path.strip_prefix(folder)?.strip_suffix(extension)?;
-            Some(Builtin { name, kind })
-        })
+        let name = |asset: &Asset| asset.path.strip_prefix(folder)?.strip_suffix(extension);
+        let names: BTreeSet<&str> = assets().filter_map(name).collect();
+        names.into_iter().map(move |name| Builtin { name, kind })
     })
     .collect()
 }

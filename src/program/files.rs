@@ -289,17 +289,21 @@ pub(super) fn file_stem(name: &str) -> String {
 
 /// Message about a pose that some joints of `missing` names were left out of.
 fn without(path: &Path, missing: &[&str]) -> String {
-    const NAMED: usize = 3;
-    let named: Vec<&str> = missing.iter().take(NAMED).copied().collect();
-    let more = match missing.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    let named = named.join(", ");
+    let missing = listed(missing);
     format!(
-        "{}: applied without {named}{more}, which this character does not have",
+        "{}: applied without {missing}, which this character does not have",
         path.display()
     )
+}
+
+/// The first of `names`, and how many more there are.
+pub(super) fn listed(names: &[&str]) -> String {
+    const NAMED: usize = 3;
+    let named = names[..names.len().min(NAMED)].join(", ");
+    match names.len().saturating_sub(NAMED) {
+        0 => named,
+        more => format!("{named} and {more} more"),
+    }
 }
 
 #[cfg(test)]

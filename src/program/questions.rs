@@ -3,6 +3,7 @@
 use super::autosave::Kept;
 use super::document::Next;
 use super::exports::Together;
+use super::files::listed;
 use crate::ui::{Answer, Question};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -73,21 +74,17 @@ fn unsaved(next: &Next, name: &str) -> Question {
 
 /// Text of the question about files at `replaced` that are written with the one at `path`.
 fn replace_text(path: &Path, replaced: &[PathBuf]) -> String {
-    const NAMED: usize = 4;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let name = |file: &PathBuf| {
+    let inner = |file: &PathBuf| {
         let inner = file.strip_prefix(folder).unwrap_or(file);
         inner.display().to_string()
     };
-    let named: Vec<String> = replaced.iter().take(NAMED).map(name).collect();
-    let more = match replaced.len().saturating_sub(NAMED) {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
+    let names: Vec<String> = replaced.iter().map(inner).collect();
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     format!(
-        "{} is written together with files that are there already, with other contents: {}{more}.",
+        "{} is written together with files that are there already, with other contents: {}.",
         path.file_name().unwrap_or(path.as_os_str()).display(),
-        named.join(", "),
+        listed(&names),
     )
 }
 

@@ -161,6 +161,13 @@ pub struct Source {
     pub fingerprint: Option<u32>,
 }
 
+impl Source {
+    /// Whether the file is one of the program's own.
+    pub fn is_builtin(&self) -> bool {
+        self.file.starts_with("builtin:")
+    }
+}
+
 /// Way in which a file is read. One file may be read in several: an `.obj` beside a `.skel` as a
 /// character or as a shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]

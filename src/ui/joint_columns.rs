@@ -6,10 +6,9 @@ use crate::character::SkeletalModel;
 use egui::{Color32, FontId, Rect, TextStyle, Ui, pos2, vec2};
 
 const HEIGHT: f32 = 20.0;
-const INDENT: f32 = 4.0;
-/// From these depths on, each joint is indented only so many points further than the one above it:
-/// names need the room, but what hangs on what is to be seen, too.
-const DEEP_INDENTS: [(usize, f32); 3] = [(8, 2.0), (16, 1.0), (48, 0.0)];
+/// So many levels are indented by so many points each; deeper ones no further: names need the room,
+/// but what hangs on what is to be seen, too.
+const INDENTS: [(usize, f32); 3] = [(8, 4.0), (8, 2.0), (32, 1.0)];
 const ARROW: f32 = 12.0;
 const RESET: f32 = 14.0;
 const GAP: f32 = 2.0;
@@ -118,13 +117,14 @@ pub(super) fn name_left(row: &Row) -> f32 {
     indent(row.depth) + ARROW
 }
 
-fn indent(depth: usize) -> f32 {
-    let ends = DEEP_INDENTS.iter().map(|(from, _)| *from).chain([depth]);
-    let steps = std::iter::once((0, INDENT)).chain(DEEP_INDENTS);
-    steps
-        .zip(ends)
-        .map(|((from, step), end)| end.min(depth).saturating_sub(from) as f32 * step)
-        .sum()
+fn indent(mut depth: usize) -> f32 {
+    let mut sum = 0.0;
+    for (levels, step) in INDENTS {
+        let part = depth.min(levels);
+        sum += part as f32 * step;
+        depth -= part;
+    }
+    sum
 }
 
 /// Label of the row below a root.
@@ -132,7 +132,7 @@ pub(super) const OFFSET: &str = "Offset";
 
 /// Left edge of that label within its row: that of the names of the root's children.
 pub(super) fn offset_left(root: &Row) -> f32 {
-    name_left(root) + INDENT
+    indent(root.depth + 1) + ARROW
 }
 
 /// Font of names.

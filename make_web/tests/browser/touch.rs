@@ -37,3 +37,16 @@ fn a_bone_is_dragged_by_a_finger_that_only_comes_near_it() {
     assert!(difference(&before, &after, (560, 100, 900, 640)) < 0.001);
     browser.finish();
 }
+
+#[test]
+fn a_bone_is_selected_by_a_tap_near_it() {
+    let browser = Browser::open();
+    browser.press(&["b"]);
+    // Nowhere, so that nothing is selected.
+    browser.touch(&[[(700, 650), (700, 650)]]);
+    let before = browser.picture();
+    browser.touch(&[[(255, 160), (255, 160)]]);
+    let after = browser.picture();
+    assert!(difference(&before, &after, (150, 60, 480, 640)) > 0.005);
+    browser.finish();
+}

@@ -41,11 +41,11 @@ pub(super) fn placed(evidence: &Evidence) -> Option<Finding> {
     let is_elsewhere =
         outlines.stands_apart() && after.share() <= before.share() * ELSEWHERE_LEAVES;
     let spoils_little = after.spoiled * SPOILED_ONE_IN <= before.differing;
-    let is_in_view = 2.0 * after.seen >= outlines.drawn_in_b;
+    let is_in_view = 2.0 * after.seen >= outlines.moments[1].count;
     if !(explains_all || is_elsewhere) || !spoils_little || !is_in_view {
         return None;
     }
-    let by = place.center_b - outlines.center_a;
+    let by = place.center_b - outlines.moments[0].center;
     let told = |value: f64, least: f64, size: f64| if size < least { 0.0 } else { value };
     let (dx, dy) = (by.x.round() as i32, by.y.round() as i32);
     let scale = (place.factor - 1.0).abs();
@@ -91,6 +91,31 @@ impl Misfit {
     }
 }
 
+/// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
+/// two has only lines.
+fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
+    let solid = drawn
+        .each_ref()
+        .map(|drawn| grown(pair, &shrunk(pair, drawn)));
+    if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
+        drawn.clone()
+    } else {
+        solid
+    }
+}
+
+/// `mask` with all pixels beside it.
+fn grown(pair: &Pair, mask: &[bool]) -> Vec<bool> {
+    let all = 0..mask.len();
+    all.map(|i| pair.around(i).any(|near| mask[near])).collect()
+}
+
+/// `mask` without the pixels at its edge.
+fn shrunk(pair: &Pair, mask: &[bool]) -> Vec<bool> {
+    let all = 0..mask.len();
+    all.map(|i| pair.around(i).all(|near| mask[near])).collect()
+}
+
 /// What is drawn in both pictures.
 struct Outlines<'a> {
     width: usize,
@@ -100,27 +125,8 @@ struct Outlines<'a> {
     /// as a pixel.
     about: [Vec<bool>; 2],
     moments: [Moments; 2],
-    center_a: DVec2,
-    drawn_in_b: f64,
     /// Part of B in which movements are sought, and the distance of the pixels looked at.
     sought: (Area, usize),
-}
-
-/// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
-/// two has only lines.
-fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
-    let solid = drawn.each_ref().map(|drawn| -> Vec<bool> {
-        let core = (0..drawn.len()).map(|i| pair.around(i).all(|near| drawn[near]));
-        let core: Vec<bool> = core.collect();
-        (0..drawn.len())
-            .map(|i| pair.around(i).any(|near| core[near]))
-            .collect()
-    });
-    if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
-        drawn.clone()
-    } else {
-        solid
-    }
 }
 
 /// Number of the drawn pixels, their middle, and the direction in which they reach farthest.
@@ -139,12 +145,7 @@ impl<'a> Outlines<'a> {
         let [Some(a), Some(b)] = [0, 1].map(|which| Moments::of(&drawn[which], width)) else {
             return None;
         };
-        let all = 0..drawn[0].len();
-        let any = all
-            .clone()
-            .map(|i| pair.around(i).any(|near| drawn[0][near]));
-        let every = all.map(|i| pair.around(i).all(|near| drawn[0][near]));
-        let about = [any.collect(), every.collect()];
+        let about = [grown(pair, &drawn[0]), shrunk(pair, &drawn[0])];
         let area = evidence.area_of(&drawn[1])?;
         let (beside, above) = (area.width / 4 + 2, area.height / 4 + 2);
         let (x, y) = (area.x.saturating_sub(beside), area.y.saturating_sub(above));
@@ -159,11 +160,9 @@ impl<'a> Outlines<'a> {
         Some(Self {
             width,
             kept: pair.kept(),
-            drawn_in_b: count(&drawn[1]) as f64,
             drawn,
             about,
             moments: [a, b],
-            center_a: a.center,
             sought: (region, (pixels / SAMPLES).sqrt().ceil().max(1.0) as usize),
         })
     }
@@ -171,7 +170,7 @@ impl<'a> Outlines<'a> {
     /// A where it is.
     fn still(&self) -> Place {
         Place {
-            center_b: self.center_a,
+            center_b: self.moments[0].center,
             factor: 1.0,
             turn: 0.0,
         }
@@ -278,10 +277,10 @@ impl<'a> Outlines<'a> {
                     self.about[1][in_a]
                 };
                 let agrees_still = self.drawn[0][in_b] == b;
-                misfit.drawn += f64::from(u8::from(b || self.drawn[0][in_a]));
-                misfit.seen += f64::from(u8::from(b));
-                misfit.differing += f64::from(u8::from(differs));
-                misfit.spoiled += f64::from(u8::from(differs && agrees_still));
+                misfit.drawn += f64::from(b || self.drawn[0][in_a]);
+                misfit.seen += f64::from(b);
+                misfit.differing += f64::from(differs);
+                misfit.spoiled += f64::from(differs && agrees_still);
             }
         }
         misfit
@@ -309,7 +308,7 @@ impl<'a> Source<'a> {
     /// where A is left out.
     fn index(&self, x: u32, y: u32) -> Option<usize> {
         let off = DVec2::new(f64::from(x), f64::from(y)) - self.place.center_b;
-        let at = (self.outlines.center_a + self.along.rotate(off)).round();
+        let at = (self.outlines.moments[0].center + self.along.rotate(off)).round();
         let (width, kept) = (self.outlines.width, self.outlines.kept);
         let is_beside = at.x < 0.0 || at.y < 0.0 || at.x >= width as f64;
         if is_beside {

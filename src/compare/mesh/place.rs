@@ -44,38 +44,56 @@ pub(super) fn places(
     parts: Option<&MeshParts>,
 ) -> Vec<MeshPlace> {
     let differing = || (0..a.len()).filter(|&index| is_apart(distances[index], tolerance));
-    let place = |place: String, indices: &mut dyn Iterator<Item = usize>| {
-        let (count, max) = indices.fold((0_u64, 0.0_f64), |(count, max), index| {
-            (count + 1, max.max(distances[index]))
-        });
-        (count > 0).then(|| MeshPlace {
-            place,
-            vertices: count,
-            share: count as f64 / a.len() as f64,
-            max,
-        })
-    };
     let Some(parts) = parts else {
         let finite = |index: &usize| a[*index].is_finite();
         let points = differing().filter(finite).map(|index| a[index].as_vec3());
         let whole = a.iter().filter(|point| point.is_finite());
         let whole = Aabb::from_points(whole.map(|point| point.as_vec3()));
         let side = side_of(&Aabb::from_points(points), &whole);
-        return side
-            .and_then(|side| place(side, &mut differing()))
-            .into_iter()
-            .collect();
+        let names = side.into_iter().collect();
+        return counted(a.len(), differing(), distances, names, |_| 0);
     };
-    let of = |index: usize| parts.of_vertex.get(index).copied().flatten();
-    let named = (0..).zip(&parts.names).filter_map(|(part, name)| {
-        let mut indices = differing().filter(|&index| of(index) == Some(part));
-        place(format!("near {name}"), &mut indices)
-    });
-    let mut rest = differing().filter(|&index| of(index).is_none());
-    let rest = place("where no joint moves them".to_owned(), &mut rest);
-    let mut places: Vec<MeshPlace> = named.chain(rest).collect();
+    // What belongs to no part comes after all parts.
+    let named = parts.names.iter().map(|name| format!("near {name}"));
+    let names: Vec<String> = named
+        .chain(["where no joint moves them".to_owned()])
+        .collect();
+    let none = parts.names.len();
+    let part_of = |index: usize| {
+        let part = parts.of_vertex.get(index).copied().flatten();
+        part.map_or(none, |part| part as usize)
+    };
+    let mut places = counted(a.len(), differing(), distances, names, part_of);
     places.sort_by_key(|place| std::cmp::Reverse(place.vertices));
     places
+}
+
+/// The places called `names` in which there are vertices of `differing`, each in one of them by
+/// `place_of`, of a mesh of `all` vertices.
+fn counted(
+    all: usize,
+    differing: impl Iterator<Item = usize>,
+    distances: &[f64],
+    names: Vec<String>,
+    place_of: impl Fn(usize) -> usize,
+) -> Vec<MeshPlace> {
+    let mut found = vec![(0_u64, 0.0_f64); names.len()];
+    for index in differing {
+        if let Some((count, max)) = found.get_mut(place_of(index)) {
+            *count += 1;
+            *max = max.max(distances[index]);
+        }
+    }
+    let named = names.into_iter().zip(found);
+    let named = named.filter(|(_, (count, _))| *count > 0);
+    named
+        .map(|(place, (vertices, max))| MeshPlace {
+            place,
+            vertices,
+            share: vertices as f64 / all as f64,
+            max,
+        })
+        .collect()
 }
 
 /// Where `part` lies in `whole`, in words; `None` if either is empty.

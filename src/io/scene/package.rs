@@ -4,7 +4,7 @@ use super::{paths, text::scene_text_with};
 use crate::io::file_access::with_slashes;
 use crate::io::file_importer::import_with;
 use crate::io::recorder::Recorder;
-use crate::io::{Diagnostic, Files, builtin};
+use crate::io::{Diagnostic, Files};
 use crate::scene::{Importer, Scene, ShapeKind, Source, ViewSettings};
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Component, Path, PathBuf};
@@ -39,12 +39,10 @@ pub fn needed_files<'a>(
         .flat_map(|scene| scene.shapes())
         .filter_map(|shape| shape.source.as_ref());
     for source in sources {
-        let is_builtin = source.file.starts_with(builtin::PREFIX);
-        if !is_builtin && seen.insert((&source.file, source.importer)) {
-            let recorder = Recorder::new(files);
+        if !source.is_builtin() && seen.insert((&source.file, source.importer)) {
             // What was read before an error is needed as well.
-            let _ = import_with(&recorder, Path::new(&source.file), source.importer);
-            needed.extend(recorder.into_paths().iter().map(|path| paths::normal(path)));
+            let (read, _) = files_of(files, source);
+            needed.extend(read.iter().map(|path| paths::normal(path)));
         }
     }
     needed
@@ -68,7 +66,7 @@ pub fn package(
     let root = PathBuf::from(format!("{name} files"));
     let places = places(&folders, &root);
     let named = |source: &Source| {
-        if source.file.starts_with(builtin::PREFIX) {
+        if source.is_builtin() {
             return Some(source.file.clone());
         }
         let place = places.get(&paths::normal(Path::new(&source.file)))?;
@@ -101,25 +99,31 @@ fn folders(files: &dyn Files, scene: &Scene) -> Result<Folders, Diagnostic> {
         let Some(source) = &shape.source else {
             continue;
         };
-        let is_builtin = source.file.starts_with(builtin::PREFIX);
-        if is_builtin || !seen.insert((&source.file, source.importer)) {
+        if source.is_builtin() || !seen.insert((&source.file, source.importer)) {
             continue;
         }
-        let recorder = Recorder::new(files);
-        let path = Path::new(&source.file);
-        let imported = import_with(&recorder, path, source.importer);
+        let (read, imported) = files_of(files, source);
         if let Err(error) = imported {
             if matches!(shape.kind, ShapeKind::Curve(_)) {
                 continue;
             }
             return Err(error);
         }
-        let folder = paths::normal(path.parent().unwrap_or(Path::new("")));
-        let read = recorder.into_paths().into_iter();
+        let folder = Path::new(&source.file).parent();
+        let folder = paths::normal(folder.unwrap_or(Path::new("")));
+        let read = read.into_iter();
         let read = read.map(|path| (paths::normal(&path), path));
         folders.entry(folder).or_default().extend(read);
     }
     Ok(folders)
+}
+
+/// The files that are read to import `source`, in the order in which they are first read, and whether
+/// all of them could be.
+fn files_of(files: &dyn Files, source: &Source) -> (Vec<PathBuf>, Result<(), Diagnostic>) {
+    let recorder = Recorder::new(files);
+    let imported = import_with(&recorder, Path::new(&source.file), source.importer);
+    (recorder.into_paths(), imported.map(drop))
 }
 
 /// Where each file comes to lie: its folder below `root`, by the name of the folder and a number

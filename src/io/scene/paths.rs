@@ -7,8 +7,8 @@ use std::path::{Component, Path, PathBuf};
 /// where there is one; `file` as it is otherwise, and if it is built in.
 pub(super) fn name(file: &str, folder: Option<&Path>) -> String {
     let is_builtin = file.starts_with(builtin::PREFIX);
-    // Names of files are kept as Unicode, and so the folder has to be: for the way from there they differ
-    // alike.
+    // Else a folder whose name is no Unicode would share no beginning with its files, whose names are kept
+    // as Unicode.
     let folder = folder.filter(|_| !is_builtin).map(Path::to_string_lossy);
     folder
         .and_then(|folder| way(Path::new(&*folder), Path::new(file)))

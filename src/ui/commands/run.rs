@@ -260,9 +260,9 @@ pub(in crate::ui) fn why_disabled(
 /// Whether the scene needs files that are not built in. Curves are in the scene itself.
 fn has_files(session: &Session) -> bool {
     let needs = |shape: &Shape| {
-        let file = shape.source.as_ref().map(|source| &source.file);
         let is_curve = matches!(shape.kind, ShapeKind::Curve(_));
-        !is_curve && file.is_some_and(|file| !file.starts_with("builtin:"))
+        let mut source = shape.source.iter();
+        !is_curve && source.any(|source| !source.is_builtin())
     };
     session.scene().shapes().iter().any(needs)
 }

@@ -222,10 +222,9 @@ impl Drag {
         axis: usize,
         pointer: &Ray,
     ) -> Option<Self> {
-        let eye = session.view().camera.eye();
         let ring = |turn: &JointTurn| {
             let about = turn.axis(axes, axis)?;
-            RingDrag::in_front(turn.clone(), about, eye, pointer).map(Drag::Ring)
+            RingDrag::in_front(turn.clone(), about, pointer).map(Drag::Ring)
         };
         match self {
             Self::Bone(drag) => ring(drag.turn()),
@@ -237,7 +236,7 @@ impl Drag {
             Self::Turn(drag) => {
                 let group = drag.group().clone();
                 let about = group.axis(axes, axis);
-                ShapeTurn::in_front(group, about, eye, pointer).map(Drag::Turn)
+                ShapeTurn::in_front(group, about, pointer).map(Drag::Turn)
             }
             Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(axis)))),
             Self::Ik(_) | Self::Stuck(..) => None,

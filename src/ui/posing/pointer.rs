@@ -60,10 +60,10 @@ pub(in crate::ui) fn pointer(
         mark(session, held, actions);
         return PointerUse::Holding;
     }
-    // A finger that lies on a bone has not said yet what it wants.
+    // A finger that lies on a bone has not said yet what it wants; one that has tapped it has.
     let under = view
         .hover_pos()
-        .filter(|_| !view.dragged() && !state.by_finger)
+        .filter(|_| !view.dragged() && (!state.by_finger || view.clicked()))
         .map_or(Under::Nothing, |at| under(session, state, places, at));
     let bone = match under {
         Under::Bone(hit, place) => Some((hit, place)),
