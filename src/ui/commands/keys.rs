@@ -140,11 +140,12 @@ fn added(navigation: Navigation) -> impl Iterator<Item = (Command, &'static Keyb
         .map(|(command, shortcut)| (*command, shortcut))
 }
 
-/// Key names as keyboards have them: `Esc`, `?`.
+/// Key names as keyboards have them: `Esc`, `?`, `,`.
 fn short(shortcut: &str) -> String {
     shortcut
         .replace("Escape", "Esc")
         .replace("Questionmark", "?")
+        .replace("Comma", ",")
 }
 
 /// Remembers the navigation, whose shortcuts tooltips show.
@@ -302,6 +303,18 @@ mod tests {
             let tooltip = tooltip(&ctx, Command::SetTool(Tool::Move));
             assert!(tooltip.ends_with(key), "{tooltip}");
         }
+    }
+
+    #[test]
+    fn keys_are_told_by_the_signs_on_them() {
+        let ctx = Context::default();
+        let key = |command| {
+            entry_of(command)
+                .unwrap()
+                .first_key(&ctx, Navigation::Course)
+        };
+        assert_eq!(key(Command::Preferences), "Ctrl+,");
+        assert_eq!(key(Command::Keys), "?");
     }
 
     #[test]
