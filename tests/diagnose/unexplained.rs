@@ -1,0 +1,141 @@
+//! Meshes that no known mistake gives, and what is told of them.
+
+use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::student::{RIGHT, WRONG};
+use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
+use glam::Vec3;
+
+fn adult() -> Figure {
+    Figure::builtin("adult", turned(21))
+}
+
+#[test]
+fn nonsense_has_no_cause_and_nothing_that_comes_near() {
+    let figure = adult();
+    let mut random = 1_u32;
+    let mut number = || {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (random >> 8) as f32 / (1 << 24) as f32
+    };
+    let noise = figure
+        .positions
+        .iter()
+        .map(|_| Vec3::new(number(), number(), number()));
+    let found = figure.diagnose(&noise.collect::<Vec<_>>());
+    assert_eq!(
+        (found.verdict, &*found.causes),
+        (Verdict::Unexplained, &[][..])
+    );
+    assert!(
+        found.nearest.is_none() && found.findings.is_empty(),
+        "{found}"
+    );
+    assert!(
+        found.regions.iter().all(|region| region.share > 0.99),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_part_that_is_off_is_told_by_its_joint() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    for (vertex, place) in theirs.iter_mut().enumerate() {
+        // Column 13 is joint 14, the right elbow.
+        if figure.rows[vertex][13] > 0.6 {
+            *place += Vec3::new(0.0, 0.1 * (place.x * 40.0).sin(), 0.05);
+        }
+    }
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let joints: Vec<_> = found
+        .regions
+        .iter()
+        .map(|region| region.joint.as_deref())
+        .collect();
+    assert_eq!(joints, [Some("Right elbow")]);
+    let (region, first) = (&found.regions[0], found.first.as_ref().unwrap());
+    assert!(region.off > 100 && region.off <= region.vertices && region.worst > 0.02);
+    assert_eq!(
+        (&first.joint, first.joint_index),
+        (&Some("Right elbow".to_owned()), Some(14))
+    );
+    assert_eq!(first.error, region.worst);
+}
+
+#[test]
+fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
+    let figure = adult();
+    let mut student = RIGHT;
+    let wrong = WRONG
+        .iter()
+        .find(|wrong| wrong.id == "weights-shifted")
+        .unwrap();
+    (wrong.make)(&mut student);
+    let mut theirs = student.skin(&figure);
+    for place in &mut theirs {
+        place.y += 0.002 * (place.x * 50.0).sin();
+    }
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let nearest = found.nearest.as_ref().unwrap();
+    assert_eq!(nearest.mistake.id, "weights-shifted");
+    assert!(nearest.explains > 0.9 && nearest.explains < 1.0, "{found}");
+}
+
+#[test]
+fn a_mesh_that_is_moved_or_scaled_as_a_whole_is_told_to_be() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let moved: Vec<Vec3> = right.iter().map(|place| *place + Vec3::X).collect();
+    let found = figure.diagnose(&moved);
+    assert!(
+        found.findings[0].ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
+        "{found}"
+    );
+    let larger: Vec<Vec3> = right.iter().map(|place| *place * 2.0).collect();
+    let found = figure.diagnose(&larger);
+    assert!(
+        found.findings[0].ends_with("B is A 2.000000 times as large"),
+        "{found}"
+    );
+}
+
+#[test]
+fn another_order_that_no_importer_is_known_for_is_told_as_one() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    theirs.rotate_left(1000);
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.causes, ["vertices-renumbered"]);
+    assert_eq!(found.mistakes[0].how, "in another order");
+    assert!(found.error < 1e-5, "{found}");
+}
+
+#[test]
+fn another_number_of_vertices_is_an_error() {
+    let figure = adult();
+    let counts = |theirs: &[Vec3]| diagnose(&figure.character, &figure.pose(), theirs).unwrap_err();
+    let expected = figure.positions.len();
+    assert_eq!(
+        counts(&figure.positions[1..]),
+        DiagnoseError::Vertices {
+            expected,
+            found: expected - 1
+        }
+    );
+    assert_eq!(counts(&[]), DiagnoseError::Vertices { expected, found: 0 });
+}
+
+#[test]
+fn coordinates_that_are_no_numbers_are_off_by_more_than_anything() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    theirs[100].y = f32::NAN;
+    let found = figure.diagnose(&theirs);
+    assert_eq!(
+        (found.verdict, found.error),
+        (Verdict::Unexplained, f64::INFINITY)
+    );
+    assert_eq!(found.first.unwrap().vertex, 100);
+}
