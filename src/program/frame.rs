@@ -90,7 +90,7 @@ impl Program {
             ..raw.clone()
         };
         let mut run: Option<PanelRun> = None;
-        for part in input_parts(raw) {
+        for part in input_parts(raw, context.text_edit_focused()) {
             run = PanelRun::join(run, self.run_panels(&context, part, Pass::Input, host));
         }
         if run.as_ref().is_some_and(|run| run.shown.changed) {

@@ -275,7 +275,12 @@ fn run_waiting(
         } else {
             &MEANT_IN_A_DRAG
         };
-        let is_meant = |command: &Command| meant.contains(command) && is_there(*command, input);
+        // What was typed into a number field is taken back by the field itself.
+        let undoes = number_field::is_untouched(ctx);
+        let is_meant = |command: &Command| {
+            let is_undo = undoes && *command == Command::Undo;
+            (is_undo || meant.contains(command)) && is_there(*command, input)
+        };
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
         state.waiting = pressed.filter(is_meant);
     }
