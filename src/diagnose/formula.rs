@@ -79,10 +79,23 @@ pub struct WeightFormula {
     pub is_normalized: bool,
     /// Which of them are kept.
     pub kept: Kept,
-    /// Whether those that are kept are divided by their sum.
-    pub is_renormalized: bool,
+    /// How those that are kept are changed.
+    pub rescaled: Rescaled,
     /// Which joint each belongs to.
     pub columns: Columns,
+}
+
+/// How weights that are kept make up for those that are not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rescaled {
+    /// Not at all.
+    No,
+    /// They are divided by their sum.
+    ToOne,
+    /// They are divided by their sum where some were left out.
+    ToOneWhereCut,
+    /// They sum to what all did.
+    ToSumOfAll,
 }
 
 /// Which joint a column of weights is taken for.
@@ -165,7 +178,7 @@ impl Default for Formula {
             weights: WeightFormula {
                 is_normalized: false,
                 kept: Kept::All,
-                is_renormalized: false,
+                rescaled: Rescaled::No,
                 columns: Columns::Exact,
             },
             joint_order: JointOrder {

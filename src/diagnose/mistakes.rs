@@ -1,6 +1,8 @@
 //! The mistakes that are known, as one table.
 
-use super::formula::{Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, VertexOrder};
+use super::formula::{
+    Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, VertexOrder,
+};
 
 /// A mistake that programs make in skinning a character.
 #[derive(Debug)]
@@ -238,21 +240,32 @@ pub static MISTAKES: &[Mistake] = &[
     },
     Mistake {
         id: "influences-cut-4-renormalized",
-        meaning: "only four weights of a vertex are used, divided by their sum",
+        meaning: "only four weights of a vertex are used, and made larger for those left out",
         section: SSD,
         look_at: "where weights are read or summed: every joint counts, however many there are",
         readings: &[
-            reading("the largest", |formula| {
+            reading("the largest, divided by their sum", |formula| {
                 formula.weights.kept = Kept::Largest(4);
-                formula.weights.is_renormalized = true;
+                formula.weights.rescaled = Rescaled::ToOne;
             }),
-            reading("the largest, of equals the last", |formula| {
-                formula.weights.kept = Kept::LargestLast(4);
-                formula.weights.is_renormalized = true;
+            reading("the largest, where there are more", |formula| {
+                formula.weights.kept = Kept::Largest(4);
+                formula.weights.rescaled = Rescaled::ToOneWhereCut;
             }),
-            reading("the first", |formula| {
+            reading("the largest, to sum to what all did", |formula| {
+                formula.weights.kept = Kept::Largest(4);
+                formula.weights.rescaled = Rescaled::ToSumOfAll;
+            }),
+            reading(
+                "the largest, of equals the last, divided by their sum",
+                |formula| {
+                    formula.weights.kept = Kept::LargestLast(4);
+                    formula.weights.rescaled = Rescaled::ToOne;
+                },
+            ),
+            reading("the first, divided by their sum", |formula| {
                 formula.weights.kept = Kept::First(4);
-                formula.weights.is_renormalized = true;
+                formula.weights.rescaled = Rescaled::ToOne;
             }),
         ],
     },
@@ -271,11 +284,11 @@ pub static MISTAKES: &[Mistake] = &[
         readings: &[
             reading("as if it weighed 1", |formula| {
                 formula.weights.kept = Kept::Largest(1);
-                formula.weights.is_renormalized = true;
+                formula.weights.rescaled = Rescaled::ToOne;
             }),
             reading("as if it weighed 1, of equals the last", |formula| {
                 formula.weights.kept = Kept::LargestLast(1);
-                formula.weights.is_renormalized = true;
+                formula.weights.rescaled = Rescaled::ToOne;
             }),
             reading("with its weight", |formula| {
                 formula.weights.kept = Kept::Largest(1)

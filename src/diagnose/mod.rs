@@ -12,7 +12,8 @@ mod skin;
 
 pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict};
 pub use formula::{
-    Chain, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, VertexOrder, WeightFormula,
+    Chain, Columns, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
+    VertexOrder, WeightFormula,
 };
 pub use mistakes::{MISTAKES, Mistake, Reading};
 

@@ -1,6 +1,8 @@
 //! Skinning by any formula, in double precision.
 
-use super::formula::{Chain, Columns, Factors, Formula, JointFormula, Kept, WeightFormula};
+use super::formula::{
+    Chain, Columns, Factors, Formula, JointFormula, Kept, Rescaled, WeightFormula,
+};
 use super::model::Model;
 use crate::character::{Influence, Pose};
 use glam::{DAffine3, DMat3, DVec3};
@@ -82,8 +84,9 @@ fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize,
     let of_file = influences.iter();
     kept.extend(of_file.map(|one| (one.joint as usize, f64::from(one.weight))));
     if formula.is_normalized {
-        normalize(kept);
+        scale_to(1.0, kept);
     }
+    let (count, sum_of_all) = (kept.len(), sum(kept));
     match formula.kept {
         Kept::All => {}
         // Stable: equals stay in order.
@@ -98,16 +101,24 @@ fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize,
         }
         Kept::First(most) => kept.truncate(most),
     }
-    if formula.is_renormalized {
-        normalize(kept);
+    match formula.rescaled {
+        Rescaled::No => {}
+        Rescaled::ToOneWhereCut if kept.len() == count => {}
+        Rescaled::ToOne | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
+        Rescaled::ToSumOfAll => scale_to(sum_of_all, kept),
     }
 }
 
-fn normalize(weights: &mut [(usize, f64)]) {
-    let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
+fn sum(weights: &[(usize, f64)]) -> f64 {
+    weights.iter().map(|(_, weight)| weight).sum()
+}
+
+/// Scales weights so that they sum to `total`, unless they cancel each other.
+fn scale_to(total: f64, weights: &mut [(usize, f64)]) {
+    let sum = sum(weights);
     if sum != 0.0 {
         for (_, weight) in weights {
-            *weight /= sum;
+            *weight *= total / sum;
         }
     }
 }

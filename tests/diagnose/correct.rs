@@ -44,6 +44,23 @@ fn fifty_right_meshes_of_other_precision_have_no_cause() {
 }
 
 #[test]
+fn a_mesh_whose_root_is_moved_is_right_and_one_whose_root_stays_is_not() {
+    let figure = Figure {
+        moved: Vec3::new(0.3, -0.1, 0.2),
+        ..Figure::builtin("adult", turned(9))
+    };
+    let stays = RIGHT.skin(&figure);
+    let moved: Vec<Vec3> = stays.iter().map(|place| *place + figure.moved).collect();
+    assert_right(&figure.diagnose(&moved), "moved");
+    let found = figure.diagnose(&stays);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    assert!(
+        found.findings[0].ends_with("B is A moved by (-0.300000, 0.100000, -0.200000)"),
+        "{found}"
+    );
+}
+
+#[test]
 fn a_mesh_that_is_right_and_at_rest_has_no_cause() {
     let figure = Figure::builtin("adult", |_| Vec3::ZERO);
     assert_right(&figure.diagnose(&RIGHT.skin(&figure)), "at rest");

@@ -23,6 +23,8 @@ pub struct Figure {
     pub rows: Vec<Vec<f32>>,
     /// Degrees about x, y and z by joint.
     pub degrees: Vec<Vec3>,
+    /// How far the first root is moved.
+    pub moved: Vec3,
 }
 
 impl Figure {
@@ -55,6 +57,7 @@ impl Figure {
                 .map(row)
                 .collect(),
             degrees: (0..joints.len()).map(degrees).collect(),
+            moved: Vec3::ZERO,
             character,
         }
     }
@@ -94,6 +97,8 @@ impl Figure {
         for (joint, &degrees) in self.degrees.iter().enumerate() {
             pose.set_joint_transform(joint, Euler::from_degrees(degrees));
         }
+        let root = self.parents.iter().position(Option::is_none).unwrap();
+        pose.set_root_offset(root, self.moved);
         pose
     }
 

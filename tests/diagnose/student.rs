@@ -259,6 +259,24 @@ pub const WRONG: &[Wrong] = &[
     wrong("influences-cut-4-renormalized", "weights", |s| {
         s.weights = |w| normalized(largest(w, 4));
     }),
+    wrong("influences-cut-4-renormalized", "weights", |s| {
+        s.weights = |w| {
+            if w.len() > 4 {
+                normalized(largest(w, 4))
+            } else {
+                w
+            }
+        };
+    }),
+    wrong("influences-cut-4-renormalized", "weights", |s| {
+        s.weights = |w| {
+            let all = sum(&w);
+            let kept = normalized(largest(w, 4));
+            kept.into_iter()
+                .map(|(joint, weight)| (joint, weight * all))
+                .collect()
+        };
+    }),
     wrong("weights-normalized", "weights", |s| s.weights = normalized),
     wrong("strongest-joint-only", "weights", |s| {
         s.weights = |w| {

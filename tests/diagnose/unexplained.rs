@@ -1,8 +1,12 @@
 //! Meshes that no known mistake gives, and what is told of them.
 
+use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, turned};
 use crate::diagnose::student::{RIGHT, WRONG};
+use crate::work::grows_in_proportion;
+use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
+use editor_core::math::Euler;
 use glam::Vec3;
 
 fn adult() -> Figure {
@@ -110,6 +114,32 @@ fn another_order_that_no_importer_is_known_for_is_told_as_one() {
     assert_eq!(found.causes, ["vertices-renumbered"]);
     assert_eq!(found.mistakes[0].how, "in another order");
     assert!(found.error < 1e-5, "{found}");
+}
+
+#[test]
+fn the_search_for_a_cause_grows_in_proportion_to_the_mesh() {
+    let noise = |vertices: usize| {
+        let mut skel = "0 0 0 -1\n".to_owned();
+        (1..8).for_each(|joint| skel += &format!("0.1 0.2 0.3 {}\n", joint - 1));
+        let (mut obj, mut attach) = (String::new(), String::new());
+        for vertex in 0..vertices {
+            let [x, y, z] = [7, 11, 13].map(|step| (vertex * step % 1009) as f32 / 1009.0);
+            obj += &format!("v {x} {y} {z}\n");
+            attach += "0 0.5 0 0.25 0 0.125 0.125\n";
+        }
+        let body = character(&skel, &attach, &(obj + "f 1 2 3\n"));
+        let mut theirs = body.bind_mesh().positions.clone();
+        theirs.iter_mut().for_each(|place| place.x *= place.y);
+        (body, theirs)
+    };
+    let mut pose = Pose::new();
+    pose.set_joint_transform(3, Euler::from_degrees(Vec3::new(30.0, 20.0, 10.0)));
+    grows_in_proportion(5_000, noise, |(body, theirs)| {
+        assert_eq!(
+            diagnose(&body, &pose, &theirs).unwrap().verdict,
+            Verdict::Unexplained
+        );
+    });
 }
 
 #[test]
