@@ -62,21 +62,12 @@ impl Figure {
         }
     }
 
-    /// The same with weights that are rounded to so many digits after the point, so that they do not
-    /// sum to 1.
-    pub fn with_weights_of(self, digits: usize) -> Self {
+    /// The same with other weights.
+    pub fn with_rows(self, rows: Vec<Vec<f32>>) -> Self {
         let mut attachments = Attachments::new();
-        let rounded = |weight: &f32| format!("{weight:.digits$}").parse::<f32>().unwrap();
-        let rows: Vec<Vec<f32>> = self
-            .rows
-            .iter()
-            .map(|row| row.iter().map(rounded).collect())
-            .collect();
         for row in &rows {
-            let influences = (1..)
-                .zip(row)
-                .map(|(joint, &weight)| Influence { joint, weight });
-            attachments.push_vertex(influences);
+            let influences = (1..).zip(row);
+            attachments.push_vertex(influences.map(|(joint, &weight)| Influence { joint, weight }));
         }
         let mesh = Mesh::new(self.positions.clone(), self.triangles.clone());
         let skeleton = self.character.skeleton().clone();
@@ -85,6 +76,18 @@ impl Figure {
             rows,
             ..self
         }
+    }
+
+    /// The same with weights that are rounded to so many digits after the point, so that they do not
+    /// sum to 1.
+    pub fn with_weights_of(self, digits: usize) -> Self {
+        let rounded = |weight: &f32| format!("{weight:.digits$}").parse().unwrap();
+        let rows = self
+            .rows
+            .iter()
+            .map(|row| row.iter().map(rounded).collect())
+            .collect();
+        self.with_rows(rows)
     }
 
     /// A character of our own, called `name`.

@@ -7,6 +7,7 @@ mod figures;
 mod mistaken;
 mod pairs;
 mod program;
+mod same;
 mod student;
 mod unexplained;
 

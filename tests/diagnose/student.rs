@@ -111,6 +111,16 @@ pub struct Wrong {
     pub make: fn(&mut Student),
 }
 
+/// The program with mistakes, each made in its first way.
+pub fn with(ids: &[&str]) -> Student {
+    let mut student = RIGHT;
+    for id in ids {
+        let wrong = WRONG.iter().find(|wrong| wrong.id == *id).unwrap();
+        (wrong.make)(&mut student);
+    }
+    student
+}
+
 const fn wrong(id: &'static str, part: &'static str, make: fn(&mut Student)) -> Wrong {
     Wrong { id, part, make }
 }

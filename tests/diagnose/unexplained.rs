@@ -2,7 +2,7 @@
 
 use crate::assignment::characters::character;
 use crate::diagnose::figures::{Figure, turned};
-use crate::diagnose::student::{RIGHT, WRONG};
+use crate::diagnose::student::{RIGHT, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
@@ -70,13 +70,7 @@ fn a_part_that_is_off_is_told_by_its_joint() {
 #[test]
 fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
     let figure = adult();
-    let mut student = RIGHT;
-    let wrong = WRONG
-        .iter()
-        .find(|wrong| wrong.id == "weights-shifted")
-        .unwrap();
-    (wrong.make)(&mut student);
-    let mut theirs = student.skin(&figure);
+    let mut theirs = with(&["weights-shifted"]).skin(&figure);
     for place in &mut theirs {
         place.y += 0.002 * (place.x * 50.0).sin();
     }
