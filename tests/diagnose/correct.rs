@@ -85,6 +85,28 @@ fn a_mesh_of_a_collada_file_is_right_wherever_vertices_without_weights_are() {
 }
 
 #[test]
+fn a_vertex_without_weights_may_stay_at_rest_or_go_to_the_origin_but_nowhere_else() {
+    let figure = Figure::builtin("adult", turned(10));
+    let mut rows = figure.rows.clone();
+    rows[5].fill(0.0);
+    let figure = figure.with_rows(rows);
+    let at_the_origin = RIGHT.skin(&figure);
+    assert_eq!(at_the_origin[5], Vec3::ZERO);
+    let mut theirs = at_the_origin.clone();
+    for (place, verdict) in [
+        (Vec3::ZERO, Verdict::Right),
+        (figure.positions[5], Verdict::Right),
+        (figure.positions[5] * 0.5, Verdict::Unexplained),
+    ] {
+        theirs[5] = place;
+        let found = figure.diagnose(&theirs);
+        assert_eq!(found.verdict, verdict, "{place}: {found}");
+        let first = found.first.map(|first| (first.vertex, first.joint));
+        assert_eq!(first, (verdict != Verdict::Right).then_some((5, None)));
+    }
+}
+
+#[test]
 fn what_the_course_s_own_program_gives_is_right() {
     for name in ["walk", "twist"] {
         let Some(model) = course("characters/Model1.obj") else {

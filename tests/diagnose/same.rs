@@ -67,6 +67,28 @@ fn digits_tell_apart_what_fewer_digits_do_not() {
 }
 
 #[test]
+fn a_mistake_that_hardly_shows_is_told_where_digits_show_it() {
+    let figure = Figure::builtin("adult", turned(34));
+    let rows = figure
+        .rows
+        .iter()
+        .map(|row| row.iter().map(|weight| weight * 1.0001).collect());
+    let rows = rows.collect();
+    let figure = figure.with_rows(rows);
+    let exactly = found(&figure, &["weights-normalized"], 8);
+    assert_eq!(named(&exactly), [["weights-normalized"]]);
+    assert!(
+        exactly.error_from_exact < 1e-4 && exactly.first.is_some(),
+        "{exactly}"
+    );
+    let roughly = found(&figure, &["weights-normalized"], 4);
+    assert_eq!(
+        (roughly.verdict, named(&roughly).len()),
+        (Verdict::Right, 0)
+    );
+}
+
+#[test]
 fn of_two_mistakes_the_one_that_accounts_for_more_is_named_first() {
     let figure = Figure::builtin("adult", turned(32)).with_weights_of(2);
     for ids in [

@@ -68,6 +68,30 @@ fn a_part_that_is_off_is_told_by_its_joint() {
 }
 
 #[test]
+fn of_several_joints_that_are_off_the_one_next_to_the_root_shows_it() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    // The joints after these columns: right shoulder and elbow, left elbow.
+    for (vertex, place) in theirs.iter_mut().enumerate() {
+        for (column, by) in [(12, 0.02), (13, 0.05), (16, 0.04)] {
+            if figure.rows[vertex][column] > 0.6 {
+                place.y += by * (place.x * 40.0).sin();
+            }
+        }
+    }
+    let found = figure.diagnose(&theirs);
+    let first = found.first.as_ref().unwrap();
+    assert_eq!(first.joint.as_deref(), Some("Right shoulder"), "{found}");
+    let region = found
+        .regions
+        .iter()
+        .find(|region| region.joint_index == Some(13))
+        .unwrap();
+    assert_eq!(first.error, region.worst);
+    assert_eq!(found.regions.len(), 3, "{found}");
+}
+
+#[test]
 fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
     let figure = adult();
     let mut theirs = with(&["weights-shifted"]).skin(&figure);
