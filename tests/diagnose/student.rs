@@ -4,6 +4,9 @@
 use crate::diagnose::figures::Figure;
 use glam::{Mat4, Vec3};
 
+/// Weights that count, each with the index of its joint.
+type Weights = Vec<(usize, f32)>;
+
 /// The parts of the program that a mistake may be in.
 #[derive(Clone)]
 pub struct Student {
@@ -24,7 +27,7 @@ pub struct Student {
     pub row: fn(&[f32]) -> Vec<f32>,
     pub joint_of_column: fn(usize) -> usize,
     /// Which weights count, of those that are not zero.
-    pub weights: fn(Vec<(usize, f32)>) -> Vec<(usize, f32)>,
+    pub weights: fn(Weights) -> Weights,
     /// Joints in the order in which the program has them.
     pub joints: fn(&Figure) -> Vec<usize>,
     /// For each vertex that is written: which `v` line, and which row of weights.
@@ -129,7 +132,7 @@ fn sum(weights: &[(usize, f32)]) -> f32 {
     weights.iter().map(|(_, weight)| weight).sum()
 }
 
-fn normalized(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
+fn normalized(weights: Weights) -> Weights {
     let sum = sum(&weights);
     weights
         .into_iter()
@@ -137,7 +140,7 @@ fn normalized(weights: Vec<(usize, f32)>) -> Vec<(usize, f32)> {
         .collect()
 }
 
-fn largest(mut weights: Vec<(usize, f32)>, most: usize) -> Vec<(usize, f32)> {
+fn largest(mut weights: Weights, most: usize) -> Weights {
     weights.sort_by(|a, b| b.1.partial_cmp(&a.1).unwrap());
     weights.truncate(most);
     weights
