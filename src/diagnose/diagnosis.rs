@@ -178,7 +178,7 @@ fn of_size(error: f64) -> String {
 }
 
 /// Names of mistakes that are made together.
-fn together(ids: &[&str]) -> String {
+pub(super) fn together(ids: &[&str]) -> String {
     ids.join(" and ")
 }
 
@@ -258,7 +258,7 @@ impl Diagnosis {
 
 impl ToldMistake {
     /// Lines that tell where to look.
-    fn fmt_where(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    pub(super) fn fmt_where(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n  section  {}", self.section)?;
         write!(f, "\n  look at  {}", self.look_at)
     }

@@ -1,4 +1,4 @@
-//! Diagnosing: which mistake in skinning gives a mesh that another program posed. Mistakes are found
+//! Diagnosing: which mistake in skinning gives a mesh that another program posed, or a picture of it. Mistakes are found
 //! by making them: each is a change of the formula, and the one whose mesh agrees is the one that was
 //! made. Nothing here opens a file or a window.
 
@@ -6,8 +6,10 @@ mod diagnosis;
 mod formula;
 mod mistakes;
 mod model;
+mod picture;
 mod precision;
 mod search;
+mod silhouette;
 mod skin;
 
 pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict};
@@ -16,6 +18,7 @@ pub use formula::{
     VertexOrder, WeightFormula,
 };
 pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 
 use crate::character::{Character, Pose};
 use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};

@@ -161,7 +161,7 @@ impl<'a> Search<'a> {
 }
 
 /// Every way to make every mistake.
-fn ways() -> impl Iterator<Item = Made> {
+pub(super) fn ways() -> impl Iterator<Item = Made> {
     MISTAKES.iter().flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| Made { mistake, reading })
@@ -169,7 +169,7 @@ fn ways() -> impl Iterator<Item = Made> {
 }
 
 /// The exact formula with mistakes, made in this order.
-fn formula(mistakes: &[Made]) -> Formula {
+pub(super) fn formula(mistakes: &[Made]) -> Formula {
     let mut formula = Formula::default();
     for made in mistakes {
         (made.reading.make)(&mut formula);

@@ -6,6 +6,7 @@ mod documents;
 mod figures;
 mod mistaken;
 mod pairs;
+mod pictures;
 mod program;
 mod same;
 mod student;
