@@ -77,6 +77,8 @@ pub struct ViewInput<'a> {
     pub builtin_characters: &'a [&'static str],
     /// Names for Insert ▸ Built-in Curve; if empty, there is no such menu.
     pub builtin_curves: &'a [&'static str],
+    /// Names for Pose ▸ Built-in Pose, each beginning with that of its character and a hyphen.
+    pub builtin_poses: &'a [&'static str],
     /// Pictures for the start page, as far as they have been drawn.
     pub start_pictures: &'a [StartPicture],
     /// The shape under the pointer in the view.
@@ -153,6 +155,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let keys_taken = input.keys_are_taken
         || input.is_viewer
         || in_drag
+        || state.is_beginning()
         || input.question.is_some()
         || state.search.is_some()
         || state.keys_were_taken

@@ -60,6 +60,28 @@ fn g_x_7_enter_in_one_frame_moves_by_7_along_x() {
 }
 
 #[test]
+fn shift_d_x_2_in_one_frame_moves_the_copy_by_2_along_x_from_its_place() {
+    let mut alone = Story::with_cube();
+    alone.key_with(Modifiers::COMMAND, Key::D);
+    let place = alone.position();
+    let mut story = Story::with_cube();
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let beside = story.at(Vec3::new(1.0, 0.5, 0.0));
+    story.point(beside);
+    let keys = [Key::X, Key::Num2, Key::Enter].map(|key| (NONE, key));
+    story.at_once(&[&[(Modifiers::SHIFT, Key::D)], &keys[..]].concat());
+    assert_eq!(
+        story.names(),
+        ["Cube", "Cube"],
+        "X has not deleted the copy"
+    );
+    assert_eq!(story.position(), place + Vec3::X * 2.0);
+    story.key_with(Modifiers::SHIFT, Key::D);
+    story.key(Key::Escape);
+    assert_eq!(story.names().len(), 3, "Esc ends the movement alone");
+}
+
+#[test]
 fn tab_goes_to_the_next_number_before_what_is_typed_after_it() {
     let mut story = Story::with_cube();
     story.click("Position X");

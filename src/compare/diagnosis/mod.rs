@@ -1,6 +1,7 @@
 //! Causes of the differences between two pictures. A finding is reported only where the pictures
 //! bear it out pixel by pixel; where no cause explains the differences, there is no finding.
 
+mod axes;
 mod color;
 mod detail;
 mod evidence;
@@ -32,7 +33,7 @@ impl Evidence<'_> {
     /// 3. one cause for what is drawn, those that leave less unexplained first: rounding, then
     ///    color, then the finest structures before coarse ones;
     /// 4. what remains to be said without a cause: outlines and colors that differ.
-    const RULES: [Rule<Self, Finding>; 18] = [
+    const RULES: [Rule<Self, Finding>; 19] = [
         rule("transparent", Nothing, color::transparent),
         rule("blank", Nothing, color::blank),
         rule("mirrored", Nothing, outline::mirrored),
@@ -42,6 +43,7 @@ impl Evidence<'_> {
         rule("gray", Nothing, color::gray),
         rule("only_background", WHOLE_PICTURE, color::only_background),
         rule("background", WHOLE_PICTURE, color::background_too),
+        rule("axes", BACKGROUND, axes::axes),
         rule("nearly_same", BACKGROUND, detail::nearly_same),
         rule("gamma", BACKGROUND, color::gamma),
         rule("brightness", BACKGROUND, color::brightness),
@@ -162,6 +164,7 @@ mod tests {
             "gray",
             "only_background",
             "background",
+            "axes",
             "nearly_same",
             "gamma",
             "brightness",
@@ -230,6 +233,14 @@ mod tests {
                     } else {
                         pixel
                     }
+                }),
+            ),
+            (
+                "axes",
+                changed(&a, |x, y, pixel| match (x, y) {
+                    (28, _) if is_dark(pixel) => [77, 204, 77, 255],
+                    (_, 30) if is_dark(pixel) => [128, 26, 26, 255],
+                    _ => pixel,
                 }),
             ),
             (
