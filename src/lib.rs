@@ -12,6 +12,7 @@ pub mod character;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod cli;
 pub mod compare;
+pub mod diagnose;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod disk;
 pub mod editor;

@@ -13,6 +13,7 @@ mod builtin;
 mod collada;
 mod compare;
 mod curves;
+mod diagnose;
 mod editing;
 mod exporting;
 mod history;

@@ -5,6 +5,7 @@
 mod arguments;
 pub mod check;
 pub mod compare;
+pub mod diagnose;
 pub mod doctor;
 pub mod export;
 pub mod manual;
@@ -57,6 +58,7 @@ pub struct WindowArgs {
 enum Command {
     Check(check::Args),
     Compare(compare::Args),
+    Diagnose(diagnose::Args),
     Export(export::Args),
     Render(render::Args),
     Submit(submit::Args),
@@ -80,6 +82,7 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
     let done = match cli.command {
         Some(Command::Check(args)) => check::run(&args),
         Some(Command::Compare(args)) => compare::run(&args),
+        Some(Command::Diagnose(args)) => diagnose::run(&args),
         Some(Command::Export(args)) => export::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Submit(args)) => submit::run(&args),

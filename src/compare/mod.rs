@@ -25,7 +25,7 @@ pub use differences::{Differences, side_by_side};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, WorstVertex,
-    compare_meshes,
+    compare_meshes, permutation,
 };
 pub use pair::{DRAWN_THRESHOLD, Pair};
 pub use picture_comparison::{

@@ -1,6 +1,6 @@
 //! The assignment "Hierarchical Modeling and SSD", section by section, as sentences that hold.
 
-mod characters;
+pub mod characters;
 
 mod s3_1_matrix_stack;
 mod s3_2_skeleton;

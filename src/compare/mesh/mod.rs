@@ -167,6 +167,15 @@ pub fn compare_meshes(
     })
 }
 
+/// For each of `b` the index of the one of `a` that it is, within `tolerance`, if they are the same
+/// points in another order. `None` for other numbers of points.
+pub fn permutation(a: &[DVec3], b: &[DVec3], tolerance: f64) -> Option<Vec<u32>> {
+    match (a.len() == b.len()).then(|| Matching::find(a, b, tolerance))? {
+        Matching::Permuted { from_a, .. } => Some(from_a),
+        Matching::InOrder => None,
+    }
+}
+
 /// What the rules need to know of two meshes.
 struct Evidence<'a> {
     points: Points<'a>,

@@ -1,0 +1,199 @@
+//! `editor diagnose`: which mistake in skinning gives a posed mesh, or a picture of it.
+
+use super::output::{self, DiagnosticJson, json_text};
+use super::{CliError, arguments, print};
+use crate::character::{Character, Pose};
+use crate::diagnose::{
+    Diagnosis, PictureDiagnosis, Verdict, diagnose, diagnose_picture, may_be_of,
+};
+use crate::disk::files;
+use crate::io::{
+    Diagnostic, Files, Imported, PoseFile, builtin, image, import_character, read_character_obj,
+};
+use crate::scene::{Camera, ShapeKind, ViewDirection};
+use serde::Serialize;
+use std::fmt::Display;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Tell which mistake in skinning another program makes, by a mesh that it posed or a picture of it.
+///
+/// THEIRS is held against the exact result, and against what each known mistake gives, a mesh also
+/// against each two of them. Prints that it is right, or the mistake that explains it with what to
+/// look at in the code, or where it is off. Of a picture silhouettes decide: it shows the character
+/// alone, before a background of one color.
+///
+/// Ends with 0 if THEIRS is right, and with 1 otherwise.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  \
+    editor diagnose mine.obj --character Model1.obj --pose walk.json\n  \
+    editor diagnose mine.obj --character rig.dae --pose bend.json --json\n  \
+    editor diagnose mine.png --character Model1.obj --pose walk.json --view +x")]
+pub struct Args {
+    /// What the other program gives: the posed mesh (.obj), or a picture of it (.png, .jpg, .gif)
+    #[arg(value_name = "THEIRS")]
+    theirs: PathBuf,
+    /// The character at rest: .obj with .skel and .attach beside it, .skel, .dae, or builtin:NAME
+    #[arg(long, value_name = "MODEL")]
+    character: PathBuf,
+    /// The pose: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
+    #[arg(long, value_name = "POSE.json")]
+    pose: PathBuf,
+    /// Camera of the picture: angles in degrees, distance, and the point it looks at [default: the
+    /// window's first one]
+    #[arg(
+        long,
+        value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
+        allow_hyphen_values = true,
+        value_parser = arguments::camera
+    )]
+    camera: Option<Camera>,
+    /// One of the six views: +x, -x, +y, -y, +z or -z
+    #[arg(long, allow_hyphen_values = true, value_parser = arguments::view, conflicts_with = "camera")]
+    view: Option<ViewDirection>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    json: bool,
+}
+
+/// Output of `--json`.
+#[derive(Serialize)]
+struct Report<'a, R> {
+    theirs: String,
+    character: String,
+    pose: String,
+    #[serde(flatten)]
+    result: &'a R,
+}
+
+/// Output of `--json` if nothing could be diagnosed.
+#[derive(Serialize)]
+struct Failure {
+    verdict: Option<Verdict>,
+    failure: DiagnosticJson,
+}
+
+/// Carries the command out.
+///
+/// # Errors
+/// If a file is wrong, they do not fit each other, or the mesh is not right.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    if has_extension(&args.theirs, "obj") {
+        if args.camera.is_some() || args.view.is_some() {
+            let message = "--camera and --view are for pictures, found a mesh";
+            return Err(CliError::Usage(message.to_owned()));
+        }
+        let found = of_mesh(args);
+        let verdict = found.as_ref().map(|found| found.verdict).ok();
+        report(args, found, verdict)
+    } else {
+        let found = of_picture(args);
+        let verdict = found.as_ref().map(|found| found.verdict).ok();
+        report(args, found, verdict)
+    }
+}
+
+/// Prints the result; of a mesh or picture that is not right it is an error that has been reported.
+fn report<R: Serialize + Display>(
+    args: &Args,
+    found: Result<R, Diagnostic>,
+    verdict: Option<Verdict>,
+) -> Result<(), CliError> {
+    let found = match found {
+        Ok(found) => found,
+        Err(diagnostic) => {
+            if args.json {
+                let failure = DiagnosticJson::from(&diagnostic);
+                print_json(args, &Failure { verdict, failure })?;
+            }
+            return Err(diagnostic.into());
+        }
+    };
+    if args.json {
+        print_json(args, &found)?;
+    } else {
+        print(&format!("{found}\n"))?;
+    }
+    match verdict {
+        Some(Verdict::Right) => Ok(()),
+        _ => Err(CliError::Reported),
+    }
+}
+
+fn print_json<R: Serialize>(args: &Args, result: &R) -> Result<(), CliError> {
+    let report = Report {
+        theirs: args.theirs.display().to_string(),
+        character: args.character.display().to_string(),
+        pose: args.pose.display().to_string(),
+        result,
+    };
+    print(&json_text(&report)?)
+}
+
+fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
+    let files = files();
+    let read = read_character_obj(&args.theirs, &files.read(&args.theirs)?)?;
+    let theirs = with_warnings(read).positions;
+    let characters = characters(&files, &args.character)?;
+    let fits = |character: &&Arc<Character>| may_be_of(character, theirs.len());
+    // If none fits, the numbers of the first are told.
+    let character = characters.iter().find(fits).unwrap_or(&characters[0]);
+    let pose = pose(args, &files, character)?;
+    let diagnosed = diagnose(character, &pose, &theirs);
+    diagnosed.map_err(|error| Diagnostic::new(&args.theirs, error.to_string()))
+}
+
+fn of_picture(args: &Args) -> Result<PictureDiagnosis, Diagnostic> {
+    let files = files();
+    let picture = image::decode(&args.theirs, &files.read(&args.theirs)?)?;
+    let characters = characters(&files, &args.character)?;
+    let [character] = &characters[..] else {
+        let message = format!("expected one character, found {}", characters.len());
+        return Err(Diagnostic::new(&args.character, message));
+    };
+    let pose = pose(args, &files, character)?;
+    let camera = args
+        .camera
+        .or(args.view.map(Camera::preset))
+        .unwrap_or_default();
+    let seen = camera.clip_from_world(picture.width as f32 / picture.height as f32);
+    let diagnosed = diagnose_picture(character, &pose, &picture, seen);
+    diagnosed.map_err(|error| Diagnostic::new(&args.theirs, error.to_string()))
+}
+
+fn pose(args: &Args, files: &dyn Files, character: &Character) -> Result<Pose, Diagnostic> {
+    let path = builtin::resolve(&args.pose)?;
+    PoseFile::read(&path, &files.read(&path)?)?.pose_of(character.skeleton())
+}
+
+/// The characters in a file, of which there is at least one.
+fn characters(files: &dyn Files, model: &Path) -> Result<Vec<Arc<Character>>, Diagnostic> {
+    let is_part = ["skel", "attach"].map(|part| has_extension(model, part));
+    let file = match is_part.contains(&true) {
+        true => model.with_extension("obj"),
+        false => model.to_owned(),
+    };
+    let shapes = with_warnings(import_character(files, &file)?).into_iter();
+    let characters = shapes.filter_map(|shape| match shape.kind {
+        ShapeKind::Character(character) => Some(character.character),
+        _ => None,
+    });
+    let characters: Vec<_> = characters.collect();
+    if characters.is_empty() {
+        return Err(Diagnostic::new(model, "expected a character, found none"));
+    }
+    Ok(characters)
+}
+
+fn has_extension(path: &Path, extension: &str) -> bool {
+    let own = path.extension();
+    own.is_some_and(|own| own.eq_ignore_ascii_case(extension))
+}
+
+/// What was read, after its warnings have been printed.
+fn with_warnings<T>(imported: Imported<T>) -> T {
+    for warning in &imported.warnings {
+        output::eprint_line(format_args!("warning: {warning}"));
+    }
+    imported.value
+}

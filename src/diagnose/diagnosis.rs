@@ -1,0 +1,265 @@
+//! What is found out about a mesh, as data and in words.
+
+use super::search::Made;
+use serde::Serialize;
+use std::fmt;
+
+/// Regions that are told in words; the others are counted.
+const TOLD: usize = 5;
+
+/// What a mesh is, held against the exact one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// The exact one, but for rounding.
+    Right,
+    /// The one that known mistakes give.
+    Explained,
+    /// Neither.
+    Unexplained,
+}
+
+/// What is found out about a posed mesh. Errors are largest distances of two vertices by the size of
+/// the exact mesh, the diagonal of its box; where they are not finite they are JSON null.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Diagnosis {
+    /// What it is.
+    pub verdict: Verdict,
+    /// Mistakes that together give the mesh, the one that accounts for more first.
+    pub causes: Vec<&'static str>,
+    /// How far the mesh is from the one that is made with these mistakes; without any, from the exact
+    /// one.
+    pub error: f64,
+    /// How far it is from the exact one.
+    pub error_from_exact: f64,
+    /// Up to which error meshes agree.
+    pub tolerance: f64,
+    /// Each cause in words.
+    pub mistakes: Vec<ToldMistake>,
+    /// Mistakes that give the same mesh here, each with those that are made beside it.
+    pub same_as: Vec<Vec<&'static str>>,
+    /// Where it shows first; `None` if the mesh is right.
+    pub first: Option<Shown>,
+    /// Where vertices are off, by the joints that move them most, the one with the most first; empty
+    /// unless nothing explains the mesh.
+    pub regions: Vec<Region>,
+    /// The mistake that comes nearest, if it explains at least half of what is off.
+    pub nearest: Option<Nearest>,
+    /// What else is known of the whole mesh, in sentences.
+    pub findings: Vec<String>,
+}
+
+/// A mistake in words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct ToldMistake {
+    /// Its name.
+    pub id: &'static str,
+    /// What the program does.
+    pub meaning: &'static str,
+    /// Which way of it; empty if there is one only.
+    pub how: &'static str,
+    /// Section of the assignment.
+    pub section: &'static str,
+    /// What to look at in the code.
+    pub look_at: &'static str,
+}
+
+impl ToldMistake {
+    pub(super) fn new(made: Made) -> Self {
+        Self {
+            id: made.mistake.id,
+            meaning: made.mistake.meaning,
+            how: made.reading.how,
+            section: made.mistake.section,
+            look_at: made.mistake.look_at,
+        }
+    }
+}
+
+/// A vertex that shows what is wrong.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Shown {
+    /// Name of the first joint, from the root on, that moves vertices that are off; `None` if no
+    /// joint does.
+    pub joint: Option<String>,
+    /// Its index.
+    pub joint_index: Option<usize>,
+    /// Of its vertices the one that is farthest off, from 0.
+    pub vertex: usize,
+    /// How far, by the size.
+    pub error: f64,
+    /// Where it is, in model space.
+    pub theirs: [f64; 3],
+    /// Where it should be.
+    pub exact: [f64; 3],
+}
+
+/// What a joint moves, as far as it is off.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Region {
+    /// Name of the joint; `None` for vertices without weights.
+    pub joint: Option<String>,
+    /// Its index.
+    pub joint_index: Option<usize>,
+    /// Number of vertices that it moves more than any other joint.
+    pub vertices: usize,
+    /// How many of them are off.
+    pub off: usize,
+    /// The same by their number, 0 to 1.
+    pub share: f64,
+    /// How far at most, by the size.
+    pub worst: f64,
+}
+
+/// A mistake that explains much, but not all.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Nearest {
+    /// The mistake.
+    pub mistake: ToldMistake,
+    /// By which part the mean distance is less than from the exact mesh, 0 to 1.
+    pub explains: f64,
+}
+
+impl fmt::Display for ToldMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.id, self.meaning)?;
+        match self.how {
+            "" => Ok(()),
+            how => write!(f, " ({how})"),
+        }
+    }
+}
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = &self.joint {
+            write!(f, "{joint}, ")?;
+        }
+        let (theirs, exact) = (vector(self.theirs), vector(self.exact));
+        write!(
+            f,
+            "vertex {} (from 0): theirs {theirs}, exact {exact}",
+            self.vertex
+        )
+    }
+}
+
+impl fmt::Display for Region {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let joint = self.joint.as_deref().unwrap_or("vertices without weights");
+        let (share, worst) = (percent(self.share), of_size(self.worst));
+        write!(f, "{joint}: {share} of its vertices, by up to {worst}")
+    }
+}
+
+/// A place in words. What rounds to nothing has no sign.
+fn vector(of: [f64; 3]) -> String {
+    let [x, y, z] = of.map(|value| if value.abs() <= 5e-5 { 0.0 } else { value });
+    format!("({x:.4}, {y:.4}, {z:.4})")
+}
+
+/// A share in words. What is not all is never told as all, nor what is not nothing as nothing.
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        percent if percent < 1.0 => "less than 1 %".to_owned(),
+        percent if percent > 99.0 && percent < 100.0 => "more than 99 %".to_owned(),
+        percent => format!("{percent:.0} %"),
+    }
+}
+
+/// A distance in words, which is given by the size.
+fn of_size(error: f64) -> String {
+    match 100.0 * error {
+        percent if percent.is_infinite() => "more than any number".to_owned(),
+        percent if percent < 0.001 => "less than 0.001 % of the size".to_owned(),
+        percent if percent < 1.0 => format!("{percent:.3} % of the size"),
+        percent => format!("{percent:.1} % of the size"),
+    }
+}
+
+/// Names of mistakes that are made together.
+pub(super) fn together(ids: &[&str]) -> String {
+    ids.join(" and ")
+}
+
+impl fmt::Display for Diagnosis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.verdict {
+            Verdict::Right => {
+                let error = of_size(self.error);
+                write!(f, "right: this is the exact result, but for {error}")
+            }
+            Verdict::Explained => self.fmt_explained(f),
+            Verdict::Unexplained => self.fmt_unexplained(f),
+        }
+    }
+}
+
+impl Diagnosis {
+    fn fmt_explained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.mistakes[..] {
+            [mistake] => write!(f, "{mistake}")?,
+            mistakes => {
+                let count = mistakes.len();
+                write!(f, "{count} mistakes: {}", together(&self.causes))?;
+                for mistake in mistakes {
+                    write!(f, "\n  {mistake}")?;
+                }
+            }
+        }
+        let (error, exact) = (of_size(self.error), of_size(self.error_from_exact));
+        write!(
+            f,
+            "\n  agrees   but for {error}; the exact result is {exact} away"
+        )?;
+        for (index, mistake) in self.mistakes.iter().enumerate() {
+            let before = &self.mistakes[..index];
+            if before.iter().all(|told| told.look_at != mistake.look_at) {
+                mistake.fmt_where(f)?;
+            }
+        }
+        if let Some(first) = &self.first {
+            write!(f, "\n  shown by {first}")?;
+        }
+        if !self.same_as.is_empty() {
+            let all: Vec<String> = self.same_as.iter().map(|ids| together(ids)).collect();
+            write!(f, "\n  or, the same here: {}", all.join(", "))?;
+        }
+        Ok(())
+    }
+
+    fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let error = of_size(self.error);
+        write!(
+            f,
+            "unexplained: {error} away from the exact result, and no known mistake gives this mesh, \
+             nor do two of them"
+        )?;
+        for finding in &self.findings {
+            write!(f, "\n  found    {finding}")?;
+        }
+        if let Some(Nearest { mistake, explains }) = &self.nearest {
+            let explains = percent(*explains);
+            write!(f, "\n  nearest  {mistake}; that explains {explains} of it")?;
+            mistake.fmt_where(f)?;
+        }
+        if let Some(first) = &self.first {
+            write!(f, "\n  shown by {first}")?;
+        }
+        for region in self.regions.iter().take(TOLD) {
+            write!(f, "\n  off      {region}")?;
+        }
+        match self.regions.len().saturating_sub(TOLD) {
+            0 => Ok(()),
+            more => write!(f, "\n  off      and at {more} more joints"),
+        }
+    }
+}
+
+impl ToldMistake {
+    /// Lines that tell where to look.
+    pub(super) fn fmt_where(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\n  section  {}", self.section)?;
+        write!(f, "\n  look at  {}", self.look_at)
+    }
+}

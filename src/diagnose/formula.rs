@@ -1,0 +1,192 @@
+//! The formula of skinning as a value: what each mistake changes of it.
+
+/// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
+/// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
+/// are one formula as well.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    /// How a joint is placed relative to its parent.
+    pub joint: JointFormula,
+    /// How the transforms of the joints follow from one another in T.
+    pub chain: Chain,
+    /// The same in B.
+    pub bind_chain: Chain,
+    /// Which of T and B move a vertex.
+    pub factors: Factors,
+    /// Which weights count.
+    pub weights: WeightFormula,
+    /// Order in which a program has its joints.
+    pub joint_order: JointOrder,
+    /// Order in which a program has its vertices.
+    pub vertex_order: VertexOrder,
+    /// Factor of each coordinate that is written.
+    pub written: [f64; 3],
+}
+
+/// A joint's transform relative to its parent.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFormula {
+    /// Factor of the angles about X, Y and Z.
+    pub angles: [f64; 3],
+    /// Whether the number of degrees is taken for one of radians.
+    pub degrees_as_radians: bool,
+    /// Axes of the rotations in the order in which they are multiplied: `[0, 1, 2]` is Rx · Ry · Rz.
+    pub order: [usize; 3],
+    /// Whether the rotation is transposed, which turns it the other way.
+    pub is_transposed: bool,
+    /// Whether it is R · T instead of T · R.
+    pub rotates_first: bool,
+    /// Whether the offset counts in T.
+    pub has_offset: bool,
+    /// Whether the offset counts in B.
+    pub has_bind_offset: bool,
+    /// Whether the pose counts.
+    pub has_pose: bool,
+}
+
+/// How a joint's transform follows from its own and its parent's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chain {
+    /// parent · own.
+    ParentOwn,
+    /// own · parent.
+    OwnParent,
+    /// own.
+    Own,
+}
+
+/// What moves a vertex in the space of the bind pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factors {
+    /// T · B⁻¹.
+    Exact,
+    /// T.
+    NoInverseBind,
+    /// B⁻¹.
+    InverseBindOnly,
+    /// T · B.
+    BindNotInverted,
+    /// B⁻¹ · T.
+    Swapped,
+    /// Nothing: vertices stay as they are in the file.
+    Nothing,
+}
+
+/// Which weights of a vertex count, and how much.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WeightFormula {
+    /// Whether the weights are divided by their sum first.
+    pub is_normalized: bool,
+    /// Which of them are kept.
+    pub kept: Kept,
+    /// How those that are kept are changed.
+    pub rescaled: Rescaled,
+    /// Which joint each belongs to.
+    pub columns: Columns,
+}
+
+/// How weights that are kept make up for those that are not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rescaled {
+    /// Not at all.
+    No,
+    /// They are divided by their sum.
+    ToOne,
+    /// They are divided by their sum where some were left out.
+    ToOneWhereCut,
+    /// They sum to what all did.
+    ToSumOfAll,
+}
+
+/// Which joint a column of weights is taken for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Columns {
+    /// Its own: column c is joint c + 1.
+    Exact,
+    /// The one before, for column 0 the root.
+    Before,
+    /// The one before, without column 0.
+    BeforeWithoutFirst,
+}
+
+/// Which weights of a vertex are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// All.
+    All,
+    /// So many of the largest; of equals those that come first.
+    Largest(usize),
+    /// So many of the largest; of equals those that come last.
+    LargestLast(usize),
+    /// So many of those that are not zero, in the order of the joints.
+    First(usize),
+}
+
+/// Which joint an index means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct JointOrder {
+    /// Which joint comes when.
+    pub by: JointsBy,
+    /// Whether angles are given to joints in that order, too, and not weights alone.
+    pub has_angles: bool,
+}
+
+/// Orders of joints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum JointsBy {
+    /// As the file has them.
+    File,
+    /// Each before its children, and these before its next sibling.
+    Depth,
+    /// The roots, then their children, then theirs.
+    Level,
+    /// By the number of joints above, of equals as the file has them.
+    Height,
+}
+
+/// Which vertex comes when.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VertexOrder {
+    /// As the file has them.
+    File,
+    /// In the order in which faces use them first, each with its own weights.
+    FirstUse,
+    /// In the order in which faces use them first, with the weights that the file has at that place.
+    FirstUseOfPositions,
+    /// With the same wrong weights, but written in the order of the file.
+    FirstUseInside,
+    /// One for each corner of each triangle.
+    Corners,
+}
+
+impl Default for Formula {
+    fn default() -> Self {
+        Self {
+            joint: JointFormula {
+                angles: [1.0; 3],
+                degrees_as_radians: false,
+                order: [0, 1, 2],
+                is_transposed: false,
+                rotates_first: false,
+                has_offset: true,
+                has_bind_offset: true,
+                has_pose: true,
+            },
+            chain: Chain::ParentOwn,
+            bind_chain: Chain::ParentOwn,
+            factors: Factors::Exact,
+            weights: WeightFormula {
+                is_normalized: false,
+                kept: Kept::All,
+                rescaled: Rescaled::No,
+                columns: Columns::Exact,
+            },
+            joint_order: JointOrder {
+                by: JointsBy::File,
+                has_angles: false,
+            },
+            vertex_order: VertexOrder::File,
+            written: [1.0; 3],
+        }
+    }
+}

@@ -1,0 +1,374 @@
+//! The mistakes that are known, as one table.
+
+use super::formula::{
+    Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, VertexOrder,
+};
+
+/// A mistake that programs make in skinning a character.
+#[derive(Debug)]
+pub struct Mistake {
+    /// Its name, which scripts may rely on.
+    pub id: &'static str,
+    /// What the program does, in a sentence without a full stop.
+    pub meaning: &'static str,
+    /// Section of the assignment.
+    pub section: &'static str,
+    /// What to look at in the code.
+    pub look_at: &'static str,
+    /// How the mistake is made, the most usual way first.
+    pub readings: &'static [Reading],
+}
+
+/// One way to make a mistake.
+#[derive(Debug)]
+pub struct Reading {
+    /// What is special about it; empty if there is nothing to add.
+    pub how: &'static str,
+    /// Makes the mistake.
+    pub make: fn(&mut Formula),
+}
+
+const SKELETON: &str = "3.2 Skeleton";
+const SLIDERS: &str = "3.4 Sliders";
+const MESH: &str = "4.1 Mesh";
+const SSD: &str = "4.2 SSD";
+
+const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
+    Reading { how, make }
+}
+
+/// A mistake that is made in one way.
+macro_rules! one_way {
+    ($id:literal, $section:ident, $meaning:expr, $look_at:expr, $make:expr) => {
+        Mistake {
+            id: $id,
+            meaning: $meaning,
+            section: $section,
+            look_at: $look_at,
+            readings: &[reading("", $make)],
+        }
+    };
+}
+
+macro_rules! euler {
+    ($id:literal, $product:literal, $order:expr) => {
+        one_way!(
+            $id,
+            SLIDERS,
+            concat!("the rotation is ", $product, " instead of Rx · Ry · Rz"),
+            "setJointTransform: the order in which the three rotations are multiplied",
+            |formula| formula.joint.order = $order
+        )
+    };
+}
+
+macro_rules! axis_ignored {
+    ($id:literal, $axis:literal, $index:literal) => {
+        one_way!(
+            $id,
+            SLIDERS,
+            concat!("the angle about ", $axis, " is not used"),
+            "setJointTransform: whether all three angles are passed on and multiplied",
+            |formula| formula.joint.angles[$index] *= 0.0
+        )
+    };
+}
+
+macro_rules! sign_flipped {
+    ($id:literal, $axis:literal, $index:literal) => {
+        Mistake {
+            id: $id,
+            meaning: concat!("the sign of ", $axis, " is wrong"),
+            section: SLIDERS,
+            look_at: "setJointTransform: the signs of the sines in the rotation, and of the angles; \
+                      then the signs of what is written",
+            readings: &[
+                reading(
+                    concat!("joints turn the other way about ", $axis),
+                    |formula| formula.joint.angles[$index] *= -1.0,
+                ),
+                reading(
+                    concat!("the mesh is mirrored along ", $axis),
+                    |formula| formula.written[$index] *= -1.0,
+                ),
+            ],
+        }
+    };
+}
+
+/// Every mistake that is known, the most telling first: where several give the same mesh, they are
+/// named in this order.
+pub static MISTAKES: &[Mistake] = &[
+    Mistake {
+        id: "weights-shifted",
+        meaning: "column c of the weights is taken for joint c instead of joint c + 1",
+        section: SSD,
+        look_at: "where the .attach file is read: it has no column for the root, so the first column \
+                  belongs to joint 1",
+        readings: &[
+            reading("the first one for the root", |formula| {
+                formula.weights.columns = Columns::Before;
+            }),
+            reading("the first one not at all", |formula| {
+                formula.weights.columns = Columns::BeforeWithoutFirst;
+            }),
+        ],
+    },
+    one_way!(
+        "no-inverse-bind",
+        SSD,
+        "vertices are moved by T alone, without the inverse of B",
+        "updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled",
+        |formula| formula.factors = Factors::NoInverseBind
+    ),
+    one_way!(
+        "inverse-bind-only",
+        SSD,
+        "vertices are moved by the inverse of B alone, without T",
+        "updateMeshVertices: whether currentJointToWorldTransform is multiplied at all, and is filled",
+        |formula| formula.factors = Factors::InverseBindOnly
+    ),
+    one_way!(
+        "bind-not-inverted",
+        SSD,
+        "vertices are moved by T · B, with B where its inverse belongs",
+        "computeBindWorldToJointTransforms: it must keep the inverse",
+        |formula| formula.factors = Factors::BindNotInverted
+    ),
+    one_way!(
+        "factors-swapped",
+        SSD,
+        "the inverse of B and T are multiplied the wrong way round",
+        "updateMeshVertices: the order of T and the inverse of B, of which the latter comes first to \
+         the vertex and so stands on the right",
+        |formula| formula.factors = Factors::Swapped
+    ),
+    Mistake {
+        id: "parent-missing",
+        meaning: "a joint's transform is its own alone, without those of its parents",
+        section: SKELETON,
+        look_at: "the recursion over the joints: what is pushed on the matrix stack, and whether its \
+                  top is what the joint gets",
+        readings: &[
+            reading("in T and in B", |formula| {
+                formula.chain = Chain::Own;
+                formula.bind_chain = Chain::Own;
+            }),
+            reading("in T", |formula| formula.chain = Chain::Own),
+            reading("in B", |formula| formula.bind_chain = Chain::Own),
+        ],
+    },
+    one_way!(
+        "parent-order",
+        SKELETON,
+        "a joint's transform is own · parent instead of parent · own",
+        "MatrixStack::push: the new matrix belongs on the right of the top",
+        |formula| {
+            formula.chain = Chain::OwnParent;
+            formula.bind_chain = Chain::OwnParent;
+        }
+    ),
+    euler!("euler-xzy", "Rx · Rz · Ry", [0, 2, 1]),
+    euler!("euler-yxz", "Ry · Rx · Rz", [1, 0, 2]),
+    euler!("euler-yzx", "Ry · Rz · Rx", [1, 2, 0]),
+    euler!("euler-zxy", "Rz · Rx · Ry", [2, 0, 1]),
+    euler!("euler-zyx", "Rz · Ry · Rx", [2, 1, 0]),
+    one_way!(
+        "degrees-as-radians",
+        SLIDERS,
+        "angles in degrees are used as if they were radians",
+        "setJointTransform: what the functions that make rotations expect",
+        |formula| formula.joint.degrees_as_radians = true
+    ),
+    one_way!(
+        "rotation-transposed",
+        SLIDERS,
+        "rotations are transposed, so that joints turn the other way",
+        "setJointTransform: rows and columns of the rotation, of which a constructor may want the columns",
+        |formula| formula.joint.is_transposed = true
+    ),
+    one_way!(
+        "rotation-before-translation",
+        SLIDERS,
+        "a joint's transform is R · T instead of T · R, so that its offset turns with it",
+        "setJointTransform: the offset comes last to a vertex and so stands on the left",
+        |formula| formula.joint.rotates_first = true
+    ),
+    Mistake {
+        id: "translation-missing",
+        meaning: "joints have no offset from their parents",
+        section: SKELETON,
+        look_at: "setJointTransform and where the .skel file is read: the fourth column of a joint's \
+                  transform must stay its offset",
+        readings: &[
+            reading("in T and in B", |formula| {
+                formula.joint.has_offset = false;
+                formula.joint.has_bind_offset = false;
+            }),
+            reading("in T", |formula| formula.joint.has_offset = false),
+        ],
+    },
+    Mistake {
+        id: "pose-not-applied",
+        meaning: "the mesh is in the bind pose",
+        section: SLIDERS,
+        look_at: "whether angles reach setJointTransform, and whether \
+                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it",
+        readings: &[
+            reading("as the formula gives it", |formula| {
+                formula.joint.has_pose = false
+            }),
+            reading("as the file has it", |formula| {
+                formula.factors = Factors::Nothing
+            }),
+        ],
+    },
+    Mistake {
+        id: "influences-cut-4",
+        meaning: "only four weights of a vertex are used",
+        section: SSD,
+        look_at: "where weights are read or summed: every joint counts, however many there are",
+        readings: &[
+            reading("the largest", |formula| {
+                formula.weights.kept = Kept::Largest(4)
+            }),
+            reading("the largest, of equals the last", |formula| {
+                formula.weights.kept = Kept::LargestLast(4);
+            }),
+            reading("the first", |formula| formula.weights.kept = Kept::First(4)),
+        ],
+    },
+    Mistake {
+        id: "influences-cut-4-renormalized",
+        meaning: "only four weights of a vertex are used, and made larger for those left out",
+        section: SSD,
+        look_at: "where weights are read or summed: every joint counts, however many there are",
+        readings: &[
+            reading("the largest, divided by their sum", |formula| {
+                formula.weights.kept = Kept::Largest(4);
+                formula.weights.rescaled = Rescaled::ToOne;
+            }),
+            reading("the largest, where there are more", |formula| {
+                formula.weights.kept = Kept::Largest(4);
+                formula.weights.rescaled = Rescaled::ToOneWhereCut;
+            }),
+            reading("the largest, to sum to what all did", |formula| {
+                formula.weights.kept = Kept::Largest(4);
+                formula.weights.rescaled = Rescaled::ToSumOfAll;
+            }),
+            reading(
+                "the largest, of equals the last, divided by their sum",
+                |formula| {
+                    formula.weights.kept = Kept::LargestLast(4);
+                    formula.weights.rescaled = Rescaled::ToOne;
+                },
+            ),
+            reading("the first, divided by their sum", |formula| {
+                formula.weights.kept = Kept::First(4);
+                formula.weights.rescaled = Rescaled::ToOne;
+            }),
+        ],
+    },
+    one_way!(
+        "weights-normalized",
+        SSD,
+        "the weights of a vertex are divided by their sum",
+        "where weights are read or summed: they count as they are in the .attach file",
+        |formula| formula.weights.is_normalized = true
+    ),
+    Mistake {
+        id: "strongest-joint-only",
+        meaning: "a vertex goes with the joint of its largest weight alone",
+        section: SSD,
+        look_at: "updateMeshVertices: the sum over all joints with a weight",
+        readings: &[
+            reading("as if it weighed 1", |formula| {
+                formula.weights.kept = Kept::Largest(1);
+                formula.weights.rescaled = Rescaled::ToOne;
+            }),
+            reading("as if it weighed 1, of equals the last", |formula| {
+                formula.weights.kept = Kept::LargestLast(1);
+                formula.weights.rescaled = Rescaled::ToOne;
+            }),
+            reading("with its weight", |formula| {
+                formula.weights.kept = Kept::Largest(1)
+            }),
+            reading("with its weight, of equals the last", |formula| {
+                formula.weights.kept = Kept::LargestLast(1);
+            }),
+        ],
+    },
+    Mistake {
+        id: "vertices-renumbered",
+        meaning: "vertices are not in the order of the .obj file",
+        section: MESH,
+        look_at: "what reads the .obj file: importers number vertices anew, and row i of the .attach \
+                  file belongs to the i-th v line",
+        readings: &[
+            reading(
+                "in the order in which faces use them, with the weights of other vertices",
+                |formula| formula.vertex_order = VertexOrder::FirstUseOfPositions,
+            ),
+            reading("in the order in which faces use them", |formula| {
+                formula.vertex_order = VertexOrder::FirstUse;
+            }),
+            reading(
+                "while they are skinned, so that they have the weights of other vertices",
+                |formula| formula.vertex_order = VertexOrder::FirstUseInside,
+            ),
+            reading("repeated for each corner of each face", |formula| {
+                formula.vertex_order = VertexOrder::Corners;
+            }),
+        ],
+    },
+    Mistake {
+        id: "joints-by-depth",
+        meaning: "joints are numbered in the order of the tree instead of the file's",
+        section: SKELETON,
+        look_at: "where joints are put into the list that indices refer to: line i of the .skel file \
+                  is joint i",
+        readings: &[
+            reading("depth first, for weights and angles", |formula| {
+                formula.joint_order = by(JointsBy::Depth, true);
+            }),
+            reading("depth first, for weights", |formula| {
+                formula.joint_order = by(JointsBy::Depth, false);
+            }),
+            reading("level by level, for weights and angles", |formula| {
+                formula.joint_order = by(JointsBy::Level, true);
+            }),
+            reading("level by level, for weights", |formula| {
+                formula.joint_order = by(JointsBy::Level, false);
+            }),
+            reading(
+                "by the number of joints above, for weights and angles",
+                |formula| {
+                    formula.joint_order = by(JointsBy::Height, true);
+                },
+            ),
+            reading("by the number of joints above, for weights", |formula| {
+                formula.joint_order = by(JointsBy::Height, false);
+            }),
+        ],
+    },
+    axis_ignored!("one-axis-ignored-x", "x", 0),
+    axis_ignored!("one-axis-ignored-y", "y", 1),
+    axis_ignored!("one-axis-ignored-z", "z", 2),
+    sign_flipped!("sign-flipped-x", "x", 0),
+    sign_flipped!("sign-flipped-y", "y", 1),
+    sign_flipped!("sign-flipped-z", "z", 2),
+];
+
+const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
+    JointOrder { by, has_angles }
+}
+
+/// The mistake of vertices that are right but in an order of which no formula is known.
+pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
+
+impl Mistake {
+    /// The mistake with this name, if there is one.
+    pub fn find(id: &str) -> Option<&'static Self> {
+        MISTAKES.iter().find(|mistake| mistake.id == id)
+    }
+}

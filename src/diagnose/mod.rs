@@ -1,0 +1,351 @@
+//! Diagnosing: which mistake in skinning gives a mesh that another program posed, or a picture of it. Mistakes are found
+//! by making them: each is a change of the formula, and the one whose mesh agrees is the one that was
+//! made. Nothing here opens a file or a window.
+
+mod diagnosis;
+mod formula;
+mod mistakes;
+mod model;
+mod picture;
+mod precision;
+mod search;
+mod silhouette;
+mod skin;
+
+pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict};
+pub use formula::{
+    Chain, Columns, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
+    VertexOrder, WeightFormula,
+};
+pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
+
+use crate::character::{Character, Pose};
+use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
+use crate::geometry::Mesh;
+use crate::math::Aabb;
+use glam::{DVec3, Vec3};
+use mistakes::IN_ANY_ORDER;
+use model::Model;
+use search::{Alone, Explanation, Made, Search};
+use skin::{Placed, Skinner};
+
+/// Error up to which meshes agree, by the size: more than rounding to four digits after the point
+/// of a mesh of size 1, or computing in single precision, is off by.
+const TOLERANCE: f64 = 1e-4;
+/// The same for numbers that were written with fewer digits: what rounding to four digits in all is
+/// off by. Fewer are too few to tell what is wrong.
+const MOST_TOLERANCE: f64 = 1e-3;
+/// What single precision is off by, by the largest coordinate.
+const SINGLE_PRECISION: f64 = 1e-6;
+/// Errors that are no more than this many times the least one are as good.
+const AS_GOOD: f64 = 2.0;
+/// Errors that are as good as none, by the size.
+const AS_GOOD_AS_NONE: f64 = 5e-6;
+/// A mesh that agrees with the exact one is still one of a mistake if that is this many times nearer.
+const MUCH_NEARER: f64 = 10.0;
+/// What the nearest mistake must explain to be named.
+const EXPLAINS_MUCH: f64 = 0.5;
+
+/// Reason why a mesh cannot be one of a character.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DiagnoseError {
+    /// It has another number of vertices, and none that an importer leaves.
+    #[error("expected {expected} vertices, as the character has, found {found}")]
+    Vertices {
+        /// Vertices of the character.
+        expected: usize,
+        /// Vertices of the mesh.
+        found: usize,
+    },
+}
+
+/// Whether a mesh of `vertices` vertices may be one of `character`, or of what importers make of it.
+pub fn may_be_of(character: &Character, vertices: usize) -> bool {
+    order_of(&Model::new(character), vertices).is_some()
+}
+
+/// Finds out which mistake gives the vertices `theirs`, in model space, instead of those of
+/// `character` in `pose`.
+///
+/// # Errors
+/// If their number fits neither the character nor what importers make of it, or it has none.
+pub fn diagnose(
+    character: &Character,
+    pose: &Pose,
+    theirs: &[Vec3],
+) -> Result<Diagnosis, DiagnoseError> {
+    let model = Model::new(character);
+    let order = order_of(&model, theirs.len()).ok_or(DiagnoseError::Vertices {
+        expected: model.positions.len(),
+        found: theirs.len(),
+    })?;
+    let exact = search::exact(&model, pose, order);
+    let size = Aabb::from_points(exact.iter().map(|placed| placed.at.as_vec3())).size();
+    let size = match size.as_dvec3().length() {
+        size if size > 0.0 => size,
+        _ => 1.0,
+    };
+    let points: Vec<DVec3> = theirs.iter().map(|point| point.as_dvec3()).collect();
+    let distances: Vec<f64> = exact
+        .iter()
+        .zip(&points)
+        .map(|(placed, &point)| placed.distance(point))
+        .collect();
+    let tolerance = tolerance(theirs, size);
+    let mut findings = Findings {
+        model: &model,
+        order,
+        theirs: &points,
+        exact: &exact,
+        distances: &distances,
+        size,
+        tolerance,
+    };
+    let error = findings.error();
+    if order == VertexOrder::File && error <= tolerance {
+        let mut explanations = Vec::new();
+        let closer = error / MUCH_NEARER;
+        if closer > SINGLE_PRECISION * size {
+            let search = Search::new(&model, pose, &points, closer, &distances);
+            (_, explanations) = search.singles();
+        }
+        if explanations.is_empty() {
+            return Ok(findings.diagnosis(Verdict::Right));
+        }
+        findings.tolerance = closer;
+        return Ok(findings.explained(&explanations));
+    }
+    let search = Search::new(&model, pose, &points, tolerance, &distances);
+    let (alone, mut explanations) = search.singles();
+    if explanations.is_empty() {
+        explanations.extend(findings.in_another_order());
+    }
+    if explanations.is_empty() {
+        explanations = search.pairs(&alone);
+    }
+    if explanations.is_empty() {
+        let mut found = findings.diagnosis(Verdict::Unexplained);
+        found.regions = findings.regions();
+        found.findings = findings.of_the_whole(theirs);
+        found.nearest = nearest(&search, &model, pose, order, &alone);
+        return Ok(found);
+    }
+    Ok(findings.explained(&explanations))
+}
+
+/// The order in which a program may have written so many vertices: that of the file if it may be.
+fn order_of(model: &Model, vertices: usize) -> Option<VertexOrder> {
+    let orders = [
+        VertexOrder::File,
+        VertexOrder::FirstUse,
+        VertexOrder::Corners,
+    ];
+    let mut fitting = orders
+        .into_iter()
+        .filter(|&order| model.count(order) == vertices);
+    fitting.next().filter(|_| vertices > 0)
+}
+
+/// How far vertices may be apart and agree.
+fn tolerance(theirs: &[Vec3], size: f64) -> f64 {
+    let rounding = precision::half_step(theirs) * 3_f64.sqrt();
+    let by_size = (rounding * 1.01).clamp(TOLERANCE * size, MOST_TOLERANCE * size);
+    let largest = theirs.iter().map(|point| point.abs().max_element());
+    let largest = largest
+        .filter(|largest| largest.is_finite())
+        .fold(0.0, f32::max);
+    by_size.max(SINGLE_PRECISION * f64::from(largest))
+}
+
+/// A mesh beside the exact one.
+struct Findings<'a> {
+    model: &'a Model<'a>,
+    order: VertexOrder,
+    theirs: &'a [DVec3],
+    exact: &'a [Placed],
+    distances: &'a [f64],
+    size: f64,
+    tolerance: f64,
+}
+
+impl Findings<'_> {
+    /// The largest distance.
+    fn error(&self) -> f64 {
+        self.distances.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// A diagnosis without causes.
+    fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
+        let error = self.error() / self.size;
+        Diagnosis {
+            verdict,
+            causes: Vec::new(),
+            error,
+            error_from_exact: error,
+            tolerance: self.tolerance / self.size,
+            mistakes: Vec::new(),
+            same_as: Vec::new(),
+            first: self.first().filter(|_| verdict != Verdict::Right),
+            regions: Vec::new(),
+            nearest: None,
+            findings: Vec::new(),
+        }
+    }
+
+    /// The diagnosis from explanations, of which there is at least one, in the order in which they
+    /// are named.
+    fn explained(&self, explanations: &[Explanation]) -> Diagnosis {
+        let mut found = self.diagnosis(Verdict::Explained);
+        let errors = explanations.iter().map(|explanation| explanation.error);
+        let least = errors.fold(f64::INFINITY, f64::min);
+        let enough = (AS_GOOD * least).max(AS_GOOD_AS_NONE * self.size);
+        let mut good = explanations
+            .iter()
+            .filter(|explanation| explanation.error <= enough);
+        if let Some(first) = good.next() {
+            found.causes = first.ids();
+            found.error = first.error / self.size;
+            found.mistakes = first.made.iter().copied().map(ToldMistake::new).collect();
+        }
+        for other in good {
+            let ids = other.ids();
+            let is_same = |known: &[&str]| ids.iter().all(|id| known.contains(id));
+            if !is_same(&found.causes) && !found.same_as.iter().any(|known| is_same(known)) {
+                found.same_as.push(ids);
+            }
+        }
+        found
+    }
+
+    /// Whether the vertices are the exact ones in an order that no importer is known to leave.
+    fn in_another_order(&self) -> Option<Explanation> {
+        if self.order != VertexOrder::File {
+            return None;
+        }
+        let exact: Vec<DVec3> = self.exact.iter().map(|placed| placed.at).collect();
+        let from_exact = permutation(&exact, self.theirs, self.tolerance)?;
+        let pairs = from_exact.iter().zip(self.theirs);
+        let distances = pairs.map(|(&index, theirs)| exact[index as usize].distance(*theirs));
+        let made = Made {
+            mistake: Mistake::find("vertices-renumbered")?,
+            reading: &IN_ANY_ORDER,
+        };
+        Some(Explanation {
+            made: vec![made],
+            error: distances.fold(0.0, f64::max),
+        })
+    }
+
+    fn is_off(&self, index: usize) -> bool {
+        self.distances[index] > self.tolerance
+    }
+
+    /// The joint that moves the vertex at `index` most, after all joints if none does.
+    fn joint_of(&self, index: usize) -> usize {
+        let source = self.model.source(self.order, index);
+        let none = self.model.skeleton().joints().len();
+        self.model.strongest(source.position).unwrap_or(none)
+    }
+
+    fn name(&self, joint: usize) -> Option<String> {
+        let joints = self.model.skeleton().joints();
+        joints.get(joint).map(|joint| joint.name.clone())
+    }
+
+    /// The vertex farthest off of the first joint, from the root on, that has some.
+    fn first(&self) -> Option<Shown> {
+        let mut worst: Vec<Option<usize>> = vec![None; self.model.skeleton().joints().len() + 1];
+        for index in 0..self.theirs.len() {
+            let worst = &mut worst[self.joint_of(index)];
+            let is_worse = |known: usize| self.distances[index] > self.distances[known];
+            if self.is_off(index) && worst.is_none_or(is_worse) {
+                *worst = Some(index);
+            }
+        }
+        let none = worst.len() - 1;
+        let mut joints = self.model.by_depth.iter().copied().chain([none]);
+        let (joint, vertex) = joints.find_map(|joint| Some((joint, worst[joint]?)))?;
+        let name = self.name(joint);
+        Some(Shown {
+            joint_index: name.is_some().then_some(joint),
+            joint: name,
+            vertex,
+            error: self.distances[vertex] / self.size,
+            theirs: self.theirs[vertex].to_array(),
+            exact: self.exact[vertex].at.to_array(),
+        })
+    }
+
+    /// What each joint moves and is off.
+    fn regions(&self) -> Vec<Region> {
+        let none = self.model.skeleton().joints().len();
+        let mut regions: Vec<Region> = (0..=none)
+            .map(|joint| Region {
+                joint: self.name(joint),
+                joint_index: (joint < none).then_some(joint),
+                vertices: 0,
+                off: 0,
+                share: 0.0,
+                worst: 0.0,
+            })
+            .collect();
+        for index in 0..self.theirs.len() {
+            let region = &mut regions[self.joint_of(index)];
+            region.vertices += 1;
+            if self.is_off(index) {
+                region.off += 1;
+                region.worst = region.worst.max(self.distances[index] / self.size);
+            }
+        }
+        regions.retain(|region| region.off > 0);
+        for region in &mut regions {
+            region.share = region.off as f64 / region.vertices as f64;
+        }
+        regions.sort_by_key(|region| std::cmp::Reverse(region.off));
+        regions
+    }
+
+    /// Movements, scales and turns that give the whole mesh.
+    fn of_the_whole(&self, theirs: &[Vec3]) -> Vec<String> {
+        let exact = self
+            .exact
+            .iter()
+            .map(|placed| placed.at.as_vec3())
+            .collect();
+        let [exact, theirs] = [exact, theirs.to_vec()].map(|points| Mesh::new(points, Vec::new()));
+        let options = MeshOptions {
+            tolerance: Some(self.tolerance),
+            ..MeshOptions::default()
+        };
+        let Ok(compared) = compare_meshes(&exact, &theirs, &options) else {
+            return Vec::new();
+        };
+        let of_all = |finding: &&MeshFinding| !matches!(finding, MeshFinding::Permuted { .. });
+        let findings = compared.findings.iter().filter(of_all);
+        findings
+            .map(|finding| format!("with A for the exact mesh and B for this one: {finding}"))
+            .collect()
+    }
+}
+
+/// The mistake that leaves the least, if it explains much.
+fn nearest(
+    search: &Search,
+    model: &Model,
+    pose: &Pose,
+    order: VertexOrder,
+    alone: &[Alone],
+) -> Option<Nearest> {
+    let exact = Formula {
+        vertex_order: order,
+        ..Formula::default()
+    };
+    let all = search.mean(&mut Skinner::new(model, pose, &exact));
+    let best = alone.iter().min_by(|a, b| a.mean.total_cmp(&b.mean))?;
+    let explains = 1.0 - best.mean / all;
+    (explains >= EXPLAINS_MUCH).then(|| Nearest {
+        mistake: ToldMistake::new(best.made),
+        explains,
+    })
+}

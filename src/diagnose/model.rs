@@ -1,0 +1,145 @@
+//! What all formulas share of a character: orders of its joints and vertices.
+
+use super::formula::{JointsBy, VertexOrder};
+use crate::character::{Character, Influence, SkeletalModel};
+use glam::DVec3;
+
+/// A vertex as a program has it: where its position and its weights are in the files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Source {
+    pub(super) position: usize,
+    pub(super) weights: usize,
+}
+
+/// A character with the orders that formulas may take its parts in.
+#[derive(Debug)]
+pub(super) struct Model<'a> {
+    pub(super) character: &'a Character,
+    /// Bind positions in model space.
+    pub(super) positions: Vec<DVec3>,
+    /// Joints, parents before their children, depth first.
+    pub(super) by_depth: Vec<usize>,
+    /// Vertices that faces use, in the order of their first use.
+    first_use: Vec<usize>,
+    /// For each vertex its place in that order; its own index if no face uses it.
+    place: Vec<usize>,
+}
+
+impl<'a> Model<'a> {
+    pub(super) fn new(character: &'a Character) -> Self {
+        let mesh = character.bind_mesh();
+        let (first_use, place) = first_use(&mesh.triangles, mesh.positions.len());
+        Self {
+            character,
+            positions: mesh.positions.iter().map(|p| p.as_dvec3()).collect(),
+            by_depth: by_depth(character.skeleton()),
+            first_use,
+            place,
+        }
+    }
+
+    pub(super) fn skeleton(&self) -> &SkeletalModel {
+        self.character.skeleton()
+    }
+
+    pub(super) fn influences(&self, row: usize) -> &[Influence] {
+        self.character.attachments().of_vertex(row)
+    }
+
+    /// Joint that each index means.
+    pub(super) fn joints_by(&self, order: JointsBy) -> Vec<usize> {
+        match order {
+            JointsBy::File => (0..self.skeleton().joints().len()).collect(),
+            JointsBy::Depth => self.by_depth.clone(),
+            JointsBy::Level => by_level(self.skeleton()),
+            JointsBy::Height => self.by_height(),
+        }
+    }
+
+    fn by_height(&self) -> Vec<usize> {
+        let joints = self.skeleton().joints();
+        let mut above = vec![0_usize; joints.len()];
+        for &joint in &self.by_depth {
+            if let Some(parent) = joints[joint].parent {
+                above[joint] = above[parent] + 1;
+            }
+        }
+        let mut order: Vec<usize> = (0..joints.len()).collect();
+        order.sort_by_key(|&joint| above[joint]);
+        order
+    }
+
+    /// Number of vertices that a program writes that has them in `order`.
+    pub(super) fn count(&self, order: VertexOrder) -> usize {
+        match order {
+            VertexOrder::File | VertexOrder::FirstUseInside => self.positions.len(),
+            VertexOrder::FirstUse | VertexOrder::FirstUseOfPositions => self.first_use.len(),
+            VertexOrder::Corners => self.character.bind_mesh().triangles.len() * 3,
+        }
+    }
+
+    /// The vertex that such a program writes at `index`, below [`Model::count`].
+    pub(super) fn source(&self, order: VertexOrder, index: usize) -> Source {
+        let whole = |vertex| Source {
+            position: vertex,
+            weights: vertex,
+        };
+        match order {
+            VertexOrder::File => whole(index),
+            VertexOrder::FirstUse => whole(self.first_use[index]),
+            VertexOrder::FirstUseOfPositions => Source {
+                position: self.first_use[index],
+                weights: index,
+            },
+            VertexOrder::FirstUseInside => Source {
+                position: index,
+                weights: self.place[index],
+            },
+            VertexOrder::Corners => {
+                let triangle = self.character.bind_mesh().triangles[index / 3];
+                whole(triangle[index % 3] as usize)
+            }
+        }
+    }
+
+    /// The joint that moves a vertex most; `None` for one without weights.
+    pub(super) fn strongest(&self, vertex: usize) -> Option<usize> {
+        let influences = self.influences(vertex).iter();
+        let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
+        most.map(|influence| influence.joint as usize)
+    }
+}
+
+fn first_use(triangles: &[[u32; 3]], vertices: usize) -> (Vec<usize>, Vec<usize>) {
+    let mut order = Vec::with_capacity(vertices);
+    let mut place: Vec<usize> = (0..vertices).collect();
+    let mut is_used = vec![false; vertices];
+    for corner in triangles.iter().flatten() {
+        let vertex = *corner as usize;
+        if !std::mem::replace(&mut is_used[vertex], true) {
+            place[vertex] = order.len();
+            order.push(vertex);
+        }
+    }
+    (order, place)
+}
+
+fn by_depth(skeleton: &SkeletalModel) -> Vec<usize> {
+    let mut order = Vec::new();
+    let mut open: Vec<usize> = skeleton.roots().iter().rev().copied().collect();
+    while let Some(joint) = open.pop() {
+        order.push(joint);
+        open.extend(skeleton.children(joint).iter().rev());
+    }
+    order
+}
+
+fn by_level(skeleton: &SkeletalModel) -> Vec<usize> {
+    let mut order = skeleton.roots().to_vec();
+    let mut next = 0;
+    while let Some(&joint) = order.get(next) {
+        order.extend(skeleton.children(joint));
+        next += 1;
+    }
+    order
+}

@@ -1,0 +1,190 @@
+//! The search for the mistakes that give a mesh.
+
+use super::formula::{Formula, VertexOrder};
+use super::mistakes::{MISTAKES, Mistake, Reading};
+use super::model::Model;
+use super::skin::{Placed, Skinner};
+use crate::character::Pose;
+use glam::DVec3;
+
+/// Vertices that are looked at first are this many of those farthest off, …
+const WORST: usize = 64;
+/// … and about this many from all over the mesh.
+const SPREAD: usize = 512;
+
+/// A mesh, and what it is held against.
+#[derive(Debug)]
+pub(super) struct Search<'a> {
+    pub(super) model: &'a Model<'a>,
+    pub(super) pose: &'a Pose,
+    pub(super) theirs: &'a [DVec3],
+    /// How far apart vertices may be and still agree.
+    pub(super) tolerance: f64,
+    /// Vertices that tell formulas apart, those that tell most first, and then those from all over.
+    sample: Vec<usize>,
+}
+
+/// A mistake, and a way to make it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Made {
+    pub(super) mistake: &'static Mistake,
+    pub(super) reading: &'static Reading,
+}
+
+/// Mistakes that together give the mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Explanation {
+    pub(super) made: Vec<Made>,
+    /// Largest distance that is left.
+    pub(super) error: f64,
+}
+
+impl Explanation {
+    pub(super) fn ids(&self) -> Vec<&'static str> {
+        self.made.iter().map(|made| made.mistake.id).collect()
+    }
+}
+
+/// A single mistake, and how far vertices are from its mesh on average.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Alone {
+    pub(super) made: Made,
+    pub(super) mean: f64,
+}
+
+impl<'a> Search<'a> {
+    /// A search with the distances of `theirs` from the exact mesh.
+    pub(super) fn new(
+        model: &'a Model<'a>,
+        pose: &'a Pose,
+        theirs: &'a [DVec3],
+        tolerance: f64,
+        distances: &[f64],
+    ) -> Self {
+        let mut sample: Vec<usize> = (0..theirs.len()).collect();
+        sample.sort_by(|&a, &b| distances[b].total_cmp(&distances[a]));
+        sample.truncate(WORST);
+        let step = theirs.len().div_ceil(SPREAD).max(1);
+        sample.extend((0..theirs.len()).step_by(step));
+        Self {
+            model,
+            pose,
+            theirs,
+            tolerance,
+            sample,
+        }
+    }
+
+    /// Every mistake by itself, with those that explain the mesh.
+    pub(super) fn singles(&self) -> (Vec<Alone>, Vec<Explanation>) {
+        let mut alone = Vec::new();
+        let mut found = Vec::new();
+        for made in ways() {
+            let formula = formula(&[made]);
+            let Some(mut skinner) = self.skinner(&formula) else {
+                continue;
+            };
+            found.extend(self.explained_by(&mut skinner, vec![made]));
+            let mean = self.mean(&mut skinner);
+            alone.push(Alone { made, mean });
+        }
+        (alone, found)
+    }
+
+    /// Every two mistakes that explain the mesh, the one that explains more by itself first.
+    pub(super) fn pairs(&self, alone: &[Alone]) -> Vec<Explanation> {
+        let mean = |made: Made| {
+            let one = alone
+                .iter()
+                .find(|one| std::ptr::eq(one.made.reading, made.reading));
+            one.map_or(f64::INFINITY, |one| one.mean)
+        };
+        let ways: Vec<(Made, Formula)> = ways().map(|made| (made, formula(&[made]))).collect();
+        let mut found = Vec::new();
+        for (index, (first, formula_of_first)) in ways.iter().enumerate() {
+            for (second, formula_of_second) in &ways[index + 1..] {
+                if std::ptr::eq(first.mistake, second.mistake) {
+                    continue;
+                }
+                let both = formula(&[*first, *second]);
+                // Both change the same part, or one of them has nothing left to change.
+                if both != formula(&[*second, *first])
+                    || both == *formula_of_first
+                    || both == *formula_of_second
+                {
+                    continue;
+                }
+                let Some(mut skinner) = self.skinner(&both) else {
+                    continue;
+                };
+                let mut made = vec![*first, *second];
+                if mean(*second) < mean(*first) {
+                    made.reverse();
+                }
+                found.extend(self.explained_by(&mut skinner, made));
+            }
+        }
+        found
+    }
+
+    /// Mean distance of the mesh from the one of `skinner`, as far as a sample from all over tells.
+    pub(super) fn mean(&self, skinner: &mut Skinner) -> f64 {
+        let spread = &self.sample[self.sample.len().min(WORST)..];
+        let distances = spread.iter().map(|&index| self.distance(skinner, index));
+        distances.sum::<f64>() / spread.len().max(1) as f64
+    }
+
+    fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
+        let fits = self.model.count(formula.vertex_order) == self.theirs.len();
+        fits.then(|| Skinner::new(self.model, self.pose, formula))
+    }
+
+    fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
+        skinner.place(index).distance(self.theirs[index])
+    }
+
+    /// `made` if every vertex agrees with the mesh that it gives.
+    fn explained_by(&self, skinner: &mut Skinner, made: Vec<Made>) -> Option<Explanation> {
+        let mut agrees = |index: usize| {
+            let distance = self.distance(skinner, index);
+            (distance <= self.tolerance).then_some(distance)
+        };
+        for &index in &self.sample {
+            agrees(index)?;
+        }
+        let mut error = 0.0_f64;
+        for index in 0..self.theirs.len() {
+            error = error.max(agrees(index)?);
+        }
+        Some(Explanation { made, error })
+    }
+}
+
+/// Every way to make every mistake.
+pub(super) fn ways() -> impl Iterator<Item = Made> {
+    MISTAKES.iter().flat_map(|mistake| {
+        let readings = mistake.readings.iter();
+        readings.map(move |reading| Made { mistake, reading })
+    })
+}
+
+/// The exact formula with mistakes, made in this order.
+pub(super) fn formula(mistakes: &[Made]) -> Formula {
+    let mut formula = Formula::default();
+    for made in mistakes {
+        (made.reading.make)(&mut formula);
+    }
+    formula
+}
+
+/// The exact mesh as a program writes it that has its vertices in `order`.
+pub(super) fn exact(model: &Model, pose: &Pose, order: VertexOrder) -> Vec<Placed> {
+    let formula = Formula {
+        vertex_order: order,
+        ..Formula::default()
+    };
+    let mut skinner = Skinner::new(model, pose, &formula);
+    (0..skinner.count())
+        .map(|index| skinner.place(index))
+        .collect()
+}

@@ -1,0 +1,224 @@
+//! Silhouettes: which pixels of a picture a figure covers.
+
+use crate::geometry::Picture;
+use glam::{DMat4, DVec2, DVec3, DVec4};
+use std::collections::HashMap;
+
+/// Difference of a channel from the background's above which a pixel is drawn: more than what lossy
+/// formats add, and less than what is left of a figure's color in the shade.
+const DRAWN: u8 = 12;
+/// Pictures are looked at in no more columns and rows than this.
+const MOST: u32 = 400;
+
+/// The part of a picture that is looked at: every so many pixels, in columns and rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Samples {
+    /// Size of the picture in pixels.
+    picture: [u32; 2],
+    /// Pixels from one sample to the next.
+    pub(super) step: u32,
+    columns: usize,
+    rows: usize,
+}
+
+impl Samples {
+    /// Those of a picture of this size in pixels.
+    pub(super) fn new(width: u32, height: u32) -> Self {
+        let step = width.max(height).div_ceil(MOST).max(1);
+        Self {
+            picture: [width, height],
+            step,
+            columns: (width / step) as usize,
+            rows: (height / step) as usize,
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.columns * self.rows
+    }
+
+    /// The sample of a mesh that `pixel` of the picture lies in, with fractions.
+    fn sample_of(&self, clip: DVec4) -> DVec2 {
+        let ndc = clip.truncate() / clip.w;
+        let [width, height] = self.picture.map(f64::from);
+        let pixel = DVec2::new((ndc.x + 1.0) * 0.5 * width, (1.0 - ndc.y) * 0.5 * height);
+        // The center of a sample's pixel is a whole number.
+        let center = f64::from(self.step / 2) + 0.5;
+        (pixel - center) / f64::from(self.step)
+    }
+
+    /// Adds the samples in a triangle to `changes`: for each row where more is covered, and where
+    /// less. So a triangle costs as much as it has rows, and torn meshes have large ones.
+    fn cover(&self, triangle: [DVec2; 3], changes: &mut [i32]) {
+        let [a, b, c] = triangle;
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let first = low.y.ceil().max(0.0);
+        let last = high.y.floor().min(self.rows as f64 - 1.0);
+        if first > last || high.x < 0.0 {
+            return;
+        }
+        for row in first as usize..=last as usize {
+            let y = row as f64;
+            let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                if y < from.y.min(to.y) || y > from.y.max(to.y) {
+                    continue;
+                }
+                // A level edge lies in the row from end to end.
+                let level = [from.x, to.x];
+                let cut = from.x + (y - from.y) / (to.y - from.y) * (to.x - from.x);
+                for x in if from.y == to.y { level } else { [cut; 2] } {
+                    (left, right) = (left.min(x), right.max(x));
+                }
+            }
+            let left = left.ceil().max(0.0);
+            let right = right.floor().min(self.columns as f64 - 1.0);
+            if left <= right {
+                let row = row * (self.columns + 1);
+                changes[row + left as usize] += 1;
+                changes[row + right as usize + 1] -= 1;
+            }
+        }
+    }
+
+    /// The samples that are covered by what was added to `changes`.
+    fn covered(&self, changes: &[i32]) -> Vec<bool> {
+        let mut covered = Vec::with_capacity(self.count());
+        for row in changes.chunks(self.columns + 1) {
+            let mut depth = 0;
+            covered.extend(row[..self.columns].iter().map(|change| {
+                depth += change;
+                depth > 0
+            }));
+        }
+        covered
+    }
+
+    /// Whether any sample around each is `wanted`, or its own; the outside is like the border.
+    fn around(&self, is_covered: &[bool], wanted: bool) -> Vec<bool> {
+        let spread = |of: &[bool], count: usize, step: usize| -> Vec<bool> {
+            let at = |at: usize| {
+                let place = at / step % count;
+                let before = place > 0 && of[at - step] == wanted;
+                let after = place + 1 < count && of[at + step] == wanted;
+                (before || after || of[at] == wanted) == wanted
+            };
+            (0..of.len()).map(at).collect()
+        };
+        let across = spread(is_covered, self.columns, 1);
+        spread(&across, self.rows, self.columns)
+    }
+}
+
+/// What is covered, by sample, without what is thinner than three samples: lines that are drawn
+/// beside a figure are no part of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Silhouette {
+    samples: Samples,
+    is_covered: Vec<bool>,
+    /// Which samples have one beside them that differs.
+    is_edge: Vec<bool>,
+}
+
+impl Silhouette {
+    /// All of `picture` that differs from its background, the color that most of its border has.
+    pub(super) fn of_picture(picture: &Picture, samples: Samples) -> Self {
+        let (pixels, _) = picture.rgba.as_chunks::<4>();
+        let background = background(picture, pixels);
+        let half = (samples.step / 2) as usize;
+        let is_covered = (0..samples.count()).map(|index| {
+            let (column, row) = (index % samples.columns, index / samples.columns);
+            let [x, y] = [column, row].map(|at| at * samples.step as usize + half);
+            let pixel = pixels[y * picture.width as usize + x];
+            let differences = pixel.iter().zip(background);
+            differences.map(|(a, b)| a.abs_diff(b)).max() > Some(DRAWN)
+        });
+        Self::new(samples, &is_covered.collect::<Vec<bool>>())
+    }
+
+    /// A mesh with the vertices `points` as it is seen with `clip_from_model`.
+    pub(super) fn of_mesh(
+        points: &[DVec3],
+        triangles: &[[u32; 3]],
+        clip_from_model: DMat4,
+        samples: Samples,
+    ) -> Self {
+        let seen: Vec<Option<DVec2>> = points
+            .iter()
+            .map(|point| {
+                let clip = clip_from_model * point.extend(1.0);
+                let is_before_the_eye = clip.w > 1e-6 && clip.is_finite();
+                is_before_the_eye.then(|| samples.sample_of(clip))
+            })
+            .collect();
+        let mut changes = vec![0; (samples.columns + 1) * samples.rows];
+        for corners in triangles {
+            if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner as usize]) {
+                samples.cover([a, b, c], &mut changes);
+            }
+        }
+        Self::new(samples, &samples.covered(&changes))
+    }
+
+    /// The silhouette of `is_covered`.
+    fn new(samples: Samples, is_covered: &[bool]) -> Self {
+        let thin = samples.around(is_covered, false);
+        let is_covered = samples.around(&thin, true);
+        let [inside, outside] = [false, true].map(|covered| samples.around(&is_covered, covered));
+        let is_edge = inside
+            .iter()
+            .zip(&outside)
+            .map(|(inside, outside)| inside != outside);
+        Self {
+            samples,
+            is_edge: is_edge.collect(),
+            is_covered,
+        }
+    }
+
+    /// Number of samples that this one or `other` covers.
+    pub(super) fn area_with(&self, other: &Self) -> usize {
+        let both = self.is_covered.iter().zip(&other.is_covered);
+        both.filter(|(own, other)| **own || **other).count()
+    }
+
+    /// Samples that differ from `other` and are at the edge of neither, where a pixel more or less
+    /// says nothing.
+    pub(super) fn off<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
+        let all = 0..self.is_covered.len();
+        all.filter(|&at| {
+            self.is_covered[at] != other.is_covered[at] && !self.is_edge[at] && !other.is_edge[at]
+        })
+    }
+
+    /// The box around samples, as the pixels x, y, width and height of the picture.
+    pub(super) fn bounds(&self, samples: impl Iterator<Item = usize>) -> Option<[u32; 4]> {
+        let Samples { step, columns, .. } = self.samples;
+        let places = samples.map(|at| [at % columns, at / columns].map(|place| place as u32));
+        let corners = places.map(|place| (place, place));
+        let (low, high) = corners.reduce(|(low, high), (place, _)| {
+            let least = [low[0].min(place[0]), low[1].min(place[1])];
+            (least, [high[0].max(place[0]), high[1].max(place[1])])
+        })?;
+        let [x, y] = low.map(|place| place * step);
+        let [width, height] = [0, 1].map(|axis| (high[axis] - low[axis] + 1) * step);
+        Some([x, y, width, height])
+    }
+}
+
+/// The color that most pixels of the border have.
+fn background(picture: &Picture, pixels: &[[u8; 4]]) -> [u8; 4] {
+    let (width, height) = (picture.width as usize, picture.height as usize);
+    let mut counts: HashMap<[u8; 4], usize> = HashMap::new();
+    for (at, pixel) in pixels.iter().enumerate() {
+        let (x, y) = (at % width, at / width);
+        if x == 0 || y == 0 || x + 1 == width || y + 1 == height {
+            *counts.entry(*pixel).or_default() += 1;
+        }
+    }
+    // Of equals one that does not depend on the order of the map.
+    let most = counts
+        .into_iter()
+        .max_by_key(|&(color, count)| (count, color));
+    most.map_or([0; 4], |(color, _)| color)
+}

@@ -1,0 +1,226 @@
+//! Skinning by any formula, in double precision.
+
+use super::formula::{
+    Chain, Columns, Factors, Formula, JointFormula, Kept, Rescaled, WeightFormula,
+};
+use super::model::Model;
+use crate::character::{Influence, Pose};
+use glam::{DAffine3, DMat3, DVec3};
+
+/// Skins the vertices of a character by a formula, one at a time.
+#[derive(Debug)]
+pub(super) struct Skinner<'a> {
+    model: &'a Model<'a>,
+    formula: Formula,
+    /// What moves vertices, by the index that a weight has; `None` for an index without a joint.
+    palette: Vec<Option<DAffine3>>,
+    kept: Vec<(usize, f64)>,
+}
+
+/// Where a formula puts a vertex, in model space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Placed {
+    pub(super) at: DVec3,
+    /// Whether the vertex has no weights at all, of which the sum is the origin: programs leave it
+    /// there or at rest.
+    pub(super) is_unweighted: bool,
+}
+
+impl Placed {
+    /// How far `theirs` is from it; infinite if that is no place.
+    pub(super) fn distance(self, theirs: DVec3) -> f64 {
+        let mut distance = self.at.distance(theirs);
+        if self.is_unweighted {
+            distance = distance.min(theirs.length());
+        }
+        if distance.is_nan() {
+            f64::INFINITY
+        } else {
+            distance
+        }
+    }
+}
+
+impl<'a> Skinner<'a> {
+    pub(super) fn new(model: &'a Model<'a>, pose: &Pose, formula: &Formula) -> Self {
+        Self {
+            model,
+            palette: palette(model, pose, formula),
+            formula: formula.clone(),
+            kept: Vec::new(),
+        }
+    }
+
+    /// Number of vertices that it writes.
+    pub(super) fn count(&self) -> usize {
+        self.model.count(self.formula.vertex_order)
+    }
+
+    /// The vertex at `index` of those that it writes.
+    pub(super) fn place(&mut self, index: usize) -> Placed {
+        let source = self.model.source(self.formula.vertex_order, index);
+        let bind = self.model.positions[source.position];
+        let influences = self.model.influences(source.weights);
+        let is_unweighted = influences.is_empty();
+        let at = if is_unweighted || self.formula.factors == Factors::Nothing {
+            bind
+        } else {
+            keep(influences, self.formula.weights, &mut self.kept);
+            let moved = self.kept.iter().filter_map(|&(index, weight)| {
+                Some(self.palette[index]?.transform_point3(bind) * weight)
+            });
+            moved.sum()
+        };
+        Placed {
+            at: at * DVec3::from_array(self.formula.written),
+            is_unweighted,
+        }
+    }
+}
+
+/// The weights of a vertex that count, in `kept`.
+fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize, f64)>) {
+    kept.clear();
+    let of_file = influences.iter();
+    kept.extend(of_file.map(|one| (one.joint as usize, f64::from(one.weight))));
+    if formula.is_normalized {
+        scale_to(1.0, kept);
+    }
+    let (count, sum_of_all) = (kept.len(), sum(kept));
+    match formula.kept {
+        Kept::All => {}
+        // Stable: equals stay in order.
+        Kept::Largest(most) => {
+            kept.sort_by(|a, b| b.1.total_cmp(&a.1));
+            kept.truncate(most);
+        }
+        Kept::LargestLast(most) => {
+            kept.reverse();
+            kept.sort_by(|a, b| b.1.total_cmp(&a.1));
+            kept.truncate(most);
+        }
+        Kept::First(most) => kept.truncate(most),
+    }
+    match formula.rescaled {
+        Rescaled::No => {}
+        Rescaled::ToOneWhereCut if kept.len() == count => {}
+        Rescaled::ToOne | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
+        Rescaled::ToSumOfAll => scale_to(sum_of_all, kept),
+    }
+}
+
+fn sum(weights: &[(usize, f64)]) -> f64 {
+    weights.iter().map(|(_, weight)| weight).sum()
+}
+
+/// Scales weights so that they sum to `total`, unless they cancel each other.
+fn scale_to(total: f64, weights: &mut [(usize, f64)]) {
+    let sum = sum(weights);
+    if sum != 0.0 {
+        for (_, weight) in weights {
+            *weight *= total / sum;
+        }
+    }
+}
+
+fn palette(model: &Model, pose: &Pose, formula: &Formula) -> Vec<Option<DAffine3>> {
+    let order = model.joints_by(formula.joint_order.by);
+    // Which joint's angles of the pose each joint is given.
+    let mut angles_of: Vec<usize> = (0..order.len()).collect();
+    if formula.joint_order.has_angles {
+        for (index, &joint) in order.iter().enumerate() {
+            angles_of[joint] = index;
+        }
+    }
+    let joints = model.skeleton().joints();
+    let offset = |joint: usize| joints[joint].offset.as_dvec3();
+    let own = &formula.joint;
+    let current = chained(model, formula.chain, |joint| {
+        let mut translation = DVec3::ZERO;
+        let mut angles = DVec3::ZERO;
+        if own.has_offset {
+            translation += offset(joint);
+        }
+        if own.has_pose {
+            angles = pose.rotation(angles_of[joint]).radians.as_dvec3();
+            if own.has_offset {
+                translation += pose.root_offset(joint).as_dvec3();
+            }
+        }
+        own.parent_from_joint(translation, angles)
+    });
+    let bind = chained(model, formula.bind_chain, |joint| {
+        let has_offset = f64::from(u8::from(own.has_bind_offset));
+        own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
+    });
+    let moved = |joint: usize| match formula.factors {
+        Factors::Exact => current[joint] * bind[joint].inverse(),
+        Factors::NoInverseBind => current[joint],
+        Factors::InverseBindOnly => bind[joint].inverse(),
+        Factors::BindNotInverted => current[joint] * bind[joint],
+        Factors::Swapped => bind[joint].inverse() * current[joint],
+        Factors::Nothing => DAffine3::IDENTITY,
+    };
+    let by_index = (0..order.len()).map(|index| {
+        let place = match formula.weights.columns {
+            Columns::Exact => index,
+            Columns::Before => index.checked_sub(1)?,
+            Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
+        };
+        Some(moved(order[place]))
+    });
+    by_index.collect()
+}
+
+/// The transform of each joint from `own`, relative to its parent.
+fn chained(model: &Model, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<DAffine3> {
+    let joints = model.skeleton().joints();
+    let mut model_from_joint = vec![DAffine3::IDENTITY; joints.len()];
+    for &joint in &model.by_depth {
+        let parent = joints[joint].parent.map(|parent| model_from_joint[parent]);
+        let own = own(joint);
+        model_from_joint[joint] = match (chain, parent) {
+            (Chain::Own, _) | (_, None) => own,
+            (Chain::ParentOwn, Some(parent)) => parent * own,
+            (Chain::OwnParent, Some(parent)) => own * parent,
+        };
+    }
+    model_from_joint
+}
+
+impl JointFormula {
+    /// The transform of a joint from its translation and its angles in radians.
+    fn parent_from_joint(&self, translation: DVec3, radians: DVec3) -> DAffine3 {
+        let mut angles = radians * DVec3::from_array(self.angles);
+        if self.degrees_as_radians {
+            angles = angles.map(f64::to_degrees);
+        }
+        let mut rotation = self
+            .order
+            .map(|axis| about(axis, angles))
+            .into_iter()
+            .product();
+        if self.is_transposed {
+            rotation = DMat3::transpose(&rotation);
+        }
+        if self.rotates_first {
+            DAffine3 {
+                matrix3: rotation,
+                translation: rotation * translation,
+            }
+        } else {
+            DAffine3 {
+                matrix3: rotation,
+                translation,
+            }
+        }
+    }
+}
+
+fn about(axis: usize, angles: DVec3) -> DMat3 {
+    match axis {
+        0 => DMat3::from_rotation_x(angles.x),
+        1 => DMat3::from_rotation_y(angles.y),
+        _ => DMat3::from_rotation_z(angles.z),
+    }
+}

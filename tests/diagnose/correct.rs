@@ -1,0 +1,132 @@
+//! Meshes that are right have no cause, whoever computed and wrote them.
+
+use crate::diagnose::figures::{Figure, turned, written, written_in_all};
+use crate::diagnose::student::RIGHT;
+use crate::reference_data::{course, course_pose, posed};
+use editor_core::character::Pose;
+use editor_core::diagnose::{Diagnosis, Verdict};
+use glam::Vec3;
+
+#[track_caller]
+fn assert_right(found: &Diagnosis, case: &str) {
+    assert_eq!(found.verdict, Verdict::Right, "{case}: {found}");
+    assert!(found.causes.is_empty() && found.same_as.is_empty() && found.first.is_none());
+    assert!(
+        found.nearest.is_none() && found.regions.is_empty(),
+        "{case}"
+    );
+}
+
+#[test]
+fn fifty_right_meshes_of_other_precision_have_no_cause() {
+    let mut cases = 0;
+    for (name, seed) in [
+        ("adult", 1),
+        ("adult", 2),
+        ("adult", 3),
+        ("dog", 4),
+        ("dog", 5),
+        ("robot", 6),
+        ("robot", 7),
+    ] {
+        let figure = Figure::builtin(name, turned(seed));
+        let theirs = RIGHT.skin(&figure);
+        for digits in [4, 5, 6, 7, 9] {
+            assert_right(&figure.diagnose(&written(&theirs, digits)), name);
+        }
+        for digits in [4, 5, 6] {
+            assert_right(&figure.diagnose(&written_in_all(&theirs, digits)), name);
+        }
+        assert_right(&figure.diagnose(&theirs), name);
+        cases += 9;
+    }
+    assert!(cases >= 50);
+}
+
+#[test]
+fn a_mesh_whose_root_is_moved_is_right_and_one_whose_root_stays_is_not() {
+    let figure = Figure {
+        moved: Vec3::new(0.3, -0.1, 0.2),
+        ..Figure::builtin("adult", turned(9))
+    };
+    let stays = RIGHT.skin(&figure);
+    let moved: Vec<Vec3> = stays.iter().map(|place| *place + figure.moved).collect();
+    assert_right(&figure.diagnose(&moved), "moved");
+    let found = figure.diagnose(&stays);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    assert!(
+        found.findings[0].ends_with("B is A moved by (-0.300000, 0.100000, -0.200000)"),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_mesh_that_is_right_and_at_rest_has_no_cause() {
+    let figure = Figure::builtin("adult", |_| Vec3::ZERO);
+    assert_right(&figure.diagnose(&RIGHT.skin(&figure)), "at rest");
+    assert_right(&figure.diagnose(&figure.positions), "as in the file");
+}
+
+#[test]
+fn a_mesh_of_a_collada_file_is_right_wherever_vertices_without_weights_are() {
+    for name in ["humanoid", "tentacle", "creature", "crate", "lizard"] {
+        let figure = Figure::builtin(name, turned(8));
+        let theirs = figure.character.skin_pose(&figure.pose());
+        assert_right(&figure.diagnose(&theirs), name);
+        let summed = theirs.iter().enumerate().map(|(vertex, &place)| {
+            match figure.character.attachments().of_vertex(vertex) {
+                [] => Vec3::ZERO,
+                _ => place,
+            }
+        });
+        let summed: Vec<Vec3> = summed.collect();
+        assert_right(&figure.diagnose(&summed), name);
+    }
+}
+
+#[test]
+fn a_vertex_without_weights_may_stay_at_rest_or_go_to_the_origin_but_nowhere_else() {
+    let figure = Figure::builtin("adult", turned(10));
+    let mut rows = figure.rows.clone();
+    rows[5].fill(0.0);
+    let figure = figure.with_rows(rows);
+    let at_the_origin = RIGHT.skin(&figure);
+    assert_eq!(at_the_origin[5], Vec3::ZERO);
+    let mut theirs = at_the_origin.clone();
+    for (place, verdict) in [
+        (Vec3::ZERO, Verdict::Right),
+        (figure.positions[5], Verdict::Right),
+        (figure.positions[5] * 0.5, Verdict::Unexplained),
+    ] {
+        theirs[5] = place;
+        let found = figure.diagnose(&theirs);
+        assert_eq!(found.verdict, verdict, "{place}: {found}");
+        let first = found.first.map(|first| (first.vertex, first.joint));
+        assert_eq!(first, (verdict != Verdict::Right).then_some((5, None)));
+    }
+}
+
+#[test]
+fn what_the_course_s_own_program_gives_is_right() {
+    for name in ["walk", "twist"] {
+        let Some(model) = course("characters/Model1.obj") else {
+            return;
+        };
+        let Some(joints) = course_pose(name) else {
+            return;
+        };
+        let degrees = |joint: usize| {
+            let of_joint = joints.iter().find(|(index, _)| *index == joint.to_string());
+            of_joint.map_or(Vec3::ZERO, |(_, degrees)| Vec3::from(*degrees))
+        };
+        let figure = Figure::new(&model, degrees);
+        assert!(figure.pose() != Pose::new());
+        let Some(golden) = posed(&format!("model1_{name}"), "v ") else {
+            return;
+        };
+        let theirs: Vec<Vec3> = golden.iter().map(|v| Vec3::from_slice(v)).collect();
+        for digits in [4, 9] {
+            assert_right(&figure.diagnose(&written(&theirs, digits)), name);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! Diagnosing: which mistake in skinning gives a mesh. The meshes come from a program of its own
+//! (`student.rs`), which shares no formula with the library.
+
+mod correct;
+mod documents;
+mod figures;
+mod mistaken;
+mod pairs;
+mod pictures;
+mod program;
+mod same;
+mod student;
+mod unexplained;
+
+use editor_core::diagnose::{Diagnosis, Verdict};
+
+/// The causes that are named for a mesh, each with those that are made beside it.
+fn named(found: &Diagnosis) -> Vec<Vec<&'static str>> {
+    let first = (found.verdict == Verdict::Explained).then(|| found.causes.clone());
+    first.into_iter().chain(found.same_as.clone()).collect()
+}

@@ -1,0 +1,189 @@
+//! Meshes that no known mistake gives, and what is told of them.
+
+use crate::assignment::characters::character;
+use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::student::{RIGHT, with};
+use crate::work::grows_in_proportion;
+use editor_core::character::Pose;
+use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
+use editor_core::math::Euler;
+use glam::Vec3;
+
+fn adult() -> Figure {
+    Figure::builtin("adult", turned(21))
+}
+
+#[test]
+fn nonsense_has_no_cause_and_nothing_that_comes_near() {
+    let figure = adult();
+    let mut random = 1_u32;
+    let mut number = || {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        (random >> 8) as f32 / (1 << 24) as f32
+    };
+    let noise = figure
+        .positions
+        .iter()
+        .map(|_| Vec3::new(number(), number(), number()));
+    let found = figure.diagnose(&noise.collect::<Vec<_>>());
+    assert_eq!(
+        (found.verdict, &*found.causes),
+        (Verdict::Unexplained, &[][..])
+    );
+    assert!(
+        found.nearest.is_none() && found.findings.is_empty(),
+        "{found}"
+    );
+    assert!(
+        found.regions.iter().all(|region| region.share > 0.99),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_part_that_is_off_is_told_by_its_joint() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    for (vertex, place) in theirs.iter_mut().enumerate() {
+        // Column 13 is joint 14, the right elbow.
+        if figure.rows[vertex][13] > 0.6 {
+            *place += Vec3::new(0.0, 0.1 * (place.x * 40.0).sin(), 0.05);
+        }
+    }
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let joints: Vec<_> = found
+        .regions
+        .iter()
+        .map(|region| region.joint.as_deref())
+        .collect();
+    assert_eq!(joints, [Some("Right elbow")]);
+    let (region, first) = (&found.regions[0], found.first.as_ref().unwrap());
+    assert!(region.off > 100 && region.off <= region.vertices && region.worst > 0.02);
+    assert_eq!(
+        (&first.joint, first.joint_index),
+        (&Some("Right elbow".to_owned()), Some(14))
+    );
+    assert_eq!(first.error, region.worst);
+}
+
+#[test]
+fn of_several_joints_that_are_off_the_one_next_to_the_root_shows_it() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    // The joints after these columns: right shoulder and elbow, left elbow.
+    for (vertex, place) in theirs.iter_mut().enumerate() {
+        for (column, by) in [(12, 0.02), (13, 0.05), (16, 0.04)] {
+            if figure.rows[vertex][column] > 0.6 {
+                place.y += by * (place.x * 40.0).sin();
+            }
+        }
+    }
+    let found = figure.diagnose(&theirs);
+    let first = found.first.as_ref().unwrap();
+    assert_eq!(first.joint.as_deref(), Some("Right shoulder"), "{found}");
+    let region = found
+        .regions
+        .iter()
+        .find(|region| region.joint_index == Some(13))
+        .unwrap();
+    assert_eq!(first.error, region.worst);
+    assert_eq!(found.regions.len(), 3, "{found}");
+}
+
+#[test]
+fn a_mistake_that_explains_much_but_not_all_is_told_as_the_nearest() {
+    let figure = adult();
+    let mut theirs = with(&["weights-shifted"]).skin(&figure);
+    for place in &mut theirs {
+        place.y += 0.002 * (place.x * 50.0).sin();
+    }
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.verdict, Verdict::Unexplained, "{found}");
+    let nearest = found.nearest.as_ref().unwrap();
+    assert_eq!(nearest.mistake.id, "weights-shifted");
+    assert!(nearest.explains > 0.9 && nearest.explains < 1.0, "{found}");
+}
+
+#[test]
+fn a_mesh_that_is_moved_or_scaled_as_a_whole_is_told_to_be() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let moved: Vec<Vec3> = right.iter().map(|place| *place + Vec3::X).collect();
+    let found = figure.diagnose(&moved);
+    assert!(
+        found.findings[0].ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
+        "{found}"
+    );
+    let larger: Vec<Vec3> = right.iter().map(|place| *place * 2.0).collect();
+    let found = figure.diagnose(&larger);
+    assert!(
+        found.findings[0].ends_with("B is A 2.000000 times as large"),
+        "{found}"
+    );
+}
+
+#[test]
+fn another_order_that_no_importer_is_known_for_is_told_as_one() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    theirs.rotate_left(1000);
+    let found = figure.diagnose(&theirs);
+    assert_eq!(found.causes, ["vertices-renumbered"]);
+    assert_eq!(found.mistakes[0].how, "in another order");
+    assert!(found.error < 1e-5, "{found}");
+}
+
+#[test]
+fn the_search_for_a_cause_grows_in_proportion_to_the_mesh() {
+    let noise = |vertices: usize| {
+        let mut skel = "0 0 0 -1\n".to_owned();
+        (1..8).for_each(|joint| skel += &format!("0.1 0.2 0.3 {}\n", joint - 1));
+        let (mut obj, mut attach) = (String::new(), String::new());
+        for vertex in 0..vertices {
+            let [x, y, z] = [7, 11, 13].map(|step| (vertex * step % 1009) as f32 / 1009.0);
+            obj += &format!("v {x} {y} {z}\n");
+            attach += "0 0.5 0 0.25 0 0.125 0.125\n";
+        }
+        let body = character(&skel, &attach, &(obj + "f 1 2 3\n"));
+        let mut theirs = body.bind_mesh().positions.clone();
+        theirs.iter_mut().for_each(|place| place.x *= place.y);
+        (body, theirs)
+    };
+    let mut pose = Pose::new();
+    pose.set_joint_transform(3, Euler::from_degrees(Vec3::new(30.0, 20.0, 10.0)));
+    grows_in_proportion(5_000, noise, |(body, theirs)| {
+        assert_eq!(
+            diagnose(&body, &pose, &theirs).unwrap().verdict,
+            Verdict::Unexplained
+        );
+    });
+}
+
+#[test]
+fn another_number_of_vertices_is_an_error() {
+    let figure = adult();
+    let counts = |theirs: &[Vec3]| diagnose(&figure.character, &figure.pose(), theirs).unwrap_err();
+    let expected = figure.positions.len();
+    assert_eq!(
+        counts(&figure.positions[1..]),
+        DiagnoseError::Vertices {
+            expected,
+            found: expected - 1
+        }
+    );
+    assert_eq!(counts(&[]), DiagnoseError::Vertices { expected, found: 0 });
+}
+
+#[test]
+fn coordinates_that_are_no_numbers_are_off_by_more_than_anything() {
+    let figure = adult();
+    let mut theirs = RIGHT.skin(&figure);
+    theirs[100].y = f32::NAN;
+    let found = figure.diagnose(&theirs);
+    assert_eq!(
+        (found.verdict, found.error),
+        (Verdict::Unexplained, f64::INFINITY)
+    );
+    assert_eq!(found.first.unwrap().vertex, 100);
+}
