@@ -330,6 +330,7 @@ impl Program {
                         }
                     }
                     Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),
+                    Finished::GivenUp => {}
                 },
             }
         }
