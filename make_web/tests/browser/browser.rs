@@ -254,6 +254,8 @@ impl Browser {
     /// the page, a wheel with a key that nobody presses.
     pub fn pinch(&self, (x, y): (u32, u32), apart: i32) {
         const CTRL_KEY: u32 = 2;
+        let there = json!({"type": "mouseMoved", "x": x, "y": y});
+        self.devtools("Input.dispatchMouseEvent", &there);
         let event = json!({
             "type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": -apart,
             "modifiers": CTRL_KEY,
