@@ -1,9 +1,10 @@
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
+use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextStyle, Vec2,
-    pos2, vec2,
+    Align2, Context, Id, Key, KeyboardShortcut, LayerId, Modifiers, Order, Rect, TextEdit,
+    TextStyle, Vec2, pos2, vec2,
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};
@@ -29,6 +30,10 @@ struct OpenDialog {
     recent: Vec<PathBuf>,
     /// Whether the name of the file had the keyboard at the end of the last frame.
     types_name: bool,
+    /// Field of that name, once it has had the keyboard.
+    name_field: Option<Id>,
+    /// Whether the path has had the keyboard since Ctrl+L.
+    types_path: bool,
 }
 
 impl WindowFileDialog {
@@ -61,6 +66,8 @@ impl WindowFileDialog {
             dialog,
             recent: suggested.recent,
             types_name: false,
+            name_field: None,
+            types_path: false,
         });
     }
 
@@ -107,17 +114,38 @@ impl OpenDialog {
         config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
         let popup = egui::Popup::is_any_open(context);
         let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
+        let edits_path = context.input(|input| {
+            input.key_pressed(EDIT_PATH.logical_key)
+                && input.modifiers.matches_exact(EDIT_PATH.modifiers)
+        });
+        if edits_path {
+            // The dialog passes over the key while the name has the keyboard.
+            surrender_focus(context);
+        }
         let layer = self.layer();
         ui::in_colors_of_file_dialogs(context, layer, || {
             self.dialog.update(context);
             self.paint_hint(context);
         });
+        let focused = context.memory(|memory| memory.focused());
+        if edits_path && let Some(path) = focused {
+            // What is typed replaces the path, as in other dialogs.
+            select_all(context, path);
+        } else if let (true, None, Some(name)) = (self.types_path, focused, self.name_field) {
+            // After the folder comes the name in it.
+            context.memory_mut(|memory| memory.request_focus(name));
+            select_all(context, name);
+        }
+        self.types_path = focused.is_some() && (edits_path || self.types_path);
         let picked = self.dialog.take_picked();
         if picked.is_none() && escape && self.types_name {
             // The dialog would only let go of the name, and wait for another Esc.
             self.dialog = FileDialog::new();
         }
         self.types_name = self.types_name_now(context);
+        if self.types_name {
+            self.name_field = context.memory(|memory| memory.focused());
+        }
         picked
     }
 
@@ -157,6 +185,23 @@ impl OpenDialog {
         let hint = format!("{}: type a path", context.format_shortcut(&EDIT_PATH));
         painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
+}
+
+fn surrender_focus(context: &Context) {
+    context.memory_mut(|memory| {
+        if let Some(field) = memory.focused() {
+            memory.surrender_focus(field);
+        }
+    });
+}
+
+/// Selects all of the text in a field.
+fn select_all(context: &Context, field: Id) {
+    let mut state = TextEdit::load_state(context, field).unwrap_or_default();
+    // Cursors after the end are at the end.
+    let all = CCursorRange::two(CCursor::default(), CCursor::new(usize::MAX));
+    state.cursor.set_char_range(Some(all));
+    state.store(context, field);
 }
 
 fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {

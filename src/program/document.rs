@@ -333,12 +333,14 @@ impl Program {
         }
     }
 
-    /// Lets a file be chosen in the folder of the last one of its kind; one that is to be written is
-    /// called `name` until the user does otherwise.
+    /// Lets a file be chosen in the folder of the last one of its kind, or of the document if it is that
+    /// which is saved; one that is to be written is called `name` until the user does otherwise.
     pub(super) fn choose_file(&self, purpose: Purpose, name: &str, host: &mut dyn Host) {
-        let folder = self.preferences.folder_for(purpose.kind());
-        // Two quick Enters must not replace another scene.
         let is_scene = matches!(purpose, Purpose::SaveScene | Purpose::SaveWithFiles);
+        let own = self.document.path.as_deref().filter(|_| is_scene);
+        let own = own.and_then(Path::parent).map(Path::to_owned);
+        let folder = own.or_else(|| self.preferences.folder_for(purpose.kind()));
+        // Two quick Enters must not replace another scene.
         let name = if is_scene {
             free_name(name, folder.as_deref(), &*host.files())
         } else {
@@ -365,12 +367,16 @@ impl Program {
     }
 }
 
-/// `name`, or with a number if there is such a file in `folder` already.
+/// `name`, or with a number, or a higher one, if there is such a file in `folder` already.
 fn free_name(name: &str, folder: Option<&Path>, files: &dyn Files) -> String {
     let path = Path::new(name);
     let [stem, extension] =
         [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
-    let numbered = (2..1000).map(|number| format!("{stem} {number}.{extension}"));
+    let last = stem.rsplit_once(' ');
+    let last = last.and_then(|(words, number)| Some((words, number.parse::<u16>().ok()?)));
+    let (words, number) = last.unwrap_or((&stem, 1));
+    let higher = (1..1000).map(|more| u32::from(number) + more);
+    let numbered = higher.map(|number| format!("{words} {number}.{extension}"));
     let mut names = std::iter::once(name.to_owned()).chain(numbered);
     let folder = folder.unwrap_or(Path::new(""));
     let free = names.find(|name| !files.exists(&folder.join(name)));

@@ -187,7 +187,7 @@ impl Program {
         Some(PoseData::new(character.character.skeleton(), pose).to_json())
     }
 
-    fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+    pub(super) fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         match files.read(path) {
             Ok(bytes) => self.take_pose(shape, path, &bytes),
             Err(error) => self.tell(Severity::Error, error.to_string()),

@@ -90,8 +90,12 @@ impl Program {
             ..raw.clone()
         };
         let mut run: Option<PanelRun> = None;
-        for part in input_parts(raw) {
+        for part in input_parts(raw, context.text_edit_focused()) {
             run = PanelRun::join(run, self.run_panels(&context, part, Pass::Input, host));
+            if self.ui.is_beginning() {
+                let begun = self.run_panels(&context, without_events.clone(), Pass::Input, host);
+                run = PanelRun::join(run, begun);
+            }
         }
         if run.as_ref().is_some_and(|run| run.shown.changed) {
             let shown = self.run_panels(&context, without_events, Pass::Display, host);

@@ -101,6 +101,7 @@ pub struct Program {
     pub(super) awaited: Vec<Awaited>,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
+    builtin_poses: Vec<&'static str>,
     pub(super) start_pictures: StartPictures,
     /// Brightness of what is behind the scene: that of the panels.
     pub(super) backdrop: Backdrop,
@@ -145,6 +146,7 @@ impl Program {
             awaited: Vec::new(),
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
+            builtin_poses: builtins(BuiltinKind::Pose),
             start_pictures: StartPictures::default(),
             backdrop: Backdrop::default(),
             fit_area: FitArea::whole(4.0 / 3.0),
@@ -250,6 +252,7 @@ impl Program {
             question: question.as_ref(),
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
+            builtin_poses: &self.builtin_poses,
             start_pictures: self.start_pictures.shown(),
             hovered_shape: self.hovered_shape,
             frames_per_second: self.frame_rate.shown(),
@@ -450,6 +453,10 @@ impl Program {
                 );
             }
             Ask::LoadPose(shape) => self.choose_file(Purpose::LoadPose(shape), "", host),
+            Ask::UseBuiltinPose(shape, name) => {
+                let path = format!("{}poses/{name}.json", builtin::PREFIX);
+                self.load_pose(shape, Path::new(&path), &*host.files());
+            }
             Ask::InsertBuiltin(name) => {
                 self.import_any(Path::new(&format!("builtin:{name}")), &host.files(), host);
             }

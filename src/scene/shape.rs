@@ -166,6 +166,12 @@ impl Source {
     pub fn is_builtin(&self) -> bool {
         self.file.starts_with("builtin:")
     }
+
+    /// Name of the file without folders and extension.
+    pub fn stem(&self) -> &str {
+        let name = self.file.rsplit(['/', ':']).next().unwrap_or_default();
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    }
 }
 
 /// Way in which a file is read. One file may be read in several: an `.obj` beside a `.skel` as a

@@ -102,6 +102,8 @@ pub enum Ask {
     SavePose(ShapeId, Option<usize>),
     /// Choose a `POSE.json`, and apply its pose to a character.
     LoadPose(ShapeId),
+    /// Apply one of the program's own poses to a character.
+    UseBuiltinPose(ShapeId, &'static str),
     /// Begin, change or end a comparison with a picture.
     Compare(CompareAction),
     /// End the program.

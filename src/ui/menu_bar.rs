@@ -4,7 +4,7 @@ use super::theme::Palette;
 use super::widgets::{named, tip_beside};
 use super::{Action, Ask, ViewInput, commands, is_there};
 use crate::editor::Session;
-use crate::scene::name_of_import;
+use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig};
 use egui::{
     Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, ScrollArea, Ui,
@@ -152,6 +152,41 @@ impl Items<'_> {
         self.all(ui, Menu::Tools);
         ui.separator();
         self.all(ui, Menu::Pose);
+        self.builtin_poses(ui);
+    }
+
+    /// A submenu of the built-in poses of the selected character, if there are any.
+    fn builtin_poses(&mut self, ui: &mut Ui) {
+        let Some((shape, _)) = commands::selected_character(self.session) else {
+            return;
+        };
+        let scene = self.session.scene();
+        let source = scene.shape(shape).and_then(|shape| shape.source.as_ref());
+        let Some(stem) = source
+            .filter(|source| source.is_builtin())
+            .map(Source::stem)
+        else {
+            return;
+        };
+        let of_character =
+            |name: &&'static str| Some((*name, name.strip_prefix(stem)?.strip_prefix('-')?));
+        let poses: Vec<_> = self
+            .input
+            .builtin_poses
+            .iter()
+            .filter_map(of_character)
+            .collect();
+        if poses.is_empty() {
+            return;
+        }
+        submenu(ui, "Built-in Pose", |ui| {
+            for (name, pose) in poses {
+                if ui.button(name_of_import(pose)).clicked() {
+                    self.actions
+                        .push(Action::Ask(Ask::UseBuiltinPose(shape, name)));
+                }
+            }
+        });
     }
 
     /// All commands of one menu, from the table.

@@ -77,6 +77,8 @@ pub struct ViewInput<'a> {
     pub builtin_characters: &'a [&'static str],
     /// Names for Insert ▸ Built-in Curve; if empty, there is no such menu.
     pub builtin_curves: &'a [&'static str],
+    /// Names for Pose ▸ Built-in Pose, each beginning with that of its character and a hyphen.
+    pub builtin_poses: &'a [&'static str],
     /// Pictures for the start page, as far as they have been drawn.
     pub start_pictures: &'a [StartPicture],
     /// The shape under the pointer in the view.
@@ -153,6 +155,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let keys_taken = input.keys_are_taken
         || input.is_viewer
         || in_drag
+        || state.is_beginning()
         || input.question.is_some()
         || state.search.is_some()
         || state.keys_were_taken
@@ -275,7 +278,12 @@ fn run_waiting(
         } else {
             &MEANT_IN_A_DRAG
         };
-        let is_meant = |command: &Command| meant.contains(command) && is_there(*command, input);
+        // What was typed into a number field is taken back by the field itself.
+        let undoes = number_field::is_untouched(ctx);
+        let is_meant = |command: &Command| {
+            let is_undo = undoes && *command == Command::Undo;
+            (is_undo || meant.contains(command)) && is_there(*command, input)
+        };
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
         state.waiting = pressed.filter(is_meant);
     }

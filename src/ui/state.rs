@@ -185,6 +185,11 @@ impl UiState {
         self.curves.gesture.is_some() || self.pose.gesture.is_some() || self.box_select.is_drawing()
     }
 
+    /// Whether a gesture in the view begins in the next frame, which keys after it belong to.
+    pub fn is_beginning(&self) -> bool {
+        self.pose.asked.is_some()
+    }
+
     /// Drops everything about shapes if another scene was opened.
     pub(super) fn notice_another_scene(&mut self, session: &Session) {
         let opened = Some(session.opened());

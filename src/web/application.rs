@@ -107,7 +107,8 @@ impl eframe::App for Application {
         let mut events = std::mem::take(&mut self.later);
         events.append(&mut input.events);
         input.events = events;
-        let mut parts = input_parts(std::mem::take(input)).into_iter();
+        let is_typing = context.text_edit_focused();
+        let mut parts = input_parts(std::mem::take(input), is_typing).into_iter();
         *input = parts.next().unwrap_or_default();
         self.later = parts.flat_map(|part| part.events).collect();
         if !self.later.is_empty() {

@@ -278,6 +278,7 @@ impl Shell {
             title: "Editor",
             builtin_characters: BUILT_IN,
             builtin_curves: &["vase"],
+            builtin_poses: &["robot-greet", "adult-wave"],
             backend: "OpenGL 3.3",
             hovered_shape: self.hovered_shape,
             keys_are_taken: self.keys_are_taken,

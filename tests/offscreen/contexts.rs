@@ -186,3 +186,22 @@ fn owners_are_dropped_in_any_order_with_another_context_in_between() {
         }
     }
 }
+
+#[test]
+fn another_thread_waits_until_the_contexts_of_this_one_are_gone() {
+    let own = HeadlessContext::new(Backend::Auto).expect("a context");
+    let picture = black(own.gl(), 8, 8, 0);
+    let (sender, made) = std::sync::mpsc::channel();
+    let other = std::thread::spawn(move || {
+        let context = HeadlessContext::new(Backend::Auto).expect("a context");
+        sender.send(()).expect("somebody listens");
+        drop(context);
+    });
+    drop(own);
+    // Objects keep their contexts alive.
+    let early = made.recv_timeout(std::time::Duration::from_millis(300));
+    assert!(early.is_err(), "both threads have a context");
+    drop(picture);
+    made.recv().expect("now it is made");
+    other.join().expect("no panic");
+}

@@ -482,6 +482,20 @@ fn a_scene_is_never_suggested_the_name_of_another_one() {
     assert_eq!(story.host.requests.last().unwrap().name, "scene 2.scene");
     story.choose("scene 2.scene");
     assert_eq!(file(&story, "scene.scene"), other);
+    story.key_with(CTRL | Modifiers::SHIFT, Key::S);
+    assert_eq!(story.host.requests.last().unwrap().name, "scene 3.scene");
+}
+
+#[test]
+fn save_as_begins_in_the_folder_of_the_document_and_not_in_that_of_another() {
+    let mut story = with_saved_cube();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("elsewhere/b.zip");
+    story.key_with(CTRL | Modifiers::SHIFT, Key::S);
+    let request = story.host.requests.last().unwrap();
+    assert_eq!(request.folder.as_deref(), Some(Path::new("work")));
+    assert_eq!(request.name, "a 2.scene");
 }
 
 #[test]

@@ -16,6 +16,7 @@ mod several;
 mod sources;
 mod starting;
 mod transforming;
+mod typing;
 mod undoing;
 
 use crate::host::MemoryHost;

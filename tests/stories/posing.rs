@@ -148,6 +148,19 @@ fn a_bone_is_dragged_by_hand_and_the_gesture_is_kept_or_cancelled() {
 }
 
 #[test]
+fn a_built_in_pose_is_chosen_from_those_of_the_character() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.click("Pose");
+    story.click("Built-in Pose");
+    assert!(!story.has("Wave"), "it is one of the adult");
+    story.click("Greet");
+    assert!(!story.character().pose().is_bind());
+    assert_eq!(story.messages(), []);
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(story.character().pose().is_bind());
+}
+
+#[test]
 fn a_pose_goes_over_the_clipboard_from_one_character_to_another() {
     let mut story = Story::start(&["models/strip.obj", "models/strip.obj"]);
     story.type_into("Elbow Z", "45/2");

@@ -85,7 +85,7 @@ fn a_path_is_typed_after_ctrl_l_and_its_folder_is_kept() {
     std::fs::create_dir(&models).expect("an empty folder");
     let program = Program::start(&desktop, home.path(), &[]);
     let empty = program.picture();
-    press(&program, &["ctrl+shift+i", "ctrl+l", "ctrl+a"]);
+    press(&program, &["ctrl+shift+i", "ctrl+l"]);
     program.write(&other.join("robot.obj").display().to_string());
     press(&program, &["Return"]);
     assert!(program.picture() != empty, "no character was imported");
@@ -93,12 +93,21 @@ fn a_path_is_typed_after_ctrl_l_and_its_folder_is_kept() {
     press(&program, &["ctrl+p", "Return"]);
     assert_eq!(poses_in(&other), ["Robot.json"]);
     assert!(poses_in(&models).is_empty());
+
+    // Where a file is written, too; the name comes after the folder.
+    press(&program, &["ctrl+p", "ctrl+l"]);
+    program.write(&models.display().to_string());
+    press(&program, &["Return"]);
+    program.write("raised");
+    press(&program, &["Return"]);
+    assert_eq!(poses_in(&other), ["Robot.json"]);
+    assert_eq!(poses_in(&models), ["raised.json"]);
     let preferences = home.path().join(".config/skeleton-editor/preferences.json");
     let preferences = std::fs::read(preferences).expect("kept preferences");
     let preferences: serde_json::Value = serde_json::from_slice(&preferences).expect("JSON");
     assert_eq!(
         preferences["last_folder"],
-        serde_json::json!(other.display().to_string())
+        serde_json::json!(models.display().to_string())
     );
 }
 

@@ -71,6 +71,11 @@ pub enum Finding {
         /// Whether nothing else differs by more than 8 of 255.
         alone: bool,
     },
+    /// The axes are drawn in one picture alone, and nothing else differs.
+    Axes {
+        /// Which.
+        only_in: Which,
+    },
     /// Pixels differ in opacity.
     Opacity {
         /// Number of pixels.
@@ -203,6 +208,7 @@ impl Finding {
             | Self::RedBlueExchanged
             | Self::Gray
             | Self::Background { .. }
+            | Self::Axes { .. }
             | Self::Opacity { .. }
             | Self::Brightness { .. }
             | Self::Gamma { .. } => None,
@@ -292,6 +298,10 @@ impl fmt::Display for Finding {
                 };
                 write!(f, "the background differs: {a} in A, {b} in B{rest}")
             }
+            Self::Axes { only_in } => write!(
+                f,
+                "the axes are drawn only in {only_in}: apart from them nothing differs (View ▸ Toggle Axis, or --axis)"
+            ),
             Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
             Self::Brightness { factors } => fmt_brightness(f, *factors),
             Self::Gamma { lighter } => write!(

@@ -1,6 +1,7 @@
 //! Causes of the differences between two pictures. A finding is reported only where the pictures
 //! bear it out pixel by pixel; where no cause explains the differences, there is no finding.
 
+mod axes;
 mod color;
 mod detail;
 mod evidence;
@@ -54,7 +55,7 @@ impl Evidence<'_> {
     /// 3. one cause for what is drawn, those that leave less unexplained first: rounding, then
     ///    color, then the finest structures before coarse ones;
     /// 4. what remains to be said without a cause: outlines and colors that differ.
-    const RULES: [Rule<Applies<Self>>; 18] = [
+    const RULES: [Rule<Applies<Self>>; 19] = [
         rule("transparent", Nothing, |e| {
             Box::pin(ready(color::transparent(e)))
         }),
@@ -74,6 +75,7 @@ impl Evidence<'_> {
         rule("background", WHOLE_PICTURE, |e| {
             Box::pin(ready(color::background_too(e)))
         }),
+        rule("axes", BACKGROUND, |e| Box::pin(axes::axes(e))),
         rule("nearly_same", BACKGROUND, |e| {
             Box::pin(detail::nearly_same(e))
         }),
@@ -196,6 +198,7 @@ mod tests {
             "gray",
             "only_background",
             "background",
+            "axes",
             "nearly_same",
             "gamma",
             "brightness",
@@ -264,6 +267,14 @@ mod tests {
                     } else {
                         pixel
                     }
+                }),
+            ),
+            (
+                "axes",
+                changed(&a, |x, y, pixel| match (x, y) {
+                    (28, _) if is_dark(pixel) => [77, 204, 77, 255],
+                    (_, 30) if is_dark(pixel) => [128, 26, 26, 255],
+                    _ => pixel,
                 }),
             ),
             (

@@ -10,6 +10,7 @@ use std::rc::Rc;
 
 use libloading::Library;
 
+use super::turn::Turn;
 use super::{Api, NativeContext};
 use crate::gpu::{ContextError, Gl};
 
@@ -53,10 +54,13 @@ struct EglContext {
     api: u32,
     display: Handle,
     raw: Handle,
+    /// Ends after the context.
+    _turn: Rc<Turn>,
 }
 
 /// A new context, current on this thread.
 pub(super) fn create(api: Api) -> Result<Gl, ContextError> {
+    let turn = Turn::of_this_thread();
     let functions = load()?;
     let mut tried = Vec::new();
     let devices = functions.devices();
@@ -65,7 +69,7 @@ pub(super) fn create(api: Api) -> Result<Gl, ContextError> {
         .chain([(PLATFORM_SURFACELESS, ptr::null_mut())])
         .enumerate()
     {
-        match functions.context_on(platform, device, api) {
+        match functions.context_on(platform, device, api, &turn) {
             Ok(gl) => return Ok(gl),
             Err(cause) if platform == PLATFORM_SURFACELESS => {
                 tried.push(format!("surfaceless: {cause}"))
@@ -94,7 +98,13 @@ impl Functions {
         devices
     }
 
-    fn context_on(self, platform: u32, device: Handle, api: Api) -> Result<Gl, String> {
+    fn context_on(
+        self,
+        platform: u32,
+        device: Handle,
+        api: Api,
+        turn: &Rc<Turn>,
+    ) -> Result<Gl, String> {
         let (api_name, bit) = match api {
             Api::Gl => (OPENGL_API, OPENGL_BIT),
             Api::Gles => (OPENGL_ES_API, OPENGL_ES3_BIT),
@@ -138,6 +148,7 @@ impl Functions {
                 api: api_name,
                 display,
                 raw,
+                _turn: Rc::clone(turn),
             });
             let load = |name: &CStr| (self.get_proc_address)(name.as_ptr());
             Gl::new(context, load).map_err(|error| error.to_string())

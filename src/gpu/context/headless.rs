@@ -17,7 +17,7 @@ pub enum Backend {
 
 /// A context that draws into [`Framebuffer`](crate::gpu::Framebuffer)s only; there is no window.
 ///
-/// Any number of them may live on one thread, see [`Gl`].
+/// Any number of them may live on one thread, see [`Gl`]. Meanwhile another thread that makes one waits.
 #[derive(Debug)]
 pub struct HeadlessContext {
     gl: Gl,

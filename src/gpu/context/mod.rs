@@ -10,6 +10,8 @@ mod headless;
 #[cfg(not(target_arch = "wasm32"))]
 mod osmesa;
 #[cfg(not(target_arch = "wasm32"))]
+mod turn;
+#[cfg(not(target_arch = "wasm32"))]
 mod window;
 
 #[cfg(target_arch = "wasm32")]

@@ -7,6 +7,7 @@ use std::rc::Rc;
 
 use libloading::Library;
 
+use super::turn::Turn;
 use super::{Api, NativeContext};
 use crate::gpu::{ContextError, Gl};
 
@@ -43,6 +44,8 @@ struct OsmesaContext {
     functions: Functions,
     raw: RawContext,
     pixels: RefCell<Vec<u32>>,
+    /// Ends after the context.
+    _turn: Rc<Turn>,
 }
 
 /// A new context, current on this thread.
@@ -53,6 +56,7 @@ pub(super) fn create(api: Api) -> Result<Gl, ContextError> {
     if api == Api::Gles {
         return Err(failed("it has no OpenGL ES"));
     }
+    let turn = Turn::of_this_thread();
     let functions = load()?;
     let attributes = [
         FORMAT,
@@ -77,6 +81,7 @@ pub(super) fn create(api: Api) -> Result<Gl, ContextError> {
         functions,
         raw,
         pixels,
+        _turn: turn,
     });
     // SAFETY: names end with zero; an unknown name gives null. The entry points stay valid, since
     // the library is never unloaded.

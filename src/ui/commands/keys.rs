@@ -70,6 +70,7 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::SelectAll, KeyboardShortcut::new(NONE, Key::A)),
     (Command::Delete, KeyboardShortcut::new(NONE, Key::X)),
     (Command::Duplicate, KeyboardShortcut::new(SHIFT, Key::D)),
+    (Command::Rename, KeyboardShortcut::new(NONE, Key::F2)),
 ];
 
 impl Entry {

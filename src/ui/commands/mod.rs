@@ -10,7 +10,9 @@ pub use table::{COMMANDS, Entry, Menu};
 pub(super) use keys::{
     gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key,
 };
-pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, why_disabled};
+pub(super) use run::{
+    REVOLUTION_STEPS, curves, full_label, is_on, run, selected_character, why_disabled,
+};
 pub(super) use table::{entries, in_words, label};
 
 use crate::editor::Tool;

@@ -10,7 +10,7 @@ use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
-use crate::ui::{Action, Ask, CompareAction, HistoryMove, posing, view_overlay};
+use crate::ui::{Action, Ask, CompareAction, HistoryMove, Navigation, posing, view_overlay};
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -98,7 +98,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
-        Command::Duplicate => return Some(Action::Edit(Edit::Insert(duplicates(session)))),
+        Command::Duplicate => {
+            if state.navigation == Navigation::Blender {
+                // The copies follow the pointer from where they are.
+                state.pose.asked = Some(Tool::Move);
+            }
+            return Some(Action::Edit(Edit::Insert(duplicates(session))));
+        }
         Command::BoxSelect => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
@@ -383,7 +389,8 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
     }
 }
 
-fn selected_character(session: &Session) -> Option<(ShapeId, &CharacterShape)> {
+/// The selected shape, if it is a character.
+pub(in crate::ui) fn selected_character(session: &Session) -> Option<(ShapeId, &CharacterShape)> {
     let id = session.selected()?;
     Some((id, session.scene().character(id)?))
 }

@@ -4,7 +4,7 @@ use super::decimals::precise;
 use super::{NumberField, clean};
 use crate::ui::theme::{Palette, number_font};
 use crate::ui::widgets::select_all;
-use egui::{Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
+use egui::{Context, Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
 
 /// Least width of a field while a number is typed into it, in points.
 const ROOM_TO_TYPE: f32 = 76.0;
@@ -60,7 +60,8 @@ impl NumberField<'_> {
         let begins = kept.is_none();
         let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.shown())));
         let stepped = self.stepped(ui, &mut typed);
-        if begins {
+        let undone = take_back(ui, &mut typed);
+        if begins || undone {
             select_all(ui, id, &typed.text);
         }
         let rect = roomy(rect);
@@ -106,6 +107,24 @@ impl NumberField<'_> {
         *typed = Typed::beginning_with(precise(value));
         Some(value)
     }
+}
+
+/// Ctrl+Z while typing: takes back all that was typed, and returns whether there was any. egui's own way
+/// takes back as much as was typed without a pause, also in this field earlier.
+fn take_back(ui: &Ui, typed: &mut Typed) -> bool {
+    let is_asked = ui.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Z));
+    let undone = is_asked && typed.text != typed.began_with;
+    if undone {
+        typed.text.clone_from(&typed.began_with);
+    }
+    undone
+}
+
+/// Whether the keyboard belongs to a number field into which nothing has been typed yet.
+pub(in crate::ui) fn is_untouched(ctx: &Context) -> bool {
+    let field = ctx.memory(|memory| memory.focused());
+    let typed = field.and_then(|id| ctx.data(|data| data.get_temp::<Typed>(id)));
+    typed.is_some_and(|typed| typed.text == typed.began_with)
 }
 
 /// Deepest nesting of parentheses and signs, so that no text can exhaust the stack.

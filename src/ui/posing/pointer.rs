@@ -4,7 +4,7 @@ use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
 use super::{PoseState, ik};
 use crate::editor::{
-    BoneDrag, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
+    BoneDrag, Edit, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
     root_of,
 };
 use crate::math::Ray;
@@ -33,7 +33,11 @@ pub(in crate::ui) fn pointer(
 ) -> PointerUse {
     state.over_view = view.hovered();
     state.by_finger = view.ctx.input(InputState::any_touches);
-    if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
+    let inserts = |action: &Action| matches!(action, Action::Edit(Edit::Insert(_)));
+    if state.asked.is_some() && actions.iter().any(inserts) {
+        // What is inserted is selected from the next frame on.
+        view.ctx.request_repaint();
+    } else if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
         state.gesture = Grab::begin_by_key(view, places, actions, |place, pixel| {
             begin_by_key(session, state, does, place, pixel)
         });
