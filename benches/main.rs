@@ -5,6 +5,7 @@ mod frames;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
+mod picking;
 mod report;
 mod window;
 
@@ -17,5 +18,6 @@ fn main() {
         .find(|argument| !argument.starts_with('-'));
     let mut report = Report::new(filter);
     frames::run(&mut report);
+    picking::run(&mut report);
     report.finish();
 }

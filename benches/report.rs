@@ -40,11 +40,13 @@ impl Report {
             what: what.to_owned(),
             found: one / other,
             most,
-            costs: format!("{one:.1} ms to {other:.1} ms"),
+            costs: format!("{} ms to {} ms", in_digits(one), in_digits(other)),
         };
         println!(
-            "{what}: {:.2} (at most {most:.2}; {})",
-            line.found, line.costs
+            "{what}: {} (at most {}; {})",
+            in_digits(line.found),
+            in_digits(most),
+            line.costs
         );
         self.lines.push(line);
     }
@@ -75,7 +77,9 @@ impl Report {
             // Writing to a string cannot fail.
             let _ = writeln!(
                 text,
-                "| {what} | {found:.2}{missed} | {most:.2} | {costs} |"
+                "| {what} | {}{missed} | {} | {costs} |",
+                in_digits(*found),
+                in_digits(*most)
             );
         }
         let notes = include_str!("notes.md");
@@ -83,6 +87,17 @@ impl Report {
         std::fs::write(&path, format!("{text}\n{notes}")).expect("docs/benchmarks.md is written");
         println!("Written to {}", path.display());
     }
+}
+
+/// A number with three digits that count.
+fn in_digits(number: f64) -> String {
+    let decimals = match number {
+        _ if number >= 100.0 => 0,
+        _ if number >= 10.0 => 1,
+        _ if number >= 1.0 => 2,
+        _ => 4,
+    };
+    format!("{number:.decimals$}")
 }
 
 /// The processor and how many of its cores there are.

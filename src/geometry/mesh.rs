@@ -1,10 +1,11 @@
-use crate::math::{Aabb, Ray, TriangleHit};
+use super::TriangleOrder;
+use crate::math::Aabb;
 use crate::revision::Revision;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
 use std::collections::HashSet;
 use std::ops::{Deref, Range};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Triangle mesh in model space.
 ///
@@ -163,28 +164,12 @@ impl Mesh {
     }
 }
 
-/// Nearest intersection of `ray` with triangles, with the index of the triangle. `ray` and
-/// `positions` are in one space; `triangles` are indices into `positions`.
-pub fn nearest_triangle(
-    ray: &Ray,
-    positions: &[Vec3],
-    triangles: &[[u32; 3]],
-) -> Option<(usize, TriangleHit)> {
-    triangles
-        .iter()
-        .enumerate()
-        .filter_map(|(index, corners)| {
-            let hit = ray.triangle(corners.map(|corner| positions[corner as usize]))?;
-            Some((index, hit))
-        })
-        .min_by(|a, b| a.1.distance.total_cmp(&b.1.distance))
-}
-
 /// Immutable mesh shared by reference, with a revision that caches compare.
 #[derive(Clone, Debug)]
 pub struct SharedMesh {
     mesh: Arc<Mesh>,
     revision: Revision,
+    triangle_order: Arc<OnceLock<TriangleOrder>>,
 }
 
 impl SharedMesh {
@@ -202,7 +187,14 @@ impl SharedMesh {
         Self {
             mesh: Arc::new(mesh),
             revision: Revision::new(),
+            triangle_order: Arc::default(),
         }
+    }
+
+    /// Order of the triangles for rays, worked out when it is first asked for.
+    pub fn triangle_order(&self) -> &TriangleOrder {
+        let new = || TriangleOrder::new(&self.positions, &self.triangles);
+        self.triangle_order.get_or_init(new)
     }
 
     /// The revision, the same for all copies.

@@ -14,6 +14,7 @@ mod pyramid;
 mod sphere;
 mod surface;
 mod teapot;
+mod triangle_tree;
 mod triangulate;
 
 pub use bone_box::{BONE_HALF_WIDTH, cuboid_from_unit};
@@ -21,13 +22,12 @@ pub use cube::cube;
 pub use curve::{Basis, Curve, CurveError, CurveForm, MAX_COORDINATE, MAX_CURVE_POINTS, MAX_STEPS};
 pub use curve_evaluation::{CurveFrame, CurvePoint, close_frames, is_closed};
 pub use icosahedron::icosahedron;
-pub use mesh::{
-    Material, MaterialGroup, Mesh, Normals, Picture, Seams, SharedMesh, nearest_triangle,
-};
+pub use mesh::{Material, MaterialGroup, Mesh, Normals, Picture, Seams, SharedMesh};
 pub use mesh_builder::{Corner, MeshBuilder};
 pub use normals::{Facets, face_normal, face_normals, smooth_normals};
 pub use pyramid::pyramid;
 pub use sphere::{Poles, sphere};
 pub use surface::{generalized_cylinder, surface_of_revolution, wireframe};
 pub use teapot::teapot;
+pub use triangle_tree::{TriangleBoxes, TriangleOrder};
 pub use triangulate::Triangulator;

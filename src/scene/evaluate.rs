@@ -1,8 +1,8 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::{Character, StickFigure};
-use crate::geometry::{Normals, SharedMesh};
-use crate::math::Aabb;
+use crate::geometry::{Normals, SharedMesh, TriangleBoxes};
+use crate::math::{Aabb, Ray};
 use crate::revision::Revision;
 use glam::{Mat4, Vec3};
 use std::collections::{HashMap, HashSet};
@@ -48,6 +48,8 @@ pub struct EvaluatedGeometry {
     /// Bounds of all but a deformed mesh, whose bounds are computed on demand.
     pub(super) fixed_bounds: Aabb,
     pub(super) bounds: OnceLock<Aabb>,
+    /// Boxes over the triangles for rays.
+    pub(super) boxes: OnceLock<TriangleBoxes>,
 }
 
 impl EvaluatedGeometry {
@@ -61,6 +63,7 @@ impl EvaluatedGeometry {
             revision,
             fixed_bounds: bounds,
             bounds: OnceLock::new(),
+            boxes: OnceLock::new(),
         }
     }
 
@@ -89,6 +92,15 @@ impl EvaluatedGeometry {
             }
             None => self.fixed_bounds,
         })
+    }
+
+    /// Distance at which `ray`, in model space, first meets the surface.
+    pub fn nearest_surface(&self, ray: &Ray) -> Option<f32> {
+        let (positions, triangles) = (self.positions(), &self.mesh.triangles);
+        let order = self.mesh.triangle_order();
+        let boxes = self.boxes.get_or_init(|| order.boxes(positions, triangles));
+        let (_, hit) = order.nearest(boxes, ray, positions, triangles)?;
+        Some(hit.distance)
     }
 
     /// Box that contains the mesh, in model space: its bounds if they are known, else a larger box

@@ -1,5 +1,4 @@
 use super::{Camera, Evaluated, EvaluatedShape, Scene, ShapeId, ShapeKind};
-use crate::geometry::nearest_triangle;
 use crate::math::{Cylinder, Ray};
 use glam::{Vec2, Vec3};
 
@@ -39,16 +38,9 @@ pub fn pick_shape(evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, f32)> {
         if entry * (1.0 - ROUNDING) > least {
             break;
         }
-        keep(shape.id, nearest_surface(shape, &model_ray));
+        keep(shape.id, shape.geometry.nearest_surface(&model_ray));
     }
     nearest
-}
-
-/// Distance at which `ray`, in model space, first meets the surface of `shape`.
-fn nearest_surface(shape: &EvaluatedShape, model_ray: &Ray) -> Option<f32> {
-    let geometry = &shape.geometry;
-    let (_, hit) = nearest_triangle(model_ray, geometry.positions(), &geometry.mesh.triangles)?;
-    Some(hit.distance)
 }
 
 /// Distance from the ray up to which a curve is picked, relative to its distance from the eye:

@@ -1,8 +1,9 @@
 //! File ▸ Screenshot: what the picture shows, its size, and turntables.
 
+use super::compare::CompareView;
 use super::number_field::NumberField;
 use super::widgets::labelled;
-use super::{Action, Ask, Screenshot, Turntable};
+use super::{Action, Ask, Screenshot, Turntable, ViewInput};
 use crate::scene::TURNTABLE_FRAMES;
 use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, RichText, Ui, Vec2, vec2};
 use std::ops::RangeInclusive;
@@ -39,13 +40,18 @@ impl Default for ScreenshotForm {
 }
 
 impl ScreenshotForm {
-    /// The picture that is asked for. What does not go with panels or a turntable is left out.
-    fn asked(&self) -> Screenshot {
+    /// The picture that is asked for, of the size of what it is compared with if it has none of its own.
+    /// What does not go with panels or a turntable is left out.
+    fn asked(&self, compared: Option<(u32, u32)>) -> Screenshot {
         let own_size = self.own_size && !self.with_panels;
         let turns = self.turns && !self.with_panels;
         Screenshot {
             with_panels: self.with_panels,
-            size: own_size.then_some((self.width, self.height)),
+            size: if own_size {
+                Some((self.width, self.height))
+            } else {
+                compared.filter(|_| !self.with_panels)
+            },
             transparent: self.transparent && !self.with_panels && !turns,
             turntable: turns.then_some(Turntable {
                 frames: self.frames,
@@ -56,7 +62,7 @@ impl ScreenshotForm {
 
     /// What is saved, and as what.
     fn explanation(&self) -> &'static str {
-        let asked = self.asked();
+        let asked = self.asked(None);
         if asked.turntable.is_some() {
             "Saves an animated GIF of the scene, turned once round what the view looks at."
         } else if asked.transparent {
@@ -70,10 +76,11 @@ impl ScreenshotForm {
 /// Shows the dialog; whether to close it.
 pub(super) fn show(
     ui: &Ui,
-    is_page: bool,
+    input: &ViewInput,
     form: &mut ScreenshotForm,
     actions: &mut Vec<Action>,
 ) -> bool {
+    let compared = input.compare.map(CompareView::size);
     let frame = Frame::popup(ui.style()).inner_margin(16);
     let modal = Modal::new(Id::new("screenshot")).frame(frame);
     let modal = modal.show(ui.ctx(), |ui| {
@@ -83,12 +90,13 @@ pub(super) fn show(
         ui.add_space(8.0);
         // Asked before a field gives up the keyboard because of the same Enter.
         let typing = ui.ctx().text_edit_focused();
-        if !is_page {
+        if !input.is_page {
             panels(ui, form);
         }
-        contents(ui, form);
+        contents(ui, form, compared);
         ui.add_space(12.0);
-        buttons(ui, form, !typing, actions)
+        let asked = form.asked(compared);
+        buttons(ui, asked, !typing, actions)
     });
     modal.inner || modal.should_close()
 }
@@ -104,9 +112,9 @@ fn panels(ui: &mut Ui, form: &mut ScreenshotForm) {
     });
 }
 
-fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
+fn contents(ui: &mut Ui, form: &mut ScreenshotForm, compared: Option<(u32, u32)>) {
     ui.add_enabled_ui(!form.with_panels, |ui| {
-        size(ui, form);
+        size(ui, form, compared);
         background(ui, form);
         motion(ui, form);
     });
@@ -115,10 +123,14 @@ fn contents(ui: &mut Ui, form: &mut ScreenshotForm) {
 /// Why a picture with panels has no choices of its own.
 const WITH_PANELS: &str = "Panels are drawn for the window: the picture shows it as it is";
 
-fn size(ui: &mut Ui, form: &mut ScreenshotForm) {
+fn size(ui: &mut Ui, form: &mut ScreenshotForm, compared: Option<(u32, u32)>) {
+    let given = match compared {
+        Some((width, height)) => &format!("As compared ({width} × {height})"),
+        None => "As in the window",
+    };
     labelled(ui, "Size", |ui, _| {
         ui.spacing_mut().item_spacing.x = 16.0;
-        ui.radio_value(&mut form.own_size, false, "As in the window")
+        ui.radio_value(&mut form.own_size, false, given)
             .on_disabled_hover_text(WITH_PANELS);
         ui.radio_value(&mut form.own_size, true, "Custom")
             .on_disabled_hover_text(WITH_PANELS);
@@ -187,12 +199,7 @@ fn motion(ui: &mut Ui, form: &mut ScreenshotForm) {
 }
 
 /// Save and Cancel; whether one of them was used.
-fn buttons(
-    ui: &mut Ui,
-    form: &ScreenshotForm,
-    enter_saves: bool,
-    actions: &mut Vec<Action>,
-) -> bool {
+fn buttons(ui: &mut Ui, asked: Screenshot, enter_saves: bool, actions: &mut Vec<Action>) -> bool {
     let elsewhere = ui.memory(|memory| memory.focused().is_some());
     let enter_saves = enter_saves && !elsewhere;
     let enter = enter_saves && ui.input_mut(|i| i.consume_key(Modifiers::NONE, Key::Enter));
@@ -205,7 +212,7 @@ fn buttons(
             .on_hover_text("Choose where to save (Enter)");
         let cancel = ui.add(Button::new("Cancel")).on_hover_text("Close (Esc)");
         if save.clicked() || enter {
-            actions.push(Action::Ask(Ask::Screenshot(form.asked())));
+            actions.push(Action::Ask(Ask::Screenshot(asked)));
             return true;
         }
         cancel.clicked()

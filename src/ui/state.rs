@@ -185,6 +185,11 @@ impl UiState {
         self.curves.gesture.is_some() || self.pose.gesture.is_some() || self.box_select.is_drawing()
     }
 
+    /// Whether saving waits until what is dragged is let go of.
+    pub(super) fn saves_later(&self) -> bool {
+        self.gesture_under_way() && matches!(self.waiting, Some(Command::Save | Command::SaveAs))
+    }
+
     /// Whether a gesture in the view begins in the next frame, which keys after it belong to.
     pub fn is_beginning(&self) -> bool {
         self.pose.asked.is_some()

@@ -216,6 +216,12 @@ fn machine(input: &ViewInput) -> String {
 /// Name of what is under the pointer, if anything, and what gestures do there.
 fn status(session: &Session, state: &UiState, input: &ViewInput) -> (Option<String>, &'static str) {
     let navigation = state.navigation;
+    if state.saves_later() {
+        return (
+            None,
+            "It is saved once this movement has ended · Esc cancels the movement",
+        );
+    }
     if let Some(next) = state.box_select.status() {
         return (None, next);
     }

@@ -82,7 +82,7 @@ pub(super) fn show(
         about(ui, input.backend);
     });
     if windows.is_open(Dialog::Screenshot)
-        && screenshot::show(root, input.is_page, &mut windows.screenshot, actions)
+        && screenshot::show(root, input, &mut windows.screenshot, actions)
     {
         windows.close(Dialog::Screenshot);
     }

@@ -286,6 +286,21 @@ fn of_several_pictures_at_the_start_the_last_is_compared_with() {
 }
 
 #[test]
+fn a_screenshot_in_a_comparison_has_the_size_of_what_is_compared() {
+    let mut story = comparing();
+    story.key(Key::F12);
+    assert!(story.has("As compared (300 × 200)"));
+    story.key(Key::Enter);
+    story.save_picture("again.png");
+    let [again, mine] = ["again.png", "mine.png"].map(|name| {
+        let path = Path::new(name);
+        let bytes = story.host.written.get(path).expect("it was written");
+        image::decode(path, bytes).expect("a picture")
+    });
+    assert_eq!(again, mine, "of the same scene");
+}
+
+#[test]
 fn a_comparison_is_saved_side_by_side_and_ends_with_esc() {
     let mut story = comparing();
     while measure(&mut story) > 0 {}

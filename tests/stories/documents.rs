@@ -405,6 +405,8 @@ fn ctrl_and_s_in_the_middle_of_a_drag_saves_when_it_has_ended() {
     story.point(view.center() + vec2(50.0, 0.0));
     story.key_with(CTRL, Key::S);
     let saved = file(&story, "work/a.scene");
+    let told = "It is saved once this movement has ended · Esc cancels the movement";
+    assert!(story.has_text(told));
     story.key(Key::Enter);
     story.settle();
     assert_ne!(file(&story, "work/a.scene"), saved);

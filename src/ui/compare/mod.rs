@@ -40,7 +40,7 @@ pub struct CompareView<'a> {
 
 impl CompareView<'_> {
     /// Width and height of the pictures in pixels.
-    fn size(&self) -> (u32, u32) {
+    pub(super) fn size(&self) -> (u32, u32) {
         (self.reference.picture.width, self.reference.picture.height)
     }
 }
