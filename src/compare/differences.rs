@@ -1,5 +1,6 @@
 use super::Area;
 use super::pair::{Pair, Pixel, is_drawn};
+use super::steps::{Pace, at_once};
 use crate::geometry::Picture;
 use serde::Serialize;
 
@@ -58,13 +59,22 @@ pub(super) fn difference(a: Pixel, b: Pixel) -> u8 {
 impl Pair<'_> {
     /// Counts and means of the differences; pixels count as differing above `threshold`.
     pub fn differences(&self, threshold: u8) -> Differences {
+        at_once(|pace| async move { self.paced_differences(threshold, &pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_differences(&self, threshold: u8, pace: &Pace) -> Differences {
         let mut sums = Sums::default();
         let [background_a, background_b] = self.backgrounds();
-        let pixels = self.a().iter().zip(self.b()).zip(self.kept());
-        for ((&a, &b), _) in pixels.filter(|(_, kept)| **kept) {
-            let drawn = is_drawn(a, background_a) || is_drawn(b, background_b);
-            sums.add(a, b, drawn);
-        }
+        pace.bands(self.kept().len(), |band| {
+            let pixels = self.a()[band.clone()].iter().zip(&self.b()[band.clone()]);
+            let pixels = pixels.zip(&self.kept()[band]);
+            for ((&a, &b), _) in pixels.filter(|(_, kept)| **kept) {
+                let drawn = is_drawn(a, background_a) || is_drawn(b, background_b);
+                sums.add(a, b, drawn);
+            }
+        })
+        .await;
         let compared_pixels: u64 = sums.histogram.iter().sum();
         let above = |histogram: &[u64; 256]| histogram[usize::from(threshold) + 1..].iter().sum();
         let channels = 3.0 * compared_pixels as f64;
@@ -77,23 +87,25 @@ impl Pair<'_> {
             mean: sums.absolute as f64 / channels,
             rmse,
             psnr: 20.0 * (255.0 / rmse).log10(),
-            differing_area: self.differing_area(threshold),
+            differing_area: self.differing_area(threshold, pace).await,
             drawn_differing_pixels: above(&sums.drawn_histogram),
         }
     }
 
     /// The area around all pixels that differ by more than `threshold`. Ignored pixels do not
     /// differ.
-    fn differing_area(&self, threshold: u8) -> Option<Area> {
+    async fn differing_area(&self, threshold: u8, pace: &Pace) -> Option<Area> {
         let width = self.width() as usize;
         let rows = self.a().chunks(width).zip(self.b().chunks(width));
         let differs = |(a, b): (&Pixel, &Pixel)| difference(*a, *b) > threshold;
-        let ends = rows.enumerate().filter_map(|(y, (a, b))| {
-            let first = a.iter().zip(b).position(differs)?;
-            let last = a.iter().zip(b).rposition(differs)?;
-            Some([(first as u32, y as u32), (last as u32, y as u32)])
-        });
-        Area::around(ends.flatten())
+        let mut ends = Vec::new();
+        for (y, (a, b)) in rows.enumerate() {
+            let first = a.iter().zip(b).position(differs);
+            let last = a.iter().zip(b).rposition(differs);
+            ends.extend(first.into_iter().chain(last).map(|x| (x as u32, y as u32)));
+            pace.after(width).await;
+        }
+        Area::around(ends)
     }
 }
 
@@ -148,6 +160,11 @@ impl Pair<'_> {
     /// the pixels differ. The scale is not linear, so that even a difference of one shows.
     /// Ignored areas are gray.
     pub fn heat_map(&self) -> Picture {
+        at_once(|pace| async move { self.paced_heat_map(&pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_heat_map(&self, pace: &Pace) -> Picture {
         let colors: [[u8; 4]; 256] = std::array::from_fn(|difference| match difference {
             0 => heat_color(0.0),
             _ => {
@@ -156,13 +173,17 @@ impl Pair<'_> {
             }
         });
         let mut rgba = Vec::with_capacity(4 * self.kept().len());
-        for ((&a, &b), &kept) in self.a().iter().zip(self.b()).zip(self.kept()) {
-            rgba.extend(if kept {
-                colors[usize::from(difference(a, b))]
-            } else {
-                IGNORED_COLOR
-            });
-        }
+        pace.bands(self.kept().len(), |band| {
+            let pixels = self.a()[band.clone()].iter().zip(&self.b()[band.clone()]);
+            for ((&a, &b), &kept) in pixels.zip(&self.kept()[band]) {
+                rgba.extend(if kept {
+                    colors[usize::from(difference(a, b))]
+                } else {
+                    IGNORED_COLOR
+                });
+            }
+        })
+        .await;
         Picture {
             width: self.width(),
             height: self.height(),

@@ -2,8 +2,8 @@
 //! sentences that say what is wrong. Nothing here draws, opens a file or a window.
 //!
 //! A is the reference and B what is compared with it. [`Pair::compare`] and [`compare_meshes`] do
-//! everything at once; a [`PictureJob`] does it in two steps, the quick one first, for a view that
-//! must stay live.
+//! everything at once; a [`PictureJob`] does it in two halves, the quick one first, for a view that
+//! must stay live, and each of them in small [`Steps`], for threads that must not be held up.
 
 mod area;
 mod diagnosis;
@@ -16,6 +16,7 @@ mod picture_comparison;
 mod place;
 mod rules;
 mod ssim;
+mod steps;
 #[cfg(test)]
 mod test_pictures;
 
@@ -32,6 +33,7 @@ pub use picture_comparison::{
     Allowance, Judgment, Measured, PictureComparison, PictureJob, PictureOptions,
 };
 pub use rules::sentence;
+pub use steps::Steps;
 
 /// Why two things cannot be compared at all.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

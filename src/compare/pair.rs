@@ -1,3 +1,4 @@
+use super::steps::{Pace, at_once};
 use super::{Area, CompareError};
 use crate::geometry::Picture;
 use std::borrow::Cow;
@@ -39,9 +40,19 @@ impl<'a> Pair<'a> {
     /// # Errors
     /// If the sizes differ, a picture is malformed, or no pixel is left to compare.
     pub fn new(a: &'a Picture, b: &'a Picture, ignore: &[Area]) -> Result<Self, CompareError> {
+        at_once(|pace| async move { Self::paced_new(a, b, ignore, &pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_new(
+        a: &'a Picture,
+        b: &'a Picture,
+        ignore: &[Area],
+        pace: &Pace,
+    ) -> Result<Self, CompareError> {
         let size = [a.width, a.height];
-        let pixels_of_a = pixels('A', a)?;
-        let mut pixels_of_b = pixels('B', b)?;
+        let pixels_of_a = pixels('A', a, pace).await?;
+        let mut pixels_of_b = pixels('B', b, pace).await?;
         if size != [b.width, b.height] {
             return Err(CompareError::Size {
                 a: size,
@@ -58,12 +69,17 @@ impl<'a> Pair<'a> {
                 let range = start..start + inside.width as usize;
                 kept[range.clone()].fill(false);
                 pixels_of_b.to_mut()[range.clone()].copy_from_slice(&pixels_of_a[range]);
+                pace.after(inside.width as usize).await;
             }
         }
         if !kept.contains(&true) {
             return Err(CompareError::NothingToCompare);
         }
-        let hides_colors = [a, b].map(|picture| hides_colors(picture, &kept));
+        let mut hides = [false; 2];
+        for (hides, picture) in hides.iter_mut().zip([a, b]) {
+            *hides = hides_colors(picture, &kept);
+            pace.after(kept.len()).await;
+        }
         let mut pair = Self {
             width: a.width,
             height: a.height,
@@ -71,7 +87,7 @@ impl<'a> Pair<'a> {
             b: pixels_of_b,
             kept,
             backgrounds: [None; 2],
-            hides_colors,
+            hides_colors: hides,
         };
         pair.backgrounds = [pair.background_of(&pair.a), pair.background_of(&pair.b)];
         Ok(pair)
@@ -151,7 +167,7 @@ impl<'a> Pair<'a> {
 impl Pair<'_> {
     /// The same with B over A's background instead of its own; `None` where the backgrounds are
     /// equal or not known. What is left to differ does not come from the background.
-    pub(super) fn over_background_of_a(&self) -> Option<Pair<'_>> {
+    pub(super) async fn over_background_of_a(&self, pace: &Pace) -> Option<Pair<'_>> {
         let [Some(in_a), Some(in_b)] = self.backgrounds else {
             return None;
         };
@@ -165,7 +181,7 @@ impl Pair<'_> {
             let behind = self.around(index).filter(|&near| is_behind(self.b[near]));
             behind.count() >= SMALLEST_PATCH
         };
-        let b = (0..self.b.len()).map(|index| {
+        let changed = |index: usize| {
             let (a, b) = (self.a[index], self.b[index]);
             if !self.kept[index] {
                 return b;
@@ -181,12 +197,15 @@ impl Pair<'_> {
             } else {
                 b
             }
-        });
+        };
+        let mut b = Vec::with_capacity(self.b.len());
+        pace.bands(self.b.len(), |band| b.extend(band.map(changed)))
+            .await;
         Some(Pair {
             width: self.width,
             height: self.height,
             a: Cow::Borrowed(&self.a),
-            b: Cow::Owned(b.collect()),
+            b: Cow::Owned(b),
             kept: self.kept.clone(),
             backgrounds: [Some(in_a); 2],
             hides_colors: self.hides_colors,
@@ -242,7 +261,11 @@ fn shines_through(a: Pixel, b: Pixel, in_a: [u8; 3], in_b: [u8; 3]) -> bool {
 }
 
 /// The pixels of a picture with colors multiplied by opacity, borrowed if it is opaque.
-fn pixels(which: char, picture: &Picture) -> Result<Cow<'_, [Pixel]>, CompareError> {
+async fn pixels<'a>(
+    which: char,
+    picture: &'a Picture,
+    pace: &Pace,
+) -> Result<Cow<'a, [Pixel]>, CompareError> {
     let expected = 4 * u64::from(picture.width) * u64::from(picture.height);
     let found = picture.rgba.len() as u64;
     if expected != found {
@@ -253,11 +276,20 @@ fn pixels(which: char, picture: &Picture) -> Result<Cow<'_, [Pixel]>, CompareErr
         });
     }
     let (pixels, _) = picture.rgba.as_chunks::<4>();
-    Ok(if pixels.iter().all(|pixel| pixel[3] == 255) {
-        Cow::Borrowed(pixels)
-    } else {
-        Cow::Owned(pixels.iter().map(|&pixel| seen_over_black(pixel)).collect())
+    let mut is_opaque = true;
+    pace.bands(pixels.len(), |band| {
+        is_opaque &= pixels[band].iter().all(|pixel| pixel[3] == 255);
     })
+    .await;
+    if is_opaque {
+        return Ok(Cow::Borrowed(pixels));
+    }
+    let mut seen = Vec::with_capacity(pixels.len());
+    pace.bands(pixels.len(), |band| {
+        seen.extend(pixels[band].iter().map(|&pixel| seen_over_black(pixel)));
+    })
+    .await;
+    Ok(Cow::Owned(seen))
 }
 
 /// Whether the kept pixels have different colors, all of opacity 0.

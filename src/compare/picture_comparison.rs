@@ -1,4 +1,5 @@
 use super::rules::with_messages;
+use super::steps::{Pace, Steps, at_once};
 use super::{Area, CompareError, Differences, Finding, Pair};
 use crate::geometry::Picture;
 use serde::Serialize;
@@ -62,7 +63,7 @@ pub struct Judgment {
     pub figure: Option<Area>,
 }
 
-/// A comparison of two pictures in two steps, [`PictureJob::measure`] and [`PictureJob::judge`].
+/// A comparison of two pictures in two halves, [`PictureJob::measure`] and [`PictureJob::judge`].
 /// It owns all that it needs, so that it can be carried out elsewhere than where it was begun.
 #[derive(Clone, Debug)]
 pub struct PictureJob {
@@ -76,7 +77,7 @@ pub struct PictureJob {
     pub ignore: Vec<Area>,
 }
 
-/// Result of the quick step of a [`PictureJob`].
+/// Result of the quick half of a [`PictureJob`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// Pixel by pixel.
@@ -85,40 +86,63 @@ pub struct Measured {
     pub heat_map: Picture,
 }
 
+/// Pixels that a step of a [`PictureJob`] works on once: a few milliseconds at most, also where the
+/// processor is slow.
+const STEP: usize = 1 << 14;
+
 impl PictureJob {
-    /// Counts and heat map: milliseconds for a picture of a million pixels.
-    ///
-    /// # Errors
-    /// If the pictures cannot be compared (see [`Pair::new`]).
-    pub fn measure(&self) -> Result<Measured, CompareError> {
-        let pair = self.pair()?;
-        Ok(Measured {
-            differences: pair.differences(self.threshold),
-            heat_map: pair.heat_map(),
+    /// Counts and heat map: milliseconds for a picture of a million pixels. An error if the pictures
+    /// cannot be compared (see [`Pair::new`]).
+    pub fn measure(self) -> Steps<'static, Result<Measured, CompareError>> {
+        self.measure_by(STEP)
+    }
+
+    /// Similarity and causes: up to seconds. An error if the pictures cannot be compared (see
+    /// [`Pair::new`]).
+    pub fn judge(self) -> Steps<'static, Result<Judgment, CompareError>> {
+        self.judge_by(STEP)
+    }
+
+    fn measure_by(self, step: usize) -> Steps<'static, Result<Measured, CompareError>> {
+        Steps::new(step, |pace| async move {
+            let pair = self.pair(&pace).await?;
+            Ok(Measured {
+                differences: pair.paced_differences(self.threshold, &pace).await,
+                heat_map: pair.paced_heat_map(&pace).await,
+            })
         })
     }
 
-    /// Similarity and causes: up to seconds.
-    ///
-    /// # Errors
-    /// If the pictures cannot be compared (see [`Pair::new`]).
-    pub fn judge(&self) -> Result<Judgment, CompareError> {
-        Ok(self.pair()?.judge())
+    fn judge_by(self, step: usize) -> Steps<'static, Result<Judgment, CompareError>> {
+        Steps::new(step, |pace| async move {
+            let pair = self.pair(&pace).await?;
+            Ok(pair.paced_judge(&pace).await)
+        })
     }
 
-    fn pair(&self) -> Result<Pair<'_>, CompareError> {
-        Pair::new(&self.a, &self.b, &self.ignore)
+    async fn pair(&self, pace: &Pace) -> Result<Pair<'_>, CompareError> {
+        Pair::paced_new(&self.a, &self.b, &self.ignore, pace).await
     }
 }
 
 impl Pair<'_> {
     /// How similar the pictures look, and what is wrong.
     pub fn judge(&self) -> Judgment {
+        at_once(|pace| async move { self.paced_judge(&pace).await })
+    }
+
+    /// The same in steps, of which each measure has about as large a share as it takes time.
+    async fn paced_judge(&self, pace: &Pace) -> Judgment {
+        pace.begin(0.0..0.2);
+        let ssim = self.paced_ssim(pace).await;
+        pace.begin(0.2..0.8);
+        let flip = self.paced_flip(pace).await.mean;
+        pace.begin(0.8..1.0);
         Judgment {
-            ssim: self.ssim(),
-            flip: self.flip().mean,
-            findings: self.findings(),
-            figure: self.figure(),
+            ssim,
+            flip,
+            findings: self.paced_findings(pace).await,
+            figure: self.paced_figure(pace).await,
         }
     }
 
@@ -233,6 +257,8 @@ impl fmt::Display for PictureComparison {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::test_pictures::{noise, painted};
+    use proptest::prelude::*;
 
     /// A gray square in a dark picture, `right` pixels further right.
     fn square(right: usize) -> Arc<Picture> {
@@ -266,7 +292,7 @@ mod tests {
     #[test]
     fn equal_pictures_have_no_differing_pixel_and_nothing_is_wrong() {
         let job = job(square(0), &[]);
-        let measured = job.measure().unwrap();
+        let measured = job.clone().measure().finish().unwrap();
         let counts = &measured.differences;
         assert_eq!((counts.differing_pixels, counts.max), (0, 0));
         assert_eq!(counts.psnr, f64::INFINITY);
@@ -278,7 +304,7 @@ mod tests {
             findings: Vec::new(),
             figure: "20,10,20,20".parse().ok(),
         };
-        assert_eq!(job.judge().unwrap(), equal);
+        assert_eq!(job.judge().finish().unwrap(), equal);
     }
 
     #[test]
@@ -288,7 +314,14 @@ mod tests {
             b.rgba[4 * (64 * y + x)] += by;
         }
         let b = Arc::new(b);
-        let differing = |job: &PictureJob| job.measure().unwrap().differences.differing_pixels;
+        let differing = |job: &PictureJob| {
+            job.clone()
+                .measure()
+                .finish()
+                .unwrap()
+                .differences
+                .differing_pixels
+        };
         let whole = job(Arc::clone(&b), &[]);
         assert_eq!(differing(&whole), 2);
         assert_eq!(
@@ -300,8 +333,8 @@ mod tests {
         );
         let part = job(b, &["0,0,32,48"]);
         assert_eq!(differing(&part), 1);
-        assert_eq!(part.measure().unwrap().differences.max, 3);
-        let rounding = |job: &PictureJob| match job.judge().unwrap().findings[..] {
+        assert_eq!(part.clone().measure().finish().unwrap().differences.max, 3);
+        let rounding = |job: &PictureJob| match job.clone().judge().finish().unwrap().findings[..] {
             [Finding::NearlySame { others, .. }] => others,
             ref other => panic!("{other:?}"),
         };
@@ -310,7 +343,7 @@ mod tests {
 
     #[test]
     fn a_movement_is_judged_and_has_a_sentence() {
-        let judgment = job(square(3), &[]).judge().unwrap();
+        let judgment = job(square(3), &[]).judge().finish().unwrap();
         let sentences: Vec<String> = judgment.findings.iter().map(Finding::sentence).collect();
         assert_eq!(sentences, ["B is A moved 3 pixels right."]);
         assert!(judgment.ssim < Some(0.99) && judgment.flip > 0.0);
@@ -319,7 +352,82 @@ mod tests {
     #[test]
     fn ignoring_everything_leaves_nothing_to_compare() {
         let job = job(square(3), &["0,0,64,48"]);
-        assert_eq!(job.measure().err(), Some(CompareError::NothingToCompare));
-        assert_eq!(job.judge().err(), Some(CompareError::NothingToCompare));
+        assert_eq!(
+            job.clone().measure().finish().err(),
+            Some(CompareError::NothingToCompare)
+        );
+        assert_eq!(
+            job.judge().finish().err(),
+            Some(CompareError::NothingToCompare)
+        );
+    }
+
+    /// A picture of the given kind for each cause that takes its own way to be found: with a figure
+    /// elsewhere, larger, lit in another way, in noise, over another background, and all transparent.
+    fn changed(kind: usize) -> Picture {
+        let (width, height) = (330, 200);
+        if kind == 0 {
+            return noise(width, height, 0..=255, 7);
+        }
+        painted(width, height, |x, y| {
+            let (by, radius) = match kind {
+                2 => (5.0, 60.0),
+                3 => (0.0, 75.0),
+                _ => (0.0, 60.0),
+            };
+            let [right, down] = [x as f32 - 150.0 - by, y as f32 - 95.0];
+            let light = (1.0 - (right - 20.0).hypot(down + 15.0) / 12.0).max(0.0);
+            let light = if kind == 4 { 90.0 * light } else { 0.0 };
+            let is_slab = (260..300).contains(&x) && (30..45).contains(&y);
+            match right.hypot(down) < radius {
+                true => {
+                    let shade = 90.0 + 0.3 * right + 0.2 * down;
+                    let [r, g, b] = [1.0, 0.7, 0.5].map(|part| (part * shade + light) as u8);
+                    [r, g, b, if kind == 6 { 0 } else { 255 }]
+                }
+                false if is_slab => [51, 77, 179, if kind == 6 { 0 } else { 255 }],
+                false if kind == 5 => [200, 210, 220, 255],
+                false => [26, 26, 26, if kind == 6 { 0 } else { 255 }],
+            }
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+
+        #[test]
+        fn in_steps_of_any_size_every_bit_is_that_of_the_whole(
+            kinds in (0..7_usize, 0..7_usize),
+            step in prop_oneof![1..50_000_usize, Just(usize::MAX)],
+            masked in any::<bool>(),
+        ) {
+            let job = PictureJob {
+                a: Arc::new(changed(kinds.0)),
+                b: Arc::new(changed(kinds.1)),
+                threshold: 3,
+                ignore: if masked { vec!["10,20,180,90".parse().unwrap()] } else { Vec::new() },
+            };
+            let pair = Pair::new(&job.a, &job.b, &job.ignore).unwrap();
+            let measured = in_steps(job.clone().measure_by(step));
+            let whole = Measured {
+                differences: pair.differences(3),
+                heat_map: pair.heat_map(),
+            };
+            prop_assert_eq!(measured.unwrap(), whole);
+            let judgment = in_steps(job.clone().judge_by(step)).unwrap();
+            prop_assert_eq!(judgment, pair.judge());
+        }
+    }
+
+    /// The result of all steps, between which the part that is done never falls.
+    fn in_steps<T>(mut steps: Steps<T>) -> T {
+        let mut part = 0.0;
+        loop {
+            if let Some(result) = steps.step() {
+                return result;
+            }
+            assert!((part..=1.0).contains(&steps.part()));
+            part = steps.part();
+        }
     }
 }

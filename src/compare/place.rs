@@ -2,6 +2,7 @@
 
 use super::Area;
 use super::pair::{Pair, is_drawn};
+use super::steps::{Pace, at_once};
 
 /// Drawn pixels in a row or column that may be no more than a line that crosses it, such as an axis.
 const LINE: u32 = 3;
@@ -12,16 +13,24 @@ impl Pair<'_> {
     /// The area round what is drawn in either picture, without lines that reach out of it; `None`
     /// if nothing is drawn.
     pub fn figure(&self) -> Option<Area> {
+        at_once(|pace| async move { self.paced_figure(&pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_figure(&self, pace: &Pace) -> Option<Area> {
         let (width, height) = (self.width() as usize, self.height() as usize);
         let [background_a, background_b] = self.backgrounds();
         let (mut columns, mut rows) = (vec![0_u32; width], vec![0_u32; height]);
-        let pixels = self.a().iter().zip(self.b()).zip(self.kept());
-        for (index, ((&a, &b), &kept)) in pixels.enumerate() {
-            if kept && (is_drawn(a, background_a) || is_drawn(b, background_b)) {
-                columns[index % width] += 1;
-                rows[index / width] += 1;
+        pace.bands(self.kept().len(), |band| {
+            for index in band {
+                let (a, b) = (self.a()[index], self.b()[index]);
+                if self.kept()[index] && (is_drawn(a, background_a) || is_drawn(b, background_b)) {
+                    columns[index % width] += 1;
+                    rows[index / width] += 1;
+                }
             }
-        }
+        })
+        .await;
         let (x, width) = extent(&columns)?;
         let (y, height) = extent(&rows)?;
         Some(Area {

@@ -5,13 +5,13 @@ use std::fmt::Display;
 
 /// A cause that may be found in some evidence. Tables of rules are ordered, the most telling
 /// first: a rule is asked only if it may stand beside all that the rules before it found.
-pub(super) struct Rule<E, F> {
+pub(super) struct Rule<A> {
     /// Name of the cause, unique in its table.
     pub(super) name: &'static str,
     /// Rules beside whose findings this one still says something.
     pub(super) beside: Beside,
-    /// The finding, if the evidence bears it out.
-    pub(super) applies: fn(&E) -> Option<F>,
+    /// What gives the finding, if the evidence bears it out.
+    pub(super) applies: A,
 }
 
 /// Rules beside whose findings another rule is asked.
@@ -35,21 +35,25 @@ impl Beside {
     }
 }
 
-/// Findings of the rules that apply, in the order of the table, each with its rule's name.
-pub(super) fn found_by<E, F>(rules: &[Rule<E, F>], evidence: &E) -> Vec<(&'static str, F)> {
+/// Findings of the rules that apply, in the order of the table, each with its rule's name. Rules are
+/// asked by `ask`, with their number in the table.
+pub(super) async fn found_by<A, F>(
+    rules: &[Rule<A>],
+    ask: impl AsyncFn(usize, &A) -> Option<F>,
+) -> Vec<(&'static str, F)> {
     let mut found: Vec<(&'static str, F)> = Vec::new();
-    for rule in rules {
+    for (index, rule) in rules.iter().enumerate() {
         if found.iter().all(|(name, _)| rule.beside.allows(name)) {
-            found.extend((rule.applies)(evidence).map(|finding| (rule.name, finding)));
+            let finding = ask(index, &rule.applies).await;
+            found.extend(finding.map(|finding| (rule.name, finding)));
         }
     }
     found
 }
 
-/// The same without the names.
-pub(super) fn findings<E, F>(rules: &[Rule<E, F>], evidence: &E) -> Vec<F> {
-    let found = found_by(rules, evidence).into_iter();
-    found.map(|(_, finding)| finding).collect()
+/// The findings without the names of their rules.
+pub(super) fn without_names<F>(found: Vec<(&'static str, F)>) -> Vec<F> {
+    found.into_iter().map(|(_, finding)| finding).collect()
 }
 
 /// A finding with its text.
@@ -82,18 +86,19 @@ pub fn sentence(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::steps::at_once;
 
-    const fn rule(name: &'static str, beside: Beside, least: i32) -> Rule<i32, i32> {
-        let applies: fn(&i32) -> Option<i32> = match least {
-            1 => |&number| (number >= 1).then_some(1),
-            2 => |&number| (number >= 2).then_some(2),
-            _ => |&number| (number >= 3).then_some(3),
-        };
+    /// A rule that applies to numbers from `least` on.
+    const fn rule(name: &'static str, beside: Beside, least: i32) -> Rule<i32> {
         Rule {
             name,
             beside,
-            applies,
+            applies: least,
         }
+    }
+
+    fn found_in(rules: &[Rule<i32>], number: i32) -> Vec<(&'static str, i32)> {
+        at_once(|_| found_by(rules, async |_, &least| (number >= least).then_some(least)))
     }
 
     #[test]
@@ -103,12 +108,12 @@ mod tests {
             rule("two", Beside::Nothing, 2),
             rule("one", Beside::Nothing, 1),
         ];
-        assert_eq!(found_by(&rules, &3), [("three", 3)]);
-        assert_eq!(found_by(&rules, &2), [("two", 2)]);
-        assert_eq!(found_by(&rules, &1), [("one", 1)]);
-        assert_eq!(found_by(&rules, &0), []);
+        assert_eq!(found_in(&rules, 3), [("three", 3)]);
+        assert_eq!(found_in(&rules, 2), [("two", 2)]);
+        assert_eq!(found_in(&rules, 1), [("one", 1)]);
+        assert_eq!(found_in(&rules, 0), []);
         rules.swap(0, 2);
-        assert_eq!(found_by(&rules, &3), [("one", 1)]);
+        assert_eq!(found_in(&rules, 3), [("one", 1)]);
     }
 
     #[test]
@@ -121,7 +126,7 @@ mod tests {
             ]
         };
         let names = |beside| {
-            let found = found_by(&rules(beside), &3).into_iter();
+            let found = found_in(&rules(beside), 3).into_iter();
             found.map(|(name, _)| name).collect::<Vec<_>>()
         };
         assert_eq!(

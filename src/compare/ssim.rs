@@ -1,5 +1,6 @@
 use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
+use super::steps::{Pace, at_once};
 
 /// Side of the window in pixels.
 const WINDOW: usize = 11;
@@ -14,6 +15,11 @@ impl Pair<'_> {
     /// The mean goes over the windows that lie inside of the picture and whose middle is not
     /// ignored; `None` if there is none.
     pub fn ssim(&self) -> Option<f64> {
+        at_once(|pace| async move { self.paced_ssim(&pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_ssim(&self, pace: &Pace) -> Option<f64> {
         let width = self.width() as usize;
         let height = self.height() as usize;
         if width < WINDOW || height < WINDOW {
@@ -23,7 +29,7 @@ impl Pair<'_> {
             // What the formulas say as well, after many filters.
             vec![1.0; self.a().len()]
         } else {
-            self.ssim_map()
+            self.ssim_map(pace).await
         };
         let reach = WINDOW / 2;
         let (mut sum, mut count) = (0.0, 0_u64);
@@ -38,25 +44,29 @@ impl Pair<'_> {
                 sum += f64::from(value);
                 count += 1;
             }
+            pace.after(width).await;
         }
         (count > 0).then(|| sum / count as f64)
     }
 
     /// Equations (13) to (16) of the paper at each pixel.
-    fn ssim_map(&self) -> Vec<f32> {
+    async fn ssim_map(&self, pace: &Pace) -> Vec<f32> {
         let (width, height) = (self.width() as usize, self.height() as usize);
         let mut map = vec![0.0; width * height];
         let mut planes = Planes::default();
         let mut values = Vec::new();
+        let mut done = 0;
         for tile in Tile::of(width, height) {
-            self.ssim_of(&tile, &mut planes, &mut values);
+            self.ssim_of(&tile, &mut planes, &mut values, pace).await;
             tile.put(&values, &mut map, width);
+            done += values.len();
+            pace.tell(done as f32 / map.len() as f32);
         }
         map
     }
 
     /// The same for the pixels of one tile.
-    fn ssim_of(&self, tile: &Tile, planes: &mut Planes, values: &mut Vec<f32>) {
+    async fn ssim_of(&self, tile: &Tile, planes: &mut Planes, values: &mut Vec<f32>, pace: &Pace) {
         let reach = WINDOW / 2;
         let taps = normalized(gaussian(SIGMA, reach));
         let width = tile.columns.len() + 2 * reach;
@@ -77,10 +87,12 @@ impl Pair<'_> {
         };
         blur(a, mean_a);
         blur(b, mean_b);
+        pace.after(a.values.len()).await;
         for (one, other, mean) in [(&*a, &*a, &mut *mean_aa), (b, b, mean_bb), (a, b, mean_ab)] {
             let pairs = one.values.iter().zip(&other.values);
             products.set(width, pairs.map(|(one, other)| one * other));
             blur(products, mean);
+            pace.after(products.values.len()).await;
         }
         let (c1, c2) = ((0.01_f32 * 255.0).powi(2), (0.03_f32 * 255.0).powi(2));
         let means = mean_a.values.iter().zip(&mean_b.values);
@@ -121,9 +133,9 @@ mod tests {
     #[test]
     fn equal_pictures_are_alike_by_exactly_one() {
         let [a, _] = alike(30, 20);
-        let pair = Pair::new(&a, &a, &[]).unwrap();
+        let pair = &Pair::new(&a, &a, &[]).unwrap();
         assert_eq!(pair.ssim(), Some(1.0));
-        let by_the_formulas = pair.ssim_map();
+        let by_the_formulas = at_once(|pace| async move { pair.ssim_map(&pace).await });
         assert!(by_the_formulas.iter().all(|&value| value == 1.0));
     }
 
@@ -131,7 +143,7 @@ mod tests {
     #[test]
     fn tile_by_tile_every_pixel_has_exactly_the_value_of_the_whole() {
         let [a, b] = [1, 2].map(|seed| noise(530, 200, 0..=255, seed));
-        let pair = Pair::new(&a, &b, &[]).unwrap();
+        let pair = &Pair::new(&a, &b, &[]).unwrap();
         let taps = normalized(gaussian(SIGMA, WINDOW / 2));
         let blur = |values: Vec<f32>| {
             let rows = correlated(&values, 530, &taps, true);
@@ -152,7 +164,10 @@ mod tests {
             (squares[2] + squares[2] + c1) * (covariance + covariance + c2)
                 / ((squares[0] + squares[1] + c1) * (variances + c2))
         });
-        assert!(pair.ssim_map() == expected.collect::<Vec<f32>>());
+        assert!(
+            at_once(|pace| async move { pair.ssim_map(&pace).await })
+                == expected.collect::<Vec<f32>>()
+        );
     }
 
     /// scikit-image 0.26 with the paper's Gaussian window on the same lumas.

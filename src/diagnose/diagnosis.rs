@@ -25,7 +25,8 @@ pub enum Verdict {
 pub struct Diagnosis {
     /// What it is.
     pub verdict: Verdict,
-    /// Mistakes that together give the mesh, the one that accounts for more first.
+    /// Mistakes that together give the mesh, the one that accounts for more first, and then those of
+    /// [`Self::same_as`], each once.
     pub causes: Vec<&'static str>,
     /// How far the mesh is from the one that is made with these mistakes; without any, from the exact
     /// one.
@@ -34,7 +35,7 @@ pub struct Diagnosis {
     pub error_from_exact: f64,
     /// Up to which error meshes agree.
     pub tolerance: f64,
-    /// Each cause in words.
+    /// In words the mistakes that together give the mesh, in the same order.
     pub mistakes: Vec<ToldMistake>,
     /// Mistakes that give the same mesh here, each with those that are made beside it.
     pub same_as: Vec<Vec<&'static str>>,
@@ -177,6 +178,21 @@ fn of_size(error: f64) -> String {
     }
 }
 
+/// Names of the mistakes in words, and then all others of those that give the same, each once.
+pub(super) fn all_causes(
+    mistakes: &[ToldMistake],
+    same_as: &[Vec<&'static str>],
+) -> Vec<&'static str> {
+    let mut causes: Vec<&'static str> = Vec::new();
+    let told = mistakes.iter().map(|mistake| mistake.id);
+    for id in told.chain(same_as.iter().flatten().copied()) {
+        if !causes.contains(&id) {
+            causes.push(id);
+        }
+    }
+    causes
+}
+
 /// Names of mistakes that are made together.
 pub(super) fn together(ids: &[&str]) -> String {
     ids.join(" and ")
@@ -196,12 +212,17 @@ impl fmt::Display for Diagnosis {
 }
 
 impl Diagnosis {
+    /// Names of the mistakes that together give the mesh.
+    pub fn together(&self) -> Vec<&'static str> {
+        self.mistakes.iter().map(|mistake| mistake.id).collect()
+    }
+
     fn fmt_explained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.mistakes[..] {
             [mistake] => write!(f, "{mistake}")?,
             mistakes => {
                 let count = mistakes.len();
-                write!(f, "{count} mistakes: {}", together(&self.causes))?;
+                write!(f, "{count} mistakes: {}", together(&self.together()))?;
                 for mistake in mistakes {
                     write!(f, "\n  {mistake}")?;
                 }

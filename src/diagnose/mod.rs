@@ -204,17 +204,18 @@ impl Findings<'_> {
             .iter()
             .filter(|explanation| explanation.error <= enough);
         if let Some(first) = good.next() {
-            found.causes = first.ids();
             found.error = first.error / self.size;
             found.mistakes = first.made.iter().copied().map(ToldMistake::new).collect();
         }
+        let together = found.together();
         for other in good {
             let ids = other.ids();
             let is_same = |known: &[&str]| ids.iter().all(|id| known.contains(id));
-            if !is_same(&found.causes) && !found.same_as.iter().any(|known| is_same(known)) {
+            if !is_same(&together) && !found.same_as.iter().any(|known| is_same(known)) {
                 found.same_as.push(ids);
             }
         }
+        found.causes = diagnosis::all_causes(&found.mistakes, &found.same_as);
         found
     }
 

@@ -1,6 +1,6 @@
 //! Which mistake a picture shows, by the silhouette of the character.
 
-use super::diagnosis::{ToldMistake, Verdict, together};
+use super::diagnosis::{ToldMistake, Verdict, all_causes, together};
 use super::formula::{Formula, VertexOrder};
 use super::mistakes::MISTAKES;
 use super::model::Model;
@@ -32,7 +32,7 @@ pub enum PictureError {
 pub struct PictureDiagnosis {
     /// What it shows, as far as the silhouette tells.
     pub verdict: Verdict,
-    /// The mistake that gives the silhouette; one or none.
+    /// The mistakes of which each gives the silhouette, the most telling first.
     pub causes: Vec<&'static str>,
     /// How far the silhouette is from the one with this mistake; without one, from the exact one.
     pub error: f64,
@@ -129,11 +129,11 @@ impl PictureDiagnosis {
             self.sure = 1.0 / alike.len() as f64;
             let mut alike = alike.into_iter();
             if let Some((made, error)) = alike.next() {
-                self.causes.push(made.mistake.id);
                 self.mistakes.push(ToldMistake::new(made));
                 self.error = error;
             }
             self.same_as = alike.map(|(made, _)| vec![made.mistake.id]).collect();
+            self.causes = all_causes(&self.mistakes, &self.same_as);
         } else {
             self.verdict = Verdict::Unexplained;
         }

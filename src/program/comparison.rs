@@ -1,5 +1,5 @@
 use super::Host;
-use super::job::{CompareWork, Compared, Job, Outcome, Step, Work};
+use super::job::{CompareWork, Compared, Half, Job, JobHandle, Outcome, Work};
 use super::running::Program;
 use crate::compare::{CompareError, Measured, Pair, PictureJob, side_by_side};
 use crate::editor::View;
@@ -14,6 +14,8 @@ use std::time::Duration;
 
 /// How long the view must stand still before what takes longer is measured.
 const STILL: Duration = Duration::from_millis(150);
+/// Time between two looks at how far the slower half has come.
+const LOOK: Duration = Duration::from_millis(100);
 
 /// A comparison of the live view with a picture.
 pub(super) struct Comparison {
@@ -42,14 +44,22 @@ pub(super) struct Drawn {
 }
 
 /// How far the measuring of the two pictures has come.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Debug, Default)]
 struct Measuring {
     /// The newest state of the pictures, and when it came.
     wanted: Option<(Revision, Duration)>,
     /// The job that has not finished yet.
-    running: Option<Revision>,
+    running: Option<Running>,
     measured: Option<Revision>,
     judged: Option<Revision>,
+}
+
+/// A job about a state of the pictures.
+#[derive(Debug)]
+struct Running {
+    of: Revision,
+    half: Half,
+    job: JobHandle,
 }
 
 /// A picture with the texture that shows it, made when it is first shown.
@@ -140,6 +150,8 @@ impl Comparison {
     /// As the panels show it; `None` before its textures are loaded.
     pub fn view(&self) -> Option<CompareView<'_>> {
         let difference = self.difference.as_ref().and_then(Textured::shown);
+        let running = self.measuring.running.as_ref();
+        let judging = running.filter(|running| running.half == Half::Judge);
         Some(CompareView {
             name: &self.name,
             settings: &self.settings,
@@ -147,6 +159,7 @@ impl Comparison {
             live: self.live.as_ref().and_then(Textured::shown),
             difference: difference.map(|difference| difference.texture),
             report: &self.report,
+            judged_part: judging.map(|judging| judging.job.part()),
         })
     }
 
@@ -201,11 +214,14 @@ impl Comparison {
         Some(pair.map(|pair| side_by_side(&[a, b, &pair.heat_map()])))
     }
 
-    /// The pictures are to be measured as they are now.
+    /// The pictures are to be measured as they are now. What is judged of their state before is given
+    /// up; the quicker half comes to its end, so that something is to be seen while they change.
     fn measure(&mut self, now: Duration) {
         if self.live.is_some() {
             self.report.measuring = true;
             self.measuring.wanted = Some((Revision::new(), now));
+            let running = &mut self.measuring.running;
+            running.take_if(|running| running.half == Half::Judge);
         }
     }
 
@@ -213,39 +229,47 @@ impl Comparison {
     /// unless something changes.
     pub fn advance(&mut self, host: &mut dyn Host) -> Option<Duration> {
         let (wanted, since) = self.measuring.wanted?;
-        if self.measuring.running.is_some() || self.measuring.judged == Some(wanted) {
+        if let Some(running) = &self.measuring.running {
+            return (running.half == Half::Judge).then_some(LOOK);
+        }
+        if self.measuring.judged == Some(wanted) {
             return None;
         }
-        let step = if self.measuring.measured == Some(wanted) {
+        let half = if self.measuring.measured == Some(wanted) {
             let still_for = host.now().saturating_sub(since);
             if still_for < STILL {
                 return Some(STILL - still_for);
             }
-            Step::Judge
+            Half::Judge
         } else {
-            Step::Measure
+            Half::Measure
         };
         let live = Arc::clone(&self.live.as_ref()?.picture);
-        self.measuring.running = Some(wanted);
-        host.start_job(Job(Work::Compare(CompareWork {
+        let job = Job::new(Work::Compare(CompareWork {
             of: wanted,
-            step,
+            half,
             pictures: PictureJob {
                 a: Arc::clone(&self.reference.picture),
                 b: live,
                 threshold: self.settings.threshold,
                 ignore: self.settings.masks.clone(),
             },
-        })));
-        None
+        }));
+        self.measuring.running = Some(Running {
+            of: wanted,
+            half,
+            job: job.handle(),
+        });
+        host.start_job(job);
+        (half == Half::Judge).then_some(LOOK)
     }
 
     /// Takes in the result of a job. That of an earlier comparison is ignored.
     pub fn take_result(&mut self, result: Compared) {
-        if self.measuring.running != Some(result.of) {
+        let running = &mut self.measuring.running;
+        if running.take_if(|running| running.of == result.of).is_none() {
             return;
         }
-        self.measuring.running = None;
         let is_newest = self.measuring.wanted.is_some_and(|(of, _)| of == result.of);
         match result.outcome {
             Ok(Outcome::Measured(Measured {

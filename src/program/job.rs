@@ -1,13 +1,35 @@
-use crate::compare::{CompareError, Judgment, Measured, PictureJob};
+use crate::compare::{CompareError, Judgment, Measured, PictureJob, Steps};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
 use crate::revision::Revision;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-/// Work that a host does beside the program. It is plain data, so that a host may hand it to a
-/// thread, to a worker with a memory of its own, or do it on the spot.
+/// Work that a host does beside the program: on a thread, or step by step between its frames.
 #[derive(Clone, Debug)]
-pub struct Job(pub(super) Work);
+pub struct Job {
+    work: Work,
+    told: Arc<Told>,
+}
+
+/// A job under way, which the thread that began it goes on with.
+pub struct RunningJob {
+    steps: Steps<'static, JobResult>,
+    told: Arc<Told>,
+}
+
+/// The program's end of a job. The job is given up when this is dropped.
+#[derive(Debug)]
+pub(super) struct JobHandle(Arc<Told>);
+
+/// What the program and a job tell each other.
+#[derive(Debug, Default)]
+struct Told {
+    /// The part that is done, from 0 to 1: the bits of an `f32`.
+    part: AtomicU32,
+    is_given_up: AtomicBool,
+}
 
 /// The kinds of work.
 #[derive(Clone, Debug)]
@@ -27,14 +49,14 @@ pub(super) enum Work {
 pub(super) struct CompareWork {
     /// State of the two pictures.
     pub of: Revision,
-    pub step: Step,
+    pub half: Half,
     /// A is the reference, B the live view.
     pub pictures: PictureJob,
 }
 
-/// A part of the measuring of two pictures.
+/// A half of the measuring of two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum Half {
     /// Differences pixel by pixel, which are quick to find.
     Measure,
     /// How alike the pictures look, and why they differ.
@@ -53,6 +75,8 @@ pub(super) enum Finished {
         path: PathBuf,
         bytes: Result<Vec<u8>, String>,
     },
+    /// Nobody wants the result any more.
+    GivenUp,
 }
 
 /// Result of measuring two pictures.
@@ -70,30 +94,95 @@ pub(super) enum Outcome {
 }
 
 impl Job {
-    /// Does the work.
+    pub(super) fn new(work: Work) -> Self {
+        Self {
+            work,
+            told: Arc::default(),
+        }
+    }
+
+    /// The program's end of it.
+    pub(super) fn handle(&self) -> JobHandle {
+        JobHandle(Arc::clone(&self.told))
+    }
+
+    /// Begins the work, of which nothing is done yet.
+    pub fn begin(self) -> RunningJob {
+        RunningJob {
+            steps: self.work.begin(),
+            told: self.told,
+        }
+    }
+
+    /// Does the work, unless it is given up meanwhile.
     pub fn run(self) -> JobResult {
-        JobResult(match self.0 {
-            Work::Compare(work) => Finished::Compared(work.run()),
-            Work::Encode {
+        let mut job = self.begin();
+        loop {
+            if let Some(result) = job.step() {
+                return result;
+            }
+        }
+    }
+}
+
+impl RunningJob {
+    /// Does the next step, which takes some milliseconds at most where the work can be interrupted, and
+    /// returns the result if it was the last one.
+    pub fn step(&mut self) -> Option<JobResult> {
+        if self.told.is_given_up.load(Ordering::Relaxed) {
+            return Some(JobResult(Finished::GivenUp));
+        }
+        let result = self.steps.step();
+        let part = self.steps.part().to_bits();
+        self.told.part.store(part, Ordering::Relaxed);
+        result
+    }
+}
+
+impl JobHandle {
+    /// Estimate of the part that is done, from 0 to 1.
+    pub fn part(&self) -> f32 {
+        f32::from_bits(self.0.part.load(Ordering::Relaxed))
+    }
+}
+
+impl Drop for JobHandle {
+    fn drop(&mut self) {
+        self.0.is_given_up.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Work {
+    fn begin(self) -> Steps<'static, JobResult> {
+        match self {
+            Self::Compare(work) => work.begin(),
+            Self::Encode {
                 path,
                 picture,
                 format,
-            } => Finished::Encoded {
-                path,
-                bytes: image::encode(&picture, format),
-            },
-        })
+            } => Steps::whole(move || {
+                JobResult(Finished::Encoded {
+                    path,
+                    bytes: image::encode(&picture, format),
+                })
+            }),
+        }
     }
 }
 
 impl CompareWork {
-    fn run(self) -> Compared {
-        Compared {
-            of: self.of,
-            outcome: match self.step {
-                Step::Measure => self.pictures.measure().map(Outcome::Measured),
-                Step::Judge => self.pictures.judge().map(Outcome::Judged),
-            },
+    fn begin(self) -> Steps<'static, JobResult> {
+        let of = self.of;
+        let compared = move |outcome| JobResult(Finished::Compared(Compared { of, outcome }));
+        match self.half {
+            Half::Measure => {
+                let measured = self.pictures.measure();
+                measured.map(move |measured| compared(measured.map(Outcome::Measured)))
+            }
+            Half::Judge => {
+                let judged = self.pictures.judge();
+                judged.map(move |judgment| compared(judgment.map(Outcome::Judged)))
+            }
         }
     }
 }

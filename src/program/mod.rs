@@ -36,7 +36,7 @@ pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{Host, HostEvent, Previous, StorageKey};
 pub use input_parts::input_parts;
-pub use job::{Job, JobResult};
+pub use job::{Job, JobResult, RunningJob};
 pub use preferences::last_window_size;
 pub use purpose::{FileKind, FileRequest, Purpose, Suggested};
 pub use running::{Options, Program, Shown};

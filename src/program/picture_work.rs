@@ -246,7 +246,7 @@ impl Program {
         host: &mut dyn Host,
     ) {
         self.encoding += 1;
-        host.start_job(Job(Work::Encode {
+        host.start_job(Job::new(Work::Encode {
             path,
             picture,
             format,

@@ -333,6 +333,7 @@ impl Program {
                         }
                     }
                     Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),
+                    Finished::GivenUp => {}
                 },
             }
         }

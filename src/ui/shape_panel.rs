@@ -9,9 +9,9 @@ use crate::math::Transform;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
 use egui::epaint::TextShape;
 use egui::{
-    Align, Align2, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Panel, Rect,
-    Response, RichText, ScrollArea, Sense, StrokeKind, TextStyle, Ui, Vec2, WidgetInfo, WidgetType,
-    pos2, vec2,
+    Align, Align2, Area, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Order,
+    Panel, Rect, Response, RichText, ScrollArea, Sense, StrokeKind, TextStyle, Ui, Vec2,
+    WidgetInfo, WidgetType, pos2, vec2,
 };
 use glam::Vec3;
 use std::f32::consts::FRAC_PI_2;
@@ -21,9 +21,9 @@ const WIDTH: f32 = 280.0;
 const NARROWEST: f32 = 248.0;
 const WIDEST: f32 = 560.0;
 
-/// Width of the window in points below which the panel is folded away until it is asked for: with
-/// it, the view would be too narrow to work in.
-const NARROW_WINDOW: f32 = 560.0;
+/// Width of the window in points up to which the panel is a drawer over the view, folded away until it
+/// is asked for: beside it, the view would be too narrow to work in.
+const NARROW_WINDOW: f32 = 600.0;
 
 /// The shape panel at the right: the list of shapes, and all properties of the selected one.
 pub(super) fn show(
@@ -32,38 +32,66 @@ pub(super) fn show(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
-    state.is_narrow = root.available_width() < NARROW_WINDOW;
+    state.is_narrow = root.available_width() <= NARROW_WINDOW;
+    if state.is_narrow {
+        handle(root, state);
+        if !state.is_panel_folded() {
+            drawer(root, session, state, actions);
+        }
+        return;
+    }
     if state.is_panel_folded() {
-        return folded(root, state);
+        return handle(root, state);
     }
     let widest = (root.available_width() * 0.7).clamp(NARROWEST, WIDEST);
-    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let (id, width) = if state.is_narrow {
-        (Id::new("shape panel of a narrow window"), NARROWEST)
-    } else {
-        let id = Id::new("shape panel").with(state.panel_resets);
-        (id, state.panel_width.unwrap_or(WIDTH))
-    };
-    let shown = Panel::right(id)
-        .frame(frame)
-        .default_size(width)
+    let shown = Panel::right(Id::new("shape panel").with(state.panel_resets))
+        .frame(frame(root))
+        .default_size(state.panel_width.unwrap_or(WIDTH))
         .size_range(NARROWEST..=widest)
         .show(root, |ui| {
             heading(ui, state);
-            ui.separator();
-            let newly_selected = session.selected() != state.selected;
-            state.selected = session.selected();
-            shape_list::show(ui, session, newly_selected, &mut state.renaming, actions);
-            ui.separator();
-            ScrollArea::vertical()
-                .id_salt("properties")
-                .auto_shrink(false)
-                .show(ui, |ui| selected(ui, session, state, actions));
+            content(ui, session, state, actions);
         });
     // In the middle of a drag of its edge it is not worth keeping.
-    if !state.is_narrow && !root.input(|input| input.pointer.any_down()) {
+    if !root.input(|input| input.pointer.any_down()) {
         state.panel_width = Some(shown.response.rect.width().round());
     }
+}
+
+fn frame(ui: &Ui) -> Frame {
+    Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4))
+}
+
+/// The panel over the right of what is left of `root`, which it leaves to the view.
+fn drawer(root: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Vec<Action>) {
+    let mut place = root.available_rect_before_wrap();
+    place.min.x = place.min.x.max(place.max.x - WIDTH);
+    let area = Area::new(Id::new("drawer of shapes"))
+        .order(Order::Middle)
+        .fixed_pos(place.min);
+    area.show(root.ctx(), |ui| {
+        frame(root).show(ui, |ui| {
+            let inner = place.size() - frame(root).total_margin().sum();
+            ui.set_min_size(inner);
+            ui.set_max_size(inner);
+            ui.shrink_clip_rect(place);
+            heading_text(ui);
+            content(ui, session, state, actions);
+        });
+    });
+}
+
+/// The list of shapes, and the selected one.
+fn content(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Vec<Action>) {
+    ui.separator();
+    let newly_selected = session.selected() != state.selected;
+    state.selected = session.selected();
+    shape_list::show(ui, session, newly_selected, &mut state.renaming, actions);
+    ui.separator();
+    ScrollArea::vertical()
+        .id_salt("properties")
+        .auto_shrink(false)
+        .show(ui, |ui| selected(ui, session, state, actions));
 }
 
 /// Title of the panel, with the button that folds it away.
@@ -73,18 +101,22 @@ fn heading(ui: &mut Ui, state: &mut UiState) {
         if fold_button(ui, "⏵") {
             state.fold_panel(true);
         }
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let title = RichText::new("Shape Selector and Properties").heading();
-            ui.add(Label::new(title).truncate());
-        });
+        ui.with_layout(Layout::left_to_right(Align::Center), heading_text);
     });
+}
+
+fn heading_text(ui: &mut Ui) {
+    let title = RichText::new("Shape Selector and Properties").heading();
+    ui.add(Label::new(title).truncate());
 }
 
 /// Width in points of the strip that is left of the folded panel.
 const STRIP: f32 = 24.0;
 
-/// The strip at the right edge that is left of the folded panel: a click anywhere in it unfolds it.
-fn folded(root: &mut Ui, state: &mut UiState) {
+/// The strip at the right edge that is left of the folded panel, and stays beside the drawer: a click
+/// anywhere in it unfolds the panel, or folds it away.
+fn handle(root: &mut Ui, state: &mut UiState) {
+    let is_folded = state.is_panel_folded();
     let frame = Frame::side_top_panel(root.style()).inner_margin(0);
     let strip = Panel::right("folded shape panel").frame(frame);
     strip.resizable(false).exact_size(STRIP).show(root, |ui| {
@@ -94,16 +126,17 @@ fn folded(root: &mut Ui, state: &mut UiState) {
         button.widget_info(|| {
             WidgetInfo::labeled(WidgetType::Button, true, commands::label(command))
         });
-        paint_handle(ui, &button, handle);
+        let sign = if is_folded { "⏴" } else { "⏵" };
+        paint_handle(ui, &button, handle, sign);
         let tip = commands::tooltip(ui.ctx(), command);
         if button.on_hover_text(tip).clicked() {
-            state.fold_panel(false);
+            state.fold_panel(!is_folded);
         }
     });
 }
 
-/// Paints the folded panel's arrow, and below it what the panel is, from top to bottom.
-fn paint_handle(ui: &Ui, button: &Response, handle: Rect) {
+/// Paints the handle's arrow, and below it what the panel is, from top to bottom.
+fn paint_handle(ui: &Ui, button: &Response, handle: Rect, sign: &str) {
     let visuals = ui.style().interact(button);
     if button.hovered() || button.has_focus() {
         ui.painter().rect_filled(handle, 0.0, visuals.weak_bg_fill);
@@ -111,7 +144,7 @@ fn paint_handle(ui: &Ui, button: &Response, handle: Rect) {
     let (font, color) = (TextStyle::Body.resolve(ui.style()), visuals.text_color());
     let top = handle.center_top() + vec2(0.0, 16.0);
     let painter = ui.painter();
-    painter.text(top, Align2::CENTER_CENTER, "⏴", font.clone(), color);
+    painter.text(top, Align2::CENTER_CENTER, sign, font.clone(), color);
     let text = painter.layout_no_wrap("Shapes and Properties".to_owned(), font, color);
     let corner = pos2(handle.center().x + text.size().y / 2.0, handle.top() + 32.0);
     painter.add(TextShape::new(corner, text, color).with_angle(FRAC_PI_2));

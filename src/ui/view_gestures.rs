@@ -169,7 +169,10 @@ fn shape_at(
 /// How several fingers on the view have moved and come apart since the last frame.
 fn fingers(view: &Response) -> Option<(egui::Vec2, f32)> {
     let touch = view.ctx.multi_touch()?;
-    let is_there = view.interact_rect.contains(touch.start_pos) && touch.zoom_delta > 0.0;
+    // A drawer, or a window, keeps the fingers on it to itself.
+    let layer = view.ctx.layer_id_at(touch.start_pos);
+    let is_view = view.interact_rect.contains(touch.start_pos) && layer == Some(view.layer_id);
+    let is_there = is_view && touch.zoom_delta > 0.0;
     is_there.then_some((touch.translation_delta, touch.zoom_delta))
 }
 

@@ -300,6 +300,20 @@ pub(super) fn tell_shown() {
     }
 }
 
+/// Says in the browser's measures that `name` begins.
+pub(super) fn begin_measure(name: &str) {
+    if let Some(clock) = window().and_then(|window| window.performance()) {
+        let _ = clock.mark(name);
+    }
+}
+
+/// Adds to the browser's measures the time since `name` began last.
+pub(super) fn end_measure(name: &str) {
+    if let Some(clock) = window().and_then(|window| window.performance()) {
+        let _ = clock.measure_with_start_mark(name, name);
+    }
+}
+
 fn clipboard() -> Option<Clipboard> {
     Some(window()?.navigator().clipboard())
 }

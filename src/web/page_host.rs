@@ -7,7 +7,9 @@ use super::tabs::{self, Slots};
 use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
-use crate::program::{FileRequest, Host, HostEvent, Job, Previous, StorageKey, Suggested};
+use crate::program::{
+    FileRequest, Host, HostEvent, Job, Previous, RunningJob, StorageKey, Suggested,
+};
 use egui::Context;
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -16,6 +18,12 @@ use std::rc::Rc;
 use std::sync::Arc;
 use std::time::Duration;
 use wasm_bindgen_futures::spawn_local;
+
+/// Time for which a job may keep everything else waiting: less than a frame.
+const SLICE: Duration = Duration::from_millis(10);
+
+/// Name of jobs in the browser's measures.
+const JOB: &str = "editor-job";
 
 /// The browser: files come from the user's hands and go to the user's downloads.
 pub(super) struct PageHost {
@@ -290,10 +298,8 @@ impl Host for PageHost {
     }
 
     fn start_job(&mut self, job: Job) {
-        let events = self.events.clone();
-        browser::after(Duration::ZERO, move || {
-            events.push(HostEvent::Finished(job.run()))
-        });
+        browser::begin_measure(JOB);
+        go_on(job.begin(), self.events.clone());
     }
 
     fn set_title(&mut self, title: &str) {
@@ -311,6 +317,20 @@ impl Host for PageHost {
     fn next_event(&mut self) -> Option<HostEvent> {
         self.events.waiting.borrow_mut().pop_front()
     }
+}
+
+/// Does `job` a slice of time after the other, between which the browser gets its turn.
+fn go_on(mut job: RunningJob, events: Events) {
+    browser::after(Duration::ZERO, move || {
+        let begun = browser::now();
+        while browser::now().saturating_sub(begun) < SLICE {
+            if let Some(result) = job.step() {
+                browser::end_measure(JOB);
+                return events.push(HostEvent::Finished(result));
+            }
+        }
+        go_on(job, events);
+    });
 }
 
 fn download(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {

@@ -5,3 +5,4 @@ mod meshes;
 mod painter;
 mod pictures;
 mod program;
+mod steps;

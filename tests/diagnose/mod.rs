@@ -16,6 +16,6 @@ use editor_core::diagnose::{Diagnosis, Verdict};
 
 /// The causes that are named for a mesh, each with those that are made beside it.
 fn named(found: &Diagnosis) -> Vec<Vec<&'static str>> {
-    let first = (found.verdict == Verdict::Explained).then(|| found.causes.clone());
+    let first = (found.verdict == Verdict::Explained).then(|| found.together());
     first.into_iter().chain(found.same_as.clone()).collect()
 }

@@ -46,6 +46,7 @@ impl Comparing {
             live: Some(shown(&self.live, TEXTURES[1])),
             difference: Some(TEXTURES[2]),
             report: &self.report,
+            judged_part: None,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::Story;
 use crate::host::MemoryHost;
 use editor_core::compare::Area;
 use editor_core::io::image::{self, PictureFormat};
-use editor_core::program::Purpose;
+use editor_core::program::{HostEvent, Purpose, RunningJob};
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
 use egui::{Key, vec2};
 use std::path::Path;
@@ -45,6 +45,108 @@ fn measure(story: &mut Story) -> usize {
     count
 }
 
+/// Measures everything, also what waits until the view stands still.
+fn judge(story: &mut Story) {
+    while measure(story) > 0 {}
+    story.wait(0.2);
+    while measure(story) > 0 {}
+}
+
+/// A story in which the slower half of a comparison has begun and is a few steps on its way.
+fn judging() -> (Story, RunningJob) {
+    let mut story = comparing();
+    bend(&mut story);
+    loop {
+        story.wait(0.2);
+        let job = story
+            .host
+            .jobs
+            .pop()
+            .expect("there is something to measure");
+        let mut job = job.begin();
+        let result = (0..60).find_map(|_| job.step());
+        match result {
+            // The quicker half needs fewer steps.
+            Some(result) => story.host.events.push_back(HostEvent::Finished(result)),
+            None => return (story, job),
+        }
+    }
+}
+
+/// Bends the strip, so that it differs from its picture.
+fn bend(story: &mut Story) {
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(40.0, 0.0));
+    story.button(false);
+    story.settle();
+}
+
+#[test]
+fn how_much_of_a_comparison_is_done_is_shown_while_it_goes_on() {
+    let (mut story, mut job) = judging();
+    let told = |story: &Story| {
+        let texts = texts(story);
+        let text = texts
+            .iter()
+            .find_map(|text| text.strip_prefix("Looking for the cause… "));
+        let number = text.and_then(|text| text.strip_suffix(" %"))?;
+        number.parse::<u32>().ok()
+    };
+    story.wait(0.1);
+    let first = told(&story).expect("a part");
+    assert!((1..100).contains(&first), "{first}");
+    for _ in 0..40 {
+        assert!(job.step().is_none());
+    }
+    let wait = story.frame(Vec::new());
+    assert!(
+        wait <= Duration::from_millis(100),
+        "looked at again in {wait:?}"
+    );
+    story.wait(0.1);
+    assert!(told(&story) > Some(first), "{:?}", texts(&story));
+    let result = std::iter::from_fn(|| Some(job.step())).flatten().next();
+    story.host.events.extend(result.map(HostEvent::Finished));
+    story.settle();
+    assert!(told(&story).is_none());
+    assert!(
+        !has_text(&story, "Looking for the cause"),
+        "{:?}",
+        texts(&story)
+    );
+}
+
+#[test]
+fn an_edit_gives_up_what_is_judged_and_the_new_state_is_judged_in_its_place() {
+    let (mut story, mut job) = judging();
+    bend(&mut story);
+    let given_up = job.step().expect("nothing more is done");
+    story.host.events.push_back(HostEvent::Finished(given_up));
+    story.settle();
+    assert!(
+        has_text(&story, "Looking for the cause…"),
+        "{:?}",
+        texts(&story)
+    );
+    judge(&mut story);
+    assert!(
+        !has_text(&story, "Looking for the cause"),
+        "{:?}",
+        texts(&story)
+    );
+}
+
+#[test]
+fn esc_ends_a_comparison_and_all_that_is_done_for_it() {
+    let (mut story, mut job) = judging();
+    story.key(Key::Escape);
+    assert!(!story.has("Stop comparing"));
+    let given_up = job.step().expect("nothing more is done");
+    story.host.events.push_back(HostEvent::Finished(given_up));
+    story.settle();
+    assert!(story.host.jobs.is_empty());
+}
+
 #[test]
 fn the_same_scene_compared_with_its_own_picture_differs_in_no_pixel() {
     let mut story = comparing();
@@ -64,7 +166,7 @@ fn the_same_scene_compared_with_its_own_picture_differs_in_no_pixel() {
 #[test]
 fn moving_a_joint_is_measured_again_and_only_the_newest_state_is_judged() {
     let mut story = comparing();
-    while measure(&mut story) > 0 {}
+    judge(&mut story);
     let field = story.place("Elbow Z");
     story.press_and_drag(field, field + vec2(40.0, 0.0));
     assert_eq!(

@@ -339,6 +339,38 @@ fn the_panel_folds_away_leaves_a_handle_and_stays_so_at_the_next_start() {
 }
 
 #[test]
+fn in_a_narrow_window_the_panel_is_a_drawer_that_leaves_the_view_as_it_is() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.size = (390, 700);
+    story.settle();
+    let (view, camera) = (story.view(), story.session().view().camera);
+    assert!(!story.has("Elbow Z"), "it is closed at first");
+    story.click("Shape Panel");
+    let field = story.place("Elbow Z");
+    assert_eq!(story.view(), view);
+    assert!(view.contains(field), "it lies over the view");
+    story.drag(field, field + vec2(30.0, 0.0));
+    assert_ne!(story.character().pose().rotation(2).radians.z, 0.0);
+    assert_eq!(
+        story.session().view().camera,
+        camera,
+        "the view got nothing of it"
+    );
+    story.click("Shape Panel");
+    assert!(!story.has("Elbow Z"));
+    story.drag(field, field + vec2(30.0, 0.0));
+    assert_ne!(
+        story.session().view().camera,
+        camera,
+        "the view is free again"
+    );
+    // Windows that are wider keep their panel beside the view.
+    story.size = (1000, 640);
+    story.settle();
+    assert!(story.has("Elbow Z") && !story.view().contains(story.place("Elbow Z")));
+}
+
+#[test]
 fn the_size_of_the_window_is_kept_for_the_next_start() {
     let mut story = Story::start(&[]);
     let key = editor_core::program::StorageKey::Preferences;

@@ -31,7 +31,7 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, pos2, vec2};
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// Width and height of the window, in pixels and points.
+/// Size of the window where a story says nothing else, in pixels and points.
 const SIZE: (u32, u32) = (1000, 640);
 
 /// A strip that an elbow bends in its middle. Joint 2 is the elbow.
@@ -57,6 +57,8 @@ pub struct Story {
     pub graphics: Graphics,
     pub host: MemoryHost,
     pub context: egui::Context,
+    /// Width and height of the window, in pixels and points.
+    pub size: (u32, u32),
     pointer: Pos2,
     /// Widgets of the last frame, as assistive technologies see them.
     widgets: Option<TreeUpdate>,
@@ -95,6 +97,7 @@ impl Story {
             graphics,
             host,
             context,
+            size: SIZE,
             pointer: pos2(-10.0, -10.0),
             widgets: None,
             headless,
@@ -108,7 +111,7 @@ impl Story {
         let (program, graphics) = (&mut self.program, &mut self.graphics);
         let wait = self
             .host
-            .frame(program, graphics, &self.context, SIZE, events);
+            .frame(program, graphics, &self.context, self.size, events);
         if let Some(widgets) = self.host.widgets.take() {
             self.widgets = Some(widgets);
         }

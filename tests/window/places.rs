@@ -64,6 +64,7 @@ fn middle_in(
                 live: None,
                 difference: None,
                 report: &report,
+                judged_part: None,
             });
             let input = ViewInput {
                 compare: compare.as_ref(),

@@ -29,6 +29,7 @@ pub const SHIFT: &str = "\u{e008}";
 pub const ESC: &str = "\u{e00c}";
 pub const ENTER: &str = "\u{e007}";
 pub const DELETE: &str = "\u{e017}";
+pub const F8: &str = "\u{e038}";
 pub const F12: &str = "\u{e03c}";
 
 /// A browser with the page.
@@ -230,6 +231,36 @@ impl Browser {
         });
         let fingers: Vec<Value> = fingers.collect();
         self.driver.post("/actions", &json!({"actions": fingers}));
+    }
+
+    /// Rests a finger at a place, in points, for longer than a tap.
+    pub fn hold(&self, x: u32, y: u32) {
+        let rest = json!({"type": "pause", "duration": 250});
+        let actions = json!([
+            {"type": "pointerMove", "duration": 0, "x": x, "y": y},
+            {"type": "pointerDown", "button": 0}, {"type": "pause", "duration": 1500},
+            {"type": "pointerUp", "button": 0}, rest,
+        ]);
+        let touch = json!({"pointerType": "touch"});
+        self.driver.post(
+            "/actions",
+            &json!({"actions": [
+                {"type": "pointer", "id": "finger", "parameters": touch, "actions": actions}
+            ]}),
+        );
+    }
+
+    /// Moves two fingers on a touchpad apart, or together if negative, with the pointer at a place: for
+    /// the page, a wheel with a key that nobody presses.
+    pub fn pinch(&self, (x, y): (u32, u32), apart: i32) {
+        const CTRL_KEY: u32 = 2;
+        let there = json!({"type": "mouseMoved", "x": x, "y": y});
+        self.devtools("Input.dispatchMouseEvent", &there);
+        let event = json!({
+            "type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": -apart,
+            "modifiers": CTRL_KEY,
+        });
+        self.devtools("Input.dispatchMouseEvent", &event);
     }
 
     /// Presses `keys` together.

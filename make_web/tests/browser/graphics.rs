@@ -37,10 +37,25 @@ fn screens_with_finer_pixels_are_drawn_with_all_of_them() {
 }
 
 #[test]
-fn a_window_as_small_as_a_telephone_shows_the_scene() {
+fn a_window_as_small_as_a_telephone_shows_the_scene_with_the_panel_as_a_drawer() {
     let browser = Browser::with_size((420, 700), 1.0);
-    let picture = browser.picture();
-    assert_eq!(picture.dimensions(), (420, 700));
-    assert_not_blank(&picture, (10, 60, 250, 500));
+    let closed = browser.picture();
+    assert_eq!(closed.dimensions(), (420, 700));
+    assert_not_blank(&closed, (10, 60, 250, 500));
+    let (drawer, beside) = ((130, 40, 390, 690), (0, 40, 110, 600));
+    let handle = [(408, 300); 2];
+    browser.touch(&[handle]);
+    let open = browser.picture();
+    assert!(difference(&closed, &open, drawer) > 0.5);
+    assert_eq!(
+        difference(&closed, &open, beside),
+        0.0,
+        "it lies over the view"
+    );
+    // Fingers on it are not for the view.
+    browser.touch(&[[(150, 347), (150, 300)], [(350, 347), (350, 300)]]);
+    assert_eq!(difference(&closed, &browser.picture(), beside), 0.0);
+    browser.touch(&[handle]);
+    assert!(difference(&closed, &browser.picture(), drawer) < 0.01);
     browser.finish();
 }

@@ -3,6 +3,7 @@
 //! WebGL are, and on a blank picture.
 
 mod browser;
+mod comparing;
 mod files;
 mod graphics;
 mod native;

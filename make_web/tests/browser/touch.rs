@@ -1,6 +1,6 @@
-//! Fingers.
+//! Fingers, on screens and touchpads.
 
-use super::browser::{Browser, VIEW};
+use super::browser::{Browser, SIZE, VIEW};
 use super::picture::difference;
 
 #[test]
@@ -48,5 +48,32 @@ fn a_bone_is_selected_by_a_tap_near_it() {
     browser.touch(&[[(255, 160), (255, 160)]]);
     let after = browser.picture();
     assert!(difference(&before, &after, (150, 60, 480, 640)) > 0.005);
+    browser.finish();
+}
+
+#[test]
+fn a_long_press_is_the_right_click_that_sets_a_number_back() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    // The rotation of the man about Y.
+    let (x, y) = (SIZE.0 - 100, 289);
+    browser.touch(&[[(x, y), (x - 60, y)]]);
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.005);
+    browser.hold(x, y);
+    assert!(difference(&before, &browser.picture(), VIEW) < 0.001);
+    browser.finish();
+}
+
+#[test]
+fn two_fingers_on_a_touchpad_zoom_the_view_and_not_the_page() {
+    let browser = Browser::open();
+    let before = browser.picture();
+    let scale = || browser.script("return [visualViewport.scale, devicePixelRatio]");
+    let scale_before = scale();
+    browser.pinch((560, 300), 60);
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.05);
+    browser.pinch((560, 300), -60);
+    assert!(difference(&before, &browser.picture(), VIEW) < 0.01);
+    assert_eq!(scale(), scale_before);
     browser.finish();
 }

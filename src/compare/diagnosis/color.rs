@@ -3,6 +3,7 @@ use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::{Pixel, is_drawn};
+use crate::compare::steps::Pace;
 
 /// Factors nearer to one than this are not worth mentioning.
 const LEAST_CHANGE: f64 = 0.03;
@@ -24,48 +25,69 @@ pub(super) fn transparent(evidence: &Evidence) -> Option<Finding> {
 }
 
 /// A picture whose compared pixels all have one color.
-pub(super) fn blank(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn blank(evidence: &Evidence<'_>) -> Option<Finding> {
     let pair = evidence.given;
-    let is_even = |pixels: &[Pixel]| {
-        let mut compared = pixels.iter().zip(pair.kept()).filter(|(_, kept)| **kept);
-        let first = compared.next();
-        compared.all(|(pixel, _)| Some(pixel) == first.map(|(pixel, _)| pixel))
-    };
-    let picture = Which::of([pair.a(), pair.b()].map(is_even))?;
+    let mut are_even = [true; 2];
+    for (is_even, pixels) in are_even.iter_mut().zip([pair.a(), pair.b()]) {
+        let first = pair.kept().iter().position(|kept| *kept);
+        let first = first.map(|index| pixels[index]);
+        for (pixels, kept) in pixels.chunks(BLOCK).zip(pair.kept().chunks(BLOCK)) {
+            let mut compared = pixels.iter().zip(kept).filter(|(_, kept)| **kept);
+            *is_even = compared.all(|(pixel, _)| Some(*pixel) == first);
+            if !*is_even {
+                break;
+            }
+            evidence.pace.after(pixels.len()).await;
+        }
+    }
+    let picture = Which::of(are_even)?;
     Some(Finding::Blank { picture })
 }
 
 /// Pixels of different opacity.
-pub(super) fn opacity(evidence: &Evidence) -> Option<Finding> {
-    let pixels = evidence.given.a().iter().zip(evidence.given.b());
-    let pixels = pixels.filter(|(a, b)| a[3] != b[3]).count() as u64;
+pub(super) async fn opacity(evidence: &Evidence<'_>) -> Option<Finding> {
+    let (a, b) = (evidence.given.a(), evidence.given.b());
+    let mut pixels = 0;
+    evidence
+        .pace
+        .bands(a.len(), |band| {
+            let here = a[band.clone()].iter().zip(&b[band]);
+            pixels += here.filter(|(a, b)| a[3] != b[3]).count() as u64;
+        })
+        .await;
     (pixels > 0).then_some(Finding::Opacity { pixels })
 }
 
 /// Color channels of B in the other order, over its own background or A's.
-pub(super) fn red_blue_exchanged(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn red_blue_exchanged(evidence: &Evidence<'_>) -> Option<Finding> {
     let exchange = |[r, g, b, alpha]: Pixel| [b, g, r, alpha];
-    let exchanged = |pair| turns_into(pair, exchange);
-    (exchanged(evidence.given) || exchanged(evidence.pair())).then_some(Finding::RedBlueExchanged)
+    let pace = evidence.pace;
+    let exchanged = turns_into(evidence.given, pace, exchange).await
+        || evidence.backgrounds_differ() && turns_into(evidence.pair(), pace, exchange).await;
+    exchanged.then_some(Finding::RedBlueExchanged)
 }
 
 /// B as A in shades of gray, by one of the ways in which programs make these.
-pub(super) fn gray(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn gray(evidence: &Evidence<'_>) -> Option<Finding> {
     let pair = evidence.given;
     let colored = |&[r, g, b, _]: &Pixel| r != g || g != b;
     let mut pixels = pair.b().iter().zip(pair.kept());
     if pixels.any(|(b, &kept)| kept && colored(b)) {
         return None;
     }
-    let is_gray_by = |weights: &[f32; 3]| {
-        turns_into(pair, |[r, g, b, alpha]| {
+    evidence.pace.after(pair.kept().len()).await;
+    for weights in GRAYS {
+        let gray_by = |[r, g, b, alpha]: Pixel| {
             let channels = [r, g, b].map(f32::from);
             let gray: f32 = channels.iter().zip(weights).map(|(c, w)| c * w).sum();
             let gray = gray.round() as u8;
             [gray, gray, gray, alpha]
-        })
-    };
-    GRAYS.iter().any(is_gray_by).then_some(Finding::Gray)
+        };
+        if turns_into(pair, evidence.pace, gray_by).await {
+            return Some(Finding::Gray);
+        }
+    }
+    None
 }
 
 /// Another background, and no other pixel of different color.
@@ -88,8 +110,8 @@ fn background(evidence: &Evidence, alone: bool) -> Option<Finding> {
 }
 
 /// One picture as the sRGB encoding of the other.
-pub(super) fn gamma(evidence: &Evidence) -> Option<Finding> {
-    if evidence.outline_dominates() {
+pub(super) async fn gamma(evidence: &Evidence<'_>) -> Option<Finding> {
+    if evidence.outline_dominates().await {
         return None;
     }
     let encoded: [u8; 256] = std::array::from_fn(|step| encode(step as u8));
@@ -97,9 +119,10 @@ pub(super) fn gamma(evidence: &Evidence) -> Option<Finding> {
         let [r, g, b] = [r, g, b].map(|channel| encoded[usize::from(channel)]);
         [r, g, b, alpha]
     };
-    let lighter = if drawn_turns_into(evidence.given, encode, |b| b) {
+    let (given, pace) = (evidence.given, evidence.pace);
+    let lighter = if drawn_turns_into(given, pace, encode, |b| b).await {
         Which::B
-    } else if drawn_turns_into(evidence.given, |a| a, encode) {
+    } else if drawn_turns_into(given, pace, |a| a, encode).await {
         Which::A
     } else {
         return None;
@@ -109,11 +132,11 @@ pub(super) fn gamma(evidence: &Evidence) -> Option<Finding> {
 
 /// What is drawn in B as A's colors times one factor a channel. What is drawn in one picture
 /// alone says nothing about colors, so most must be drawn in both.
-pub(super) fn brightness(evidence: &Evidence) -> Option<Finding> {
-    if evidence.outline_dominates() {
+pub(super) async fn brightness(evidence: &Evidence<'_>) -> Option<Finding> {
+    if evidence.outline_dominates().await {
         return None;
     }
-    let factors = factors(evidence.given)?;
+    let factors = factors(evidence.given, evidence.pace).await?;
     let sane = 1.0 / MOST_CHANGE..=MOST_CHANGE;
     let changes = |factor: &f64| (factor - 1.0).abs() >= LEAST_CHANGE;
     if !factors.iter().all(|factor| sane.contains(factor)) || !factors.iter().any(changes) {
@@ -128,12 +151,13 @@ pub(super) fn brightness(evidence: &Evidence) -> Option<Finding> {
             alpha,
         ]
     };
-    drawn_turns_into(evidence.given, scale, |b| b).then_some(Finding::Brightness { factors })
+    let is_scaled = drawn_turns_into(evidence.given, evidence.pace, scale, |b| b).await;
+    is_scaled.then_some(Finding::Brightness { factors })
 }
 
 /// For each channel the factor that best takes A to B where both are drawn and neither is
 /// saturated; 1 for a channel that is black there. `None` without enough such pixels.
-fn factors(pair: &Pair) -> Option<[f64; 3]> {
+async fn factors(pair: &Pair<'_>, pace: &Pace) -> Option<[f64; 3]> {
     let [background_a, background_b] = pair.backgrounds();
     let (mut products, mut squares, mut pixels) = ([0_u64; 3], [0_u64; 3], 0);
     for ((a, b), kept) in in_blocks(pair) {
@@ -155,6 +179,7 @@ fn factors(pair: &Pair) -> Option<[f64; 3]> {
             products[channel] += u64::from(products_here[channel]);
             squares[channel] += u64::from(squares_here[channel]);
         }
+        pace.after(a.len()).await;
     }
     if pixels < FEWEST_PIXELS {
         return None;
@@ -169,7 +194,7 @@ fn factors(pair: &Pair) -> Option<[f64; 3]> {
 }
 
 /// Whether `change` makes A into B, which it is not without.
-fn turns_into(pair: &Pair, change: impl Fn(Pixel) -> Pixel) -> bool {
+async fn turns_into(pair: &Pair<'_>, pace: &Pace, change: impl Fn(Pixel) -> Pixel) -> bool {
     let (mut direct, mut unexplained) = (0_u64, 0_u64);
     let mut left = pair.kept().len() as u64;
     for ((a, b), kept) in in_blocks(pair) {
@@ -181,14 +206,16 @@ fn turns_into(pair: &Pair, change: impl Fn(Pixel) -> Pixel) -> bool {
         if !explains_most(unexplained, direct + left) {
             return false;
         }
+        pace.after(a.len()).await;
     }
     direct >= FEWEST_PIXELS
 }
 
 /// Whether A and B, each changed, agree where something is drawn, though most of it differs
 /// unchanged.
-fn drawn_turns_into(
-    pair: &Pair,
+async fn drawn_turns_into(
+    pair: &Pair<'_>,
+    pace: &Pace,
     change_a: impl Fn(Pixel) -> Pixel,
     change_b: impl Fn(Pixel) -> Pixel,
 ) -> bool {
@@ -207,6 +234,7 @@ fn drawn_turns_into(
         if !explains_most(unexplained, direct + left) {
             return false;
         }
+        pace.after(a.len()).await;
     }
     drawn >= FEWEST_PIXELS && 2 * direct > drawn
 }
@@ -221,7 +249,9 @@ fn explains_most(unexplained: u64, direct: u64) -> bool {
 const BLOCK: usize = 4096;
 
 /// A, B and whether each pixel counts, a block at a time.
-fn in_blocks<'a>(pair: &'a Pair) -> impl Iterator<Item = ((&'a [Pixel], &'a [Pixel]), &'a [bool])> {
+fn in_blocks<'a>(
+    pair: &'a Pair<'_>,
+) -> impl Iterator<Item = ((&'a [Pixel], &'a [Pixel]), &'a [bool])> {
     let pixels = pair.a().chunks(BLOCK).zip(pair.b().chunks(BLOCK));
     pixels.zip(pair.kept().chunks(BLOCK))
 }
@@ -241,6 +271,7 @@ fn encode(linear: u8) -> u8 {
 mod tests {
     use super::*;
     use crate::compare::diagnosis::evidence::{drawn_in_both, drawn_in_either};
+    use crate::compare::steps::at_once;
     use crate::compare::test_pictures::{filled, noise};
 
     #[test]
@@ -254,6 +285,7 @@ mod tests {
             [even.clone(), even],
         ];
         let half = |[r, g, b, alpha]: Pixel| [r / 2, g / 2, b / 2, alpha];
+        let pace = &Pace::new(usize::MAX);
         let mut answers = Vec::new();
         for [a, mut b] in pictures {
             for halved in [0, 8_600, 9_000] {
@@ -262,7 +294,7 @@ mod tests {
                     b.rgba[4 * at..][..4].copy_from_slice(&half(*pixel));
                 }
                 let pair = Pair::new(&a, &b, &["5,5,20,20".parse().unwrap()]).unwrap();
-                let sums = drawn_in_both(&pair).filter(|(a, b)| {
+                let sums = drawn_in_both(&pair, 0..9_000).filter(|(a, b)| {
                     let mut channels = a[..3].iter().chain(&b[..3]);
                     channels.all(|&channel| channel < SATURATED)
                 });
@@ -276,10 +308,12 @@ mod tests {
                 }
                 let expected = expected.map(|[products, squares]| products / squares);
                 let is_drawn = expected[0].is_finite();
-                assert_eq!(factors(&pair), is_drawn.then_some(expected));
+                let found = at_once(|_| factors(&pair, pace));
+                assert_eq!(found, is_drawn.then_some(expected));
 
                 let count = |is: &dyn Fn(Pixel, Pixel) -> bool| {
-                    drawn_in_either(&pair).filter(|&(a, b)| is(a, b)).count() as u64
+                    let drawn = drawn_in_either(&pair, 0..9_000);
+                    drawn.filter(|&(a, b)| is(a, b)).count() as u64
                 };
                 let direct = count(&|a, b| difference(a, b) > ROUNDING);
                 let unexplained = count(&|a, b| difference(half(a), b) > ROUNDING);
@@ -288,7 +322,8 @@ mod tests {
                     unexplained <= direct / UNEXPLAINED_ONE_IN,
                 );
                 let expected = drawn >= FEWEST_PIXELS && 2 * direct > drawn && few;
-                assert_eq!(drawn_turns_into(&pair, half, |b| b), expected);
+                let found = at_once(|_| drawn_turns_into(&pair, pace, half, |b| b));
+                assert_eq!(found, expected);
 
                 let compared = || {
                     let pixels = pair.a().iter().zip(pair.b()).zip(pair.kept());
@@ -301,7 +336,8 @@ mod tests {
                     .count() as u64;
                 let unexplained = compared().filter(|&(a, b)| difference(half(a), b) > ROUNDING);
                 let few = unexplained.count() as u64 <= direct / UNEXPLAINED_ONE_IN;
-                assert_eq!(turns_into(&pair, half), direct >= FEWEST_PIXELS && few);
+                let found = at_once(|_| turns_into(&pair, pace, half));
+                assert_eq!(found, direct >= FEWEST_PIXELS && few);
                 answers.push((expected, few));
             }
         }

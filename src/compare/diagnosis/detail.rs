@@ -3,6 +3,7 @@ use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, count, dra
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
+use crate::compare::steps::Pace;
 
 /// Pixels that differ by more than rounding are no more than one in this many of the drawn.
 const OTHERS_ONE_IN: u64 = 200;
@@ -36,17 +37,25 @@ struct Block {
 }
 
 /// Pictures that agree but for rounding and a few single pixels.
-pub(super) fn nearly_same(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn nearly_same(evidence: &Evidence<'_>) -> Option<Finding> {
     let other_color = evidence.pixels_of_other_color();
     if other_color >= FEWEST_PIXELS {
         return None;
     }
     let pair = evidence.pair();
-    let pixels = pair.a().iter().zip(pair.b());
-    let differences: Vec<u8> = pixels.map(|(&a, &b)| difference(a, b)).collect();
+    let mut differences: Vec<u8> = Vec::with_capacity(pair.kept().len());
+    let mut drawn = 0;
+    evidence
+        .pace
+        .bands(pair.kept().len(), |band| {
+            let pixels = pair.a()[band.clone()].iter().zip(&pair.b()[band.clone()]);
+            differences.extend(pixels.map(|(&a, &b)| difference(a, b)));
+            drawn += drawn_in_either(pair, band).count() as u64;
+        })
+        .await;
     let is_other: Vec<bool> = differences.iter().map(|&by| by > ROUNDING).collect();
     let others = count(&is_other);
-    let drawn = drawn_in_either(pair).count() as u64;
+    evidence.pace.after(is_other.len()).await;
     if others > drawn / OTHERS_ONE_IN {
         return None;
     }
@@ -63,16 +72,16 @@ pub(super) fn nearly_same(evidence: &Evidence) -> Option<Finding> {
 
 /// Differences along edges: each picture's colors, where they differ, lie between those that the
 /// other has around the same pixel, as antialiasing and the smallest movements make them.
-pub(super) fn edges(evidence: &Evidence) -> Option<Finding> {
-    let pair = evidence.pair();
+pub(super) async fn edges(evidence: &Evidence<'_>) -> Option<Finding> {
+    let (pair, pace) = (evidence.pair(), evidence.pace);
     let differs = evidence.other_colors();
     let differing = evidence.pixels_of_other_color();
     if differing < FEWEST_PIXELS {
         return None;
     }
-    let between = [(pair.a(), pair.b()), (pair.b(), pair.a())]
-        .map(|(pixels, others)| fits_among(pair, pixels, others, OTHER_COLOR));
-    let between = differs.iter().zip(between[0].iter().zip(&between[1]));
+    let a_between = fits_among((pair, pace), pair.a(), pair.b(), OTHER_COLOR).await;
+    let b_between = fits_among((pair, pace), pair.b(), pair.a(), OTHER_COLOR).await;
+    let between = differs.iter().zip(a_between.iter().zip(&b_between));
     let between = between.filter(|&(&differs, (&a, &b))| differs & a & b);
     let share = between.count() as f64 / differing as f64;
     if share < ALONG_EDGES {
@@ -84,25 +93,31 @@ pub(super) fn edges(evidence: &Evidence) -> Option<Finding> {
 
 /// Fine detail that differs: over blocks of pixels the colors have the same means, and no color
 /// of B is far from those around it in A.
-pub(super) fn detail(evidence: &Evidence) -> Option<Finding> {
-    let pair = evidence.pair();
+pub(super) async fn detail(evidence: &Evidence<'_>) -> Option<Finding> {
+    let (pair, pace) = (evidence.pair(), evidence.pace);
     let differs = evidence.other_colors();
     let differing = evidence.pixels_of_other_color();
-    if differing < FEWEST_PIXELS || !means_agree(pair) {
+    if differing < FEWEST_PIXELS || !means_agree(pair, pace).await {
         return None;
     }
-    let near = fits_among(pair, pair.b(), pair.a(), OVERSHOOT);
+    let near = fits_among((pair, pace), pair.b(), pair.a(), OVERSHOOT).await;
     let near = differs.iter().zip(&near).filter(|&(a, b)| a & b);
     let share = near.count() as f64 / differing as f64;
     let sizes = pair.a().iter().zip(pair.b());
     let max = sizes.map(|(&a, &b)| difference(a, b)).max()?;
+    pace.after(differs.len()).await;
     let area = evidence.area_of(differs)?;
     (share >= NEARLY_ALL).then_some(Finding::Detail { max, area })
 }
 
 /// Whether each channel of each of `pixels` lies within the range of the 3×3 of `others` around
 /// it, or no more than `slack` beyond.
-fn fits_among(pair: &Pair, pixels: &[Pixel], others: &[Pixel], slack: u8) -> Vec<bool> {
+async fn fits_among(
+    (pair, pace): (&Pair<'_>, &Pace),
+    pixels: &[Pixel],
+    others: &[Pixel],
+    slack: u8,
+) -> Vec<bool> {
     let width = pair.width() as usize;
     let rows = others.chunks_exact(width).collect::<Vec<_>>();
     let mut fits = Vec::with_capacity(pixels.len());
@@ -139,13 +154,14 @@ fn fits_among(pair: &Pair, pixels: &[Pixel], others: &[Pixel], slack: u8) -> Vec
                 .iter()
                 .map(|&channels| u32::from_ne_bytes(channels) == 0),
         );
+        pace.after(width).await;
     }
     fits
 }
 
 /// Whether the blocks that differ have nearly the same mean colors in A and B.
-fn means_agree(pair: &Pair) -> bool {
-    let blocks = blocks(pair);
+async fn means_agree(pair: &Pair<'_>, pace: &Pace) -> bool {
+    let blocks = blocks(pair, pace).await;
     let differing: Vec<&Block> = blocks.iter().filter(|block| block.differs).collect();
     let size = |block: &Block| {
         let sums = block.sums.map(i64::unsigned_abs);
@@ -162,28 +178,33 @@ fn means_agree(pair: &Pair) -> bool {
         && of_means <= EVENED_OUT * of_pixels as f64
 }
 
-fn blocks(pair: &Pair) -> Vec<Block> {
+async fn blocks(pair: &Pair<'_>, pace: &Pace) -> Vec<Block> {
     let width = pair.width() as usize;
     let across = width.div_ceil(BLOCK);
     let down = (pair.height() as usize).div_ceil(BLOCK);
     let mut blocks = vec![Block::default(); across * down];
-    for (index, (&a, &b)) in pair.a().iter().zip(pair.b()).enumerate() {
-        let (x, y) = (index % width, index / width);
-        let block = &mut blocks[y / BLOCK * across + x / BLOCK];
-        block.pixels += 1;
-        for channel in 0..3 {
-            block.sums[channel] += i64::from(b[channel]) - i64::from(a[channel]);
+    pace.bands(pair.kept().len(), |band| {
+        for index in band {
+            let (a, b) = (pair.a()[index], pair.b()[index]);
+            let (x, y) = (index % width, index / width);
+            let block = &mut blocks[y / BLOCK * across + x / BLOCK];
+            block.pixels += 1;
+            for channel in 0..3 {
+                block.sums[channel] += i64::from(b[channel]) - i64::from(a[channel]);
+            }
+            let size = difference(a, b);
+            block.sizes += u64::from(size);
+            block.differs |= size > OTHER_COLOR;
         }
-        let size = difference(a, b);
-        block.sizes += u64::from(size);
-        block.differs |= size > OTHER_COLOR;
-    }
+    })
+    .await;
     blocks
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compare::steps::at_once;
     use crate::compare::test_pictures::noise;
 
     #[test]
@@ -200,7 +221,8 @@ mod tests {
                     range.contains(&pair.a()[index][channel])
                 })
             });
-            let found = fits_among(&pair, pair.a(), pair.b(), OTHER_COLOR);
+            let at_pace = (&pair, &Pace::new(usize::MAX));
+            let found = at_once(|_| fits_among(at_pace, pair.a(), pair.b(), OTHER_COLOR));
             assert_eq!(found, alone.collect::<Vec<bool>>(), "{width}×{height}");
         }
     }

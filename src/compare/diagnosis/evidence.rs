@@ -1,7 +1,9 @@
 use crate::compare::Area;
 use crate::compare::differences::difference;
 use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
+use crate::compare::steps::Pace;
 use std::cell::OnceCell;
+use std::ops::Range;
 
 /// Colors that differ by more than this (of 255) are different colors; less may be rounding.
 pub(super) const OTHER_COLOR: u8 = 8;
@@ -20,13 +22,16 @@ const OUTLINE_SLACK: f64 = 0.005;
 
 const _: () = assert!(OTHER_COLOR == DRAWN_THRESHOLD);
 
-/// Two pictures and what several rules need to know of them, each worked out once, when a rule
-/// first asks for it.
+/// Two pictures and what several rules need to know of them, each worked out once. What no rule can do
+/// without is there from the start, the rest when a rule first asks for it.
 pub(super) struct Evidence<'a> {
     /// The pictures as they are.
     pub(super) given: &'a Pair<'a>,
-    over_same_background: OnceCell<Option<Pair<'a>>>,
-    other_colors: OnceCell<Vec<bool>>,
+    /// How the work goes on.
+    pub(super) pace: &'a Pace,
+    over_same_background: Option<Pair<'a>>,
+    other_colors: Vec<bool>,
+    pixels_of_other_color: u64,
     drawn_masks: OnceCell<Option<[Vec<bool>; 2]>>,
     outline: OnceCell<Option<Outline>>,
 }
@@ -41,87 +46,122 @@ pub(super) struct Outline {
 }
 
 impl<'a> Evidence<'a> {
-    pub(super) fn new(given: &'a Pair<'a>) -> Self {
+    pub(super) async fn new(given: &'a Pair<'a>, pace: &'a Pace) -> Self {
+        let over_same_background = given.over_background_of_a(pace).await;
+        let pair = over_same_background.as_ref().unwrap_or(given);
+        let mut other_colors = Vec::with_capacity(given.kept().len());
+        pace.bands(given.kept().len(), |band| {
+            other_colors.extend(different(&pair.a()[band.clone()], &pair.b()[band]));
+        })
+        .await;
         Self {
             given,
-            over_same_background: OnceCell::new(),
-            other_colors: OnceCell::new(),
+            pace,
+            over_same_background,
+            pixels_of_other_color: count(&other_colors),
+            other_colors,
             drawn_masks: OnceCell::new(),
             outline: OnceCell::new(),
         }
     }
 
-    fn over_same_background(&self) -> Option<&Pair<'a>> {
-        self.over_same_background
-            .get_or_init(|| self.given.over_background_of_a())
-            .as_ref()
-    }
-
     /// The pictures with B over A's background, so that another background hides nothing else
     /// that is wrong. All methods below are about these.
     pub(super) fn pair(&self) -> &Pair<'a> {
-        self.over_same_background().unwrap_or(self.given)
+        self.over_same_background.as_ref().unwrap_or(self.given)
     }
 
     /// Whether B had to be put over A's background.
     pub(super) fn backgrounds_differ(&self) -> bool {
-        self.over_same_background().is_some()
+        self.over_same_background.is_some()
     }
 
     /// Whether each pixel has a different color in B than in A.
     pub(super) fn other_colors(&self) -> &[bool] {
-        self.other_colors
-            .get_or_init(|| different(self.pair().a(), self.pair().b()))
+        &self.other_colors
     }
 
     /// Number of pixels that have a different color in B than in A.
     pub(super) fn pixels_of_other_color(&self) -> u64 {
-        count(self.other_colors())
+        self.pixels_of_other_color
     }
 
     /// Whether each pixel of A, and of B, shows something else than its background. Ignored
     /// pixels do not. `None` unless both pictures have a background.
-    pub(super) fn drawn_masks(&self) -> Option<&[Vec<bool>; 2]> {
-        let masks = self.drawn_masks.get_or_init(|| {
-            let pair = self.pair();
-            let [Some(background_a), Some(background_b)] = pair.backgrounds() else {
-                return None;
-            };
-            let mask = |pixels: &[Pixel], background| -> Vec<bool> {
-                let compared = pixels.iter().zip(pair.kept());
-                compared
-                    .map(|(&pixel, &kept)| kept && is_drawn(pixel, Some(background)))
-                    .collect()
-            };
-            Some([mask(pair.a(), background_a), mask(pair.b(), background_b)])
-        });
-        masks.as_ref()
+    pub(super) async fn drawn_masks(&self) -> Option<&[Vec<bool>; 2]> {
+        if self.drawn_masks.get().is_none() {
+            let masks = self.find_drawn_masks().await;
+            // Set once: only one rule is asked at a time.
+            let _ = self.drawn_masks.set(masks);
+        }
+        self.drawn_masks.get()?.as_ref()
+    }
+
+    async fn find_drawn_masks(&self) -> Option<[Vec<bool>; 2]> {
+        let pair = self.pair();
+        let [Some(background_a), Some(background_b)] = pair.backgrounds() else {
+            return None;
+        };
+        let mut masks = [Vec::new(), Vec::new()];
+        let sides = [(pair.a(), background_a), (pair.b(), background_b)];
+        for (mask, (pixels, background)) in masks.iter_mut().zip(sides) {
+            mask.reserve_exact(pixels.len());
+            self.pace
+                .bands(pixels.len(), |band| {
+                    let compared = pixels[band.clone()].iter().zip(&pair.kept()[band]);
+                    mask.extend(
+                        compared.map(|(&pixel, &kept)| kept && is_drawn(pixel, Some(background))),
+                    );
+                })
+                .await;
+        }
+        Some(masks)
     }
 
     /// What is drawn in one picture alone; `None` if that is next to nothing, or the pictures
     /// have no backgrounds.
-    pub(super) fn outline(&self) -> Option<Outline> {
-        *self.outline.get_or_init(|| {
-            let [drawn_a, drawn_b] = self.drawn_masks()?;
-            let alone = |one: &[bool], other: &[bool]| -> Vec<bool> {
-                let pixels = one.iter().zip(other);
-                pixels.map(|(&one, &other)| one && !other).collect()
-            };
-            let alone = [alone(drawn_a, drawn_b), alone(drawn_b, drawn_a)];
-            let only = [count(&alone[0]), count(&alone[1])];
-            let drawn = count(drawn_a) + only[1];
-            let matters = (only[0] + only[1]) as f64 > OUTLINE_SLACK * drawn as f64;
-            matters.then(|| Outline {
-                only,
-                areas: alone.map(|mask| self.area_of(&mask)),
-            })
+    pub(super) async fn outline(&self) -> Option<Outline> {
+        if self.outline.get().is_none() {
+            let outline = self.find_outline().await;
+            let _ = self.outline.set(outline);
+        }
+        *self.outline.get()?
+    }
+
+    async fn find_outline(&self) -> Option<Outline> {
+        let [drawn_a, drawn_b] = self.drawn_masks().await?;
+        let mut alone = [Vec::new(), Vec::new()];
+        let sides = [(drawn_a, drawn_b), (drawn_b, drawn_a)];
+        for (alone, (one, other)) in alone.iter_mut().zip(sides) {
+            let pixels = one.iter().zip(other);
+            *alone = pixels
+                .map(|(&one, &other)| one && !other)
+                .collect::<Vec<bool>>();
+            self.pace.after(one.len()).await;
+        }
+        let only = [count(&alone[0]), count(&alone[1])];
+        let drawn = count(drawn_a) + only[1];
+        self.pace.after(drawn_a.len()).await;
+        let matters = (only[0] + only[1]) as f64 > OUTLINE_SLACK * drawn as f64;
+        matters.then(|| Outline {
+            only,
+            areas: alone.map(|mask| self.area_of(&mask)),
         })
     }
 
     /// Whether more is drawn in one picture alone than in both: then colors explain nothing.
-    pub(super) fn outline_dominates(&self) -> bool {
-        self.outline()
-            .is_some_and(|outline| outline.pixels() > drawn_in_both(self.pair()).count() as u64)
+    pub(super) async fn outline_dominates(&self) -> bool {
+        let Some(outline) = self.outline().await else {
+            return false;
+        };
+        let pair = self.pair();
+        let mut in_both = 0;
+        self.pace
+            .bands(pair.kept().len(), |band| {
+                in_both += drawn_in_both(pair, band).count() as u64;
+            })
+            .await;
+        outline.pixels() > in_both
     }
 
     /// Smallest area around the pixels that are true in `mask`.
@@ -171,20 +211,27 @@ pub(super) fn count(mask: &[bool]) -> u64 {
     mask.iter().filter(|inside| **inside).count() as u64
 }
 
-/// A and B at the compared pixels where either shows something else than its background.
-pub(super) fn drawn_in_either(pair: &Pair) -> impl Iterator<Item = (Pixel, Pixel)> {
+/// A and B at the compared pixels of a band where either shows something else than its background.
+pub(super) fn drawn_in_either(
+    pair: &Pair,
+    band: Range<usize>,
+) -> impl Iterator<Item = (Pixel, Pixel)> {
     let [background_a, background_b] = pair.backgrounds();
-    let pixels = pair.a().iter().zip(pair.b()).zip(pair.kept());
+    let pixels = pair.a()[band.clone()].iter().zip(&pair.b()[band.clone()]);
     pixels
+        .zip(&pair.kept()[band])
         .filter(|(_, kept)| **kept)
         .map(|((&a, &b), _)| (a, b))
         .filter(move |&(a, b)| is_drawn(a, background_a) || is_drawn(b, background_b))
 }
 
-/// A and B at the compared pixels where both show something else than their backgrounds.
-pub(super) fn drawn_in_both(pair: &Pair) -> impl Iterator<Item = (Pixel, Pixel)> {
+/// A and B at the compared pixels of a band where both show something else than their backgrounds.
+pub(super) fn drawn_in_both(
+    pair: &Pair,
+    band: Range<usize>,
+) -> impl Iterator<Item = (Pixel, Pixel)> {
     let [background_a, background_b] = pair.backgrounds();
-    drawn_in_either(pair)
+    drawn_in_either(pair, band)
         .filter(move |&(a, b)| is_drawn(a, background_a) && is_drawn(b, background_b))
 }
 

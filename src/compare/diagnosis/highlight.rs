@@ -3,6 +3,7 @@ use super::{Finding, HighlightChange, Which};
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 use crate::compare::ssim::luma;
+use crate::compare::steps::Pace;
 
 /// A highlight covers no more than one in this many drawn pixels.
 const ONE_IN: u64 = 3;
@@ -39,17 +40,25 @@ const ROUNDS: usize = 8;
 
 /// White light that one picture has and the other lacks: a highlight that is missing there, or a
 /// different one.
-pub(super) fn highlight(evidence: &Evidence) -> Option<Finding> {
-    if evidence.outline().is_some() {
+pub(super) async fn highlight(evidence: &Evidence<'_>) -> Option<Finding> {
+    if evidence.outline().await.is_some() {
         return None;
     }
     let pair = evidence.pair();
     let (a, b) = (pair.a(), pair.b());
-    less_in(Which::B, evidence, a, b).or_else(|| less_in(Which::A, evidence, b, a))
+    match less_in(Which::B, evidence, a, b).await {
+        None => less_in(Which::A, evidence, b, a).await,
+        found => found,
+    }
 }
 
-fn less_in(less_in: Which, evidence: &Evidence, lit: &[Pixel], unlit: &[Pixel]) -> Option<Finding> {
-    let [drawn_a, _] = evidence.drawn_masks()?;
+async fn less_in(
+    less_in: Which,
+    evidence: &Evidence<'_>,
+    lit: &[Pixel],
+    unlit: &[Pixel],
+) -> Option<Finding> {
+    let [drawn_a, _] = evidence.drawn_masks().await?;
     let differs = evidence.other_colors();
     let few = evidence.pixels_of_other_color() < FEWEST_PIXELS;
     if few || evidence.pixels_of_other_color() * ONE_IN > count(drawn_a) {
@@ -59,9 +68,11 @@ fn less_in(less_in: Which, evidence: &Evidence, lit: &[Pixel], unlit: &[Pixel]) 
     let mut lumas: Vec<f32> = pixels_in(lit, unlit, drawn_a)
         .map(|(lit, _)| luma(lit))
         .collect();
+    evidence.pace.after(drawn_a.len()).await;
     let differing_pixels = differing.len();
     let place = lumas.len() - (differing_pixels * BRIGHTEST_TIMES).min(lumas.len());
     let (_, &mut least_bright, _) = lumas.select_nth_unstable_by(place, f32::total_cmp);
+    evidence.pace.after(lumas.len()).await;
     let signs = differing.iter().filter(|&&(lit, unlit)| {
         let telling = is_colored(unlit) || luma(lit) >= least_bright;
         telling && added_light(lit, unlit).is_some()
@@ -72,7 +83,8 @@ fn less_in(less_in: Which, evidence: &Evidence, lit: &[Pixel], unlit: &[Pixel]) 
     }
     let area = evidence.area_of(differs)?;
     let drawn = pixels_in(lit, unlit, drawn_a).collect::<Vec<_>>();
-    let in_b = match (change(&drawn), less_in) {
+    evidence.pace.after(drawn_a.len()).await;
+    let in_b = match (change(&drawn, evidence.pace).await, less_in) {
         (Change::Missing, missing_in) => return Some(Finding::Highlight { missing_in, area }),
         (Change::Strength, Which::B) => HighlightChange::Weaker,
         (Change::Strength, _) => HighlightChange::Stronger,
@@ -97,13 +109,13 @@ enum Change {
 }
 
 /// What the less lit of two pictures lacks, of which these are the drawn pixels.
-fn change(drawn: &[(Pixel, Pixel)]) -> Change {
+async fn change(drawn: &[(Pixel, Pixel)], pace: &Pace) -> Change {
     let differs = |&&(lit, unlit): &&(Pixel, Pixel)| difference(lit, unlit) > OTHER_COLOR;
     let unlit_pixels = |inside: bool| -> Vec<Pixel> {
         let pixels = drawn.iter().filter(|pair| differs(pair) == inside);
         pixels.map(|&(_, unlit)| unlit).collect()
     };
-    let Some(surface) = Surface::of(&unlit_pixels(false)) else {
+    let Some(surface) = Surface::of(&unlit_pixels(false), pace).await else {
         return Change::Unknown;
     };
     match surface.judge(&unlit_pixels(true)) {
@@ -111,12 +123,14 @@ fn change(drawn: &[(Pixel, Pixel)]) -> Change {
         WhiteLight::Unknown => return Change::Unknown,
         WhiteLight::Some => {}
     }
+    pace.after(drawn.len()).await;
     let peak = |pixel: fn(&(Pixel, Pixel)) -> Pixel| {
         let light = drawn.iter().map(|pair| surface.white_light(pixel(pair)));
         // What is cut off hides how bright it was.
         let mut light: Vec<f64> = light.collect::<Option<_>>()?;
-        light.sort_unstable_by(f64::total_cmp);
-        light.iter().rev().nth(light.len() / PEAK_ONE_IN).copied()
+        let place = light.len().checked_sub(1 + light.len() / PEAK_ONE_IN)?;
+        let (_, &mut peak, _) = light.select_nth_unstable_by(place, f64::total_cmp);
+        Some(peak)
     };
     match (peak(|pair| pair.0), peak(|pair| pair.1)) {
         (Some(lit), Some(unlit)) if (lit - unlit).abs() <= f64::from(OTHER_COLOR) => Change::Width,
@@ -187,7 +201,7 @@ struct Surface {
 impl Surface {
     /// The surface that most of the pixels belong to; `None` if there is no such surface, or it
     /// is so pale that white light does not show.
-    fn of(pixels: &[Pixel]) -> Option<Self> {
+    async fn of(pixels: &[Pixel], pace: &Pace) -> Option<Self> {
         let points: Vec<[f64; 2]> = pixels.iter().filter_map(|&pixel| ends(pixel)).collect();
         let mut surface = Self::through(points.iter())?;
         for _ in 0..ROUNDS {
@@ -196,6 +210,7 @@ impl Surface {
             let (_, &mut median, _) = off.select_nth_unstable_by(middle, f64::total_cmp);
             let near = OFF_LINE.max(2.0 * median);
             surface = Self::through(points.iter().filter(|&&at| surface.off_line(at) <= near))?;
+            pace.after(points.len()).await;
         }
         let fitting = points
             .iter()

@@ -14,16 +14,38 @@ pub use finding::{Finding, HighlightChange, Which};
 
 use super::Pair;
 use super::rules::Beside::{self, Nothing, Only};
-use super::rules::{Rule, findings};
+use super::rules::{Rule, found_by, without_names};
+use super::steps::{Pace, at_once};
 use evidence::Evidence;
+use std::future::ready;
+use std::pin::Pin;
 
 impl Pair<'_> {
     /// Causes of the differences, as far as the pictures prove them, the most telling first. Empty
     /// if nothing does, or if the pictures are equal.
     pub fn findings(&self) -> Vec<Finding> {
-        findings(&Evidence::RULES, &Evidence::new(self))
+        at_once(|pace| async move { self.paced_findings(&pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_findings(&self, pace: &Pace) -> Vec<Finding> {
+        without_names(named_findings(self, pace).await)
     }
 }
+
+/// Findings with the names of their rules.
+async fn named_findings(pair: &Pair<'_>, pace: &Pace) -> Vec<(&'static str, Finding)> {
+    let evidence = Evidence::new(pair, pace).await;
+    let count = Evidence::RULES.len() as f32;
+    found_by(&Evidence::RULES, async |index, applies| {
+        pace.tell(index as f32 / count);
+        applies(&evidence).await
+    })
+    .await
+}
+
+/// What gives the finding of a rule.
+type Applies<E> = for<'e> fn(&'e E) -> Pin<Box<dyn Future<Output = Option<Finding>> + 'e>>;
 
 impl Evidence<'_> {
     /// Every cause, the most telling first:
@@ -33,30 +55,42 @@ impl Evidence<'_> {
     /// 3. one cause for what is drawn, those that leave less unexplained first: rounding, then
     ///    color, then the finest structures before coarse ones;
     /// 4. what remains to be said without a cause: outlines and colors that differ.
-    const RULES: [Rule<Self, Finding>; 19] = [
-        rule("transparent", Nothing, color::transparent),
-        rule("blank", Nothing, color::blank),
-        rule("mirrored", Nothing, outline::mirrored),
-        rule("shifted", Nothing, outline::shifted),
-        rule("opacity", Only(&["mirrored", "shifted"]), color::opacity),
-        rule("red_blue_exchanged", Nothing, color::red_blue_exchanged),
-        rule("gray", Nothing, color::gray),
-        rule("only_background", WHOLE_PICTURE, color::only_background),
-        rule("background", WHOLE_PICTURE, color::background_too),
-        rule("axes", BACKGROUND, axes::axes),
-        rule("nearly_same", BACKGROUND, detail::nearly_same),
-        rule("gamma", BACKGROUND, color::gamma),
-        rule("brightness", BACKGROUND, color::brightness),
-        rule("highlight", BACKGROUND, highlight::highlight),
-        rule("edges", BACKGROUND, detail::edges),
-        rule("detail", BACKGROUND, detail::detail),
-        rule("placed", BACKGROUND, placed::placed),
-        rule("outline", BACKGROUND, outline::outline),
-        rule(
-            "shading",
-            Only(&["background", "outline"]),
-            outline::shading,
-        ),
+    const RULES: [Rule<Applies<Self>>; 19] = [
+        rule("transparent", Nothing, |e| {
+            Box::pin(ready(color::transparent(e)))
+        }),
+        rule("blank", Nothing, |e| Box::pin(color::blank(e))),
+        rule("mirrored", Nothing, |e| Box::pin(outline::mirrored(e))),
+        rule("shifted", Nothing, |e| Box::pin(outline::shifted(e))),
+        rule("opacity", Only(&["mirrored", "shifted"]), |e| {
+            Box::pin(color::opacity(e))
+        }),
+        rule("red_blue_exchanged", Nothing, |e| {
+            Box::pin(color::red_blue_exchanged(e))
+        }),
+        rule("gray", Nothing, |e| Box::pin(color::gray(e))),
+        rule("only_background", WHOLE_PICTURE, |e| {
+            Box::pin(ready(color::only_background(e)))
+        }),
+        rule("background", WHOLE_PICTURE, |e| {
+            Box::pin(ready(color::background_too(e)))
+        }),
+        rule("axes", BACKGROUND, |e| Box::pin(axes::axes(e))),
+        rule("nearly_same", BACKGROUND, |e| {
+            Box::pin(detail::nearly_same(e))
+        }),
+        rule("gamma", BACKGROUND, |e| Box::pin(color::gamma(e))),
+        rule("brightness", BACKGROUND, |e| Box::pin(color::brightness(e))),
+        rule("highlight", BACKGROUND, |e| {
+            Box::pin(highlight::highlight(e))
+        }),
+        rule("edges", BACKGROUND, |e| Box::pin(detail::edges(e))),
+        rule("detail", BACKGROUND, |e| Box::pin(detail::detail(e))),
+        rule("placed", BACKGROUND, |e| Box::pin(placed::placed(e))),
+        rule("outline", BACKGROUND, |e| Box::pin(outline::outline(e))),
+        rule("shading", Only(&["background", "outline"]), |e| {
+            Box::pin(outline::shading(e))
+        }),
     ];
 }
 
@@ -75,8 +109,8 @@ const BACKGROUND: Beside = Only(&["background"]);
 const fn rule<'a>(
     name: &'static str,
     beside: Beside,
-    applies: fn(&Evidence<'a>) -> Option<Finding>,
-) -> Rule<Evidence<'a>, Finding> {
+    applies: Applies<Evidence<'a>>,
+) -> Rule<Applies<Evidence<'a>>> {
     Rule {
         name,
         beside,
@@ -87,7 +121,6 @@ const fn rule<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::rules::found_by;
     use crate::compare::test_pictures::{filled, painted};
     use crate::geometry::Picture;
 
@@ -97,8 +130,9 @@ mod tests {
     /// Names of the rules that find something in B, compared with A.
     fn names(a: &Picture, b: &Picture) -> Vec<&'static str> {
         let pair = Pair::new(a, b, &[]).unwrap();
-        let found = found_by(&Evidence::RULES, &Evidence::new(&pair)).into_iter();
-        found.map(|(name, _)| name).collect()
+        let pair = &pair;
+        let found = at_once(|pace| async move { named_findings(pair, &pace).await });
+        found.into_iter().map(|(name, _)| name).collect()
     }
 
     fn paint(color: impl Fn(u32, u32) -> [u8; 4]) -> Picture {

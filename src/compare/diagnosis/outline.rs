@@ -18,33 +18,34 @@ const EVERYWHERE: f64 = 0.04;
 const LEAST_SHADING: f64 = 0.001;
 
 /// A mirrored, if that is B.
-pub(super) fn mirrored(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn mirrored(evidence: &Evidence<'_>) -> Option<Finding> {
     let direct = enough_to_move(evidence)?;
     let inside = whole(evidence.pair());
-    [(true, false), (false, true), (true, true)]
+    let mut found = Vec::new();
+    for (left_right, top_bottom) in [(true, false), (false, true), (true, true)] {
+        let movement = Movement::Mirrored {
+            left_right,
+            top_bottom,
+        };
+        let unexplained = unexplained_by(evidence, inside, direct, movement).await;
+        let finding = Finding::Mirrored {
+            left_right,
+            top_bottom,
+        };
+        found.extend(unexplained.map(|unexplained| (unexplained, finding)));
+    }
+    let least = found
         .into_iter()
-        .filter_map(|(left_right, top_bottom)| {
-            let movement = Movement::Mirrored {
-                left_right,
-                top_bottom,
-            };
-            let unexplained = unexplained_by(evidence, inside, direct, movement)?;
-            let finding = Finding::Mirrored {
-                left_right,
-                top_bottom,
-            };
-            Some((unexplained, finding))
-        })
-        .min_by_key(|(unexplained, _)| *unexplained)
-        .map(|(_, finding)| finding)
+        .min_by_key(|(unexplained, _)| *unexplained);
+    least.map(|(_, finding)| finding)
 }
 
 /// A movement by whole pixels that makes A into B: the one that explains the most, the nearest
 /// of equals.
-pub(super) fn shifted(evidence: &Evidence) -> Option<Finding> {
+pub(super) async fn shifted(evidence: &Evidence<'_>) -> Option<Finding> {
     let pair = evidence.pair();
     let direct = enough_to_move(evidence)?;
-    let [drawn_a, drawn_b] = match evidence.drawn_masks() {
+    let [drawn_a, drawn_b] = match evidence.drawn_masks().await {
         Some([a, b]) => [evidence.area_of(a)?, evidence.area_of(b)?],
         None => [whole(pair); 2],
     };
@@ -52,35 +53,36 @@ pub(super) fn shifted(evidence: &Evidence) -> Option<Finding> {
         (-FARTHEST..=FARTHEST).flat_map(|dy| (-FARTHEST..=FARTHEST).map(move |dx| (dx, dy)));
     let suggested = suggested_moves(drawn_a, drawn_b);
     let inside = united(drawn_a, drawn_b);
-    nearby
+    let movements = nearby
         .chain(suggested)
-        .filter(|&by| by != (0, 0) && keeps_half_in_view(pair, drawn_a, by))
-        .filter_map(|(dx, dy)| {
-            let movement = Movement::Shifted { dx, dy };
-            let unexplained = unexplained_by(evidence, inside, direct, movement)?;
-            Some((unexplained, dx * dx + dy * dy, (dx, dy)))
-        })
-        .min()
-        .map(|(_, _, (dx, dy))| Finding::Shifted { dx, dy })
+        .filter(|&by| by != (0, 0) && keeps_half_in_view(pair, drawn_a, by));
+    let mut found = Vec::new();
+    for (dx, dy) in movements {
+        let movement = Movement::Shifted { dx, dy };
+        let unexplained = unexplained_by(evidence, inside, direct, movement).await;
+        found.extend(unexplained.map(|unexplained| (unexplained, dx * dx + dy * dy, (dx, dy))));
+    }
+    let best = found.into_iter().min();
+    best.map(|(_, _, (dx, dy))| Finding::Shifted { dx, dy })
 }
 
 /// What is drawn in one picture alone.
-pub(super) fn outline(evidence: &Evidence) -> Option<Finding> {
-    let Outline { only, areas } = evidence.outline()?;
+pub(super) async fn outline(evidence: &Evidence<'_>) -> Option<Finding> {
+    let Outline { only, areas } = evidence.outline().await?;
     Some(Finding::Outline {
         only_a: only[0],
         area_a: areas[0],
         only_b: only[1],
         area_b: areas[1],
-        everywhere: differs_everywhere(evidence).unwrap_or(false),
+        everywhere: differs_everywhere(evidence).await.unwrap_or(false),
     })
 }
 
 /// Whether the outlines differ in each ninth of the figure that has a part of it worth the name.
-fn differs_everywhere(evidence: &Evidence) -> Option<bool> {
-    let [drawn_a, drawn_b] = evidence.drawn_masks()?;
+async fn differs_everywhere(evidence: &Evidence<'_>) -> Option<bool> {
+    let [drawn_a, drawn_b] = evidence.drawn_masks().await?;
     let pair = evidence.pair();
-    let figure = pair.figure()?;
+    let figure = pair.paced_figure(evidence.pace).await?;
     let ninth = |index: usize| {
         let place = |at: usize, first: u32, length: u32| {
             let along = at.checked_sub(first as usize)?;
@@ -91,12 +93,18 @@ fn differs_everywhere(evidence: &Evidence) -> Option<bool> {
         Some(3 * place(index / width, figure.y, figure.height)? + column)
     };
     let mut counts = [[0_u32; 2]; 9];
-    for (index, (&a, &b)) in drawn_a.iter().zip(drawn_b).enumerate() {
-        if let Some(ninth) = ninth(index).filter(|_| a || b) {
-            counts[ninth][0] += 1;
-            counts[ninth][1] += u32::from(a != b);
-        }
-    }
+    evidence
+        .pace
+        .bands(drawn_a.len(), |band| {
+            for index in band {
+                let (a, b) = (drawn_a[index], drawn_b[index]);
+                if let Some(ninth) = ninth(index).filter(|_| a || b) {
+                    counts[ninth][0] += 1;
+                    counts[ninth][1] += u32::from(a != b);
+                }
+            }
+        })
+        .await;
     let drawn: u32 = counts.iter().map(|[drawn, _]| drawn).sum();
     let mut parts = counts.iter();
     Some(parts.all(|&[part, differing]| {
@@ -107,9 +115,9 @@ fn differs_everywhere(evidence: &Evidence) -> Option<bool> {
 
 /// Different colors of what is drawn. Where the outlines differ, more pixels than theirs must
 /// have another color among those drawn in both.
-pub(super) fn shading(evidence: &Evidence) -> Option<Finding> {
-    let [drawn_a, drawn_b] = evidence.drawn_masks()?;
-    let outline = evidence.outline();
+pub(super) async fn shading(evidence: &Evidence<'_>) -> Option<Finding> {
+    let [drawn_a, drawn_b] = evidence.drawn_masks().await?;
+    let outline = evidence.outline().await;
     let outlines_agree = outline.is_none();
     let drawn: Vec<bool> = drawn_a
         .iter()
@@ -123,6 +131,7 @@ pub(super) fn shading(evidence: &Evidence) -> Option<Finding> {
         .map(|(&differs, &drawn)| differs && drawn)
         .collect();
     let differing = count(&differs);
+    evidence.pace.after(differs.len()).await;
     let share = differing as f64 / count(&drawn) as f64;
     if differing <= outline.map_or(0, Outline::pixels) || share <= LEAST_SHADING {
         return None;
@@ -201,8 +210,8 @@ impl Movement {
 /// Number of pixels of B within `inside` that have a different color than A where `movement` has
 /// them from; `None` if they are too many for this to explain `direct` pixels of different color.
 /// Pixels without a place in A, or with an ignored one, are left out.
-fn unexplained_by(
-    evidence: &Evidence,
+async fn unexplained_by(
+    evidence: &Evidence<'_>,
     inside: Area,
     direct: u64,
     movement: Movement,
@@ -249,6 +258,7 @@ fn unexplained_by(
         if unexplained > direct / UNEXPLAINED_ONE_IN || spoiled > direct / SPOILED_ONE_IN {
             return None;
         }
+        evidence.pace.after(differs.len()).await;
     }
     Some(unexplained)
 }
@@ -288,6 +298,7 @@ mod tests {
     use super::*;
     use crate::compare::diagnosis::evidence::OTHER_COLOR;
     use crate::compare::differences::difference;
+    use crate::compare::steps::{Pace, at_once};
     use crate::compare::test_pictures::noise;
 
     /// The same pixel by pixel, without an early end.
@@ -324,16 +335,15 @@ mod tests {
         let [a, b] = [1, 2].map(|seed| noise(37, 41, 0..=20, seed));
         let ignore = ["3,5,9,4", "30,30,99,99"].map(|area| area.parse().unwrap());
         let pair = Pair::new(&a, &b, &ignore).unwrap();
-        let evidence = Evidence::new(&pair);
+        let pace = Pace::new(usize::MAX);
+        let evidence = at_once(|_| Evidence::new(&pair, &pace));
         let (right, bottom) = (36, 40);
         let part: Area = "4,2,30,33".parse().unwrap();
         let mut found = [0, 0];
         for direct in [100, 1_000, 5_000, 20_000, 200_000] {
             let mut same = |inside, movement, expected: Option<u64>| {
-                assert_eq!(
-                    unexplained_by(&evidence, inside, direct, movement),
-                    expected
-                );
+                let unexplained = at_once(|_| unexplained_by(&evidence, inside, direct, movement));
+                assert_eq!(unexplained, expected);
                 found[usize::from(expected.is_some())] += 1;
             };
             for (dx, dy) in [

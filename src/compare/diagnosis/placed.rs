@@ -2,6 +2,7 @@
 
 use super::Finding;
 use super::evidence::{Evidence, FEWEST_PIXELS, count};
+use crate::compare::steps::Pace;
 use crate::compare::{Area, Pair};
 use glam::DVec2;
 
@@ -29,14 +30,17 @@ const MOST_STEPS: usize = 200;
 
 /// A's outline found again in B. Told where it explains nearly all of the differences; also where
 /// the figure stands quite elsewhere, with what differs even so.
-pub(super) fn placed(evidence: &Evidence) -> Option<Finding> {
-    evidence.outline()?;
-    let outlines = Outlines::new(evidence)?;
+pub(super) async fn placed(evidence: &Evidence<'_>) -> Option<Finding> {
+    evidence.outline().await?;
+    let outlines = Outlines::new(evidence).await?;
     let starts = outlines.starts();
-    let found = starts.map(|start| outlines.refined(start));
+    let mut found = Vec::new();
+    for start in starts {
+        found.push(outlines.refined(start).await);
+    }
     let (_, place) = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let before = outlines.misfit(outlines.still());
-    let after = outlines.misfit(place);
+    let before = outlines.misfit(outlines.still()).await;
+    let after = outlines.misfit(place).await;
     let explains_all = after.share() <= SAME && after.differing * LEFT_ONE_IN <= before.differing;
     let is_elsewhere =
         outlines.stands_apart() && after.share() <= before.share() * ELSEWHERE_LEAVES;
@@ -93,10 +97,11 @@ impl Misfit {
 
 /// What is drawn without lines as thin as axes, which reach out of the figure; all of it if one of the
 /// two has only lines.
-fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
-    let solid = drawn
-        .each_ref()
-        .map(|drawn| grown(pair, &shrunk(pair, drawn)));
+async fn without_lines(pair: &Pair<'_>, drawn: &[Vec<bool>; 2], pace: &Pace) -> [Vec<bool>; 2] {
+    let mut solid = [Vec::new(), Vec::new()];
+    for (solid, drawn) in solid.iter_mut().zip(drawn) {
+        *solid = grown(pair, &shrunk(pair, drawn, pace).await, pace).await;
+    }
     if solid.iter().any(|solid| count(solid) < FEWEST_PIXELS) {
         drawn.clone()
     } else {
@@ -105,19 +110,28 @@ fn without_lines(pair: &Pair, drawn: &[Vec<bool>; 2]) -> [Vec<bool>; 2] {
 }
 
 /// `mask` with all pixels beside it.
-fn grown(pair: &Pair, mask: &[bool]) -> Vec<bool> {
-    let all = 0..mask.len();
-    all.map(|i| pair.around(i).any(|near| mask[near])).collect()
+async fn grown(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
+    let mut grown = Vec::with_capacity(mask.len());
+    pace.bands(mask.len(), |band| {
+        grown.extend(band.map(|i| pair.around(i).any(|near| mask[near])));
+    })
+    .await;
+    grown
 }
 
 /// `mask` without the pixels at its edge.
-fn shrunk(pair: &Pair, mask: &[bool]) -> Vec<bool> {
-    let all = 0..mask.len();
-    all.map(|i| pair.around(i).all(|near| mask[near])).collect()
+async fn shrunk(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
+    let mut shrunk = Vec::with_capacity(mask.len());
+    pace.bands(mask.len(), |band| {
+        shrunk.extend(band.map(|i| pair.around(i).all(|near| mask[near])));
+    })
+    .await;
+    shrunk
 }
 
 /// What is drawn in both pictures.
 struct Outlines<'a> {
+    pace: &'a Pace,
     width: usize,
     kept: &'a [bool],
     drawn: [Vec<bool>; 2],
@@ -138,14 +152,16 @@ struct Moments {
 }
 
 impl<'a> Outlines<'a> {
-    fn new(evidence: &'a Evidence) -> Option<Self> {
-        let pair = evidence.pair();
-        let drawn = without_lines(pair, evidence.drawn_masks()?);
+    async fn new(evidence: &'a Evidence<'_>) -> Option<Self> {
+        let (pair, pace) = (evidence.pair(), evidence.pace);
+        let drawn = without_lines(pair, evidence.drawn_masks().await?, pace).await;
         let width = pair.width() as usize;
-        let [Some(a), Some(b)] = [0, 1].map(|which| Moments::of(&drawn[which], width)) else {
-            return None;
-        };
-        let about = [grown(pair, &drawn[0]), shrunk(pair, &drawn[0])];
+        let a = Moments::of(&drawn[0], width, pace).await?;
+        let b = Moments::of(&drawn[1], width, pace).await?;
+        let about = [
+            grown(pair, &drawn[0], pace).await,
+            shrunk(pair, &drawn[0], pace).await,
+        ];
         let area = evidence.area_of(&drawn[1])?;
         let (beside, above) = (area.width / 4 + 2, area.height / 4 + 2);
         let (x, y) = (area.x.saturating_sub(beside), area.y.saturating_sub(above));
@@ -158,6 +174,7 @@ impl<'a> Outlines<'a> {
         let region = region.clipped(pair.width(), pair.height())?;
         let pixels = f64::from(region.width) * f64::from(region.height);
         Some(Self {
+            pace,
             width,
             kept: pair.kept(),
             drawn,
@@ -202,10 +219,10 @@ impl<'a> Outlines<'a> {
     }
 
     /// The nearest place from which no small step is better, with the share that differs there.
-    fn refined(&self, start: Place) -> (f64, Place) {
+    async fn refined(&self, start: Place) -> (f64, Place) {
         let (region, _) = self.sought;
         let size = f64::from(region.width.max(region.height));
-        let (mut best, mut least) = (start, self.cost(start));
+        let (mut best, mut least) = (start, self.cost(start).await);
         let mut step = 1.0 / 16.0;
         for _ in 0..MOST_STEPS {
             if step * size < 0.2 {
@@ -225,8 +242,11 @@ impl<'a> Outlines<'a> {
                 ..best
             });
             let tried = moved.into_iter().chain(scaled).chain(turned);
-            let tried = tried.map(|place| (self.cost(place), place));
-            match tried.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            let mut costs = Vec::new();
+            for place in tried {
+                costs.push((self.cost(place).await, place));
+            }
+            match costs.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)) {
                 Some((cost, place)) if cost < least => (best, least) = (place, cost),
                 _ => step /= 2.0,
             }
@@ -235,7 +255,7 @@ impl<'a> Outlines<'a> {
     }
 
     /// Share that differs, by some of the pixels.
-    fn cost(&self, place: Place) -> f64 {
+    async fn cost(&self, place: Place) -> f64 {
         let (region, step) = self.sought;
         let (mut differing, mut drawn) = (0_u32, 0_u32);
         let from = Source::new(self, place);
@@ -250,6 +270,7 @@ impl<'a> Outlines<'a> {
                 differing += u32::from(a != b);
             }
         }
+        self.pace.after(SAMPLES as usize).await;
         if drawn == 0 {
             return 1.0;
         }
@@ -257,7 +278,7 @@ impl<'a> Outlines<'a> {
     }
 
     /// What differs by more than a pixel, by all pixels.
-    fn misfit(&self, place: Place) -> Misfit {
+    async fn misfit(&self, place: Place) -> Misfit {
         let mut misfit = Misfit::default();
         let from = Source::new(self, place);
         let (width, height) = (self.width as u32, (self.kept.len() / self.width) as u32);
@@ -282,6 +303,7 @@ impl<'a> Outlines<'a> {
                 misfit.differing += f64::from(differs);
                 misfit.spoiled += f64::from(differs && agrees_still);
             }
+            self.pace.after(self.width).await;
         }
         misfit
     }
@@ -321,7 +343,7 @@ impl<'a> Source<'a> {
 
 impl Moments {
     /// `None` where nothing is drawn.
-    fn of(drawn: &[bool], width: usize) -> Option<Self> {
+    async fn of(drawn: &[bool], width: usize, pace: &Pace) -> Option<Self> {
         let places = || {
             let drawn = drawn.iter().enumerate().filter(|(_, drawn)| **drawn);
             drawn.map(|(i, _)| DVec2::new((i % width) as f64, (i / width) as f64))
@@ -329,6 +351,7 @@ impl Moments {
         let (count, sum) = places().fold((0.0, DVec2::ZERO), |(count, sum), at| {
             (count + 1.0, sum + at)
         });
+        pace.after(drawn.len()).await;
         if count == 0.0 {
             return None;
         }
@@ -337,6 +360,7 @@ impl Moments {
             let off = at - center;
             (squares + off * off, product + off.x * off.y)
         });
+        pace.after(drawn.len()).await;
         Some(Self {
             count,
             center,

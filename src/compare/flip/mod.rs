@@ -8,6 +8,7 @@ mod color;
 
 use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
+use super::steps::{Pace, at_once};
 use color::{COMPRESSION, ColorSpaces, hyab, linear, spread};
 use glam::Vec3;
 use std::f32::consts::{FRAC_1_SQRT_2, PI};
@@ -43,6 +44,11 @@ pub struct Flip {
 impl Pair<'_> {
     /// Low dynamic range ꟻLIP of the pictures, taken as sRGB, at [`PIXELS_PER_DEGREE`].
     pub fn flip(&self) -> Flip {
+        at_once(|pace| async move { self.paced_flip(&pace).await })
+    }
+
+    /// The same in steps.
+    pub(super) async fn paced_flip(&self, pace: &Pace) -> Flip {
         if self.a() == self.b() {
             // What the formulas say as well, after many filters.
             return Flip {
@@ -50,41 +56,55 @@ impl Pair<'_> {
                 map: vec![0.0; self.a().len()],
             };
         }
-        self.flip_at(PIXELS_PER_DEGREE)
+        self.flip_at(PIXELS_PER_DEGREE, pace).await
     }
 
     /// The same for another distance and screen.
-    fn flip_at(&self, pixels_per_degree: f32) -> Flip {
+    async fn flip_at(&self, pixels_per_degree: f32, pace: &Pace) -> Flip {
         let filters = Filters::new(pixels_per_degree);
         let (width, height) = (self.width() as usize, self.height() as usize);
         let mut map = vec![0.0; width * height];
         let mut planes = Planes::default();
         let mut errors = Vec::new();
+        let mut done = 0;
         for tile in Tile::of(width, height) {
-            self.flip_of(&tile, &filters, &mut planes, &mut errors);
+            self.flip_of(&tile, &filters, &mut planes, &mut errors, pace)
+                .await;
             tile.put(&errors, &mut map, width);
+            done += errors.len();
+            pace.tell(done as f32 / map.len() as f32);
         }
         let (mut sum, mut count) = (0.0, 0_u64);
-        for (error, &kept) in map.iter_mut().zip(self.kept()) {
-            if kept {
-                sum += f64::from(*error);
-                count += 1;
-            } else {
-                *error = 0.0;
+        pace.bands(map.len(), |band| {
+            for (error, &kept) in map[band.clone()].iter_mut().zip(&self.kept()[band]) {
+                if kept {
+                    sum += f64::from(*error);
+                    count += 1;
+                } else {
+                    *error = 0.0;
+                }
             }
-        }
+        })
+        .await;
         let mean = sum / count as f64;
         Flip { mean, map }
     }
 
     /// The differences in one tile.
-    fn flip_of(&self, tile: &Tile, filters: &Filters, planes: &mut Planes, errors: &mut Vec<f32>) {
+    async fn flip_of(
+        &self,
+        tile: &Tile,
+        filters: &Filters,
+        planes: &mut Planes,
+        errors: &mut Vec<f32>,
+        pace: &Pace,
+    ) {
         for (index, pixels) in [self.a(), self.b()].into_iter().enumerate() {
             let width = self.width() as usize;
             tile.with_rim(pixels, width, filters.reach, &mut planes.pixels);
             filters.opponent_planes(tile.columns.len(), planes);
-            filters.features(index, planes);
-            filters.seen_colors(index, planes);
+            filters.features(index, planes, pace).await;
+            filters.seen_colors(index, planes, pace).await;
         }
         let [a, b] = &planes.seen;
         let features = feature_errors(&a.features, &b.features);
@@ -95,6 +115,7 @@ impl Pair<'_> {
                 .zip(features)
                 .map(|(color, feature)| color.powf(1.0 - feature)),
         );
+        pace.after(errors.len()).await;
     }
 }
 
@@ -179,23 +200,25 @@ impl Filters {
     }
 
     /// Finds how strong an edge and a point there is at each pixel of a tile, in its Y plane.
-    fn features(&self, picture: usize, planes: &mut Planes) {
+    async fn features(&self, picture: usize, planes: &mut Planes, pace: &Pace) {
         let [lightness, across, down, x, y] = &mut planes.steps;
         let rim = self.reach - self.bell.len() / 2;
         planes.opponent[0].inner(rim, |y| (y + 16.0) / 116.0, lightness);
         lightness.along_columns(&self.bell, across);
         lightness.along_rows(&self.bell, down);
+        pace.after(lightness.values.len()).await;
         let features = planes.seen[picture].features.iter_mut();
         for (feature, taps) in features.zip([&self.slope, &self.bend]) {
             across.along_rows(taps, x);
             down.along_columns(taps, y);
             let places = x.values.iter().zip(&y.values);
             feature.set(x.width, places.map(|(&x, &y)| length(x, y)));
+            pace.after(across.values.len()).await;
         }
     }
 
     /// Works out the colors of a tile as the eye sees them at this distance.
-    fn seen_colors(&self, picture: usize, planes: &mut Planes) {
+    async fn seen_colors(&self, picture: usize, planes: &mut Planes, pace: &Pace) {
         let colors = &mut planes.seen[picture].colors;
         let [inner, rows, part, ..] = &mut planes.steps;
         for ((opponent, blur), seen) in planes.opponent.iter().zip(&self.blurs).zip(&mut *colors) {
@@ -208,12 +231,14 @@ impl Filters {
                 for (value, part) in seen.values.iter_mut().zip(&part.values) {
                     *value += weight * part;
                 }
+                pace.after(inner.values.len()).await;
             }
             for value in &mut seen.values {
                 *value /= blur.total;
             }
         }
         self.spaces.hunt_lab_from_opponent(colors);
+        pace.after(colors[0].values.len()).await;
     }
 }
 
@@ -304,6 +329,10 @@ mod tests {
         Pair::new(a, b, &[]).unwrap().flip()
     }
 
+    fn flip_at(pair: &Pair, pixels_per_degree: f32) -> Flip {
+        at_once(|pace| async move { pair.flip_at(pixels_per_degree, &pace).await })
+    }
+
     fn mean_of_colors(a: [u8; 3], b: [u8; 3]) -> f64 {
         let picture = |[r, g, b]: [u8; 3]| filled(32, 24, [r, g, b, 255]);
         flip(&picture(a), &picture(b)).mean
@@ -322,7 +351,11 @@ mod tests {
         let flip = pair.flip();
         assert_eq!(flip.mean, 0.0);
         assert!(flip.map.iter().all(|&error| error == 0.0));
-        assert_eq!(flip, pair.flip_at(PIXELS_PER_DEGREE), "by the formulas too");
+        assert_eq!(
+            flip,
+            flip_at(&pair, PIXELS_PER_DEGREE),
+            "by the formulas too"
+        );
     }
 
     #[test]
@@ -450,7 +483,7 @@ mod tests {
         let checked = painted(40, 40, |x, y| [((x + y) % 2 * 60) as u8, 0, 0, 255]);
         let even = filled(40, 40, [30, 0, 0, 255]);
         let pair = Pair::new(&checked, &even, &[]).unwrap();
-        assert!(pair.flip_at(80.0).mean < 0.8 * pair.flip_at(20.0).mean);
+        assert!(flip_at(&pair, 80.0).mean < 0.8 * flip_at(&pair, 20.0).mean);
     }
 
     #[test]

@@ -9,7 +9,8 @@ pub use finding::MeshFinding;
 pub use place::{MeshParts, MeshPlace};
 
 use super::rules::Beside::{self, Everything, Only};
-use super::rules::{Rule, findings, with_messages};
+use super::rules::{Rule, found_by, with_messages, without_names};
+use super::steps::at_once;
 use super::{Allowance, CompareError, Which};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
@@ -141,7 +142,8 @@ pub fn compare_meshes(
         triangles,
     };
     let max = distances.iter().copied().fold(0.0, f64::max);
-    let findings = findings(&Evidence::RULES, &evidence);
+    let found = at_once(|_| found_by(&Evidence::RULES, async |_, applies| applies(&evidence)));
+    let findings = without_names(found);
     let places = if is_explained(&findings, differing) {
         Vec::new()
     } else {
@@ -186,10 +188,13 @@ struct Evidence<'a> {
     triangles: Triangles,
 }
 
+/// What gives the finding of a rule.
+type Applies<E> = fn(&E) -> Option<MeshFinding>;
+
 impl Evidence<'_> {
     /// Every cause: first what keeps vertices from being compared, then the simplest movement
     /// that explains all of them, then their order, then the triangles.
-    const RULES: [Rule<Self, MeshFinding>; 14] = [
+    const RULES: [Rule<Applies<Self>>; 14] = [
         rule("not_finite_in_a", Everything, |e| {
             not_finite(Which::A, e.points.a)
         }),
@@ -244,8 +249,8 @@ const NOT_FINITE: Beside = Only(&["not_finite_in_a", "not_finite_in_b"]);
 const fn rule<'a>(
     name: &'static str,
     beside: Beside,
-    applies: fn(&Evidence<'a>) -> Option<MeshFinding>,
-) -> Rule<Evidence<'a>, MeshFinding> {
+    applies: Applies<Evidence<'a>>,
+) -> Rule<Applies<Evidence<'a>>> {
     Rule {
         name,
         beside,

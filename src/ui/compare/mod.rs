@@ -33,6 +33,9 @@ pub struct CompareView<'a> {
     pub difference: Option<TextureId>,
     /// What was measured.
     pub report: &'a CompareReport,
+    /// Part of the work on newer similarity and causes that is done, from 0 to 1, while they are
+    /// sought.
+    pub judged_part: Option<f32>,
 }
 
 impl CompareView<'_> {

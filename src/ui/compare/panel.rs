@@ -308,7 +308,13 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                     );
                 }
             }
-            _ => say(ui, "Looking for the cause…", palette.weak),
+            _ => {
+                let mut text = "Looking for the cause…".to_owned();
+                if let Some(part) = compare.judged_part {
+                    text += &format!(" {:.0} %", 100.0 * part);
+                }
+                say(ui, &text, palette.weak);
+            }
         }
     });
 }

@@ -1,0 +1,67 @@
+//! Comparing with a picture, while the page goes on.
+
+use super::browser::{Browser, ENTER, ESC, F8, F12};
+
+/// Notes when the browser begins a frame, and each time in which it could neither draw nor take what the
+/// user does: between two tasks that follow each other as closely as it lets them.
+const WATCH: &str = "
+    window.frames = [], window.held = [];
+    const frame = (now) => { frames.push(now); requestAnimationFrame(frame); };
+    requestAnimationFrame(frame);
+    let last = performance.now();
+    const task = () => {
+        const now = performance.now();
+        held.push([last, now]);
+        last = now;
+        setTimeout(task, 0);
+    };
+    setTimeout(task, 0);";
+
+/// The longest of the jobs after the first `before` of them: its time in milliseconds, the longest time
+/// within it for which the page stood still, and the number of frames that began within it.
+const LONGEST: &str = "
+    const jobs = performance.getEntriesByName('editor-job', 'measure').slice(before);
+    jobs.sort((a, b) => b.duration - a.duration);
+    const [begun, ended] = [jobs[0].startTime, jobs[0].startTime + jobs[0].duration];
+    const inside = held.filter(([from, to]) => to > begun && from < ended);
+    const longest = Math.max(...inside.map(([from, to]) => to - from));
+    const drawn = frames.filter((time) => begun < time && time < ended);
+    return [jobs[0].duration, longest, drawn.length];";
+
+/// Number of jobs that have ended.
+fn jobs(browser: &Browser) -> u64 {
+    let ended =
+        browser.script("return performance.getEntriesByName('editor-job', 'measure').length");
+    ended.as_u64().unwrap()
+}
+
+#[test]
+fn the_page_goes_on_while_a_picture_is_compared_with_the_view() {
+    let browser = Browser::open();
+    browser.press(&[F12]);
+    browser.picture();
+    browser.press(&[ENTER]);
+    let picture = browser.downloaded("showcase.png");
+    let file = tempfile::Builder::new().suffix(".png").tempfile().unwrap();
+    std::fs::write(file.path(), picture).unwrap();
+    // What differs is sought for longer than what does not.
+    browser.drag((700, 650), (760, 650));
+    browser.picture();
+    browser.script(WATCH);
+    let before = jobs(&browser);
+    browser.press(&[F8]);
+    browser.choose(&[file.path().to_owned()]);
+    browser.wait("the pictures are compared", || jobs(&browser) >= before + 2);
+    let [whole, longest, frames] = [0, 1, 2].map(|index| {
+        let numbers = browser.script(&format!("const before = {before}; {LONGEST}"));
+        numbers[index].as_f64().unwrap()
+    });
+    eprintln!("compared in {whole:.0} ms with {frames} frames, the longest stop {longest:.0} ms");
+    assert!(frames >= 10.0, "{frames} frames in {whole} ms");
+    assert!(
+        longest < whole / 5.0,
+        "{longest} of {whole} ms in one piece"
+    );
+    browser.press(&[ESC]);
+    browser.finish();
+}
