@@ -137,7 +137,9 @@ impl OpenDialog {
             select_all(context, name);
         }
         self.types_path = focused.is_some() && (edits_path || self.types_path);
+        // A path that was typed may be a relative one, which means another file elsewhere.
         let picked = self.dialog.take_picked();
+        let picked = picked.map(|path| std::path::absolute(&path).unwrap_or(path));
         if picked.is_none() && escape && self.types_name {
             // The dialog would only let go of the name, and wait for another Esc.
             self.dialog = FileDialog::new();

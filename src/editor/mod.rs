@@ -34,7 +34,8 @@ pub use messages::{Message, Messages, Severity};
 pub use move_tool::{MoveAlong, MoveDrag, MoveTarget, root_of};
 pub use rotate_tool::{BoneDrag, JointTurn, ROLL_STEP, RingDrag, roll};
 pub use selection::{
-    BoxMode, duplicates, for_all_in_view, for_all_selected, scene_of_selected, set_apart,
+    BoxMode, duplicates, duplicates_in_place, for_all_in_view, for_all_selected, scene_of_selected,
+    set_apart,
 };
 pub use session::Session;
 pub use shape_group::ShapeGroup;

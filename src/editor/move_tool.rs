@@ -130,8 +130,37 @@ impl MoveDrag {
         along: MoveAlong,
         ray: &Ray,
     ) -> Option<Self> {
+        Self::about(
+            session,
+            target,
+            along,
+            ray,
+            &[target.place(session)?.as_dvec3()],
+        )
+    }
+
+    /// The same for a target that nobody has pointed at: one that is beside or behind the eye follows as if
+    /// it were at a distance of 1 before it.
+    pub fn begin_anywhere(
+        session: &Session,
+        target: MoveTarget,
+        along: MoveAlong,
+        ray: &Ray,
+    ) -> Option<Self> {
+        let before_eye = ray.origin + ray.direction.normalize_or_zero();
+        let anchors = [target.place(session)?, before_eye].map(|place| place.as_dvec3());
+        Self::about(session, target, along, ray, &anchors)
+    }
+
+    /// A drag along the line or plane through the first of `anchors` that the ray meets.
+    fn about(
+        session: &Session,
+        target: MoveTarget,
+        along: MoveAlong,
+        ray: &Ray,
+        anchors: &[DVec3],
+    ) -> Option<Self> {
         let shape = target.shape();
-        let anchor = target.place(session)?.as_dvec3();
         let start = match target {
             MoveTarget::Shape(_) => Start::Shape(session.scene().shape(shape)?.placement.transform),
             MoveTarget::Root { joint, .. } => {
@@ -142,7 +171,8 @@ impl MoveDrag {
                 Start::roots(session, shape, character.skeleton().roots().to_vec())?
             }
         };
-        let from = meeting(ray, anchor, along)?;
+        let met = |&anchor: &DVec3| Some((anchor, meeting(ray, anchor, along)?));
+        let (anchor, from) = anchors.iter().find_map(met)?;
         Some(Self {
             target,
             start,

@@ -163,9 +163,14 @@ pub fn scene_of_selected(session: &Session) -> Scene {
 /// Copies of the selected shapes, beside them in the direction of X; farther away where an earlier
 /// copy stands already.
 pub fn duplicates(session: &Session) -> Vec<NewShape> {
-    let mut copies: Vec<NewShape> = session.selected_shapes().map(copy).collect();
+    let mut copies = duplicates_in_place(session);
     set_apart(session, &mut copies);
     copies
+}
+
+/// Copies of the selected shapes where they are.
+pub fn duplicates_in_place(session: &Session) -> Vec<NewShape> {
+    session.selected_shapes().map(copy).collect()
 }
 
 /// Moves shapes that are to be added in the direction of X, all by the same way, until none of them

@@ -2,9 +2,10 @@
 
 use super::theme::Palette;
 use egui::text::{CCursor, CCursorRange};
+use egui::text_edit::TextEditState;
 use egui::{
     Align, Button, EventFilter, Id, Key, Label, Layout, Modifiers, RectAlign, Response, RichText,
-    TextEdit, Tooltip, Ui, Vec2, vec2,
+    Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -52,7 +53,8 @@ pub(super) fn tip_beside(item: &Response, text: &str, why_disabled: Option<&str>
 
 /// Selects the whole text of a field, so that typing replaces it.
 pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
-    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
+    // What was typed into the field earlier is not there to be undone any more.
+    let mut state = TextEditState::default();
     let end = CCursor::new(text.chars().count());
     state
         .cursor

@@ -61,9 +61,6 @@ fn g_x_7_enter_in_one_frame_moves_by_7_along_x() {
 
 #[test]
 fn shift_d_x_2_in_one_frame_moves_the_copy_by_2_along_x_from_its_place() {
-    let mut alone = Story::with_cube();
-    alone.key_with(Modifiers::COMMAND, Key::D);
-    let place = alone.position();
     let mut story = Story::with_cube();
     story.program.ui_mut().set_navigation(Navigation::Blender);
     let beside = story.at(Vec3::new(1.0, 0.5, 0.0));
@@ -75,10 +72,41 @@ fn shift_d_x_2_in_one_frame_moves_the_copy_by_2_along_x_from_its_place() {
         ["Cube", "Cube"],
         "X has not deleted the copy"
     );
-    assert_eq!(story.position(), place + Vec3::X * 2.0);
+    assert_eq!(story.position(), Vec3::X * 2.0);
     story.key_with(Modifiers::SHIFT, Key::D);
     story.key(Key::Escape);
     assert_eq!(story.names().len(), 3, "Esc ends the movement alone");
+}
+
+#[test]
+fn g_moves_also_what_is_behind_the_camera() {
+    let mut story = Story::with_cube();
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    for axis in ["X", "Y", "Z"] {
+        story.type_into(&format!("Position {axis}"), "20");
+    }
+    let view = story.view();
+    story.point(view.center());
+    let keys = [Key::G, Key::X, Key::Num2, Key::Enter];
+    story.at_once(&keys.map(|key| (NONE, key)));
+    assert_eq!(story.names(), ["Cube"], "X has not deleted it");
+    assert_eq!(story.position(), Vec3::new(22.0, 20.0, 20.0));
+}
+
+#[test]
+fn ctrl_and_z_in_a_name_knows_nothing_of_an_earlier_name() {
+    let mut story = Story::with_cube();
+    for name in ["Uno", "Dos"] {
+        story.click("Edit");
+        story.click("Rename");
+        story.frame(vec![Event::Text(name.into())]);
+        if name == "Dos" {
+            story.at_once(&[(CTRL, Key::Z)]);
+        }
+        story.key(Key::Enter);
+        story.wait(3.0);
+        assert_eq!(story.names(), ["Uno"]);
+    }
 }
 
 #[test]

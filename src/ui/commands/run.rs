@@ -3,7 +3,9 @@
 use super::table::{is_in, label};
 use super::{Command, Menu, Primitive};
 use crate::character::{Mirror, Pose};
-use crate::editor::{Edit, GizmoAxes, Session, Tool, View, duplicates, for_all_selected};
+use crate::editor::{
+    Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
+};
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{CharacterShape, CurveSet, Look, NewShape, Shape, ShapeId, ShapeKind};
 use crate::ui::command_search::CommandSearch;
@@ -99,11 +101,14 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
         Command::Duplicate => {
-            if state.navigation == Navigation::Blender {
-                // The copies follow the pointer from where they are.
+            let copies = if state.navigation == Navigation::Blender {
+                // They follow the pointer from there.
                 state.pose.asked = Some(Tool::Move);
-            }
-            return Some(Action::Edit(Edit::Insert(duplicates(session))));
+                duplicates_in_place(session)
+            } else {
+                duplicates(session)
+            };
+            return Some(Action::Edit(Edit::Insert(copies)));
         }
         Command::BoxSelect => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),

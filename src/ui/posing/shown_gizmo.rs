@@ -181,7 +181,7 @@ pub(super) fn begin_by_key(
                 None => MoveTarget::Shape(shape),
             };
             let along = super::pointer::across_view(session);
-            Drag::Move(MoveDrag::begin(session, target, along, &ray)?)
+            Drag::Move(MoveDrag::begin_anywhere(session, target, along, &ray)?)
         }
         (Tool::Rotate, Some(joint)) => {
             let eye = camera.eye();
