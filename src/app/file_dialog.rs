@@ -52,6 +52,8 @@ impl WindowFileDialog {
                 .show_search(false)
                 // Without the search it would stand out of the dialog.
                 .show_menu_button(false)
+                // The extension is added where it is missing, as it is to a name.
+                .allow_path_edit_to_save_file_without_extension(true)
                 .default_file_name(&suggested.name);
             for (name, extension) in purpose.written() {
                 dialog = dialog.add_save_extension(name, extension);

@@ -102,6 +102,10 @@ fn a_path_is_typed_after_ctrl_l_and_its_folder_is_kept() {
     press(&program, &["Return"]);
     assert_eq!(poses_in(&other), ["Robot.json"]);
     assert_eq!(poses_in(&models), ["raised.json"]);
+    press(&program, &["ctrl+p", "ctrl+l"]);
+    program.write(&models.join("lowered").display().to_string());
+    press(&program, &["Return"]);
+    assert_eq!(poses_in(&models), ["lowered.json", "raised.json"]);
     let preferences = home.path().join(".config/skeleton-editor/preferences.json");
     let preferences = std::fs::read(preferences).expect("kept preferences");
     let preferences: serde_json::Value = serde_json::from_slice(&preferences).expect("JSON");

@@ -13,8 +13,8 @@ thread_local! {
 /// The right of a thread to have contexts of EGL and OSMesa, shared by all of them that it has.
 ///
 /// Drivers promise that threads may draw at the same time. Those on the processor (llvmpipe of Mesa
-/// 22.3, which all contexts of a process share) crash about once in thirty runs of tests that do; two
-/// threads of theirs keep two cores busy anyway.
+/// 22.3, which all contexts of a process share) have crashed tests that do, though seldom; they have
+/// threads of their own for the cores anyway.
 pub(super) struct Turn {
     _guard: MutexGuard<'static, ()>,
 }

@@ -1,6 +1,7 @@
 //! Numbers and axes typed in the middle of a drag.
 
 use crate::editor::GizmoAxes;
+use crate::ui::number_field::evaluate;
 use egui::{Context, Event, Key};
 
 /// Most characters of a number: more are not exact anyway.
@@ -59,8 +60,14 @@ impl Typed {
                 }
             }
             Key::Period | Key::Comma => {
-                if !self.text.contains('.') {
+                let number = self.text.rsplit('/').next().unwrap_or_default();
+                if !number.contains('.') {
                     self.text.push('.');
+                }
+            }
+            Key::Slash => {
+                if self.text.ends_with(|last: char| last.is_ascii_digit()) {
+                    self.text.push('/');
                 }
             }
             _ => match digit(key) {
@@ -88,9 +95,10 @@ impl Typed {
         Some((self.axis?, axes))
     }
 
-    /// The number; `None` while there is none, or only a part of one such as `-`.
+    /// The number, or the quotient of those that were typed; `None` while there is none, or only a part of
+    /// one such as `-`.
     pub(super) fn amount(&self) -> Option<f64> {
-        self.text.parse().ok()
+        evaluate(self.text.trim_end_matches('/'))
     }
 
     /// What was typed for the number, with a mark where typing goes on; `None` if there is nothing.
@@ -135,7 +143,7 @@ mod tests {
 
     #[test]
     fn digits_a_point_a_minus_and_backspace_make_a_number() {
-        use Key::{Backspace, Comma, Minus, Num0, Num2, Num5, Period};
+        use Key::{Backspace, Comma, Minus, Num0, Num2, Num5, Period, Slash};
         for (keys, amount) in [
             (&[Num2, Num5][..], Some(25.0)),
             (&[Num2, Period, Num5], Some(2.5)),
@@ -147,6 +155,11 @@ mod tests {
             (&[Num2, Backspace, Backspace], None),
             (&[Minus], None),
             (&[Num0], Some(0.0)),
+            (&[Num5, Slash], Some(5.0)),
+            (&[Num5, Slash, Num2], Some(2.5)),
+            (&[Minus, Num5, Slash, Slash, Num2, Period, Num5], Some(-2.0)),
+            (&[Slash, Num5], Some(5.0)),
+            (&[Num5, Slash, Num0], None),
         ] {
             assert_eq!(typed(keys).amount(), amount, "{keys:?}");
         }
