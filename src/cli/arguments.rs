@@ -265,7 +265,7 @@ pub(super) fn switch(text: &str) -> Result<bool, String> {
 }
 
 /// View direction, such as `+x`.
-pub(super) fn view(text: &str) -> Result<ViewDirection, String> {
+fn view(text: &str) -> Result<ViewDirection, String> {
     ViewDirection::ALL
         .into_iter()
         .find(|direction| direction.label().eq_ignore_ascii_case(text))
@@ -273,7 +273,7 @@ pub(super) fn view(text: &str) -> Result<ViewDirection, String> {
 }
 
 /// Camera: `THETA,PHI,RADIUS`, optionally with `,TX,TY,TZ`; angles in degrees.
-pub(super) fn camera(text: &str) -> Result<Camera, String> {
+fn camera(text: &str) -> Result<Camera, String> {
     let numbers: Option<Vec<f32>> = text
         .split(',')
         .map(|number| {
@@ -304,6 +304,29 @@ pub(super) fn camera(text: &str) -> Result<Camera, String> {
         phi,
         ..Camera::default()
     })
+}
+
+/// Options of the camera that a picture is seen with.
+#[derive(Debug, clap::Args)]
+pub struct CameraArgs {
+    /// Camera: angles in degrees, distance, and the point it looks at.
+    #[arg(
+        long,
+        value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
+        allow_hyphen_values = true,
+        value_parser = camera
+    )]
+    camera: Option<Camera>,
+    /// One of the six views: +x, -x, +y, -y, +z or -z.
+    #[arg(long, allow_hyphen_values = true, value_parser = view, conflicts_with = "camera")]
+    view: Option<ViewDirection>,
+}
+
+impl CameraArgs {
+    /// The camera that is asked for, if one is.
+    pub fn chosen(&self) -> Option<Camera> {
+        self.camera.or(self.view.map(Camera::preset))
+    }
 }
 
 #[cfg(test)]

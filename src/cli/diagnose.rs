@@ -10,7 +10,7 @@ use crate::disk::files;
 use crate::io::{
     Diagnostic, Files, Imported, PoseFile, builtin, image, import_character, read_character_obj,
 };
-use crate::scene::{Camera, ShapeKind, ViewDirection};
+use crate::scene::ShapeKind;
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
@@ -21,7 +21,8 @@ use std::sync::Arc;
 /// THEIRS is held against the exact result, and against what each known mistake gives, a mesh also
 /// against each two of them. Prints that it is right, or the mistake that explains it with what to
 /// look at in the code, or where it is off. Of a picture silhouettes decide: it shows the character
-/// alone, before a background of one color.
+/// alone, before a background of one color, seen with the window's first camera unless another is
+/// given.
 ///
 /// Ends with 0 if THEIRS is right, and with 1 otherwise.
 #[derive(Debug, clap::Args)]
@@ -39,18 +40,8 @@ pub struct Args {
     /// The pose: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
     #[arg(long, value_name = "POSE.json")]
     pose: PathBuf,
-    /// Camera of the picture: angles in degrees, distance, and the point it looks at [default: the
-    /// window's first one]
-    #[arg(
-        long,
-        value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
-        allow_hyphen_values = true,
-        value_parser = arguments::camera
-    )]
-    camera: Option<Camera>,
-    /// One of the six views: +x, -x, +y, -y, +z or -z
-    #[arg(long, allow_hyphen_values = true, value_parser = arguments::view, conflicts_with = "camera")]
-    view: Option<ViewDirection>,
+    #[command(flatten)]
+    camera: arguments::CameraArgs,
     /// Print one JSON object instead of text
     #[arg(long)]
     json: bool,
@@ -79,7 +70,7 @@ struct Failure {
 /// If a file is wrong, they do not fit each other, or the mesh is not right.
 pub fn run(args: &Args) -> Result<(), CliError> {
     if has_extension(&args.theirs, "obj") {
-        if args.camera.is_some() || args.view.is_some() {
+        if args.camera.chosen().is_some() {
             let message = "--camera and --view are for pictures, found a mesh";
             return Err(CliError::Usage(message.to_owned()));
         }
@@ -152,10 +143,7 @@ fn of_picture(args: &Args) -> Result<PictureDiagnosis, Diagnostic> {
         return Err(Diagnostic::new(&args.character, message));
     };
     let pose = pose(args, &files, character)?;
-    let camera = args
-        .camera
-        .or(args.view.map(Camera::preset))
-        .unwrap_or_default();
+    let camera = args.camera.chosen().unwrap_or_default();
     let seen = camera.clip_from_world(picture.width as f32 / picture.height as f32);
     let diagnosed = diagnose_picture(character, &pose, &picture, seen);
     diagnosed.map_err(|error| Diagnostic::new(&args.theirs, error.to_string()))

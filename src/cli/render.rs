@@ -15,8 +15,7 @@ use crate::render::{
     Backdrop, Background, Frame, LargePicture, Marks, Offscreen, check_picture_size,
 };
 use crate::scene::{
-    Camera, FitArea, Look, ViewDirection, ViewSettings, fit_turntable, turntable_cameras,
-    turntable_milliseconds,
+    FitArea, Look, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
 };
 use std::path::PathBuf;
 
@@ -42,17 +41,8 @@ pub struct Args {
     /// side.
     #[arg(long, default_value = "800x600", value_parser = arguments::size)]
     size: (u32, u32),
-    /// Camera: angles in degrees, distance, and the point it looks at.
-    #[arg(
-        long,
-        value_name = "THETA,PHI,RADIUS[,TX,TY,TZ]",
-        allow_hyphen_values = true,
-        value_parser = arguments::camera
-    )]
-    camera: Option<Camera>,
-    /// One of the six views: +x, -x, +y, -y, +z or -z.
-    #[arg(long, allow_hyphen_values = true, value_parser = arguments::view, conflicts_with = "camera")]
-    view: Option<ViewDirection>,
+    #[command(flatten)]
+    camera: arguments::CameraArgs,
     /// Move the camera so that everything is in the picture, keeping its direction.
     #[arg(long)]
     fit: bool,
@@ -301,7 +291,7 @@ fn session(args: &Args) -> Result<Session, CliError> {
             LookName::Mannequin => Look::Mannequin,
         }));
     }
-    if let Some(camera) = args.camera.or(args.view.map(Camera::preset)) {
+    if let Some(camera) = args.camera.chosen() {
         session.look(View::SetCamera(camera));
     }
     if args.fit {

@@ -1,6 +1,6 @@
-//! Diagnosing: which mistake in skinning gives a mesh that another program posed, or a picture of it. Mistakes are found
-//! by making them: each is a change of the formula, and the one whose mesh agrees is the one that was
-//! made. Nothing here opens a file or a window.
+//! Diagnosing: which mistake in skinning gives a mesh that another program posed, or a picture of it.
+//! Mistakes are found by making them: each is a change of the formula, and the one whose mesh agrees is the
+//! one that was made. Nothing here opens a file or a window.
 
 mod diagnosis;
 mod formula;

@@ -1,5 +1,6 @@
 //! Silhouettes: which pixels of a picture a figure covers.
 
+use crate::compare::Area;
 use crate::geometry::Picture;
 use glam::{DMat4, DVec2, DVec3, DVec4};
 use std::collections::HashMap;
@@ -194,15 +195,14 @@ impl Silhouette {
     /// The box around samples, as the pixels x, y, width and height of the picture.
     pub(super) fn bounds(&self, samples: impl Iterator<Item = usize>) -> Option<[u32; 4]> {
         let Samples { step, columns, .. } = self.samples;
-        let places = samples.map(|at| [at % columns, at / columns].map(|place| place as u32));
-        let corners = places.map(|place| (place, place));
-        let (low, high) = corners.reduce(|(low, high), (place, _)| {
-            let least = [low[0].min(place[0]), low[1].min(place[1])];
-            (least, [high[0].max(place[0]), high[1].max(place[1])])
-        })?;
-        let [x, y] = low.map(|place| place * step);
-        let [width, height] = [0, 1].map(|axis| (high[axis] - low[axis] + 1) * step);
-        Some([x, y, width, height])
+        let places = samples.map(|at| ((at % columns) as u32, (at / columns) as u32));
+        let Area {
+            x,
+            y,
+            width,
+            height,
+        } = Area::around(places)?;
+        Some([x, y, width, height].map(|samples| samples * step))
     }
 }
 

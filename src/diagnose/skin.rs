@@ -150,7 +150,7 @@ fn palette(model: &Model, pose: &Pose, formula: &Formula) -> Vec<Option<DAffine3
         own.parent_from_joint(translation, angles)
     });
     let bind = chained(model, formula.bind_chain, |joint| {
-        let has_offset = f64::from(u8::from(own.has_bind_offset));
+        let has_offset = f64::from(own.has_bind_offset);
         own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
     });
     let moved = |joint: usize| match formula.factors {
@@ -195,24 +195,17 @@ impl JointFormula {
         if self.degrees_as_radians {
             angles = angles.map(f64::to_degrees);
         }
-        let mut rotation = self
-            .order
-            .map(|axis| about(axis, angles))
-            .into_iter()
-            .product();
+        let mut rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
         if self.is_transposed {
-            rotation = DMat3::transpose(&rotation);
+            rotation = rotation.transpose();
         }
-        if self.rotates_first {
-            DAffine3 {
-                matrix3: rotation,
-                translation: rotation * translation,
-            }
-        } else {
-            DAffine3 {
-                matrix3: rotation,
-                translation,
-            }
+        DAffine3 {
+            matrix3: rotation,
+            translation: if self.rotates_first {
+                rotation * translation
+            } else {
+                translation
+            },
         }
     }
 }

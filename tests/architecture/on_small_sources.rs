@@ -12,7 +12,7 @@ const TABLE: &str = "
 | `scene` | shapes | `math` | – |
 | `gpu` | OpenGL | – | `glow`, `unsafe`, `winit` |
 | `ui` | panels | `scene` and below | `egui` |
-| `disk` | files | – | `std::fs` |
+| `disk` | files | – | `std::fs`, `tempfile` |
 | `app`, `cli` | hosts | everything below | `egui`, `std::fs`, `std::time::Instant`, `std::thread` |
 
 Text after it.
@@ -195,6 +195,15 @@ fn unsafe_code_crates_files_clocks_and_threads_stay_where_the_table_has_them() {
             "{code}"
         );
     }
+    let tests = "#[cfg(test)]\nmod tests { fn f() { tempfile::tempdir(); } }";
+    assert_eq!(wrong("app/storage.rs", tests), [""; 0]);
+    assert_eq!(
+        wrong(
+            "app/storage.rs",
+            &format!("use tempfile::tempdir;\n{tests}")
+        ),
+        ["app/storage.rs:1: `app` must not name `tempfile::tempdir`"]
+    );
     assert_eq!(
         wrong("gpu/gl.rs", "use glow::Context; fn f() { unsafe {} }"),
         [""; 0]

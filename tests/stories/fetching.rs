@@ -91,8 +91,8 @@ fn the_start_page_draws_its_pictures_as_their_files_come() {
     assert!(story.host.absent.lock().unwrap().is_empty());
 }
 
-#[test]
-fn a_scene_without_panels_can_be_turned_and_reset() {
+/// A story in a page that shows a scene without panels.
+fn without_panels(files: &[&str]) -> Story {
     let options = Options {
         is_viewer: true,
         ..Options::default()
@@ -101,7 +101,12 @@ fn a_scene_without_panels_can_be_turned_and_reset() {
         stored: [started_before()].into(),
         ..MemoryHost::default()
     };
-    let mut story = Story::start_with(host, options, &["builtin:robot"]);
+    Story::start_with(host, options, files)
+}
+
+#[test]
+fn a_scene_without_panels_can_be_turned_and_reset() {
+    let mut story = without_panels(&["builtin:robot"]);
     assert!(!story.has("File") && !story.has("Joint Rotations (x, y, z)"));
     let before = story.session().view().camera;
     let corner = story.view().left_bottom() + egui::vec2(30.0, -30.0);
@@ -191,14 +196,6 @@ fn a_file_that_cannot_be_had_does_not_stop_what_needs_others() {
 
 #[test]
 fn a_scene_without_panels_tells_what_is_wrong() {
-    let options = Options {
-        is_viewer: true,
-        ..Options::default()
-    };
-    let host = MemoryHost {
-        stored: [started_before()].into(),
-        ..MemoryHost::default()
-    };
-    let story = Story::start_with(host, options, &["missing.obj"]);
+    let story = without_panels(&["missing.obj"]);
     assert!(story.has("Dismiss: missing.obj: there is no such file"));
 }

@@ -111,22 +111,22 @@ async fn without_lines(pair: &Pair<'_>, drawn: &[Vec<bool>; 2], pace: &Pace) -> 
 
 /// `mask` with all pixels beside it.
 async fn grown(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
-    let mut grown = Vec::with_capacity(mask.len());
-    pace.bands(mask.len(), |band| {
-        grown.extend(band.map(|i| pair.around(i).any(|near| mask[near])));
-    })
-    .await;
-    grown
+    let is_in = |at| pair.around(at).any(|near| mask[near]);
+    pixels(mask.len(), is_in, pace).await
 }
 
 /// `mask` without the pixels at its edge.
 async fn shrunk(pair: &Pair<'_>, mask: &[bool], pace: &Pace) -> Vec<bool> {
-    let mut shrunk = Vec::with_capacity(mask.len());
-    pace.bands(mask.len(), |band| {
-        shrunk.extend(band.map(|i| pair.around(i).all(|near| mask[near])));
-    })
-    .await;
-    shrunk
+    let is_in = |at| pair.around(at).all(|near| mask[near]);
+    pixels(mask.len(), is_in, pace).await
+}
+
+/// Whether each of so many pixels is in a mask.
+async fn pixels(count: usize, is_in: impl Fn(usize) -> bool, pace: &Pace) -> Vec<bool> {
+    let mut mask = Vec::with_capacity(count);
+    pace.bands(count, |band| mask.extend(band.map(&is_in)))
+        .await;
+    mask
 }
 
 /// What is drawn in both pictures.
