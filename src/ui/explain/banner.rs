@@ -7,7 +7,7 @@ use crate::ui::theme::Palette;
 use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
 
 /// Widest banner, in points.
-const WIDEST: f32 = 560.0;
+const WIDEST: f32 = 336.0;
 
 /// Shows the banner while a mistake is made; whether to end it.
 pub(super) fn show(
@@ -35,10 +35,7 @@ pub(super) fn show(
         .inner_margin(Margin::symmetric(8, 6));
     let shown = frame.show(&mut inner, |ui| {
         ui.set_width(width - 16.0);
-        let title = RichText::new("⚠ Shown wrong on purpose")
-            .color(palette.warning)
-            .strong();
-        ui.label(title);
+        ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
         ui.add(Label::new(mistaken.made.sentence()).wrap());
         if let Some(why) = why_right(explained, mistaken) {
             ui.add(Label::new(RichText::new(why).color(palette.weak)).wrap());

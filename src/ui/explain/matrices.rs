@@ -1,8 +1,10 @@
 //! Matrices as 4 × 4 numbers.
 
 use crate::ui::theme::{Palette, number_font};
-use crate::ui::widgets::named;
-use egui::{Align2, Frame, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetText, pos2, vec2};
+use egui::{
+    Align2, Frame, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, WidgetText, WidgetType, pos2,
+    vec2,
+};
 use glam::DMat4;
 
 /// Width and height of a number, in points.
@@ -52,7 +54,8 @@ pub(super) fn show(
                 }
             }
             let spoken: Vec<String> = rows.iter().map(|row| row.join(" ")).collect();
-            named(cells, &format!("{called}: {}", spoken.join("; ")));
+            let spoken = format!("{called}: {}", spoken.join("; "));
+            cells.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, &spoken));
         });
     });
 }

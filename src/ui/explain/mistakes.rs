@@ -5,21 +5,21 @@ use crate::diagnose::{MISTAKES, Mistake};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::{named, section};
 use egui::{Button, Label, RichText, Ui};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
-/// Shows the list by the sections of the assignment. A click makes a mistake, another ends it.
+/// Shows the list by the sections of the assignment, the section of the formula first. A click makes a mistake, another ends it.
 pub(super) fn show(ui: &mut Ui, made: &mut Option<Made>) {
     section(ui, "Make this mistake");
     let weak = Palette::of(ui.visuals()).weak;
     let hint = "The view shows what comes of it. Nothing in the document changes.";
     ui.add(Label::new(RichText::new(hint).small().color(weak)).wrap());
-    let mut sections: BTreeMap<&str, Vec<&'static Mistake>> = BTreeMap::new();
-    for mistake in MISTAKES {
-        sections.entry(mistake.section).or_default().push(mistake);
-    }
-    for (section, mistakes) in sections {
+    let mut sections: Vec<&str> = MISTAKES.iter().map(|mistake| mistake.section).collect();
+    let mut known = BTreeSet::new();
+    sections.retain(|section| known.insert(*section));
+    for section in sections {
         ui.add_space(4.0);
         ui.label(RichText::new(section).small().color(weak));
+        let mistakes = MISTAKES.iter().filter(|mistake| mistake.section == section);
         for mistake in mistakes {
             row(ui, mistake, made);
         }

@@ -160,3 +160,68 @@ pub(super) fn paint_drawn(
         painter.circle_filled(own, 3.5, DRAWN);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::Joint;
+    use crate::math::Euler;
+    use glam::Vec3;
+
+    /// 0 → {1 → 2, 3}, all turned.
+    fn posed() -> (SkeletalModel, Pose) {
+        let parents = [None, Some(0), Some(1), Some(0)];
+        let joints = parents.map(|parent| Joint {
+            parent,
+            offset: Vec3::new(0.5, 1.0, -0.25),
+            ..Joint::default()
+        });
+        let mut pose = Pose::new();
+        for joint in 0..4 {
+            let degrees = Vec3::new(10.0, 20.0, 30.0) * (joint + 1) as f32;
+            pose.set_joint_transform(joint, Euler::from_degrees(degrees));
+        }
+        (SkeletalModel::new(joints.to_vec()).unwrap(), pose)
+    }
+
+    #[test]
+    fn each_joint_is_drawn_once_with_its_t_on_top_of_those_above_it() {
+        let (skeleton, pose) = posed();
+        let model_from_joint = skeleton.update_current_joint_to_world_transforms(&pose);
+        let steps = steps_of(&skeleton);
+        let mut drawn = Vec::new();
+        for (index, step) in steps.iter().enumerate() {
+            let stack = stack_after(&steps[..=index], &skeleton, &pose);
+            if let StackStep::Draw(joint) = *step {
+                drawn.push(joint);
+                let mut path: Vec<usize> =
+                    std::iter::successors(Some(joint), |&joint| skeleton.joints()[joint].parent)
+                        .collect();
+                path.reverse();
+                let exact = path.iter().map(|&joint| (joint, model_from_joint[joint]));
+                assert_eq!(stack, exact.collect::<Vec<_>>());
+            }
+        }
+        assert_eq!(drawn, [0, 1, 2, 3]);
+        assert_eq!(stack_after(&steps, &skeleton, &pose), []);
+    }
+
+    #[test]
+    fn while_it_plays_a_step_is_done_whenever_one_is_due_and_it_stops_at_the_end() {
+        let (skeleton, _) = posed();
+        let steps = steps_of(&skeleton);
+        let mut stepper = Stepper::default();
+        stepper.advance(&steps, 5.0);
+        assert_eq!((stepper.done, stepper.wait(5.0)), (0, None));
+        stepper.plays = true;
+        stepper.advance(&steps, 5.1);
+        assert_eq!(stepper.done, 0);
+        for step in 1..=steps.len() {
+            stepper.advance(&steps, 5.0 + step as f64);
+            assert_eq!(stepper.done, step);
+            let joint = steps[step - 1].joint();
+            assert_eq!(stepper.lit(), (step < steps.len()).then_some(joint));
+        }
+        assert!(!stepper.plays);
+    }
+}

@@ -148,7 +148,9 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
     };
     sum.show(ui, columns, decimals, "Sum");
     if formula.sum != told.exact.sum {
-        let exact = Row::plain("v' if it were right", vec![told.exact.sum], palette.weak);
+        let off = number(formula.sum.distance(told.exact.sum), decimals);
+        let name = format!("v' if it were right, {off} away");
+        let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
         exact.show(ui, columns, decimals, "Right");
     }
     if formula.terms.is_empty() {
