@@ -8,7 +8,7 @@ use egui::{
 use glam::DMat4;
 
 /// Width and height of a number, in points.
-const CELL: Vec2 = vec2(50.0, 15.0);
+const CELL: Vec2 = vec2(45.0, 15.0);
 
 /// A number with so many digits after the point; never minus zero.
 pub(super) fn number(value: f64, decimals: usize) -> String {

@@ -102,6 +102,7 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
     let right = right.with_min_x(right.left() + 16.0);
     let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+        ui.shrink_clip_rect(left);
         area("formula").show(ui, |ui| numbers(ui, session, state));
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {

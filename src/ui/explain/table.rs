@@ -22,6 +22,8 @@ const GAP: f32 = 10.0;
 const LEAST_NAME: f32 = 92.0;
 /// Width of the triangle and the swatch before a name.
 const MARKS: f32 = 32.0;
+/// Place of the matrices below a row.
+const INDENT: f32 = 12.0;
 
 /// The columns that there is room for.
 struct Columns {
@@ -103,7 +105,10 @@ pub(super) fn show(
             color: palette.text,
             is_struck: false,
         };
-        let response = row.show(ui, &columns, decimals, &spoken(told, term, &own));
+        let mut response = row.show(ui, &columns, decimals, &spoken(told, term, &own));
+        if term.joint != term.weight_of {
+            response = response.on_hover_text(&own);
+        }
         if response.hovered() {
             hovered = Some(term.joint);
         }
@@ -211,7 +216,7 @@ pub(super) fn point(at: DVec3, decimals: usize) -> String {
 fn unfold(ui: &mut Ui, term: &Term, name: &str, decimals: usize) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
-        ui.add_space(MARKS);
+        ui.add_space(INDENT);
         let text = Palette::of(ui.visuals()).text;
         let mut show = |factors: &[Factor], matrix: &DMat4, is_product: bool| {
             let title = product(factors);

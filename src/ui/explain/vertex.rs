@@ -11,8 +11,9 @@ use crate::ui::Action;
 use crate::ui::scene_places::ScenePlaces;
 use egui::{Pos2, Response};
 
-/// Number of weights that make a vertex worth explaining.
+/// Number of weights that make a vertex worth explaining, and how large they have to be.
 const ENOUGH: usize = 3;
+const HEAVY: f32 = 0.1;
 
 /// The formula at work on a vertex, in numbers.
 #[derive(Clone, Debug)]
@@ -71,7 +72,11 @@ impl ExplainState {
             return vertex;
         }
         let positions = &explained.shape.character.bind_mesh().positions;
-        let tells = |vertex: &usize| attachments.of_vertex(*vertex).len().min(ENOUGH);
+        let tells = |vertex: &usize| {
+            let influences = attachments.of_vertex(*vertex).iter();
+            let heavy = influences.filter(|one| one.weight.abs() >= HEAVY);
+            heavy.count().min(ENOUGH)
+        };
         let far = |vertex: &usize| positions[*vertex].length();
         let most = (0..attachments.vertex_count())
             .max_by(|a, b| tells(a).cmp(&tells(b)).then(far(a).total_cmp(&far(b))));
