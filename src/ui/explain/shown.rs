@@ -67,9 +67,11 @@ impl Mistaken {
         let exact = &explained.evaluated.geometry;
         let size = Aabb::from_points(exact.positions().iter().copied()).size();
         let mut pairs = exact.positions().iter().zip(&mesh.positions);
-        // Also where a place is no number.
         let seen = SEEN * size.length();
-        let is_seen = pairs.any(|(exact, mistaken)| !(exact.distance(*mistaken) <= seen));
+        let is_seen = pairs.any(|(exact, mistaken)| {
+            let distance = exact.distance(*mistaken);
+            distance > seen || distance.is_nan()
+        });
         Some(Self {
             made,
             exact: explained.revision(),
