@@ -7,6 +7,7 @@ use editor_core::diagnose::{
 };
 use editor_core::io::builtin::{BuiltinKind, catalogue};
 use glam::{DVec3, Vec3};
+use std::collections::BTreeSet;
 
 /// Every built-in character, all joints of which are turned.
 fn characters() -> impl Iterator<Item = Figure> {
@@ -80,6 +81,7 @@ fn the_numbers_of_every_vertex_lead_to_where_the_exact_path_puts_it() {
 
 #[test]
 fn every_mistake_that_is_made_on_purpose_is_the_one_that_a_diagnosis_finds() {
+    let mut seen = BTreeSet::new();
     for figure in characters() {
         let exact = figure.character.skin_pose(&figure.pose());
         for mistake in MISTAKES {
@@ -95,10 +97,15 @@ fn every_mistake_that_is_made_on_purpose_is_the_one_that_a_diagnosis_finds() {
                 } else {
                     assert_eq!(found.verdict, Verdict::Explained, "{case}");
                     assert!(named(&found).contains(&vec![mistake.id]), "{case}");
+                    seen.insert(mistake.id);
                 }
             }
         }
     }
+    // The weights of no built-in character sum to anything but 1.
+    let all = MISTAKES.iter().map(|mistake| mistake.id);
+    let all: BTreeSet<_> = all.filter(|id| *id != "weights-normalized").collect();
+    assert_eq!(seen, all, "these make a difference on no character");
 }
 
 #[test]

@@ -226,7 +226,7 @@ fn keys_are_pressed_before_the_mouse_and_clicks_come_one_after_the_other() {
     // Its other topic, and back.
     let (stack, formula) = ("--drag 120,420,120,420", "--drag 40,420,40,420");
     let other = render(&format!("--press K {stack}"));
-    assert!(differing(&opened, &other) > 1_000);
+    assert!(differing(&opened, &other) > 5_000);
     let back = render(&format!("--press K {stack} {formula} --drag 1,690,1,690"));
     let again = render(&format!("--press K {formula} --drag 1,690,1,690"));
     assert_eq!(differing(&back, &again), 0);
