@@ -10,6 +10,8 @@ mkdir -p "$out"
 "$editor" render builtin:mannequin-6 --samples 4 --size 640x480 -o "$out/mannequin.png"
 "$editor" render builtin:mannequin-5 --ui --tool pose --drag 240,280,150,180 --size 1000x700 \
     --samples 4 -o "$out/dragging.png"
+"$editor" render builtin:adult --pose builtin:adult-walk --look studio --camera 62,14,1.9,0,0.3,0 --ui \
+    --press K --drag 555,230,555,230 --size 1280x800 --samples 4 -o "$out/explain.png"
 "$editor" render builtin:adult --pose builtin:adult-walk --display both --look studio \
     --camera 55,8,2.6 --samples 4 --size 640x480 -o "$out/both.png"
 "$editor" render builtin:adult --pose builtin:adult-walk --display skeleton \

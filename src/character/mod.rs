@@ -12,6 +12,7 @@ mod joint;
 mod mirror;
 mod pose;
 mod skeletal_model;
+mod skeleton_walk;
 pub mod skinning;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
@@ -22,3 +23,4 @@ pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use mirror::Mirror;
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
+pub use skeleton_walk::{SkeletonWalk, WalkStep};

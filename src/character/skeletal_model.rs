@@ -1,4 +1,4 @@
-use super::{Facing, Joint, Pose};
+use super::{Facing, Joint, Pose, WalkStep};
 use crate::math::MatrixStack;
 use glam::{Mat4, Vec3};
 
@@ -119,10 +119,7 @@ impl SkeletalModel {
     /// `currentJointToWorldTransform`). Joints that the pose does not mention are at rest.
     #[doc(alias = "updateCurrentJointToWorldTransforms")]
     pub fn update_current_joint_to_world_transforms(&self, pose: &Pose) -> Vec<Mat4> {
-        self.by_recursion(|joint| {
-            let offset = self.joints[joint].offset + pose.root_offset(joint);
-            Mat4::from_translation(offset) * pose.rotation(joint).to_mat4()
-        })
+        self.by_recursion(|joint| self.parent_from_joint(joint, pose))
     }
 
     /// `T · B⁻¹` of every joint: from the bind pose to the current pose, both in model space. The
@@ -152,32 +149,24 @@ impl SkeletalModel {
             .collect();
     }
 
+    /// The transform of `joint` from its frame to its parent's under `pose`, or to model space for a
+    /// root: its offset, then its rotation on the right of it.
+    pub fn parent_from_joint(&self, joint: usize, pose: &Pose) -> Mat4 {
+        let offset = self.joints[joint].offset + pose.root_offset(joint);
+        Mat4::from_translation(offset) * pose.rotation(joint).to_mat4()
+    }
+
     /// `model_from_joint` of every joint, by traversing the forest with a matrix stack.
-    ///
-    /// The traversal keeps its own list of joints to visit: a chain of any length in a file must
-    /// not overflow the thread's stack.
     fn by_recursion(&self, parent_from_joint: impl Fn(usize) -> Mat4) -> Vec<Mat4> {
-        enum Step {
-            Enter(usize),
-            Leave,
-        }
         let mut model_from_joint = vec![Mat4::IDENTITY; self.joints.len()];
         let mut stack = MatrixStack::new();
-        let mut steps: Vec<Step> = self
-            .roots
-            .iter()
-            .rev()
-            .map(|&root| Step::Enter(root))
-            .collect();
-        while let Some(step) = steps.pop() {
+        for step in self.walk() {
             match step {
-                Step::Enter(joint) => {
+                WalkStep::Enter(joint) => {
                     stack.push(parent_from_joint(joint));
                     model_from_joint[joint] = stack.top();
-                    steps.push(Step::Leave);
-                    steps.extend(self.children[joint].iter().rev().map(|&c| Step::Enter(c)));
                 }
-                Step::Leave => stack.pop(),
+                WalkStep::Leave(_) => stack.pop(),
             }
         }
         model_from_joint

@@ -41,10 +41,14 @@ pub(super) struct PanelOptions {
     /// The tool that is chosen.
     #[arg(long, requires = "ui", default_value = "select")]
     tool: ToolName,
+    /// Press a key, such as K, before the mouse is used; may be given several times.
+    #[arg(long, requires = "ui", value_name = "KEY", value_parser = key)]
+    press: Vec<egui::Key>,
     /// Press the left mouse button at a pixel of the picture and drag to another, without letting
-    /// go; Z,W the same as X,Y is to point and click.
+    /// go; Z,W the same as X,Y is to point and click. May be given several times: all but the last
+    /// are let go of.
     #[arg(long, requires = "ui", value_name = "X,Y,Z,W", allow_hyphen_values = true, value_parser = drag)]
-    drag: Option<Drag>,
+    drag: Vec<Drag>,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -71,14 +75,23 @@ impl ToolName {
         let is_it = |entry: &&Entry| entry.command == Command::SetTool(tool);
         let keys = COMMANDS.iter().find(is_it).map(|entry| entry.shortcuts);
         let key = keys.and_then(|keys| keys.first());
-        Event::Key {
-            key: key.map_or(egui::Key::V, |key| key.logical_key),
-            physical_key: None,
-            pressed: true,
-            repeat: false,
-            modifiers: Modifiers::NONE,
-        }
+        press(key.map_or(egui::Key::V, |key| key.logical_key))
     }
+}
+
+fn press(key: egui::Key) -> Event {
+    Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::NONE,
+    }
+}
+
+fn key(text: &str) -> Result<egui::Key, String> {
+    let key = egui::Key::from_name(text);
+    key.ok_or_else(|| format!("expected the name of a key, such as K or F12, found {text}"))
 }
 
 /// Drag of the pointer, in pixels from the picture's upper left corner.
@@ -136,7 +149,15 @@ pub(super) fn picture(
     let (width, height) = size;
     let screen = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
     let tool = vec![options.tool.key()];
-    let frames = std::iter::once(tool).chain(gesture(options.drag));
+    let keys = options.press.iter().map(|&key| vec![press(key)]);
+    let last = options.drag.len().saturating_sub(1);
+    let gestures = options.drag.iter().enumerate();
+    let gestures = gestures.flat_map(|(index, &drag)| gesture(drag, index == last));
+    let frames = std::iter::once(tool)
+        .chain(still())
+        .chain(keys)
+        .chain(still())
+        .chain(gestures);
     for events in frames.chain(std::iter::once(Vec::new())) {
         let raw = RawInput {
             screen_rect: Some(screen),
@@ -162,27 +183,30 @@ pub(super) fn picture(
     Ok(read_picture(window.ok_or_else(nothing)?)?)
 }
 
-/// Events of the frames before the one that is drawn.
-fn gesture(drag: Option<Drag>) -> Vec<Vec<Event>> {
-    let mut frames = vec![Vec::new(); FRAMES];
-    if let Some(Drag { from, to }) = drag {
-        let button = |pos, pressed| Event::PointerButton {
-            pos,
-            button: PointerButton::Primary,
-            pressed,
-            modifiers: Modifiers::NONE,
-        };
-        frames.push(vec![Event::PointerMoved(from)]);
-        frames.push(vec![button(from, true)]);
-        if from == to {
-            frames.push(vec![button(to, false)]);
-        } else {
-            frames.push(vec![Event::PointerMoved(from.lerp(to, 0.5))]);
-            frames.push(vec![Event::PointerMoved(to)]);
-        }
-        // Time for what follows, such as a row that scrolls into view.
-        frames.extend(vec![Vec::new(); FRAMES]);
+/// Frames in which nothing happens, for what follows from the one before, such as a row that scrolls
+/// into view.
+fn still() -> Vec<Vec<Event>> {
+    vec![Vec::new(); FRAMES]
+}
+
+/// Events of the frames of a drag. One that is the last and does not end where it began is not let go
+/// of.
+fn gesture(Drag { from, to }: Drag, is_last: bool) -> Vec<Vec<Event>> {
+    let button = |pos, pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let mut frames = vec![vec![Event::PointerMoved(from)], vec![button(from, true)]];
+    if from != to {
+        frames.push(vec![Event::PointerMoved(from.lerp(to, 0.5))]);
+        frames.push(vec![Event::PointerMoved(to)]);
     }
+    if from == to || !is_last {
+        frames.push(vec![button(to, false)]);
+    }
+    frames.extend(still());
     frames
 }
 

@@ -72,6 +72,32 @@ pub enum Factors {
     Nothing,
 }
 
+/// A matrix of a joint that moves vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    /// T, from the joint's frame to model space in the pose.
+    Current,
+    /// B, the same in the bind pose.
+    Bind,
+    /// B⁻¹, from model space to the joint's frame in the bind pose.
+    InverseBind,
+}
+
+impl Factors {
+    /// The matrices in the order in which they come to a vertex, from the right of the product to its
+    /// left.
+    pub fn in_order(self) -> &'static [Factor] {
+        match self {
+            Self::Exact => &[Factor::InverseBind, Factor::Current],
+            Self::NoInverseBind => &[Factor::Current],
+            Self::InverseBindOnly => &[Factor::InverseBind],
+            Self::BindNotInverted => &[Factor::Bind, Factor::Current],
+            Self::Swapped => &[Factor::Current, Factor::InverseBind],
+            Self::Nothing => &[],
+        }
+    }
+}
+
 /// Which weights of a vertex count, and how much.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WeightFormula {

@@ -4,6 +4,7 @@
 
 mod diagnosis;
 mod formula;
+mod mistaken;
 mod mistakes;
 mod model;
 mod picture;
@@ -11,14 +12,17 @@ mod precision;
 mod search;
 mod silhouette;
 mod skin;
+mod vertex_formula;
 
 pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict};
 pub use formula::{
-    Chain, Columns, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
+    Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
     VertexOrder, WeightFormula,
 };
+pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
+pub use vertex_formula::{Step, Term, VertexFormula};
 
 use crate::character::{Character, Pose};
 use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};

@@ -1,7 +1,7 @@
 //! Skinning by any formula, in double precision.
 
 use super::formula::{
-    Chain, Columns, Factors, Formula, JointFormula, Kept, Rescaled, WeightFormula,
+    Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, Rescaled, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -45,7 +45,7 @@ impl<'a> Skinner<'a> {
     pub(super) fn new(model: &'a Model<'a>, pose: &Pose, formula: &Formula) -> Self {
         Self {
             model,
-            palette: palette(model, pose, formula),
+            palette: Joints::new(model, pose, formula).palette(formula),
             formula: formula.clone(),
             kept: Vec::new(),
         }
@@ -54,6 +54,23 @@ impl<'a> Skinner<'a> {
     /// Number of vertices that it writes.
     pub(super) fn count(&self) -> usize {
         self.model.count(self.formula.vertex_order)
+    }
+
+    /// What turns and stretches the surface at the vertex at `index` of those that it writes: the
+    /// weighted sum without the translations.
+    pub(super) fn linear(&mut self, index: usize) -> DMat3 {
+        let source = self.model.source(self.formula.vertex_order, index);
+        let influences = self.model.influences(source.weights);
+        let written = DMat3::from_diagonal(DVec3::from_array(self.formula.written));
+        if influences.is_empty() || self.formula.factors == Factors::Nothing {
+            return written;
+        }
+        keep(influences, self.formula.weights, &mut self.kept);
+        let parts = self
+            .kept
+            .iter()
+            .filter_map(|&(index, weight)| Some(self.palette[index]?.matrix3 * weight));
+        written * parts.fold(DMat3::ZERO, |sum, part| sum + part)
     }
 
     /// The vertex at `index` of those that it writes.
@@ -79,7 +96,7 @@ impl<'a> Skinner<'a> {
 }
 
 /// The weights of a vertex that count, in `kept`.
-fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize, f64)>) {
+pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut Vec<(usize, f64)>) {
     kept.clear();
     let of_file = influences.iter();
     kept.extend(of_file.map(|one| (one.joint as usize, f64::from(one.weight))));
@@ -123,53 +140,89 @@ fn scale_to(total: f64, weights: &mut [(usize, f64)]) {
     }
 }
 
-fn palette(model: &Model, pose: &Pose, formula: &Formula) -> Vec<Option<DAffine3>> {
-    let order = model.joints_by(formula.joint_order.by);
-    // Which joint's angles of the pose each joint is given.
-    let mut angles_of: Vec<usize> = (0..order.len()).collect();
-    if formula.joint_order.has_angles {
-        for (index, &joint) in order.iter().enumerate() {
-            angles_of[joint] = index;
-        }
-    }
-    let joints = model.skeleton().joints();
-    let offset = |joint: usize| joints[joint].offset.as_dvec3();
-    let own = &formula.joint;
-    let current = chained(model, formula.chain, |joint| {
-        let mut translation = DVec3::ZERO;
-        let mut angles = DVec3::ZERO;
-        if own.has_offset {
-            translation += offset(joint);
-        }
-        if own.has_pose {
-            angles = pose.rotation(angles_of[joint]).radians.as_dvec3();
-            if own.has_offset {
-                translation += pose.root_offset(joint).as_dvec3();
+/// The transforms of all joints from their frames to model space, by a formula.
+#[derive(Debug)]
+pub(super) struct Joints {
+    /// T.
+    current: Vec<DAffine3>,
+    /// B.
+    bind: Vec<DAffine3>,
+    /// Joint that each index of a program means.
+    order: Vec<usize>,
+}
+
+impl Joints {
+    pub(super) fn new(model: &Model, pose: &Pose, formula: &Formula) -> Self {
+        let order = model.joints_by(formula.joint_order.by);
+        // Which joint's angles of the pose each joint is given.
+        let mut angles_of: Vec<usize> = (0..order.len()).collect();
+        if formula.joint_order.has_angles {
+            for (index, &joint) in order.iter().enumerate() {
+                angles_of[joint] = index;
             }
         }
-        own.parent_from_joint(translation, angles)
-    });
-    let bind = chained(model, formula.bind_chain, |joint| {
-        let has_offset = f64::from(own.has_bind_offset);
-        own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
-    });
-    let moved = |joint: usize| match formula.factors {
-        Factors::Exact => current[joint] * bind[joint].inverse(),
-        Factors::NoInverseBind => current[joint],
-        Factors::InverseBindOnly => bind[joint].inverse(),
-        Factors::BindNotInverted => current[joint] * bind[joint],
-        Factors::Swapped => bind[joint].inverse() * current[joint],
-        Factors::Nothing => DAffine3::IDENTITY,
-    };
-    let by_index = (0..order.len()).map(|index| {
-        let place = match formula.weights.columns {
+        let joints = model.skeleton().joints();
+        let offset = |joint: usize| joints[joint].offset.as_dvec3();
+        let own = &formula.joint;
+        let current = chained(model, formula.chain, |joint| {
+            let mut translation = DVec3::ZERO;
+            let mut angles = DVec3::ZERO;
+            if own.has_offset {
+                translation += offset(joint);
+            }
+            if own.has_pose {
+                angles = pose.rotation(angles_of[joint]).radians.as_dvec3();
+                if own.has_offset {
+                    translation += pose.root_offset(joint).as_dvec3();
+                }
+            }
+            own.parent_from_joint(translation, angles)
+        });
+        let bind = chained(model, formula.bind_chain, |joint| {
+            let has_offset = f64::from(own.has_bind_offset);
+            own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
+        });
+        Self {
+            current,
+            bind,
+            order,
+        }
+    }
+
+    /// A matrix of `joint`.
+    pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DAffine3 {
+        match factor {
+            Factor::Current => self.current[joint],
+            Factor::Bind => self.bind[joint],
+            Factor::InverseBind => self.bind[joint].inverse(),
+        }
+    }
+
+    /// The joint that a weight moves a vertex with whose index in the file is `index`; `None` if it is
+    /// taken for none.
+    pub(super) fn moved_by(&self, columns: Columns, index: usize) -> Option<usize> {
+        let place = match columns {
             Columns::Exact => index,
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
         };
-        Some(moved(order[place]))
-    });
-    by_index.collect()
+        Some(self.order[place])
+    }
+
+    /// What moves vertices, by the index that a weight has.
+    fn palette(&self, formula: &Formula) -> Vec<Option<DAffine3>> {
+        let product = |joint: usize| {
+            let factors = formula.factors.in_order().iter();
+            factors.fold(DAffine3::IDENTITY, |product, &factor| {
+                self.matrix(factor, joint) * product
+            })
+        };
+        let by_index = (0..self.order.len()).map(|index| {
+            let joint = self.moved_by(formula.weights.columns, index);
+            joint.map(product)
+        });
+        by_index.collect()
+    }
 }
 
 /// The transform of each joint from `own`, relative to its parent.

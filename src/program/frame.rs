@@ -239,7 +239,11 @@ impl Program {
             hovered_joint: self.session.hovered_joint(),
             hovered_control_point: self.session.hovered_control_point(),
         };
-        let frame = frame(&self.session, self.backdrop, marks);
+        let mistaken = self.ui.mistaken(&self.session);
+        let mut frame = frame(&self.session, self.backdrop, marks);
+        if let Some(mistaken) = &mistaken {
+            frame.evaluated = mistaken;
+        }
         let moves = self.session.is_in_gesture() || self.ui.is_moving_camera();
         graphics.draw_scene(&frame, self.session.document(), moves, now)
     }

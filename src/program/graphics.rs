@@ -65,6 +65,8 @@ const REST: Duration = Duration::from_millis(100);
 #[derive(Clone, Debug, PartialEq)]
 struct SceneKey {
     document: Revision,
+    /// Geometry of each shape, which is not the document's while a mistake is made on purpose.
+    geometry: Vec<Revision>,
     view: ViewSettings,
     backdrop: Backdrop,
     marks: Marks,
@@ -199,8 +201,10 @@ impl Graphics {
         let Some(target) = &self.scene else {
             return Ok(());
         };
+        let shapes = frame.evaluated.shapes.iter();
         let key = SceneKey {
             document,
+            geometry: shapes.map(|shape| shape.geometry.revision).collect(),
             view: *frame.view,
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),

@@ -202,7 +202,7 @@ fn is_flat(mesh: &Mesh, shading: Shading) -> bool {
     }
 }
 
-/// The deformation that the vertex shader computes, if it does.
+/// The deformation that the vertex shader computes, if it does: it knows the exact formula alone.
 fn deformation_to_skin(
     geometry: &EvaluatedGeometry,
     shading: Shading,
@@ -212,7 +212,7 @@ fn deformation_to_skin(
     geometry
         .deformation
         .as_ref()
-        .filter(|_| skinning == Skinning::Gpu && !needs_sums)
+        .filter(|deformation| skinning == Skinning::Gpu && deformation.is_exact() && !needs_sums)
 }
 
 /// Collects the attributes of a mesh.

@@ -2,7 +2,7 @@ use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
 use crate::character::{Character, StickFigure};
 use crate::geometry::{Normals, SharedMesh, TriangleBoxes};
-use crate::math::{Aabb, Ray};
+use crate::math::{Aabb, Ray, TriangleHit};
 use crate::revision::Revision;
 use glam::{Mat4, Vec3};
 use std::collections::{HashMap, HashSet};
@@ -67,6 +67,25 @@ impl EvaluatedGeometry {
         }
     }
 
+    /// The same character with its vertices elsewhere than where its joints take them: `positions`, one
+    /// for each of the mesh, and unit `normals`, one for each vertex, or none if its triangles are flat.
+    /// `None` for a shape without joints.
+    pub fn with_vertices(&self, positions: Vec<Vec3>, normals: Option<Vec<Vec3>>) -> Option<Self> {
+        let deformation = self.deformation.as_ref()?;
+        Some(Self {
+            deformation: Some(Deformation {
+                positions: positions.into(),
+                normals: normals.into(),
+                is_exact: false,
+                ..deformation.clone()
+            }),
+            revision: Revision::new(),
+            bounds: OnceLock::new(),
+            boxes: OnceLock::new(),
+            ..self.clone()
+        })
+    }
+
     /// Current positions in model space, in the order of the file.
     pub fn positions(&self) -> &[Vec3] {
         self.deformation
@@ -96,11 +115,27 @@ impl EvaluatedGeometry {
 
     /// Distance at which `ray`, in model space, first meets the surface.
     pub fn nearest_surface(&self, ray: &Ray) -> Option<f32> {
+        let (_, hit) = self.nearest_triangle(ray)?;
+        Some(hit.distance)
+    }
+
+    /// Index of the position nearest to where `ray`, in model space, first meets the surface, of the
+    /// three that the triangle there has.
+    pub fn nearest_vertex(&self, ray: &Ray) -> Option<usize> {
+        let (triangle, hit) = self.nearest_triangle(ray)?;
+        let (at, positions) = (ray.at(hit.distance), self.positions());
+        let corners = self.mesh.triangles[triangle].map(|corner| corner as usize);
+        let distance = |corner: &usize| positions[*corner].distance(at);
+        corners
+            .into_iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    }
+
+    fn nearest_triangle(&self, ray: &Ray) -> Option<(usize, TriangleHit)> {
         let (positions, triangles) = (self.positions(), &self.mesh.triangles);
         let order = self.mesh.triangle_order();
         let boxes = self.boxes.get_or_init(|| order.boxes(positions, triangles));
-        let (_, hit) = order.nearest(boxes, ray, positions, triangles)?;
-        Some(hit.distance)
+        order.nearest(boxes, ray, positions, triangles)
     }
 
     /// Box that contains the mesh, in model space: its bounds if they are known, else a larger box
@@ -229,6 +264,8 @@ pub struct Deformation {
     model_from_joint: Vec<Mat4>,
     positions: OnceLock<Vec<Vec3>>,
     normals: OnceLock<Option<Vec<Vec3>>>,
+    /// Whether the vertices follow from the frames by the exact formula.
+    is_exact: bool,
 }
 
 impl Deformation {
@@ -239,7 +276,14 @@ impl Deformation {
             model_from_joint,
             positions: OnceLock::new(),
             normals: OnceLock::new(),
+            is_exact: true,
         }
+    }
+
+    /// Whether the vertices follow from the frames by the exact formula, as a vertex shader computes
+    /// it; see [`EvaluatedGeometry::with_vertices`].
+    pub fn is_exact(&self) -> bool {
+        self.is_exact
     }
 
     /// Character that is deformed.

@@ -142,6 +142,7 @@ impl Items<'_> {
         self.all(ui, Menu::Ground);
         ui.separator();
         self.all(ui, Menu::Compare);
+        self.all(ui, Menu::Explain);
         ui.separator();
         submenu(ui, "Navigation", |ui| self.all(ui, Menu::Navigation));
         submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));

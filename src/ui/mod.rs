@@ -12,6 +12,7 @@ mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod explain;
 mod grab;
 mod history;
 mod joint_columns;
@@ -166,6 +167,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if keys_taken
         || input.compare.is_some()
         || state.windows.is_any_open()
+        || state.explain.is_open()
         || state.camera_before_drag.is_some()
         || session.is_in_gesture()
     {
@@ -188,6 +190,12 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         let outlined = &mut state.outlined;
         compare::panel(root, session, compare, settings, outlined, &mut actions);
     }
+    if input.compare.is_some() && state.explain.is_open() {
+        state.explain.set_open(false);
+        let why = "Skinning is not explained while the view is compared with a picture";
+        actions.push(Action::View(View::Tell(why)));
+    }
+    explain::show(root, session, &mut state.explain);
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);
     if let (Some(compare), Some(settings)) = (input.compare, settings)
@@ -387,8 +395,8 @@ struct KeyPress {
     at: f64,
 }
 
-/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison,
-/// deselects the joint, deselects the shape, or ends the program. While the screenshot dialog is
+/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison, a mistake
+/// that is made on purpose, or the panel that explains, deselects the joint, deselects the shape, or ends the program. While the screenshot dialog is
 /// open, no other key works.
 fn press(
     command: Command,
@@ -405,6 +413,9 @@ fn press(
     }
     if (is_esc || command == Command::Compare) && input.compare.is_some() {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
+        return;
+    }
+    if is_esc && state.explain.end_last() {
         return;
     }
     if is_esc {

@@ -4,6 +4,7 @@ use super::command_search::CommandSearch;
 use super::commands::Command;
 use super::compare::Outlined;
 use super::curve_panel::CurveState;
+use super::explain::ExplainState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
 use super::posing::PoseState;
@@ -11,12 +12,12 @@ use super::shape_list::Renaming;
 use super::windows::Windows;
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
-use crate::scene::{Camera, Look, ShapeId, Skinning};
+use crate::scene::{Camera, Evaluated, Look, ShapeId, Skinning};
 use egui::{Pos2, Rect, ThemePreference, vec2};
 use glam::Vec3;
 
 /// State of the panels between frames that is neither scene nor view: searches, folded rows, open
-/// windows. Nothing in it changes a picture of the scene.
+/// windows. Nothing in it changes a picture of the scene but a mistake that is made on purpose.
 #[derive(Clone, Debug)]
 pub struct UiState {
     /// Colors of the panels. Kept by the program from one run to the next.
@@ -61,6 +62,7 @@ pub struct UiState {
     pub(super) curves: CurveState,
     pub(super) pose: PoseState,
     pub(super) box_select: BoxSelect,
+    pub(super) explain: ExplainState,
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
@@ -106,6 +108,7 @@ impl Default for UiState {
             curves: CurveState::default(),
             pose: PoseState::default(),
             box_select: BoxSelect::default(),
+            explain: ExplainState::default(),
             notices: NoticeState::default(),
             outlined: Outlined::default(),
             camera_before_drag: None,
@@ -174,6 +177,12 @@ impl UiState {
         self.styled = false;
     }
 
+    /// The scene as the view shows it while a mistake in skinning is made on purpose; `None` while it
+    /// shows what is in the document.
+    pub fn mistaken(&mut self, session: &Session) -> Option<Evaluated> {
+        self.explain.evaluated(session)
+    }
+
     /// Whether the camera is being turned or moved by a drag.
     pub fn is_moving_camera(&self) -> bool {
         self.camera_before_drag.is_some()
@@ -209,6 +218,7 @@ impl UiState {
         self.curves = CurveState::default();
         self.pose.forget_shapes();
         self.box_select = BoxSelect::default();
+        self.explain.forget_shapes();
         self.camera_before_drag = None;
     }
 }

@@ -3,7 +3,7 @@
 use super::grab::PointerUse;
 use super::navigation::{Fingers, PointerMove};
 use super::scene_places::{Picked, ScenePlaces};
-use super::{Action, UiState, box_select, control_points, posing};
+use super::{Action, UiState, box_select, control_points, explain, posing};
 use crate::editor::{Session, Tool, View};
 use crate::scene::{ShapeId, pick_shape};
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
@@ -16,7 +16,8 @@ const POINTS_PER_NOTCH: f32 = 50.0;
 const ZOOM_PER_NOTCH: f32 = 0.1;
 
 /// Handles the pointer over the scene: drags and the wheel move the camera according to the
-/// [`super::Navigation`], and a click selects the shape under the pointer. Control points of the
+/// [`super::Navigation`], and a click selects the shape under the pointer, or the vertex that is to be
+/// explained. Control points of the
 /// selected curves take precedence, then gizmos and bones, and with the Move tool shapes: a left
 /// drag takes what is under the pointer.
 ///
@@ -55,7 +56,7 @@ fn gestures(
         pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
     }
     if pointer == PointerUse::Free {
-        let list = state.joints.hovered;
+        let list = state.joints.hovered.or(state.explain.lit());
         pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
     }
     if pointer == PointerUse::Holding
@@ -70,10 +71,11 @@ fn gestures(
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));
     }
+    let picks = explain::pointer(view, places, session, &mut state.explain, actions);
     if pointer == PointerUse::Over {
         return None;
     }
-    if view.clicked() {
+    if view.clicked() && !picks {
         let clicked = view.interact_pointer_pos();
         let picked = &mut state.pose.picked;
         let shape = clicked.and_then(|position| shape_at(picked, session, places, position));

@@ -185,6 +185,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Shading => "View ⏵ Shading",
         Menu::Ground => "View ⏵ Ground",
         Menu::Compare => "View ⏵ Compare",
+        Menu::Explain => "View ⏵ Explain",
         Menu::Navigation => "View ⏵ Navigation",
         Menu::Theme => "View ⏵ Theme",
         Menu::Skinning => "View ⏵ Skinning",

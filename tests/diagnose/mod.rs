@@ -3,6 +3,7 @@
 
 mod correct;
 mod documents;
+mod explained;
 mod figures;
 mod mistaken;
 mod pairs;

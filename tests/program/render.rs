@@ -203,6 +203,36 @@ fn every_tool_shows_itself_and_a_drag_to_where_it_began_is_a_click() {
 }
 
 #[test]
+fn keys_are_pressed_before_the_mouse_and_clicks_come_one_after_the_other() {
+    let folder = folder();
+    let render = |options: &str| {
+        let line = format!("render builtin:adult --ui --size 1000x700 -o a.png {options}");
+        let ran = editor_in(folder.path(), &line.split_whitespace().collect::<Vec<_>>());
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options}");
+        picture(folder.path(), "a.png")
+    };
+    let differing = |a: &image::RgbaImage, b: &image::RgbaImage| {
+        let pairs = a.pixels().zip(b.pixels());
+        pairs.filter(|(a, b)| a != b).count()
+    };
+    let plain = render("");
+    assert_eq!(
+        differing(&plain, &render("--press K --press K")),
+        0,
+        "opened and closed"
+    );
+    let opened = render("--press K");
+    assert!(differing(&plain, &opened) > 50_000);
+    // Its other topic, and back.
+    let (stack, formula) = ("--drag 120,420,120,420", "--drag 40,420,40,420");
+    let other = render(&format!("--press K {stack}"));
+    assert!(differing(&opened, &other) > 5_000);
+    let back = render(&format!("--press K {stack} {formula} --drag 1,690,1,690"));
+    let again = render(&format!("--press K {formula} --drag 1,690,1,690"));
+    assert_eq!(differing(&back, &again), 0);
+}
+
+#[test]
 fn pictures_are_written_as_png_jpeg_and_gif() {
     let folder = folder();
     for name in ["a.png", "a.jpg", "a.gif"] {
@@ -330,6 +360,11 @@ fn what_cannot_be_drawn_is_told_once_and_leaves_no_file() {
             ],
             2,
             "X,Y,Z,W",
+        ),
+        (
+            &["render", "man.obj", "--ui", "--press", "Any", "-o", "a.png"],
+            2,
+            "the name of a key",
         ),
     ] {
         let ran = editor_in(folder.path(), arguments);

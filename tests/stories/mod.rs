@@ -5,6 +5,7 @@ mod autosaving;
 mod boxes;
 mod comparing;
 mod documents;
+mod explaining;
 mod fetching;
 mod files;
 mod first_views;

@@ -121,6 +121,8 @@ pub enum Command {
     ResetViewAndPose,
     /// Chooses a picture to compare the view with.
     Compare,
+    /// Opens the panel that explains skinning, or closes it.
+    Explain,
     /// Chooses what deforms characters; automatic if `None`.
     SetSkinning(Option<Skinning>),
     /// Chooses a tool.

@@ -97,6 +97,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ImportShape => return Some(Action::Ask(Ask::ImportShape)),
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
+        Command::Explain => state.explain.set_open(!state.explain.is_open()),
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
@@ -198,6 +199,7 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
         Command::ToggleAxis => Some(view.axis),
         Command::ToggleGrid => Some(view.grid && view.look != Look::Course),
         Command::TogglePanel => Some(!state.is_panel_folded()),
+        Command::Explain => Some(state.explain.is_open()),
         Command::SetLook(look) => Some(view.look == look),
         Command::SetShading(shading) => Some(view.shading == shading),
         Command::SetTheme(theme) => Some(state.theme == theme),
@@ -254,6 +256,9 @@ pub(in crate::ui) fn why_disabled(
         {
             Some("There is no shape")
         }
+        Command::Explain if !state.explain.is_open() && !has_character(session) => {
+            Some("There is no character")
+        }
         Command::ExportCharacter if selected_character(session).is_none() => {
             Some("No character is selected")
         }
@@ -266,6 +271,11 @@ pub(in crate::ui) fn why_disabled(
         }
         _ => None,
     }
+}
+
+fn has_character(session: &Session) -> bool {
+    let mut shapes = session.scene().shapes().iter();
+    shapes.any(|shape| matches!(shape.kind, ShapeKind::Character(_)))
 }
 
 /// Whether the scene needs files that are not built in. Curves are in the scene itself.

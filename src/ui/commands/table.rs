@@ -37,6 +37,8 @@ pub enum Menu {
     Ground,
     /// View, the part about comparing.
     Compare,
+    /// View, the part about explaining.
+    Explain,
     /// View ▸ Navigation.
     Navigation,
     /// View ▸ Theme.
@@ -71,6 +73,7 @@ impl Menu {
         Self::Shading,
         Self::Ground,
         Self::Compare,
+        Self::Explain,
         Self::Navigation,
         Self::Theme,
         Self::Skinning,
@@ -206,6 +209,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
     entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences; the key pressed again ends that", &[key(NONE, Key::F8)]),
+    entry(Command::Explain, Menu::Explain, "Explain Skinning", "The formula at work on a vertex, mistakes made on purpose, and the matrix stack step by step", &[key(NONE, Key::K)]),
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
     entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),

@@ -1,0 +1,59 @@
+//! What says in the view that a character is shown wrong on purpose.
+
+use super::Explained;
+use super::shown::Mistaken;
+use crate::ui::posing::BAR_HEIGHT;
+use crate::ui::theme::Palette;
+use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
+
+/// Widest banner, in points.
+const WIDEST: f32 = 336.0;
+
+/// Shows the banner while a mistake is made; whether to end it.
+pub(super) fn show(
+    ui: &mut Ui,
+    view: Rect,
+    explained: &Explained,
+    mistaken: Option<&Mistaken>,
+) -> bool {
+    let Some(mistaken) = mistaken else {
+        return false;
+    };
+    let corner = view.min + vec2(8.0, BAR_HEIGHT + 8.0);
+    let width = (view.right() - corner.x - 128.0).clamp(160.0, WIDEST);
+    // Clicks beside the button must not reach the scene behind it.
+    let builder = UiBuilder::new()
+        .id_salt("shown wrong")
+        .max_rect(Rect::from_min_size(corner, vec2(width, 24.0)))
+        .sense(Sense::click_and_drag());
+    let mut inner = ui.new_child(builder);
+    let palette = Palette::of(inner.visuals());
+    let frame = Frame::new()
+        .fill(palette.panel)
+        .stroke(Stroke::new(2.0, palette.warning))
+        .corner_radius(4)
+        .inner_margin(Margin::symmetric(8, 6));
+    let shown = frame.show(&mut inner, |ui| {
+        ui.set_width(width - 16.0);
+        ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
+        ui.add(Label::new(mistaken.made.sentence()).wrap());
+        if let Some(why) = why_right(explained, mistaken) {
+            ui.add(Label::new(RichText::new(why).color(palette.weak)).wrap());
+        }
+        ui.add(Button::new("Back to Right"))
+            .on_hover_text("Show the character as it is (Esc)")
+            .clicked()
+    });
+    shown.inner
+}
+
+/// Why nothing can be seen of the mistake, if so.
+fn why_right(explained: &Explained, mistaken: &Mistaken) -> Option<&'static str> {
+    if mistaken.is_seen {
+        None
+    } else if explained.shape.pose().is_bind() {
+        Some("At rest it makes no difference: turn some joints.")
+    } else {
+        Some("It makes no difference to this character in this pose.")
+    }
+}

@@ -1,0 +1,70 @@
+//! Matrices as 4 × 4 numbers.
+
+use crate::ui::theme::{Palette, number_font};
+use egui::{
+    Align2, Frame, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, WidgetText, WidgetType, pos2,
+    vec2,
+};
+use glam::DMat4;
+
+/// Width and height of a number, in points.
+const CELL: Vec2 = vec2(45.0, 15.0);
+
+/// A number with so many digits after the point; never minus zero.
+pub(super) fn number(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if digits.chars().all(|c| matches!(c, '0' | '.')) => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// Shows a matrix below its title. `called` is its name for assistive technology, `stands_out` draws
+/// it before the others.
+pub(super) fn show(
+    ui: &mut Ui,
+    title: impl Into<WidgetText>,
+    called: &str,
+    matrix: &DMat4,
+    decimals: usize,
+    stands_out: bool,
+) {
+    let palette = Palette::of(ui.visuals());
+    let line = if stands_out {
+        Stroke::new(1.5, palette.accent)
+    } else {
+        Stroke::new(1.0, palette.line)
+    };
+    let frame = Frame::new()
+        .fill(palette.field)
+        .stroke(line)
+        .corner_radius(3)
+        .inner_margin(Margin::symmetric(6, 4));
+    frame.show(ui, |ui| {
+        ui.vertical(|ui| {
+            ui.label(title);
+            let (rect, cells) = ui.allocate_exact_size(CELL * 4.0, Sense::hover());
+            let rows = (0..4).map(|row| matrix.row(row).to_array());
+            let rows: Vec<[String; 4]> = rows
+                .map(|row| row.map(|value| number(value, decimals)))
+                .collect();
+            for (row, cells) in rows.iter().enumerate() {
+                for (column, text) in cells.iter().enumerate() {
+                    paint(ui, rect, (row, column), text);
+                }
+            }
+            let spoken: Vec<String> = rows.iter().map(|row| row.join(" ")).collect();
+            let spoken = format!("{called}: {}", spoken.join("; "));
+            cells.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, &spoken));
+        });
+    });
+}
+
+fn paint(ui: &Ui, whole: Rect, (row, column): (usize, usize), text: &str) {
+    let right = whole.left() + CELL.x * (column + 1) as f32;
+    let middle = whole.top() + CELL.y * (row as f32 + 0.5);
+    let color = Palette::of(ui.visuals()).text;
+    let at = pos2(right, middle);
+    ui.painter()
+        .text(at, Align2::RIGHT_CENTER, text, number_font(), color);
+}

@@ -1,0 +1,64 @@
+//! The list of mistakes, each of which can be made by a click.
+
+use super::shown::{Made, capitalized};
+use crate::diagnose::{MISTAKES, Mistake};
+use crate::ui::theme::Palette;
+use crate::ui::widgets::{named, section};
+use egui::{Button, Label, RichText, Ui};
+use std::collections::BTreeSet;
+
+/// Shows the list by the sections of the assignment, the section of the formula first. A click makes a mistake, another ends it.
+pub(super) fn show(ui: &mut Ui, made: &mut Option<Made>) {
+    section(ui, "Make this mistake");
+    let weak = Palette::of(ui.visuals()).weak;
+    let hint = "The view shows what comes of it. Nothing in the document changes.";
+    ui.add(Label::new(RichText::new(hint).small().color(weak)).wrap());
+    let mut sections: Vec<&str> = MISTAKES.iter().map(|mistake| mistake.section).collect();
+    let mut known = BTreeSet::new();
+    sections.retain(|section| known.insert(*section));
+    for section in sections {
+        ui.add_space(4.0);
+        ui.label(RichText::new(section).small().color(weak));
+        let mistakes = MISTAKES.iter().filter(|mistake| mistake.section == section);
+        for mistake in mistakes {
+            row(ui, mistake, made);
+        }
+    }
+}
+
+fn row(ui: &mut Ui, mistake: &'static Mistake, made: &mut Option<Made>) {
+    let is_made = made.is_some_and(|made| std::ptr::eq(made.mistake, mistake));
+    let sentence = capitalized(mistake.meaning);
+    let button = Button::selectable(is_made, &sentence)
+        .wrap()
+        .min_size(egui::vec2(ui.available_width(), 0.0));
+    let button = named(ui.add(button), &sentence);
+    let clicked = button
+        .on_hover_text(format!("{}: {}", mistake.id, mistake.look_at))
+        .clicked();
+    if clicked {
+        let first = mistake.readings.first();
+        *made = first
+            .filter(|_| !is_made)
+            .map(|reading| Made { mistake, reading });
+    }
+    if !is_made {
+        return;
+    }
+    ui.indent(mistake.id, |ui| {
+        let several = mistake
+            .readings
+            .iter()
+            .filter(|_| mistake.readings.len() > 1);
+        for reading in several {
+            let own = Made { mistake, reading };
+            let button = Button::selectable(*made == Some(own), RichText::new(reading.how).small());
+            if ui.add(button.wrap()).clicked() {
+                *made = Some(own);
+            }
+        }
+        let weak = Palette::of(ui.visuals()).weak;
+        let look_at = format!("In the code: {}.", mistake.look_at);
+        ui.add(Label::new(RichText::new(look_at).small().color(weak)).wrap());
+    });
+}

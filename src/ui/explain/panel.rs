@@ -1,0 +1,163 @@
+//! The panel below the view.
+
+use super::{ExplainState, Topic, mistakes, stack, table, words};
+use crate::editor::Session;
+use crate::ui::number_field::NumberField;
+use crate::ui::theme::Palette;
+use crate::ui::widgets::named;
+use egui::{
+    Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder, vec2,
+};
+
+/// Height in points.
+const HEIGHT: f32 = 280.0;
+const LOWEST: f32 = 96.0;
+/// Narrower panels show mistakes below the formula.
+const ROOM_FOR_COLUMNS: f32 = 760.0;
+/// Width of the list of mistakes beside the formula, in points.
+const MISTAKES: f32 = 320.0;
+/// Size of the formula's letters, in points.
+const LETTERS: f32 = 15.0;
+
+/// Shows the panel below the view while it is open.
+pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainState) {
+    if !state.is_open {
+        return;
+    }
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
+    let highest = (root.available_height() * 0.6).max(LOWEST);
+    Panel::bottom("explain")
+        .frame(frame)
+        .resizable(true)
+        .default_size(HEIGHT.min(highest))
+        .size_range(LOWEST..=highest)
+        .show(root, |ui| {
+            header(ui, session, state);
+            ui.separator();
+            state.update(session);
+            match state.topic {
+                Topic::Formula => formula(ui, session, state),
+                Topic::Stack => steps(ui, session, state),
+            }
+        });
+}
+
+fn header(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
+        let close = named(ui.add(Button::new("×")), "Close Explain");
+        if close
+            .on_hover_text("Close it, and end a mistake (Esc)")
+            .clicked()
+        {
+            state.set_open(false);
+        }
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            for (topic, label, tip) in [
+                (
+                    Topic::Formula,
+                    "Formula",
+                    "The formula at work on a vertex, and mistakes in it",
+                ),
+                (
+                    Topic::Stack,
+                    "Matrix Stack",
+                    "The way over the joints, push by push",
+                ),
+            ] {
+                let button = ui.selectable_label(state.topic == topic, label);
+                if button.on_hover_text(tip).clicked() {
+                    state.topic = topic;
+                }
+            }
+            let name = state.character.and_then(|id| session.scene().shape(id));
+            if let Some(shape) = name {
+                let color = Palette::of(ui.visuals()).weak;
+                ui.add(Label::new(RichText::new(&shape.name).color(color)).truncate());
+            }
+        });
+    });
+}
+
+const NOBODY: &str = "There is no character to explain. Insert one.";
+
+fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+    if state.explained(session).is_none() {
+        ui.label(NOBODY);
+        return;
+    }
+    let room = ui.available_rect_before_wrap();
+    if room.width() < ROOM_FOR_COLUMNS {
+        ScrollArea::vertical()
+            .id_salt("formula")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                numbers(ui, session, state);
+                ui.separator();
+                mistakes::show(ui, &mut state.made);
+            });
+        return;
+    }
+    let (left, right) = room.split_left_right_at_x(room.right() - MISTAKES);
+    let right = right.with_min_x(right.left() + 16.0);
+    let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);
+    ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
+        ui.shrink_clip_rect(left);
+        area("formula").show(ui, |ui| numbers(ui, session, state));
+    });
+    ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
+        area("mistakes").show(ui, |ui| mistakes::show(ui, &mut state.made));
+    });
+}
+
+/// The formula in letters, and below it in numbers.
+fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+    state.hovered = None;
+    let (Some(explained), Some(told)) = (state.explained(session), state.told.take()) else {
+        return;
+    };
+    let [vertex, current, bind] = words::lines(&told.formula);
+    let line = |ui: &mut Ui, line: &words::Line, size: f32| {
+        let color = Palette::of(ui.visuals()).text;
+        let label = ui.add(Label::new(line.laid_out(ui, size, color)).wrap());
+        named(label, &line.spoken());
+    };
+    line(ui, &vertex, LETTERS);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 24.0;
+        line(ui, &current, 12.5);
+        line(ui, &bind, 12.5);
+    });
+    ui.add_space(2.0);
+    let mut chosen = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.label("Vertex");
+        let index = told.vertex.vertex as f32;
+        let last = told.count.saturating_sub(1);
+        let field = NumberField::new("Vertex", index, 1.0)
+            .decimals(0..=0)
+            .range(0.0..=last as f64);
+        chosen = field.show(ui, vec2(72.0, ui.spacing().interact_size.y));
+        let rest = table::point(told.vertex.rest, told.decimals);
+        ui.label(format!("at rest v = {rest}"));
+        let hint = "Click another on the mesh, or a row for its matrices.";
+        let color = Palette::of(ui.visuals()).weak;
+        ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+    });
+    let hovered = table::show(ui, &explained, &told, &mut state.unfolded);
+    let character = explained.id;
+    state.hovered = hovered;
+    state.told = Some(told);
+    if let Some(vertex) = chosen {
+        state.pick(character, vertex as usize);
+    }
+}
+
+fn steps(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+    let decimals = state.told.as_ref().map_or(3, |told| told.decimals);
+    let Some(explained) = state.explained(session) else {
+        ui.label(NOBODY);
+        return;
+    };
+    stack::show(ui, &explained, &mut state.stepper, decimals);
+}

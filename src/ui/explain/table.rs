@@ -1,0 +1,326 @@
+//! The formula of a vertex as a table: a row for each joint with a weight, and the sum.
+
+use super::Explained;
+use super::arrows::color;
+use super::matrices::{self, number};
+use super::vertex::Told;
+use super::words::{Line, product};
+use crate::diagnose::{Factor, Factors, Step, Term};
+use crate::ui::theme::{Palette, number_font};
+use egui::{
+    Align2, Color32, FontId, Painter, Rect, Response, Sense, Stroke, TextStyle, Ui, WidgetInfo,
+    WidgetType, pos2, vec2,
+};
+use glam::{DMat4, DVec3};
+use std::collections::BTreeSet;
+
+const ROW: f32 = 19.0;
+/// Widths of columns, in points: weights, a coordinate, and the space between two points.
+const WEIGHT: f32 = 44.0;
+const COORDINATE: f32 = 46.0;
+const GAP: f32 = 10.0;
+const LEAST_NAME: f32 = 92.0;
+/// Width of the triangle and the swatch before a name.
+const MARKS: f32 = 32.0;
+/// Place of the matrices below a row.
+const INDENT: f32 = 12.0;
+
+/// The columns that there is room for.
+struct Columns {
+    factors: &'static [Factor],
+    /// Index of the first factor whose points are shown; those of the others unfold.
+    first: usize,
+}
+
+impl Columns {
+    fn new(factors: Factors, width: f32) -> Self {
+        let factors = factors.in_order();
+        let point = 3.0 * COORDINATE + GAP;
+        let room = ((width - LEAST_NAME - MARKS - WEIGHT) / point).floor() as usize;
+        let first = (factors.len() + 1).saturating_sub(room.max(1));
+        Self {
+            factors,
+            first: first.min(factors.len()),
+        }
+    }
+
+    /// Number of points in a row.
+    fn count(&self) -> usize {
+        self.factors.len() - self.first + 1
+    }
+
+    /// Right end of a coordinate of the point at `index` of those in a row.
+    fn right(&self, row: Rect, index: usize, axis: usize) -> f32 {
+        let point = 3.0 * COORDINATE + GAP;
+        let from_end = (self.count() - 1 - index) as f32 * point;
+        row.right() - from_end - (2 - axis) as f32 * COORDINATE
+    }
+
+    fn weight(&self, row: Rect) -> f32 {
+        row.right() - self.count() as f32 * (3.0 * COORDINATE + GAP)
+    }
+}
+
+/// What a row says.
+struct Row<'a> {
+    name: &'a str,
+    swatch: Option<Color32>,
+    /// Whether its matrices are shown, if it has some.
+    unfolded: Option<bool>,
+    weight: Option<f64>,
+    /// Points, of which the last ones fill the last columns.
+    points: Vec<DVec3>,
+    color: Color32,
+    is_struck: bool,
+}
+
+/// Shows the table. Returns the joint whose row is under the pointer.
+pub(super) fn show(
+    ui: &mut Ui,
+    explained: &Explained,
+    told: &Told,
+    unfolded: &mut BTreeSet<usize>,
+) -> Option<usize> {
+    let palette = Palette::of(ui.visuals());
+    let columns = Columns::new(told.formula.factors, ui.available_width());
+    let (formula, decimals) = (&told.vertex, told.decimals);
+    ui.spacing_mut().item_spacing.y = 0.0;
+    titles(ui, &columns);
+    let name = |joint: usize| &*explained.shape.character.skeleton().joints()[joint].name;
+    let mut hovered = None;
+    for (index, term) in formula.terms.iter().enumerate() {
+        let own = if term.joint == term.weight_of {
+            name(term.joint).to_owned()
+        } else {
+            format!("{}, weight of {}", name(term.joint), name(term.weight_of))
+        };
+        let is_unfolded = unfolded.contains(&term.weight_of);
+        let steps = term.steps.iter().skip(columns.first).map(|step| step.at);
+        let row = Row {
+            name: &own,
+            swatch: Some(color(index)),
+            unfolded: Some(is_unfolded),
+            weight: Some(term.weight),
+            points: steps.chain([term.weighted]).collect(),
+            color: palette.text,
+            is_struck: false,
+        };
+        let mut response = row.show(ui, &columns, decimals, &spoken(told, term, &own));
+        if term.joint != term.weight_of {
+            response = response.on_hover_text(&own);
+        }
+        if response.hovered() {
+            hovered = Some(term.joint);
+        }
+        if response.clicked() && !unfolded.remove(&term.weight_of) {
+            unfolded.insert(term.weight_of);
+        }
+        if is_unfolded {
+            unfold(ui, term, &own, decimals);
+        }
+    }
+    for &(joint, weight) in &formula.left_out {
+        let row = Row {
+            weight: Some(weight),
+            is_struck: true,
+            ..Row::plain(name(joint), Vec::new(), palette.weak)
+        };
+        row.show(
+            ui,
+            &columns,
+            decimals,
+            &format!("{}: left out", name(joint)),
+        );
+    }
+    sums(ui, &columns, told);
+    hovered
+}
+
+/// The sum, and what it should be where a mistake is made.
+fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
+    let palette = Palette::of(ui.visuals());
+    let (formula, decimals) = (&told.vertex, told.decimals);
+    let line = ui.cursor().min + vec2(0.0, 1.0);
+    ui.painter().hline(
+        ui.max_rect().x_range(),
+        line.y,
+        Stroke::new(1.0, palette.line),
+    );
+    let weights = formula.terms.iter().map(|term| term.weight).sum::<f64>();
+    let sum = Row {
+        weight: (!formula.terms.is_empty()).then_some(weights),
+        ..Row::plain("v', the sum", vec![formula.sum], palette.strong)
+    };
+    sum.show(ui, columns, decimals, "Sum");
+    if formula.sum != told.exact.sum {
+        let off = number(formula.sum.distance(told.exact.sum), decimals);
+        let name = format!("v' if it were right, {off} away");
+        let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
+        exact.show(ui, columns, decimals, "Right");
+    }
+    if formula.terms.is_empty() {
+        let why = if told.exact.terms.is_empty() {
+            "No joint has a weight for this vertex, so it stays at rest."
+        } else {
+            "Nothing moves the vertex."
+        };
+        ui.label(why);
+    }
+}
+
+fn titles(ui: &mut Ui, columns: &Columns) {
+    let color = Palette::of(ui.visuals()).weak;
+    let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), Sense::hover());
+    let font = TextStyle::Small.resolve(ui.style());
+    let painter = ui.painter();
+    let title = |right: f32, line: Line| {
+        let text = painter.layout_job(line.laid_out(ui, font.size, color));
+        let at = pos2(right - text.size().x, row.center().y - text.size().y / 2.0);
+        painter.galley(at, text, color);
+    };
+    title(columns.weight(row), product(&[]).after("w"));
+    for index in 0..columns.count() {
+        let factors = (columns.first + index + 1).min(columns.factors.len());
+        let line = product(&columns.factors[..factors]).times_vertex();
+        let is_weighted = index + 1 == columns.count();
+        let line = if is_weighted {
+            line.after("w ·")
+        } else {
+            line
+        };
+        title(columns.right(row, index, 2), line);
+    }
+    let at = pos2(row.left() + MARKS, row.center().y);
+    painter.text(at, Align2::LEFT_CENTER, "Joint", font.clone(), color);
+}
+
+/// A row for assistive technology: its numbers, all of them.
+fn spoken(told: &Told, term: &Term, name: &str) -> String {
+    let factors = told.formula.factors.in_order();
+    let title = |count: usize| product(&factors[..count]).times_vertex();
+    let mut text = format!("{name}: w {}", number(term.weight, 3));
+    for (count, step) in (1..).zip(&term.steps) {
+        let at = point(step.at, told.decimals);
+        text += &format!(", {} {at}", title(count).spoken());
+    }
+    let title = title(factors.len()).after("w ·").spoken();
+    text + &format!(", {title} {}", point(term.weighted, told.decimals))
+}
+
+pub(super) fn point(at: DVec3, decimals: usize) -> String {
+    let [x, y, z] = at.to_array().map(|value| number(value, decimals));
+    format!("({x}, {y}, {z})")
+}
+
+/// The matrices of a term, in the order of the product, and the product.
+fn unfold(ui: &mut Ui, term: &Term, name: &str, decimals: usize) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
+        ui.add_space(INDENT);
+        let text = Palette::of(ui.visuals()).text;
+        let mut show = |factors: &[Factor], matrix: &DMat4, is_product: bool| {
+            let title = product(factors);
+            let called = format!("{} of {name}", title.spoken());
+            let title = title.laid_out(ui, 12.0, text);
+            matrices::show(ui, title, &called, matrix, decimals, is_product);
+        };
+        for step in term.steps.iter().rev() {
+            show(&[step.factor], &step.matrix, false);
+        }
+        if term.steps.len() > 1 {
+            let product_of = |product: DMat4, step: &Step| step.matrix * product;
+            let matrix = term.steps.iter().fold(DMat4::IDENTITY, product_of);
+            let factors: Vec<Factor> = term.steps.iter().map(|step| step.factor).collect();
+            show(&factors, &matrix, true);
+        }
+    });
+}
+
+impl<'a> Row<'a> {
+    fn plain(name: &'a str, points: Vec<DVec3>, color: Color32) -> Self {
+        Self {
+            name,
+            swatch: None,
+            unfolded: None,
+            weight: None,
+            points,
+            color,
+            is_struck: false,
+        }
+    }
+
+    /// Shows the row, called `called` with its points where these are not in the name already.
+    fn show(&self, ui: &mut Ui, columns: &Columns, decimals: usize, called: &str) -> Response {
+        let sense = if self.unfolded.is_some() {
+            Sense::click()
+        } else {
+            Sense::hover()
+        };
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), ROW), sense);
+        let palette = Palette::of(ui.visuals());
+        let painter = ui.painter().with_clip_rect(rect.intersect(ui.clip_rect()));
+        if self.unfolded.is_some() && (response.hovered() || response.has_focus()) {
+            painter.rect_filled(rect, 3.0, palette.field_hovered);
+        }
+        let middle = rect.center().y;
+        let small = TextStyle::Small.resolve(ui.style());
+        if let Some(unfolded) = self.unfolded {
+            let sign = if unfolded { "⏷" } else { "⏵" };
+            let at = pos2(rect.left() + 8.0, middle);
+            painter.text(at, Align2::CENTER_CENTER, sign, small, palette.weak);
+        }
+        if let Some(swatch) = self.swatch {
+            let place = Rect::from_center_size(pos2(rect.left() + 22.0, middle), vec2(10.0, 10.0));
+            painter.rect_filled(place, 2.0, swatch);
+        }
+        let numbers = columns.weight(rect) - WEIGHT;
+        let for_name = painter.with_clip_rect(rect.with_max_x(numbers).intersect(ui.clip_rect()));
+        let font = TextStyle::Body.resolve(ui.style());
+        self.text(
+            &for_name,
+            pos2(rect.left() + MARKS, middle),
+            Align2::LEFT_CENTER,
+            self.name,
+            font,
+        );
+        let text = |right: f32, value: String| {
+            self.text(
+                &painter,
+                pos2(right, middle),
+                Align2::RIGHT_CENTER,
+                &value,
+                number_font(),
+            );
+        };
+        if let Some(weight) = self.weight {
+            text(columns.weight(rect), number(weight, 3));
+        }
+        let first = columns.count() - self.points.len().min(columns.count());
+        for (index, at) in self.points.iter().enumerate() {
+            for (axis, value) in at.to_array().into_iter().enumerate() {
+                text(
+                    columns.right(rect, first + index, axis),
+                    number(value, decimals),
+                );
+            }
+        }
+        let points: Vec<String> = self.points.iter().map(|at| point(*at, decimals)).collect();
+        let called = match self.unfolded {
+            Some(_) => called.to_owned(),
+            None => format!("{called} {}", points.join(" ")),
+        };
+        response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, &called));
+        response
+    }
+
+    fn text(&self, painter: &Painter, at: egui::Pos2, align: Align2, text: &str, font: FontId) {
+        let place = painter.text(at, align, text, font, self.color);
+        if self.is_struck {
+            painter.hline(
+                place.x_range(),
+                place.center().y,
+                Stroke::new(1.0, self.color),
+            );
+        }
+    }
+}

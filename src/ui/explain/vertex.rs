@@ -1,0 +1,133 @@
+//! The vertex that is explained: which it is, and its formula in numbers.
+
+use super::shown::Made;
+use super::{ExplainState, Explained, Topic};
+use crate::diagnose::{Formula, VertexFormula};
+use crate::editor::{Session, View};
+use crate::math::Aabb;
+use crate::revision::Revision;
+use crate::scene::{ShapeId, pick_shape};
+use crate::ui::Action;
+use crate::ui::scene_places::ScenePlaces;
+use egui::{Pos2, Response};
+
+/// Number of weights that make a vertex worth explaining, and how large they have to be.
+const ENOUGH: usize = 3;
+const HEAVY: f32 = 0.1;
+
+/// The formula at work on a vertex, in numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Told {
+    /// Revision of the mesh that it is one of.
+    of: Revision,
+    made: Option<Made>,
+    pub formula: Formula,
+    pub vertex: VertexFormula,
+    /// Where the exact formula takes the vertex.
+    pub exact: VertexFormula,
+    /// Number of vertices.
+    pub count: usize,
+    /// Digits after the point that are worth showing of a coordinate.
+    pub decimals: usize,
+}
+
+impl Told {
+    /// The formula of `vertex`, with the mistake that is made; `None` if there is no such vertex.
+    pub(super) fn new(explained: &Explained, vertex: usize, made: Option<Made>) -> Option<Self> {
+        let formula = made.map_or_else(Formula::default, Made::formula);
+        let (character, pose) = (&explained.shape.character, explained.shape.pose());
+        let told = |formula| VertexFormula::new(character, pose, formula, vertex);
+        let positions = &character.bind_mesh().positions;
+        let size = Aabb::from_points(positions.iter().copied()).size().length();
+        Some(Self {
+            of: explained.revision(),
+            made,
+            vertex: told(&formula)?,
+            exact: told(&Formula::default())?,
+            formula,
+            count: positions.len(),
+            decimals: match size {
+                0.0..20.0 => 3,
+                20.0..200.0 => 2,
+                _ => 1,
+            },
+        })
+    }
+
+    /// Whether it is the formula of this vertex in this pose, with this mistake.
+    pub(super) fn is_of(&self, explained: &Explained, vertex: usize, made: Option<Made>) -> bool {
+        self.of == explained.revision() && self.vertex.vertex == vertex && self.made == made
+    }
+}
+
+impl ExplainState {
+    /// The vertex that is explained: the one that was picked, or one where there is much to see: of those
+    /// with several weights the farthest from the origin.
+    pub(super) fn vertex(&self, explained: &Explained) -> usize {
+        let attachments = explained.shape.character.attachments();
+        let picked = self.picked.filter(|&(shape, vertex)| {
+            shape == explained.id && vertex < attachments.vertex_count()
+        });
+        if let Some((_, vertex)) = picked {
+            return vertex;
+        }
+        let positions = &explained.shape.character.bind_mesh().positions;
+        let tells = |vertex: &usize| {
+            let influences = attachments.of_vertex(*vertex).iter();
+            let heavy = influences.filter(|one| one.weight.abs() >= HEAVY);
+            heavy.count().min(ENOUGH)
+        };
+        let far = |vertex: &usize| positions[*vertex].length();
+        let most = (0..attachments.vertex_count())
+            .max_by(|a, b| tells(a).cmp(&tells(b)).then(far(a).total_cmp(&far(b))));
+        most.unwrap_or(0)
+    }
+
+    /// Picks a vertex of a character.
+    pub(super) fn pick(&mut self, character: ShapeId, vertex: usize) {
+        self.picked = Some((character, vertex));
+        self.unfolded.clear();
+    }
+}
+
+/// Picks the vertex of a character that is clicked in the view, and selects that character; whether
+/// one was. With Ctrl or Shift a click is about the selection alone.
+pub(in crate::ui) fn pointer(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut ExplainState,
+    actions: &mut Vec<Action>,
+) -> bool {
+    let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
+    if !state.is_open || state.topic != Topic::Formula || adds || !view.clicked() {
+        return false;
+    }
+    let clicked = view.interact_pointer_pos();
+    let Some((shape, vertex)) = clicked.and_then(|at| vertex_at(places, session, state, at)) else {
+        return false;
+    };
+    state.pick(shape, vertex);
+    if session.selected() != Some(shape) {
+        actions.push(Action::View(View::Select(Some(shape))));
+    }
+    true
+}
+
+/// The vertex of a character at a point of the window, of the mesh that is shown there.
+fn vertex_at(
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut ExplainState,
+    at: Pos2,
+) -> Option<(ShapeId, usize)> {
+    let place = places.at(at)?;
+    let ray = session.view().camera.ray(place.pixel(at), place.size());
+    let mistaken = state.evaluated(session);
+    let evaluated = mistaken.as_ref().unwrap_or(session.evaluated());
+    let (id, _) = pick_shape(evaluated, &ray)?;
+    session.scene().character(id)?;
+    let shape = evaluated.shape(id)?;
+    let ray = ray.transformed(shape.world_from_model.inverse());
+    Some((id, shape.geometry.nearest_vertex(&ray)?))
+}

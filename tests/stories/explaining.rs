@@ -1,0 +1,254 @@
+//! View ▸ Explain Skinning: the formula of a vertex, mistakes on purpose, the matrix stack.
+
+use super::{Story, differing};
+use egui::accesskit::{Action, ActionRequest, TreeId};
+use egui::{Event, Key, Pos2, vec2};
+use glam::Vec3;
+
+/// The strip with its elbow bent by 90°, and the panel.
+fn bent() -> Story {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "90");
+    story.click("View");
+    story.click("Explain Skinning");
+    story
+}
+
+/// Scrolls to a mistake in the list, and clicks it.
+fn make(story: &mut Story, sentence: &str) {
+    let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+    let mut named = nodes.filter(|(_, node)| node.label() == Some(sentence));
+    let target_node = named.next().expect("the mistake is listed").0;
+    let request = ActionRequest {
+        action: Action::ScrollIntoView,
+        target_tree: TreeId::ROOT,
+        target_node,
+        data: None,
+    };
+    story.frame(vec![Event::AccessKitActionRequest(request)]);
+    story.wait(1.0);
+    story.click(sentence);
+}
+
+/// A point of the bent strip near its vertex 2, which both joints hold alike.
+fn near_vertex_2(story: &Story) -> Pos2 {
+    story.at(Vec3::new(0.09, 1.05, 0.0))
+}
+
+const ELBOW: &str = "Elbow: w 0.500, B⁻¹ · v (0.200, 0.000, 0.000), \
+                     T · B⁻¹ · v (0.000, 1.200, 0.000), w · T · B⁻¹ · v (0.000, 0.600, 0.000)";
+const HIP: &str = "Hip: w 0.500, B⁻¹ · v (0.200, 1.000, 0.000), \
+                   T · B⁻¹ · v (0.200, 1.000, 0.000), w · T · B⁻¹ · v (0.100, 0.500, 0.000)";
+const SUM: &str = "Sum (0.100, 1.100, 0.000)";
+const NO_INVERSE: &str = "Vertices are moved by T alone, without the inverse of B";
+
+#[test]
+fn a_click_on_the_mesh_shows_the_formula_of_the_nearest_vertex_in_numbers() {
+    let mut story = bent();
+    let document = story.session().document();
+    assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
+    let at = near_vertex_2(&story);
+    story.click_at(at);
+    assert!(story.has(HIP) && story.has(ELBOW) && story.has(SUM));
+    // The exact path has the vertex there.
+    let shape = story.session().evaluated().shape(story.shape().id).unwrap();
+    assert!(shape.geometry.positions()[2].abs_diff_eq(Vec3::new(0.1, 1.1, 0.0), 1e-6));
+    // A row has its matrices, and lights its joint.
+    story.click(ELBOW);
+    let of_elbow = "T of Elbow: 0.000 -1.000 0.000 0.000; 1.000 0.000 0.000 1.000; \
+                    0.000 0.000 1.000 0.000; 0.000 0.000 0.000 1.000";
+    assert!(story.has(of_elbow));
+    let inverse = "B⁻¹ of Elbow: 1.000 0.000 0.000 0.000; 0.000 1.000 0.000 -1.000; \
+                   0.000 0.000 1.000 0.000; 0.000 0.000 0.000 1.000";
+    assert!(story.has(inverse));
+    assert_eq!(story.session().hovered_joint(), Some(2));
+    let row = story.place(HIP);
+    story.point(row);
+    story.settle();
+    assert_eq!(story.session().hovered_joint(), Some(1));
+    // Another vertex is typed as a diagnosis names it.
+    story.type_into("Vertex", "4");
+    assert!(story.has("Sum (-1.000, 1.200, 0.000)"));
+    assert_eq!(story.session().document(), document);
+    assert_eq!(story.shape().name, "Strip");
+}
+
+#[test]
+fn the_numbers_follow_while_a_joint_is_dragged_and_the_arrows_end_at_the_vertex() {
+    let mut story = bent();
+    let without = story.picture();
+    let at = near_vertex_2(&story);
+    story.click_at(at);
+    let arrows = story.picture();
+    assert!(differing(&without, &arrows) > 200);
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(-90.0, 0.0));
+    assert!(story.session().is_in_gesture());
+    // At rest again: both joints have the vertex at (0.2, 1, 0).
+    assert!(story.has("Sum (0.200, 1.000, 0.000)"));
+    story.key(Key::Escape);
+    story.button(false);
+    story.settle();
+    assert!(story.has(SUM));
+}
+
+#[test]
+fn a_mistake_is_shown_in_the_view_and_in_the_formula_and_nowhere_else() {
+    let mut story = bent();
+    story.size = (1280, 1000);
+    story.settle();
+    let at = near_vertex_2(&story);
+    story.click_at(at);
+    story.save_view((300, 200), "right.png");
+    story.click("File");
+    story.click("Export Geometry…");
+    story.choose("right.obj");
+    let (right, document) = (story.scene_picture(), story.session().document());
+    let steps = story.session().done_steps();
+    make(&mut story, NO_INVERSE);
+    assert!(differing(&right, &story.scene_picture()) > 500);
+    assert!(story.has("v' = Σ w · T · v"));
+    // T alone takes the vertex to (-1, 1.2, 0) by the elbow.
+    let elbow = "Elbow: w 0.500, T · v (-1.000, 1.200, 0.000), w · T · v (-0.500, 0.600, 0.000)";
+    assert!(story.has(elbow) && story.has("Sum (-0.400, 1.100, 0.000)"));
+    assert!(story.has("Right (0.100, 1.100, 0.000)"));
+    assert!(story.has_text("⚠ Shown wrong on purpose"));
+
+    // Neither the document nor what is written of it knows of the mistake.
+    assert_eq!(story.session().document(), document);
+    assert_eq!(story.session().done_steps(), steps);
+    let shape = story.session().evaluated().shape(story.shape().id).unwrap();
+    assert!(shape.geometry.positions()[2].abs_diff_eq(Vec3::new(0.1, 1.1, 0.0), 1e-6));
+    story.save_view((300, 200), "wrong.png");
+    story.click("File");
+    story.click("Export Geometry…");
+    story.choose("wrong.obj");
+    let written = |name: &str| &story.host.written[std::path::Path::new(name)];
+    assert_eq!(written("right.png"), written("wrong.png"));
+    assert_eq!(written("right.obj"), written("wrong.obj"));
+
+    // It follows a joint, and its mesh is what is clicked.
+    let wrong = story.scene_picture();
+    story.type_into("Elbow Z", "60");
+    assert!(differing(&wrong, &story.scene_picture()) > 500);
+    story.type_into("Elbow Z", "90");
+    assert_eq!(differing(&wrong, &story.scene_picture()), 0);
+    story.type_into("Vertex", "0");
+    assert!(story.has("Sum (-0.200, 0.000, 0.000)"));
+    // Where the strip as it is has its vertex 3.
+    let wrong = story.at(Vec3::new(-0.49, 1.095, 0.0));
+    story.click_at(wrong);
+    assert!(story.has("Sum (-0.400, 1.100, 0.000)"), "vertex 2");
+
+    story.click("Back to Right");
+    assert_eq!(differing(&right, &story.scene_picture()), 0);
+    assert!(!story.has("Back to Right") && story.has("v' = Σ w · T · B⁻¹ · v"));
+}
+
+#[test]
+fn esc_ends_the_mistake_then_the_panel_and_then_what_it_ended_before() {
+    let mut story = bent();
+    story.click("Close Explain");
+    let closed = story.scene_picture();
+    story.key(Key::K);
+    let right = story.scene_picture();
+    make(&mut story, NO_INVERSE);
+    story.key(Key::Escape);
+    assert_eq!(differing(&right, &story.scene_picture()), 0);
+    assert!(story.has("Close Explain") && !story.has("Back to Right"));
+    story.key(Key::Escape);
+    assert!(!story.has("Close Explain"));
+    assert_eq!(story.shape().name, "Strip");
+    story.key(Key::K);
+    make(&mut story, NO_INVERSE);
+    story.click("Close Explain");
+    assert_eq!(differing(&closed, &story.scene_picture()), 0);
+    story.key(Key::K);
+    assert!(!story.has("Back to Right"), "closing has ended it");
+    assert!(!story.host.quits);
+}
+
+#[test]
+fn a_mistake_looks_the_same_whoever_skins_and_a_mistake_that_makes_no_difference_says_so() {
+    let mut story = bent();
+    let right = story.scene_picture();
+    make(&mut story, NO_INVERSE);
+    let mut pictures = Vec::new();
+    for skinning in ["Processor", "Graphics Card"] {
+        story.click("View");
+        story.click("Skinning");
+        story.click(skinning);
+        pictures.push(story.scene_picture());
+    }
+    assert!(differing(&right, &pictures[0]) > 500);
+    assert_eq!(differing(&pictures[0], &pictures[1]), 0);
+    story.click("Back to Right");
+    story.click("Reset all");
+    let right = story.scene_picture();
+    make(
+        &mut story,
+        "Rotations are transposed, so that joints turn the other way",
+    );
+    assert_eq!(differing(&right, &story.scene_picture()), 0);
+    assert!(story.has_text("At rest it makes no difference: turn some joints."));
+}
+
+#[test]
+fn a_collada_character_has_its_formula_and_mistakes_too() {
+    let mut story = Story::start(&["builtin:lizard"]);
+    story.key(Key::K);
+    let right = story.scene_picture();
+    make(&mut story, NO_INVERSE);
+    assert!(differing(&right, &story.scene_picture()) > 500);
+    story.key(Key::Escape);
+    assert_eq!(differing(&right, &story.scene_picture()), 0);
+}
+
+#[test]
+fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
+    let mut story = bent();
+    story.click("Matrix Stack");
+    assert!(story.has_text("Step 0 of 9: The stack is empty, and its top is the identity"));
+    for _ in 0..7 {
+        story.click("Step");
+    }
+    // Root, hip and elbow were pushed; root, hip and elbow drawn; the elbow popped.
+    assert!(story.has_text("Step 7 of 9: pop: all that hangs on Elbow is done, take its T off"));
+    assert!(story.has("Elbow, drawn") && story.has("Hip, on the stack"));
+    assert_eq!(story.session().hovered_joint(), Some(2));
+    for _ in 0..2 {
+        story.click("Back");
+    }
+    let words = "push: multiply the top by Elbow's own transform and put the product on top";
+    assert!(story.has_text(&format!("Step 5 of 9: {words}")));
+    let top = "Top of the stack, Elbow: 0.000 -1.000 0.000 0.000; 1.000 0.000 0.000 1.000; \
+               0.000 0.000 1.000 0.000; 0.000 0.000 0.000 1.000";
+    assert!(story.has(top));
+    story.click("To Start");
+    story.click("Play");
+    for done in 1..=9 {
+        story.wait(0.7);
+        let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+        let said = nodes.filter_map(|(_, node)| node.value());
+        let begins = format!("Step {done} of 9");
+        assert!(
+            said.into_iter().any(|text| text.starts_with(&begins)),
+            "{begins}"
+        );
+    }
+    story.click("Formula");
+    assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
+}
+
+#[test]
+fn another_document_has_no_mistake_and_a_scene_without_characters_nothing_to_explain() {
+    let mut story = bent();
+    make(&mut story, NO_INVERSE);
+    assert!(story.has("Back to Right"));
+    story.click("Delete");
+    assert!(!story.has("Back to Right"));
+    assert!(story.has_text("There is no character to explain. Insert one."));
+    story.click("Close Explain");
+    story.key(Key::K);
+    assert!(!story.has("Close Explain"), "the command is disabled");
+}
