@@ -238,6 +238,7 @@ impl Program {
             selected_joint: self.session.selected_joint(),
             hovered_joint: self.session.hovered_joint(),
             hovered_control_point: self.session.hovered_control_point(),
+            ..self.marks_of_meshes()
         };
         let frame = frame(&self.session, self.backdrop, marks);
         let moves = self.session.is_in_gesture() || self.ui.is_moving_camera();

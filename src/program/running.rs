@@ -8,6 +8,7 @@ use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::job::Finished;
+use super::mesh_marks::MeshMarks;
 use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::questions::Asked;
@@ -60,6 +61,7 @@ pub struct Program {
     /// Preferences as they were stored last.
     pub(super) stored: Preferences,
     pub(super) comparison: Option<Comparison>,
+    pub(super) mesh_marks: MeshMarks,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
     /// Pictures that are taken at the end of this frame.
@@ -123,6 +125,7 @@ impl Program {
             preferences: Preferences::default(),
             stored: Preferences::default(),
             comparison: None,
+            mesh_marks: MeshMarks::default(),
             pending_pictures: Vec::new(),
             due_pictures: Vec::new(),
             pictures: VecDeque::new(),
@@ -232,6 +235,7 @@ impl Program {
         if let Some(comparison) = &mut self.comparison {
             comparison.load_textures(&context);
         }
+        self.update_mesh_marks();
         let compare = self.comparison.as_ref().and_then(Comparison::view);
         let is_busy = compare.is_some() || self.asked.is_some();
         let is_start_page = ui::has_start_page(&self.session, is_busy);
@@ -260,6 +264,7 @@ impl Program {
             gesture_under_way: self.ui.gesture_under_way(),
             keys_are_taken: host.is_dialog_open() || pass == Pass::Display,
             compare: compare.as_ref(),
+            legend: self.mesh_marks.legend(),
             progress: progress.as_ref().map(|(text, part)| (text.as_str(), *part)),
         };
         self.ui.has_file = self.document.path().is_some();

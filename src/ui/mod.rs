@@ -21,6 +21,7 @@ mod joint_rows;
 mod joint_tree;
 mod look_switch;
 mod menu_bar;
+mod mesh_colors;
 mod messages;
 mod navigation;
 mod number_field;
@@ -46,6 +47,7 @@ pub use compare::{
     CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
     course_panels, picture_texture,
 };
+pub use mesh_colors::{Legend, MeshColors};
 pub use navigation::Navigation;
 pub use number_field::evaluate;
 pub use scene_places::ScenePlaces;
@@ -94,6 +96,8 @@ pub struct ViewInput<'a> {
     pub keys_are_taken: bool,
     /// The comparison under way: its pictures replace the view of the scene.
     pub compare: Option<&'a CompareView<'a>>,
+    /// Words about the colors of meshes, if they are those of numbers.
+    pub legend: Option<&'a Legend>,
     /// Work that takes a while: what is done, and how much of it, from 0 to 1.
     pub progress: Option<(&'a str, f32)>,
 }

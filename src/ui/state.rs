@@ -1,4 +1,3 @@
-use super::Navigation;
 use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
@@ -9,6 +8,7 @@ use super::messages::NoticeState;
 use super::posing::PoseState;
 use super::shape_list::Renaming;
 use super::windows::Windows;
+use super::{MeshColors, Navigation};
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
 use crate::scene::{Camera, Look, ShapeId, Skinning};
@@ -16,7 +16,8 @@ use egui::{Pos2, Rect, ThemePreference, vec2};
 use glam::Vec3;
 
 /// State of the panels between frames that is neither scene nor view: searches, folded rows, open
-/// windows. Nothing in it changes a picture of the scene.
+/// windows. Of it only [`UiState::skinning`], [`UiState::colors`] and [`UiState::bind_ghost`] change
+/// how the scene is drawn.
 #[derive(Clone, Debug)]
 pub struct UiState {
     /// Colors of the panels. Kept by the program from one run to the next.
@@ -25,6 +26,10 @@ pub struct UiState {
     pub navigation: Navigation,
     /// What deforms characters; automatic if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
+    /// What characters are colored by.
+    pub colors: MeshColors,
+    /// Whether characters are shown in their bind pose, too.
+    pub bind_ghost: bool,
     /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
     /// them if `None`. Kept by the program, too.
     pub look_of_new: Option<Look>,
@@ -86,6 +91,8 @@ impl Default for UiState {
             theme: ThemePreference::System,
             navigation: Navigation::default(),
             skinning: None,
+            colors: MeshColors::default(),
+            bind_ghost: false,
             look_of_new: None,
             has_file: false,
             panel_folded: false,

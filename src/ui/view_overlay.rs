@@ -8,7 +8,7 @@ use super::widgets::named;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, look_switch, messages, posing, start_page,
+    control_points, look_switch, mesh_colors, messages, posing, start_page,
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
@@ -79,6 +79,10 @@ pub(super) fn show(
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
     }
+    if let Some(legend) = input.legend.filter(|_| input.compare.is_none()) {
+        let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
+        mesh_colors::legend(&mut over, rect, below_tools, legend);
+    }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     if let Some(work) = input.progress {
         progress::show(&mut over, rect, work, actions);
@@ -106,15 +110,19 @@ fn viewer_reset(ui: &mut Ui, view: Rect) -> bool {
 /// of it, and as much at the bottom, so that what is fitted is in the middle.
 pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
     const LEAST: f32 = 0.5;
-    let rows = if state.pose.tool == Tool::Ik {
-        2.0
-    } else {
-        1.0
-    };
-    let covered = 2.0 * rows * BAR_HEIGHT / state.view_rect.height().max(1.0);
+    let covered = 2.0 * tool_rows(state) * BAR_HEIGHT / state.view_rect.height().max(1.0);
     FitArea {
         aspect,
         free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
+    }
+}
+
+/// Rows of the tool bar.
+fn tool_rows(state: &UiState) -> f32 {
+    if state.pose.tool == Tool::Ik {
+        2.0
+    } else {
+        1.0
     }
 }
 

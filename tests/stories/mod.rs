@@ -3,6 +3,7 @@
 
 mod autosaving;
 mod boxes;
+mod coloring;
 mod comparing;
 mod documents;
 mod fetching;

@@ -65,6 +65,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             return Some(Action::View(View::SetCamera(*session.start_camera())));
         }
         Command::SetSkinning(skinning) => state.skinning = skinning,
+        Command::SetColors(colors) => state.colors = colors,
+        Command::ToggleBindGhost => state.bind_ghost = !state.bind_ghost,
         Command::SetTool(tool) => state.pose.tool = tool,
         Command::Begin(tool) => state.pose.asked = Some(tool),
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
@@ -203,6 +205,8 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
         Command::SetTheme(theme) => Some(state.theme == theme),
         Command::SetNavigation(navigation) => Some(state.navigation == navigation),
         Command::SetSkinning(skinning) => Some(state.skinning == skinning),
+        Command::SetColors(colors) => Some(state.colors == colors),
+        Command::ToggleBindGhost => Some(state.bind_ghost),
         Command::SetTool(tool) => Some(state.pose.tool == tool),
         Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),
         _ => None,
