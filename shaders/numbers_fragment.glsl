@@ -13,8 +13,8 @@ uniform vec3 eye;
 uniform float low;
 uniform float high;
 // Numbers up to this one have a color of their own.
-uniform float agreeing;
-uniform vec3 agreeing_color;
+uniform float gray_up_to;
+uniform vec3 gray;
 // The scale, the dark end at u = 0.
 uniform sampler2D scale;
 
@@ -26,8 +26,8 @@ vec3 unit(vec3 v) {
 }
 
 vec3 color_of(float number) {
-    if (number <= agreeing) {
-        return agreeing_color;
+    if (number <= gray_up_to) {
+        return gray;
     }
     float range = high - low;
     float part = range > 0.0 ? clamp((number - low) / range, 0.0, 1.0) : 0.0;

@@ -60,7 +60,7 @@ pub struct Args {
     look: Option<LookName>,
     /// Color characters by a number of each vertex on a scale from violet to yellow: the weight of a
     /// joint (0 to 1), the number of joints that move it (1, or 0 if none does, to the most), or the
-    /// share of its weights beyond the four largest (0 to the most).
+    /// share of its weights beyond the four largest (0 to the most); gray where it is nothing.
     #[arg(long, value_name = "weight:JOINT|influences|lost-at-four", conflicts_with = "ui", value_parser = colors::colors)]
     colors: Option<Colors>,
     /// Brightness of the Studio look's background, and of the panels.

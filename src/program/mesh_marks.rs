@@ -8,6 +8,7 @@ use crate::scene::{CharacterNumber, CharacterShape, EvaluatedGeometry, ShapeId, 
 use crate::ui::{Legend, MeshColors};
 use glam::Vec3;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// Color of the bind pose.
 const BIND: Vec3 = Vec3::new(0.45, 0.7, 1.0);
@@ -157,11 +158,13 @@ fn words(colors: MeshColors, shown: &Shown, numbers: Option<&VertexNumbers>) -> 
             let name = joints.get(joint).map_or("", |joint| &joint.name);
             Legend {
                 ends: Some(["0".to_owned(), "1".to_owned()]),
+                gray: Some("not moved by it".to_owned()),
                 ..named(&format!("Weight of {name}"), "")
             }
         }
         Some(CharacterNumber::LostAtFour) if high > 0.0 => Legend {
             ends: Some(["0 %".to_owned(), format!("{:.1} %", 100.0 * high)]),
+            gray: Some("nothing is lost".to_owned()),
             ..named(
                 "Lost at four influences",
                 "Of the weights of each vertex, all but the four largest",
@@ -185,18 +188,23 @@ impl Program {
     }
 
     /// What is drawn of meshes besides themselves, as marks of the scene alone.
-    pub(super) fn marks_of_meshes(&mut self) -> Marks {
+    pub(super) fn marks_of_meshes(&mut self, now: Duration) -> Marks {
         self.update_mesh_marks();
+        self.update_mesh_comparison(now);
         let ghosts = if self.ui.bind_ghost {
             self.mesh_marks.bind_ghosts(&self.session)
         } else {
             self.mesh_marks.bind_poses.clear();
             Vec::new()
         };
-        Marks {
-            numbers: self.mesh_marks.numbers.clone(),
-            ghosts,
-            ..Marks::default()
-        }
+        let mut marks = match &self.mesh_comparison {
+            Some(comparison) => comparison.marks(&self.session),
+            None => Marks {
+                numbers: self.mesh_marks.numbers.clone(),
+                ..Marks::default()
+            },
+        };
+        marks.ghosts.extend(ghosts);
+        marks
     }
 }

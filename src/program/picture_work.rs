@@ -200,7 +200,7 @@ impl Program {
                 continue;
             }
             let view = (graphics.view_size(), graphics.samples());
-            let marks = self.marks_of_meshes();
+            let marks = self.marks_of_meshes(host.now());
             let shown = (&self.session, self.backdrop, marks);
             match PictureWork::new(path.clone(), &shot, shown, view) {
                 Ok(work) => self.pictures.push_back(work),

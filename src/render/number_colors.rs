@@ -4,7 +4,7 @@ use super::cached_mesh::CachedMesh;
 use super::mesh_programs::MeshPrograms;
 use super::renderer::{Frame, PassContext};
 use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture};
-use crate::scene::{AGREEING, VertexNumbers, scale_color};
+use crate::scene::{SCALE_GRAY, VertexNumbers, scale_color};
 
 /// Colors in the texture of the scale.
 const CELLS: u32 = 256;
@@ -47,7 +47,7 @@ impl NumberColors {
         for program in self.programs.all() {
             program.set_mat4("clip_from_world", context.clip_from_world);
             program.set_vec3("eye", frame.view.camera.eye());
-            program.set_vec3("agreeing_color", AGREEING);
+            program.set_vec3("gray", SCALE_GRAY);
             program.set_sampler("scale", SCALE);
         }
     }
@@ -58,7 +58,7 @@ impl NumberColors {
         let program = self.programs.of(mesh);
         program.set_f32("low", numbers.low);
         program.set_f32("high", numbers.high);
-        program.set_f32("agreeing", numbers.agreeing.unwrap_or(f32::MIN));
+        program.set_f32("gray_up_to", numbers.gray_up_to.unwrap_or(f32::MIN));
         self.scale.bind(SCALE);
         program
     }

@@ -15,8 +15,8 @@ const VIRIDIS: [[u8; 3]; 10] = [
     [0xfd, 0xe7, 0x25],
 ];
 
-/// Color of what counts as no difference: none of the scale's.
-pub const AGREEING: Vec3 = Vec3::splat(0.62);
+/// Color of what counts as nothing: none of the scale's.
+pub const SCALE_GRAY: Vec3 = Vec3::splat(0.62);
 
 /// Color at a `part` of the scale, from 0 (dark violet) to 1 (yellow), as stored values. Its lightness
 /// grows evenly, and people with any kind of color vision can tell its colors apart.

@@ -27,7 +27,7 @@ pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,
 };
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
-pub use color_scale::{AGREEING, scale_color};
+pub use color_scale::{SCALE_GRAY, scale_color};
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
 pub use evaluate::{Deformation, Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};

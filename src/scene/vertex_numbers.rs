@@ -12,8 +12,8 @@ pub struct VertexNumbers {
     pub low: f32,
     /// The number at the bright end.
     pub high: f32,
-    /// Numbers up to this one are no difference, and gray instead of a color of the scale.
-    pub agreeing: Option<f32>,
+    /// Numbers up to this one count as nothing, and are gray instead of a color of the scale.
+    pub gray_up_to: Option<f32>,
 }
 
 /// Number of each vertex of a character by which its mesh can be colored.
@@ -56,16 +56,16 @@ impl CharacterNumber {
         };
         let most = values.iter().copied().fold(0.0, f32::max);
         let least = values.iter().copied().fold(most, f32::min);
-        let (low, high) = match self {
-            Self::Weight(_) => (0.0, 1.0),
-            Self::Influences => (least.min(1.0), most.max(1.0)),
-            Self::LostAtFour => (0.0, most),
+        let (low, high, gray_up_to) = match self {
+            Self::Weight(_) => (0.0, 1.0, Some(0.0)),
+            Self::Influences => (least.min(1.0), most.max(1.0), None),
+            Self::LostAtFour => (0.0, most, Some(0.0)),
         };
         VertexNumbers {
             values,
             low,
             high,
-            agreeing: None,
+            gray_up_to,
         }
     }
 }

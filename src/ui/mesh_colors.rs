@@ -1,7 +1,7 @@
 //! Meshes in the colors of numbers: what can be chosen, and the legend over the view.
 
 use super::theme::Palette;
-use crate::scene::{AGREEING, scale_color};
+use crate::scene::{SCALE_GRAY, scale_color};
 use egui::{
     Color32, Frame, Label, Layout, Margin, Mesh, Pos2, Rect, RichText, Sense, Shape, Ui, UiBuilder,
     Vec2, WidgetInfo, WidgetType, pos2, vec2,
@@ -29,7 +29,7 @@ pub struct Legend {
     /// Numbers at the dark and at the bright end; `None` if nothing is shown by the scale.
     pub ends: Option<[String; 2]>,
     /// Meaning of the gray that is no color of the scale, if there is any.
-    pub agreeing: Option<String>,
+    pub gray: Option<String>,
     /// What else is to be known.
     pub note: Option<String>,
 }
@@ -70,11 +70,11 @@ pub(super) fn legend(ui: &mut Ui, view: Rect, top: f32, legend: &Legend) {
                 });
             });
         }
-        if let Some(agreeing) = &legend.agreeing {
+        if let Some(gray) = &legend.gray {
             ui.horizontal(|ui| {
                 let (rect, _) = ui.allocate_exact_size(Vec2::splat(SQUARE), Sense::hover());
-                ui.painter().rect_filled(rect, 2, color(AGREEING));
-                ui.label(RichText::new(agreeing).small());
+                ui.painter().rect_filled(rect, 2, color(SCALE_GRAY));
+                ui.label(RichText::new(gray).small());
             });
         }
         if let Some(note) = &legend.note {

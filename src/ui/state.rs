@@ -69,6 +69,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
+    /// The vertex that is marked in a comparison with a mesh.
+    pub(super) marked_vertex: Option<usize>,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.
@@ -115,6 +117,7 @@ impl Default for UiState {
             box_select: BoxSelect::default(),
             notices: NoticeState::default(),
             outlined: Outlined::default(),
+            marked_vertex: None,
             camera_before_drag: None,
             held_point: None,
             keys_were_taken: false,

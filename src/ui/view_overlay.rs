@@ -66,6 +66,9 @@ pub(super) fn show(
         &mut state.pose,
         actions,
     );
+    if let Some((compare, vertex)) = input.compare_mesh.zip(state.marked_vertex) {
+        compare::mesh_marker(&over, &places, session, compare, vertex);
+    }
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
     // Over the pictures of a comparison they would hide what is compared; its panel has the looks.

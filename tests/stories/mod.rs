@@ -5,6 +5,7 @@ mod autosaving;
 mod boxes;
 mod coloring;
 mod comparing;
+mod comparing_meshes;
 mod documents;
 mod fetching;
 mod files;

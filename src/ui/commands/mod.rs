@@ -125,6 +125,8 @@ pub enum Command {
     ResetViewAndPose,
     /// Chooses a picture to compare the view with.
     Compare,
+    /// Chooses a mesh to compare the selected character with, or the only one.
+    CompareMesh,
     /// Chooses what deforms characters; automatic if `None`.
     SetSkinning(Option<Skinning>),
     /// Chooses a tool.

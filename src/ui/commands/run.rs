@@ -12,7 +12,9 @@ use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
-use crate::ui::{Action, Ask, CompareAction, HistoryMove, Navigation, posing, view_overlay};
+use crate::ui::{
+    Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, posing, view_overlay,
+};
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -100,6 +102,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
+        Command::CompareMesh => {
+            let choose = CompareMeshAction::Choose(character_to_compare(session)?);
+            return Some(Action::Ask(Ask::CompareMesh(choose)));
+        }
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
         Command::Duplicate => {
@@ -258,6 +264,9 @@ pub(in crate::ui) fn why_disabled(
         {
             Some("There is no shape")
         }
+        Command::CompareMesh if character_to_compare(session).is_none() => {
+            Some("No character is selected")
+        }
         Command::ExportCharacter if selected_character(session).is_none() => {
             Some("No character is selected")
         }
@@ -396,6 +405,17 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// The character that a mesh is compared with: the selected one, or the only one.
+fn character_to_compare(session: &Session) -> Option<ShapeId> {
+    if let Some((selected, _)) = selected_character(session) {
+        return Some(selected);
+    }
+    let shapes = session.scene().shapes().iter();
+    let mut characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
+    let only = characters.next()?;
+    characters.next().is_none().then_some(only.id)
 }
 
 /// The selected shape, if it is a character.

@@ -209,6 +209,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
     entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences; the key pressed again ends that", &[key(NONE, Key::F8)]),
+    entry(Command::CompareMesh, Menu::Compare, "Compare with Mesh…", "Lay a mesh that another program posed over the selected character, see how far off it is and which mistake gives it; the key pressed again ends that", &[key(SHIFT, Key::F8)]),
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
     entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
