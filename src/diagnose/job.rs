@@ -5,7 +5,7 @@ use glam::Vec3;
 use std::sync::Arc;
 
 /// Vertices that a step works on, each of which is skinned once.
-const STEP: usize = 1 << 13;
+const STEP: usize = 1 << 12;
 
 /// What [`super::diagnose`] needs, to be carried out elsewhere than where it was begun.
 #[derive(Clone, Debug)]

@@ -322,6 +322,10 @@ mod tests {
             offered(Purpose::ExportGeometry),
             ["man.obj", "cup.obj", "tube.obj"]
         );
+        assert_eq!(
+            offered(Purpose::CompareMesh(ShapeId(1))),
+            ["man.obj", "cup.obj", "tube.obj"]
+        );
         assert_eq!(offered(Purpose::LoadPose(ShapeId(1))), ["a.json"]);
         assert_eq!(offered(Purpose::SavePose(ShapeId(1), None)), ["a.json"]);
         assert_eq!(offered(Purpose::Compare), ["a.png", "a.JPG", "a.gif"]);

@@ -82,7 +82,11 @@ pub(super) fn show(
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
     }
-    if let Some(legend) = input.legend.filter(|_| input.compare.is_none()) {
+    let is_empty = session.scene().shapes().is_empty();
+    if let Some(legend) = input
+        .legend
+        .filter(|_| input.compare.is_none() && !is_empty)
+    {
         let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
         mesh_colors::legend(&mut over, rect, below_tools, legend);
     }

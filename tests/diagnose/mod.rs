@@ -9,6 +9,7 @@ mod pairs;
 mod pictures;
 mod program;
 mod same;
+mod steps;
 pub mod student;
 mod unexplained;
 

@@ -65,9 +65,10 @@ pub(in crate::ui) fn show(
                                 column.spacing_mut().item_spacing.x = gap;
                             }
                             let [left, middle, right] = columns;
-                            parts.numbers(left);
-                            parts.diagnosis(middle);
-                            parts.regions(right);
+                            // Columns would stretch what is in them.
+                            left.vertical(|ui| parts.numbers(ui));
+                            middle.vertical(|ui| parts.diagnosis(ui));
+                            right.vertical(|ui| parts.regions(ui));
                         });
                     }
                 });

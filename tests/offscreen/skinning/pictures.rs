@@ -7,8 +7,8 @@ use editor_core::gpu::{Framebuffer, Gl};
 use editor_core::render::{Backdrop, Frame, Marks, Renderer, ShapeNumbers};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
-    CharacterNumber, Evaluated, Evaluator, FitArea, ModelDisplay, Scene, Shading, ShapeKind,
-    Skinning, ViewSettings, scale_color,
+    CharacterNumber, Evaluated, Evaluator, FitArea, ModelDisplay, SCALE_GRAY, Scene, Shading,
+    ShapeKind, Skinning, ViewSettings, scale_color,
 };
 use glam::Vec3;
 use std::sync::Arc;
@@ -129,11 +129,11 @@ fn colors_of_numbers_are_the_same_whoever_skins_and_are_those_of_the_scale() {
             let (here, _) = draw(gl, &mut cpu, scene, &view, marks.clone());
             let (there, _) = draw(gl, &mut gpu, scene, &view, marks);
             same(name, &here, &there);
-            // Every pixel of a mesh has the hue of some place of the scale: green goes with the number.
+            // Every pixel of a mesh has a hue of the scale, or its gray.
             let is_of_scale = |pixel: [u8; 4]| {
                 let seen = Vec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into()) / 255.0;
-                (0..=100).any(|part| {
-                    let color = scale_color(part as f32 / 100.0);
+                let scale = (0..=100).map(|part| scale_color(part as f32 / 100.0));
+                scale.chain([SCALE_GRAY]).any(|color| {
                     let lit = color * (seen.length() / color.length());
                     (seen - lit).length() < 0.03
                 })
