@@ -59,6 +59,8 @@ mod tests {
 
     #[test]
     fn numbers_beyond_the_ends_have_the_colors_of_the_ends() {
+        assert_eq!(scale_color(0.0), Vec3::new(68.0, 1.0, 84.0) / 255.0);
+        assert_eq!(scale_color(1.0), Vec3::new(253.0, 231.0, 37.0) / 255.0);
         assert_eq!(scale_color(-3.0), scale_color(0.0));
         assert_eq!(scale_color(7.0), scale_color(1.0));
         assert_eq!(scale_color(f32::INFINITY), scale_color(1.0));
