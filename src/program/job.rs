@@ -78,7 +78,7 @@ pub struct JobResult(pub(super) Finished);
 #[derive(Debug)]
 pub(super) enum Finished {
     Compared(Compared),
-    Diagnosed(MeshDiagnosed),
+    Diagnosed(Box<MeshDiagnosed>),
     Encoded {
         path: PathBuf,
         bytes: Result<Vec<u8>, String>,
@@ -171,9 +171,9 @@ impl Work {
     fn begin(self) -> Steps<'static, JobResult> {
         match self {
             Self::Compare(work) => work.begin(),
-            Self::Diagnose { of, mesh } => mesh
-                .diagnose()
-                .map(move |outcome| JobResult(Finished::Diagnosed(MeshDiagnosed { of, outcome }))),
+            Self::Diagnose { of, mesh } => mesh.diagnose().map(move |outcome| {
+                JobResult(Finished::Diagnosed(Box::new(MeshDiagnosed { of, outcome })))
+            }),
             Self::Encode {
                 path,
                 picture,

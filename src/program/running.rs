@@ -348,7 +348,7 @@ impl Program {
                     }
                     Finished::Diagnosed(result) => {
                         if let Some(comparison) = &mut self.mesh_comparison {
-                            comparison.take_result(result);
+                            comparison.take_result(*result);
                         }
                     }
                     Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),

@@ -19,11 +19,12 @@ const VIRIDIS: [[u8; 3]; 10] = [
 pub const SCALE_GRAY: Vec3 = Vec3::splat(0.62);
 
 /// Color at a `part` of the scale, from 0 (dark violet) to 1 (yellow), as stored values. Its lightness
-/// grows evenly, and people with any kind of color vision can tell its colors apart.
+/// grows evenly, and people with any kind of color vision can tell its colors apart. What is not a
+/// number has the color of 0.
 pub fn scale_color(part: f32) -> Vec3 {
     let last = VIRIDIS.len() - 1;
-    // What is not a number is at the lower end.
-    let at = part.max(0.0).min(1.0) * last as f32;
+    let part = if part.is_nan() { 0.0 } else { part };
+    let at = part.clamp(0.0, 1.0) * last as f32;
     let below = (at as usize).min(last - 1);
     let color = |index: usize| Vec3::from(VIRIDIS[index].map(f32::from)) / 255.0;
     color(below).lerp(color(below + 1), at - below as f32)
