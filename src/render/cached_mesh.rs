@@ -1,6 +1,7 @@
 //! The mesh of one shape in the memory of the graphics card.
 
 use super::mesh_cache::TextureCache;
+use super::mesh_numbers::MeshNumbers;
 use super::skinning_tables::{Palettes, Run, Skin};
 use crate::character::Character;
 use crate::geometry::{Facets, Mesh, Normals, face_normals, smooth_normals};
@@ -47,15 +48,7 @@ pub(super) struct CachedMesh {
     /// The buffers that are written anew when the positions change; `None` for a skinned mesh.
     moving: Option<Moving>,
     /// The numbers that it is colored by, if there is room for some.
-    numbers: Option<Numbers>,
-}
-
-/// Numbers of the vertices of a mesh.
-#[derive(Debug)]
-struct Numbers {
-    /// Those that were written; `None` before any were, or while the mesh has its own colors.
-    written: Option<Arc<VertexNumbers>>,
-    buffer: Buffer<f32>,
+    numbers: Option<MeshNumbers>,
 }
 
 /// Identity of an uploaded mesh, apart from its pose.
@@ -204,7 +197,7 @@ impl CachedMesh {
 
     /// The numbers that it is colored by, if it is.
     pub fn numbers(&self) -> Option<&VertexNumbers> {
-        self.numbers.as_ref()?.written.as_deref()
+        self.numbers.as_ref()?.written()
     }
 
     /// Uploads the numbers of the positions of `mesh`, of which this is the upload, if they are others
@@ -214,24 +207,10 @@ impl CachedMesh {
         mesh: &Mesh,
         wanted: Option<&Arc<VertexNumbers>>,
     ) -> Result<(), GpuError> {
-        let Some(numbers) = &mut self.numbers else {
-            return Ok(());
-        };
-        // Numbers of another mesh have no place in this one.
-        let wanted = wanted.filter(|wanted| wanted.values.len() == mesh.positions.len());
-        let Some(wanted) = wanted else {
-            numbers.written = None;
-            return Ok(());
-        };
-        let is_written = numbers.written.as_ref();
-        if !is_written.is_some_and(|written| Arc::ptr_eq(written, wanted)) {
-            let values = mesh.at_vertices(&wanted.values);
-            numbers
-                .buffer
-                .update(&gathered(&values, self.facets.as_ref()))?;
-            numbers.written = Some(Arc::clone(wanted));
+        match &mut self.numbers {
+            Some(numbers) => numbers.update(mesh, self.facets.as_ref(), wanted),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Uploads the positions if they have changed and the vertex shader does not compute them.
@@ -306,14 +285,10 @@ impl<'a> Layout<'a> {
     }
 
     /// Adds numbers, which are written later.
-    fn numbers(&mut self, mesh: &Mesh, facets: Option<&Facets>) -> Result<Numbers, GpuError> {
-        let none = vec![0.0; mesh.vertex_count()];
-        let buffer = Buffer::vertices(self.gl, Usage::Stream, &gathered(&none, facets))?;
-        self.attach(&buffer, Attribute::f32(NUMBER, 1));
-        Ok(Numbers {
-            written: None,
-            buffer,
-        })
+    fn numbers(&mut self, mesh: &Mesh, facets: Option<&Facets>) -> Result<MeshNumbers, GpuError> {
+        let numbers = MeshNumbers::new(self.gl, mesh, facets)?;
+        self.attach(&numbers.buffer, Attribute::f32(NUMBER, 1));
+        Ok(numbers)
     }
 
     fn moving(
@@ -391,7 +366,8 @@ impl FixedAttribute for Run {
     }
 }
 
-fn gathered<'a, T: Copy>(of_vertices: &'a [T], facets: Option<&Facets>) -> Cow<'a, [T]> {
+/// Values of vertices in the order in which the mesh is uploaded.
+pub(super) fn gathered<'a, T: Copy>(of_vertices: &'a [T], facets: Option<&Facets>) -> Cow<'a, [T]> {
     match facets {
         Some(facets) => facets.gather(of_vertices).into(),
         None => of_vertices.into(),

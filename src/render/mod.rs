@@ -12,6 +12,7 @@ mod edge_pass;
 mod ghost_pass;
 mod ground_pass;
 mod mesh_cache;
+mod mesh_numbers;
 mod mesh_programs;
 mod moving;
 mod number_colors;
