@@ -8,6 +8,7 @@ layout(location = 4) in uvec2 first_run;
 layout(location = 5) in vec3 second_position;
 layout(location = 6) in uvec2 second_run;
 layout(location = 7) in vec2 texture_coordinates;
+layout(location = 8) in float number;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_model;
@@ -18,6 +19,7 @@ out vec3 world_normal;
 flat out vec3 face_normal;
 out vec3 tint;
 out vec2 on_picture;
+out float shown_number;
 
 void main() {
     vec3 at = moved(model_from_bind(run), position);
@@ -29,5 +31,6 @@ void main() {
     face_normal = world_normal;
     tint = vec3(1.0);
     on_picture = texture_coordinates;
+    shown_number = number;
     gl_Position = clip_from_world * world;
 }

@@ -2,6 +2,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 7) in vec2 texture_coordinates;
+layout(location = 8) in float number;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_model;
@@ -13,6 +14,7 @@ out vec3 world_normal;
 flat out vec3 face_normal;
 out vec3 tint;
 out vec2 on_picture;
+out float shown_number;
 
 void main() {
     vec4 world = world_from_model * vec4(position, 1.0);
@@ -21,5 +23,6 @@ void main() {
     face_normal = world_normal;
     tint = vec3(1.0);
     on_picture = texture_coordinates;
+    shown_number = number;
     gl_Position = clip_from_world * world;
 }

@@ -4,6 +4,7 @@
 
 mod arguments;
 pub mod check;
+mod colors;
 pub mod compare;
 pub mod diagnose;
 pub mod doctor;

@@ -2,6 +2,7 @@
 
 use super::CliError;
 use super::arguments::{self, DisplayOptions, edit, load};
+use super::colors::{self, Colors};
 use super::output::{Progress, eprint_line, picture_format};
 use super::render_ui::{self, PanelOptions};
 use super::turntable;
@@ -12,7 +13,7 @@ use crate::gpu::Backend;
 use crate::io::image::PictureFormat;
 use crate::io::{self, Diagnostic};
 use crate::render::{
-    Backdrop, Background, Frame, LargePicture, Marks, Offscreen, check_picture_size,
+    Backdrop, Background, Frame, LargePicture, Marks, Offscreen, ShapeNumbers, check_picture_size,
 };
 use crate::scene::{
     FitArea, Look, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
@@ -57,6 +58,11 @@ pub struct Args {
     /// Light and background [default: course, or as the scene has it].
     #[arg(long)]
     look: Option<LookName>,
+    /// Color characters by a number of each vertex on a scale from violet to yellow: the weight of a
+    /// joint (0 to 1), the number of joints that move it (1, or 0 if none does, to the most), or the
+    /// share of its weights beyond the four largest (0 to the most); gray where it is nothing.
+    #[arg(long, value_name = "weight:JOINT|influences|lost-at-four", conflicts_with = "ui", value_parser = colors::colors)]
+    colors: Option<Colors>,
     /// Brightness of the Studio look's background, and of the panels.
     #[arg(long, default_value = "dark")]
     theme: ThemeName,
@@ -154,8 +160,11 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     } else {
         let mut offscreen = Offscreen::new(backend)?;
         offscreen.renderer().set_skinning(skinning);
+        let colors = args.colors.as_ref();
+        let numbers = colors.map(|colors| colors.numbers(&session)).transpose()?;
         let mut painter = Painter {
             args,
+            numbers: numbers.unwrap_or_default(),
             session: &session,
             offscreen,
             progress: Progress::new(),
@@ -203,6 +212,8 @@ fn check_output(args: &Args) -> Result<PictureFormat, CliError> {
 /// Draws the pictures of a command.
 struct Painter<'a> {
     args: &'a Args,
+    /// What characters are colored by, if not by their materials.
+    numbers: Vec<ShapeNumbers>,
     session: &'a Session,
     offscreen: Offscreen,
     progress: Progress,
@@ -216,7 +227,10 @@ impl Painter<'_> {
             evaluated: self.session.evaluated(),
             view,
             backdrop: self.args.theme.into(),
-            marks: Marks::default(),
+            marks: Marks {
+                numbers: self.numbers.clone(),
+                ..Marks::default()
+            },
         };
         let asked = LargePicture {
             size: self.args.size,

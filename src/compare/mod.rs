@@ -34,6 +34,7 @@ pub use picture_comparison::{
 };
 pub use rules::sentence;
 pub use steps::Steps;
+pub(crate) use steps::{Pace, at_once};
 
 /// Why two things cannot be compared at all.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

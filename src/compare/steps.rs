@@ -23,7 +23,7 @@ pub struct Steps<'a, T> {
 impl<'a, T> Steps<'a, T> {
     /// The work of what `begin` returns, in steps of at least so many `pixels`, each worked on once. None
     /// of it is done yet.
-    pub(super) fn new<F: Future<Output = T> + 'a>(
+    pub(crate) fn new<F: Future<Output = T> + 'a>(
         pixels: usize,
         begin: impl FnOnce(Rc<Pace>) -> F,
     ) -> Self {
@@ -80,12 +80,12 @@ impl<'a, T> Steps<'a, T> {
 }
 
 /// The result of work that is done in one step.
-pub(super) fn at_once<'a, T, F: Future<Output = T> + 'a>(begin: impl FnOnce(Rc<Pace>) -> F) -> T {
+pub(crate) fn at_once<'a, T, F: Future<Output = T> + 'a>(begin: impl FnOnce(Rc<Pace>) -> F) -> T {
     Steps::new(usize::MAX, begin).finish()
 }
 
 /// How work goes on: it is told what was done, and ends a step when that is enough.
-pub(super) struct Pace {
+pub(crate) struct Pace {
     /// Pixels a step.
     step: usize,
     /// Pixels since the last rest.

@@ -110,6 +110,8 @@ pub struct Region {
     pub share: f64,
     /// How far at most, by the size.
     pub worst: f64,
+    /// The vertex that is so far off, from 0.
+    pub worst_vertex: usize,
 }
 
 /// A mistake that explains much, but not all.
@@ -169,7 +171,7 @@ fn percent(share: f64) -> String {
 }
 
 /// A distance in words, which is given by the size.
-fn of_size(error: f64) -> String {
+pub fn of_size(error: f64) -> String {
     match 100.0 * error {
         percent if percent.is_infinite() => "more than any number".to_owned(),
         percent if percent < 0.001 => "less than 0.001 % of the size".to_owned(),

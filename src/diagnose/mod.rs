@@ -4,28 +4,33 @@
 
 mod diagnosis;
 mod formula;
+mod job;
+mod measure;
 mod mistaken;
 mod mistakes;
 mod model;
 mod picture;
 mod precision;
+mod regions;
 mod search;
 mod silhouette;
 mod skin;
 mod vertex_formula;
 
-pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict};
+pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict, of_size};
 pub use formula::{
     Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
     VertexOrder, WeightFormula,
 };
+pub use job::MeshJob;
+pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};
 
 use crate::character::{Character, Pose};
-use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
+use crate::compare::{MeshFinding, MeshOptions, Pace, at_once, compare_meshes, permutation};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
 use glam::{DVec3, Vec3};
@@ -33,6 +38,7 @@ use mistakes::IN_ANY_ORDER;
 use model::Model;
 use search::{Alone, Explanation, Made, Search};
 use skin::{Placed, Skinner};
+use std::rc::Rc;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
 /// of a mesh of size 1, or computing in single precision, is off by.
@@ -79,17 +85,24 @@ pub fn diagnose(
     pose: &Pose,
     theirs: &[Vec3],
 ) -> Result<Diagnosis, DiagnoseError> {
+    at_once(|pace| diagnose_by(character, pose, theirs, pace))
+}
+
+/// [`diagnose`] at a pace.
+async fn diagnose_by(
+    character: &Character,
+    pose: &Pose,
+    theirs: &[Vec3],
+    pace: Rc<Pace>,
+) -> Result<Diagnosis, DiagnoseError> {
     let model = Model::new(character);
     let order = order_of(&model, theirs.len()).ok_or(DiagnoseError::Vertices {
         expected: model.positions.len(),
         found: theirs.len(),
     })?;
     let exact = search::exact(&model, pose, order);
-    let size = Aabb::from_points(exact.iter().map(|placed| placed.at.as_vec3())).size();
-    let size = match size.as_dvec3().length() {
-        size if size > 0.0 => size,
-        _ => 1.0,
-    };
+    pace.after(exact.len()).await;
+    let size = size_of(exact.iter().map(|placed| placed.at.as_vec3()));
     let points: Vec<DVec3> = theirs.iter().map(|point| point.as_dvec3()).collect();
     let distances: Vec<f64> = exact
         .iter()
@@ -112,7 +125,7 @@ pub fn diagnose(
         let closer = error / MUCH_NEARER;
         if closer > SINGLE_PRECISION * size {
             let search = Search::new(&model, pose, &points, closer, &distances);
-            (_, explanations) = search.singles();
+            (_, explanations) = search.singles(&pace).await;
         }
         if explanations.is_empty() {
             return Ok(findings.diagnosis(Verdict::Right));
@@ -121,15 +134,16 @@ pub fn diagnose(
         return Ok(findings.explained(&explanations));
     }
     let search = Search::new(&model, pose, &points, tolerance, &distances);
-    let (alone, mut explanations) = search.singles();
+    let (alone, mut explanations) = search.singles(&pace).await;
     if explanations.is_empty() {
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        explanations = search.pairs(&alone);
+        explanations = search.pairs(&alone, &pace).await;
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
+        pace.after(exact.len()).await;
         found.regions = findings.regions();
         found.findings = findings.of_the_whole(theirs);
         found.nearest = nearest(&search, &model, pose, order, &alone);
@@ -149,6 +163,14 @@ fn order_of(model: &Model, vertices: usize) -> Option<VertexOrder> {
         .into_iter()
         .filter(|&order| model.count(order) == vertices);
     fitting.next().filter(|_| vertices > 0)
+}
+
+/// Diagonal of the box around points, by which distances are told; 1 for points in one place.
+fn size_of(points: impl Iterator<Item = Vec3>) -> f64 {
+    match Aabb::from_points(points).size().as_dvec3().length() {
+        size if size > 0.0 => size,
+        _ => 1.0,
+    }
 }
 
 /// How far vertices may be apart and agree.
@@ -284,31 +306,9 @@ impl Findings<'_> {
 
     /// What each joint moves and is off.
     fn regions(&self) -> Vec<Region> {
-        let none = self.model.skeleton().joints().len();
-        let mut regions: Vec<Region> = (0..=none)
-            .map(|joint| Region {
-                joint: self.name(joint),
-                joint_index: (joint < none).then_some(joint),
-                vertices: 0,
-                off: 0,
-                share: 0.0,
-                worst: 0.0,
-            })
-            .collect();
-        for index in 0..self.theirs.len() {
-            let region = &mut regions[self.joint_of(index)];
-            region.vertices += 1;
-            if self.is_off(index) {
-                region.off += 1;
-                region.worst = region.worst.max(self.distances[index] / self.size);
-            }
-        }
-        regions.retain(|region| region.off > 0);
-        for region in &mut regions {
-            region.share = region.off as f64 / region.vertices as f64;
-        }
-        regions.sort_by_key(|region| std::cmp::Reverse(region.off));
-        regions
+        let joints = self.model.skeleton().joints();
+        let (distances, limits) = (self.distances, (self.tolerance, self.size));
+        regions::regions(joints, distances, limits, |index| self.joint_of(index))
     }
 
     /// Movements, scales and turns that give the whole mesh.

@@ -104,10 +104,15 @@ impl<'a> Model<'a> {
 
     /// The joint that moves a vertex most; `None` for one without weights.
     pub(super) fn strongest(&self, vertex: usize) -> Option<usize> {
-        let influences = self.influences(vertex).iter();
-        let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
-        most.map(|influence| influence.joint as usize)
+        strongest(self.influences(vertex))
     }
+}
+
+/// The joint of the largest weight; `None` if there is no weight.
+pub(super) fn strongest(influences: &[Influence]) -> Option<usize> {
+    let influences = influences.iter();
+    let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
+    most.map(|influence| influence.joint as usize)
 }
 
 fn first_use(triangles: &[[u32; 3]], vertices: usize) -> (Vec<usize>, Vec<usize>) {

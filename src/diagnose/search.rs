@@ -5,12 +5,18 @@ use super::mistakes::{MISTAKES, Mistake, Reading};
 use super::model::Model;
 use super::skin::{Placed, Skinner};
 use crate::character::Pose;
+use crate::compare::Pace;
 use glam::DVec3;
 
 /// Vertices that are looked at first are this many of those farthest off, …
 const WORST: usize = 64;
 /// … and about this many from all over the mesh.
 const SPREAD: usize = 512;
+
+/// Vertices after which the work may rest.
+const AT_ONCE: usize = 1 << 10;
+/// Work of trying a formula, as that of so many vertices a joint.
+const A_JOINT: usize = 4;
 
 /// A mesh, and what it is held against.
 #[derive(Debug)]
@@ -76,7 +82,7 @@ impl<'a> Search<'a> {
     }
 
     /// Every mistake by itself, with those that explain the mesh.
-    pub(super) fn singles(&self) -> (Vec<Alone>, Vec<Explanation>) {
+    pub(super) async fn singles(&self, pace: &Pace) -> (Vec<Alone>, Vec<Explanation>) {
         let mut alone = Vec::new();
         let mut found = Vec::new();
         for made in ways() {
@@ -84,15 +90,16 @@ impl<'a> Search<'a> {
             let Some(mut skinner) = self.skinner(&formula) else {
                 continue;
             };
-            found.extend(self.explained_by(&mut skinner, vec![made]));
+            found.extend(self.explained_by(&mut skinner, vec![made], pace).await);
             let mean = self.mean(&mut skinner);
+            pace.after(self.sample.len()).await;
             alone.push(Alone { made, mean });
         }
         (alone, found)
     }
 
     /// Every two mistakes that explain the mesh, the one that explains more by itself first.
-    pub(super) fn pairs(&self, alone: &[Alone]) -> Vec<Explanation> {
+    pub(super) async fn pairs(&self, alone: &[Alone], pace: &Pace) -> Vec<Explanation> {
         let mean = |made: Made| {
             let one = alone
                 .iter()
@@ -102,6 +109,9 @@ impl<'a> Search<'a> {
         let ways: Vec<(Made, Formula)> = ways().map(|made| (made, formula(&[made]))).collect();
         let mut found = Vec::new();
         for (index, (first, formula_of_first)) in ways.iter().enumerate() {
+            // The first ones have the most to be paired with.
+            let left = 1.0 - index as f32 / ways.len() as f32;
+            pace.tell(1.0 - left * left);
             for (second, formula_of_second) in &ways[index + 1..] {
                 if std::ptr::eq(first.mistake, second.mistake) {
                     continue;
@@ -121,7 +131,7 @@ impl<'a> Search<'a> {
                 if mean(*second) < mean(*first) {
                     made.reverse();
                 }
-                found.extend(self.explained_by(&mut skinner, made));
+                found.extend(self.explained_by(&mut skinner, made, pace).await);
             }
         }
         found
@@ -144,17 +154,30 @@ impl<'a> Search<'a> {
     }
 
     /// `made` if every vertex agrees with the mesh that it gives.
-    fn explained_by(&self, skinner: &mut Skinner, made: Vec<Made>) -> Option<Explanation> {
-        let mut agrees = |index: usize| {
-            let distance = self.distance(skinner, index);
-            (distance <= self.tolerance).then_some(distance)
-        };
-        for &index in &self.sample {
-            agrees(index)?;
-        }
+    async fn explained_by(
+        &self,
+        skinner: &mut Skinner<'_>,
+        made: Vec<Made>,
+        pace: &Pace,
+    ) -> Option<Explanation> {
+        pace.after(A_JOINT * self.model.skeleton().joints().len())
+            .await;
         let mut error = 0.0_f64;
-        for index in 0..self.theirs.len() {
-            error = error.max(agrees(index)?);
+        for (done, index) in self
+            .sample
+            .iter()
+            .copied()
+            .chain(0..self.theirs.len())
+            .enumerate()
+        {
+            let distance = self.distance(skinner, index);
+            if distance > self.tolerance {
+                return None;
+            }
+            error = error.max(distance);
+            if done % AT_ONCE == AT_ONCE - 1 {
+                pace.after(AT_ONCE).await;
+            }
         }
         Some(Explanation { made, error })
     }

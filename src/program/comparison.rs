@@ -303,6 +303,7 @@ impl Program {
     pub(super) fn begin_comparison(&mut self, name: String, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
+        self.mesh_comparison = None;
         let studio = Backdrop::of_studio(&reference);
         let look = studio.map_or(Look::Course, |_| Look::Studio);
         self.session.look(View::SetLook(look));

@@ -47,7 +47,8 @@ impl Program {
     }
 
     /// Uses a file that was dropped on the window: a scene to open, a picture to compare the view
-    /// with, a pose for the selected character, all else as an import.
+    /// with, a pose for the selected character, another mesh for the comparison with one, all else as an
+    /// import.
     pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();
@@ -58,6 +59,8 @@ impl Program {
             self.compare_with(path, &*files);
         } else if let Some(shape) = posed {
             self.load_pose(shape, path, &*files);
+        } else if let Some(shape) = self.compared_by_dropping(path, &*files) {
+            self.compare_with_mesh(shape, path, &*files);
         } else {
             self.import_any(path, &files, host);
         }
@@ -82,6 +85,7 @@ impl Program {
             Purpose::ImportCharacter => self.insert(io::import_character(reader, &path)),
             Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
             Purpose::Compare => self.compare_with(&path, reader),
+            Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),
             Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
             Purpose::ExportGeometry => self.export_geometry(&path, host),
             Purpose::ExportMaterials => self.export_materials(&path, host),

@@ -188,9 +188,11 @@ impl Program {
             self.tell(Severity::Warning, notice);
         }
         let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
+        let meshes = self.mesh_comparison.as_mut();
+        let wait = wait.or(meshes.and_then(|c| c.advance(&self.session, host)));
         Ok(match wait {
             _ if compared => Duration::ZERO,
-            Some(wait) => wait,
+            Some(wait) => wait.min(graphics.full_picture_after(host.now())),
             None => graphics.full_picture_after(host.now()),
         })
     }
@@ -238,6 +240,7 @@ impl Program {
             selected_joint: self.session.selected_joint(),
             hovered_joint: self.session.hovered_joint(),
             hovered_control_point: self.session.hovered_control_point(),
+            ..self.marks_of_meshes(now)
         };
         let mistaken = self.ui.mistaken(&self.session);
         let mut frame = frame(&self.session, self.backdrop, marks);

@@ -1,4 +1,5 @@
 use crate::compare::{CompareError, Judgment, Measured, PictureJob, Steps};
+use crate::diagnose::{DiagnoseError, Diagnosis, MeshJob};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
 use crate::revision::Revision;
@@ -36,6 +37,12 @@ struct Told {
 pub(super) enum Work {
     /// Compares two pictures.
     Compare(CompareWork),
+    /// Finds out which mistake gives a mesh.
+    Diagnose {
+        /// Pose that the mesh is held against.
+        of: Revision,
+        mesh: MeshJob,
+    },
     /// Makes a picture the content of the file at `path`.
     Encode {
         path: PathBuf,
@@ -71,6 +78,7 @@ pub struct JobResult(pub(super) Finished);
 #[derive(Debug)]
 pub(super) enum Finished {
     Compared(Compared),
+    Diagnosed(Box<MeshDiagnosed>),
     Encoded {
         path: PathBuf,
         bytes: Result<Vec<u8>, String>,
@@ -84,6 +92,13 @@ pub(super) enum Finished {
 pub(super) struct Compared {
     pub of: Revision,
     pub outcome: Result<Outcome, CompareError>,
+}
+
+/// Result of looking for the mistake that gives a mesh.
+#[derive(Debug)]
+pub(super) struct MeshDiagnosed {
+    pub of: Revision,
+    pub outcome: Result<Diagnosis, DiagnoseError>,
 }
 
 /// Findings about two pictures.
@@ -156,6 +171,9 @@ impl Work {
     fn begin(self) -> Steps<'static, JobResult> {
         match self {
             Self::Compare(work) => work.begin(),
+            Self::Diagnose { of, mesh } => mesh.diagnose().map(move |outcome| {
+                JobResult(Finished::Diagnosed(Box::new(MeshDiagnosed { of, outcome })))
+            }),
             Self::Encode {
                 path,
                 picture,

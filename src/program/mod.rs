@@ -22,6 +22,8 @@ mod graphics;
 mod host;
 mod input_parts;
 mod job;
+mod mesh_comparison;
+mod mesh_marks;
 mod picture_work;
 mod preferences;
 mod purpose;

@@ -30,6 +30,8 @@ pub(super) struct PictureWork {
     scene: Scene,
     evaluated: Evaluated,
     backdrop: Backdrop,
+    /// Colors and ghosts of meshes.
+    marks: Marks,
     /// View of each picture.
     views: Vec<ViewSettings>,
     /// Number of pictures that are complete.
@@ -59,7 +61,7 @@ impl PictureWork {
     fn new(
         path: PathBuf,
         shot: &Screenshot,
-        (session, backdrop): (&Session, Backdrop),
+        (session, backdrop, marks): (&Session, Backdrop, Marks),
         (view_size, samples): ((u32, u32), u32),
     ) -> Result<Self, Diagnostic> {
         let format = PictureFormat::of(&path)?;
@@ -90,6 +92,7 @@ impl PictureWork {
             scene: session.scene().clone(),
             evaluated,
             backdrop,
+            marks,
             views,
             done: 0,
             asked: LargePicture {
@@ -120,7 +123,7 @@ impl PictureWork {
             evaluated: &self.evaluated,
             view,
             backdrop: self.backdrop,
-            marks: Marks::default(),
+            marks: self.marks.clone(),
         };
         let mut parts = match self.parts.take() {
             Some(parts) => parts,
@@ -197,7 +200,9 @@ impl Program {
                 continue;
             }
             let view = (graphics.view_size(), graphics.samples());
-            match PictureWork::new(path.clone(), &shot, (&self.session, self.backdrop), view) {
+            let marks = self.marks_of_meshes(host.now());
+            let shown = (&self.session, self.backdrop, marks);
+            match PictureWork::new(path.clone(), &shot, shown, view) {
                 Ok(work) => self.pictures.push_back(work),
                 Err(error) => self.tell_written(&path, Err(error)),
             }

@@ -73,6 +73,8 @@ pub enum Purpose {
     SaveScreenshot(Screenshot),
     /// Reading a picture to compare the view with.
     Compare,
+    /// Reading a mesh to compare a character with.
+    CompareMesh(ShapeId),
     /// Writing a comparison as a picture.
     SaveComparison,
     /// Writing the pose of a character, or the kept one with this index.
@@ -104,6 +106,9 @@ impl Purpose {
             }
             Self::SaveScreenshot(_) => "Save Screenshot",
             Self::Compare => "Compare with Picture",
+            Self::CompareMesh(_) => {
+                "Compare with Mesh (.obj, as another program posed the character)"
+            }
             Self::SaveComparison => "Save Comparison",
             Self::SavePose(..) => "Save Pose",
             Self::LoadPose(_) => "Load Pose",
@@ -120,7 +125,9 @@ impl Purpose {
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
-            Self::ExportGeometry | Self::ExportMaterials => "Geometry (.obj)",
+            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => {
+                "Geometry (.obj)"
+            }
             Self::ExportCharacter(_) => "Skeletons (.skel)",
             Self::SaveScreenshot(shot) if shot.turntable.is_some() => "Animations (.gif)",
             Self::SaveScreenshot(shot) if shot.transparent => "Pictures (.png)",
@@ -152,6 +159,7 @@ impl Purpose {
             | Self::ImportCurve
             | Self::ImportCharacter
             | Self::Compare
+            | Self::CompareMesh(_)
             | Self::LoadPose(_) => &[],
         }
     }
@@ -167,7 +175,8 @@ impl Purpose {
             | Self::ExportCurve(_)
             | Self::ExportGeometry
             | Self::ExportMaterials
-            | Self::ExportCharacter(_) => FileKind::Models,
+            | Self::ExportCharacter(_)
+            | Self::CompareMesh(_) => FileKind::Models,
             Self::SavePose(..) | Self::LoadPose(_) => FileKind::Poses,
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => FileKind::Pictures,
         }
@@ -180,6 +189,7 @@ impl Purpose {
             | Self::ExportCharacter(id)
             | Self::SavePose(id, _)
             | Self::LoadPose(id)
+            | Self::CompareMesh(id)
             | Self::FindSource(id) => Some(id),
             Self::Open
             | Self::SaveScene
@@ -256,7 +266,9 @@ impl Purpose {
             Self::ImportCharacter => {
                 extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
             }
-            Self::ExportGeometry | Self::ExportMaterials => extension == "obj",
+            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => {
+                extension == "obj"
+            }
             Self::ExportCharacter(_) => extension == "skel",
             Self::SavePose(..) | Self::LoadPose(_) => extension == "json",
             Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
@@ -310,6 +322,10 @@ mod tests {
         assert_eq!(offered(Purpose::ExportCurve(ShapeId(1))), ["a.swp"]);
         assert_eq!(
             offered(Purpose::ExportGeometry),
+            ["man.obj", "cup.obj", "tube.obj"]
+        );
+        assert_eq!(
+            offered(Purpose::CompareMesh(ShapeId(1))),
             ["man.obj", "cup.obj", "tube.obj"]
         );
         assert_eq!(offered(Purpose::LoadPose(ShapeId(1))), ["a.json"]);

@@ -8,6 +8,8 @@ use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
 use super::job::Finished;
+use super::mesh_comparison::MeshComparison;
+use super::mesh_marks::MeshMarks;
 use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::questions::Asked;
@@ -60,6 +62,8 @@ pub struct Program {
     /// Preferences as they were stored last.
     pub(super) stored: Preferences,
     pub(super) comparison: Option<Comparison>,
+    pub(super) mesh_comparison: Option<MeshComparison>,
+    pub(super) mesh_marks: MeshMarks,
     /// Pictures that were asked for while a dialog is in the way.
     pub(super) pending_pictures: Vec<(PathBuf, Screenshot)>,
     /// Pictures that are taken at the end of this frame.
@@ -123,6 +127,8 @@ impl Program {
             preferences: Preferences::default(),
             stored: Preferences::default(),
             comparison: None,
+            mesh_comparison: None,
+            mesh_marks: MeshMarks::default(),
             pending_pictures: Vec::new(),
             due_pictures: Vec::new(),
             pictures: VecDeque::new(),
@@ -232,6 +238,9 @@ impl Program {
         if let Some(comparison) = &mut self.comparison {
             comparison.load_textures(&context);
         }
+        self.update_mesh_marks();
+        self.update_mesh_comparison(host.now());
+        let compare_mesh = self.mesh_comparison.as_ref().map(MeshComparison::view);
         let compare = self.comparison.as_ref().and_then(Comparison::view);
         let is_busy = compare.is_some() || self.asked.is_some();
         let is_start_page = ui::has_start_page(&self.session, is_busy);
@@ -260,6 +269,11 @@ impl Program {
             gesture_under_way: self.ui.gesture_under_way(),
             keys_are_taken: host.is_dialog_open() || pass == Pass::Display,
             compare: compare.as_ref(),
+            compare_mesh: compare_mesh.as_ref(),
+            legend: match &self.mesh_comparison {
+                Some(comparison) => Some(comparison.legend()),
+                None => self.mesh_marks.legend(),
+            },
             progress: progress.as_ref().map(|(text, part)| (text.as_str(), *part)),
         };
         self.ui.has_file = self.document.path().is_some();
@@ -330,6 +344,11 @@ impl Program {
                     Finished::Compared(result) => {
                         if let Some(comparison) = &mut self.comparison {
                             comparison.take_result(result);
+                        }
+                    }
+                    Finished::Diagnosed(result) => {
+                        if let Some(comparison) = &mut self.mesh_comparison {
+                            comparison.take_result(*result);
                         }
                     }
                     Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),
@@ -495,6 +514,7 @@ impl Program {
                 host.request_paste();
             }
             Ask::Compare(action) => self.compare(action, host),
+            Ask::CompareMesh(action) => self.compare_mesh(action, host),
             Ask::Quit => self.leave_for(Next::Quit, host),
         }
     }

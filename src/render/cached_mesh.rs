@@ -1,6 +1,7 @@
 //! The mesh of one shape in the memory of the graphics card.
 
 use super::mesh_cache::TextureCache;
+use super::mesh_numbers::MeshNumbers;
 use super::skinning_tables::{Palettes, Run, Skin};
 use crate::character::Character;
 use crate::geometry::{Facets, Mesh, Normals, face_normals, smooth_normals};
@@ -10,7 +11,7 @@ use crate::gpu::{
 };
 use crate::math::Aabb;
 use crate::revision::Revision;
-use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId, Skinning};
+use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId, Skinning, VertexNumbers};
 use bytemuck::Pod;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
@@ -26,6 +27,7 @@ const FIRST_RUN: u32 = 4;
 const SECOND_POSITION: u32 = 5;
 const SECOND_RUN: u32 = 6;
 const TEXTURE_COORDINATES: u32 = 7;
+const NUMBER: u32 = 8;
 
 /// Texture units of a skinned mesh; unit 0 is its material's.
 const PALETTES: u32 = 1;
@@ -45,6 +47,8 @@ pub(super) struct CachedMesh {
     facets: Option<Facets>,
     /// The buffers that are written anew when the positions change; `None` for a skinned mesh.
     moving: Option<Moving>,
+    /// The numbers that it is colored by, if there is room for some.
+    numbers: Option<MeshNumbers>,
 }
 
 /// Identity of an uploaded mesh, apart from its pose.
@@ -54,15 +58,23 @@ pub(super) struct MeshKey {
     shading: Shading,
     /// The character, if the vertex shader skins it.
     skinned: Option<Arc<Character>>,
+    /// Whether it has numbers to be colored by.
+    has_numbers: bool,
 }
 
 impl MeshKey {
-    pub fn new(geometry: &EvaluatedGeometry, shading: Shading, skinning: Skinning) -> Self {
+    pub fn new(
+        geometry: &EvaluatedGeometry,
+        shading: Shading,
+        skinning: Skinning,
+        has_numbers: bool,
+    ) -> Self {
         let deformation = deformation_to_skin(geometry, shading, skinning);
         Self {
             mesh: geometry.mesh.revision(),
             shading,
             skinned: deformation.map(|deformation| deformation.character().clone()),
+            has_numbers,
         }
     }
 
@@ -78,7 +90,8 @@ impl PartialEq for MeshKey {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             (a, b) => a.is_none() && b.is_none(),
         };
-        is_same_skin && (self.mesh, self.shading) == (other.mesh, other.shading)
+        let rest = |key: &Self| (key.mesh, key.shading, key.has_numbers);
+        is_same_skin && rest(self) == rest(other)
     }
 }
 
@@ -102,12 +115,14 @@ pub(super) enum MeshKind {
 }
 
 impl CachedMesh {
-    /// Uploads the mesh. A skin's table has at most `most_rows` rows.
+    /// Uploads the mesh, with room for numbers if it `has_numbers`. A skin's table has at most
+    /// `most_rows` rows.
     pub fn new(
         gl: &Gl,
         geometry: &EvaluatedGeometry,
         shading: Shading,
         skinning: Skinning,
+        has_numbers: bool,
         most_rows: u32,
     ) -> Result<Self, GpuError> {
         let mesh = &geometry.mesh;
@@ -120,6 +135,8 @@ impl CachedMesh {
             let coordinates = gathered(&mesh.texture_coordinates, facets.as_ref());
             builder.attribute(&coordinates, TEXTURE_COORDINATES)?;
         }
+        let numbers = has_numbers.then(|| builder.numbers(mesh, facets.as_ref()));
+        let numbers = numbers.transpose()?;
         let (skin, moving) = match deformation_to_skin(geometry, shading, skinning) {
             Some(deformation) => {
                 let (skin, runs) = Skin::new(gl, deformation.character(), most_rows)?;
@@ -135,6 +152,7 @@ impl CachedMesh {
             rest_bounds: mesh.bounds(),
             facets,
             moving,
+            numbers,
         })
     }
 
@@ -174,6 +192,24 @@ impl CachedMesh {
             program.set_sampler("palettes", PALETTES);
             program.set_sampler("influences", INFLUENCES);
             program.set_i32("first_joint", first_joint as i32);
+        }
+    }
+
+    /// The numbers that it is colored by, if it is.
+    pub fn numbers(&self) -> Option<&VertexNumbers> {
+        self.numbers.as_ref()?.written()
+    }
+
+    /// Uploads the numbers of the positions of `mesh`, of which this is the upload, if they are others
+    /// than before. Without room for any it does nothing.
+    pub fn update_numbers(
+        &mut self,
+        mesh: &Mesh,
+        wanted: Option<&Arc<VertexNumbers>>,
+    ) -> Result<(), GpuError> {
+        match &mut self.numbers {
+            Some(numbers) => numbers.update(mesh, self.facets.as_ref(), wanted),
+            None => Ok(()),
         }
     }
 
@@ -246,6 +282,13 @@ impl<'a> Layout<'a> {
         let buffer = Buffer::vertices(self.gl, Usage::Static, values)?;
         self.attach(&buffer, T::attribute(location));
         Ok(())
+    }
+
+    /// Adds numbers, which are written later.
+    fn numbers(&mut self, mesh: &Mesh, facets: Option<&Facets>) -> Result<MeshNumbers, GpuError> {
+        let numbers = MeshNumbers::new(self.gl, mesh, facets)?;
+        self.attach(&numbers.buffer, Attribute::f32(NUMBER, 1));
+        Ok(numbers)
     }
 
     fn moving(
@@ -323,7 +366,8 @@ impl FixedAttribute for Run {
     }
 }
 
-fn gathered<'a, T: Copy>(of_vertices: &'a [T], facets: Option<&Facets>) -> Cow<'a, [T]> {
+/// Values of vertices in the order in which the mesh is uploaded.
+pub(super) fn gathered<'a, T: Copy>(of_vertices: &'a [T], facets: Option<&Facets>) -> Cow<'a, [T]> {
     match facets {
         Some(facets) => facets.gather(of_vertices).into(),
         None => of_vertices.into(),

@@ -312,7 +312,7 @@ mod tests {
                 colors: Backdrop::default().colors(Look::Studio),
             };
             let mut meshes = MeshCache::new(gl.info().max_texture_size);
-            meshes.update(gl, &evaluated, view.shading, Skinning::Cpu).unwrap();
+            meshes.update(gl, &frame, Skinning::Cpu).unwrap();
             let mut pass = ShadowPass::new(gl).unwrap();
             let ground = GroundPass::new(gl).unwrap();
             let picture = pass.draw(gl, &context, &frame, &meshes, None).unwrap();

@@ -6,7 +6,7 @@ use super::skinning_tables::Palettes;
 use super::upload_cache::UploadCache;
 use crate::geometry::Picture;
 use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture, Wrap};
-use crate::scene::{Evaluated, Shading, ShapeId, Skinning};
+use crate::scene::{Evaluated, ShapeId, Skinning};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -39,27 +39,26 @@ impl MeshCache {
     /// # Errors
     /// When the graphics card cannot skin. Other meshes that the driver cannot take are left out,
     /// see [`MeshCache::left_out`].
-    pub fn update(
-        &mut self,
-        gl: &Gl,
-        evaluated: &Evaluated,
-        shading: Shading,
-        skinning: Skinning,
-    ) -> Result<(), GpuError> {
+    pub fn update(&mut self, gl: &Gl, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
+        let (evaluated, shading) = (frame.evaluated, frame.view.shading);
         self.meshes.forget_deleted(evaluated);
         let (most_rows, textures) = (self.most_rows, &mut self.textures);
         for shape in &evaluated.shapes {
             let geometry = &shape.geometry;
-            let key = MeshKey::new(geometry, shading, skinning);
+            let numbers = frame.marks.numbers_of(shape.id);
+            let has_numbers = numbers.is_some();
+            let key = MeshKey::new(geometry, shading, skinning, has_numbers);
             let is_skinned = key.is_skinned();
             let moved = |cached: &mut CachedMesh| {
                 if cached.update_positions(geometry)? {
                     gl.check("moving a mesh")?;
                 }
-                Ok(())
+                cached.update_numbers(&geometry.mesh, numbers)
             };
             self.meshes.update(shape.id, key, moved, || {
-                let mut cached = CachedMesh::new(gl, geometry, shading, skinning, most_rows)?;
+                let mut cached =
+                    CachedMesh::new(gl, geometry, shading, skinning, has_numbers, most_rows)?;
+                cached.update_numbers(&geometry.mesh, numbers)?;
                 gl.check("uploading a mesh")?;
                 cached.add_textures(gl, &geometry.mesh, textures);
                 Ok(cached)

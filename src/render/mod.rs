@@ -9,10 +9,14 @@ mod cached_mesh;
 mod compose;
 mod curve_pass;
 mod edge_pass;
+mod ghost_pass;
 mod ground_pass;
 mod mesh_cache;
+mod mesh_numbers;
 mod mesh_programs;
 mod moving;
+mod number_colors;
+mod number_marks;
 #[cfg(not(target_arch = "wasm32"))]
 mod offscreen;
 mod outline_pass;
@@ -30,6 +34,7 @@ mod upload_cache;
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use backdrop::Backdrop;
 pub use compose::{compose, view_place};
+pub use number_marks::{Ghost, GhostPaint, ShapeNumbers};
 #[cfg(not(target_arch = "wasm32"))]
 pub use offscreen::{Offscreen, OffscreenError};
 pub use picture_parts::{LargePicture, PictureParts, check_picture_size, read_picture};

@@ -26,7 +26,8 @@ pub fn read_back_skinning(
     shading: Shading,
 ) -> Result<Option<Vec<[Vec3; 2]>>, GpuError> {
     let most_rows = gl.info().max_texture_size;
-    let mesh = CachedMesh::new(gl, &shape.geometry, shading, Skinning::Gpu, most_rows)?;
+    let (geometry, skinning) = (&shape.geometry, Skinning::Gpu);
+    let mesh = CachedMesh::new(gl, geometry, shading, skinning, false, most_rows)?;
     let vertex = match mesh.kind() {
         MeshKind::Plain => return Ok(None),
         MeshKind::Skinned => mesh_programs::SMOOTH,

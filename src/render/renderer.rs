@@ -4,8 +4,10 @@ use super::area::Area;
 use super::backdrop::{Backdrop, Colors};
 use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
+use super::ghost_pass::GhostPass;
 use super::ground_pass::{GroundPass, ShadowPass, Shadows, hides_below, shadow_area};
 use super::mesh_cache::MeshCache;
+use super::number_marks::{Ghost, ShapeNumbers};
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
 use super::still_layer::StillLayer;
@@ -13,9 +15,10 @@ use super::surface_pass::SurfacePass;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError, Immediate, Info};
 use crate::scene::{
-    Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, Skinning, ViewSettings,
+    Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, Skinning, VertexNumbers, ViewSettings,
 };
 use glam::Mat4;
+use std::sync::Arc;
 
 /// Everything that a picture depends on: the same frame gives the same picture.
 #[derive(Clone, Debug)]
@@ -33,15 +36,16 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The visible shapes.
+    /// The visible shapes, but for one that another mesh takes the place of.
     pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
         let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);
-        shapes.filter(|(_, evaluated)| evaluated.visible)
+        shapes
+            .filter(|(shape, evaluated)| evaluated.visible && self.marks.replaced != Some(shape.id))
     }
 }
 
 /// Marks that an editor draws over the scene for its user.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Marks {
     /// The selected shape; of several the active one.
     pub selected: Option<ShapeId>,
@@ -56,6 +60,26 @@ pub struct Marks {
     /// The control point of the selected shape that the pointer is over: the indices of its curve
     /// in the [`crate::scene::CurveSet`] and of the point in the curve.
     pub hovered_control_point: Option<(usize, usize)>,
+    /// Shapes whose meshes are drawn in the colors of numbers.
+    pub numbers: Vec<ShapeNumbers>,
+    /// Meshes that are drawn beside those of the scene.
+    pub ghosts: Vec<Ghost>,
+    /// A shape that is not drawn, since a ghost takes its place.
+    pub replaced: Option<ShapeId>,
+}
+
+impl Marks {
+    /// The numbers that a shape is colored by, if it is.
+    pub(super) fn numbers_of(&self, shape: ShapeId) -> Option<&Arc<VertexNumbers>> {
+        let mut all = self.numbers.iter();
+        let own = all.find(|numbers| numbers.shape == shape);
+        own.map(|own| &own.numbers)
+    }
+
+    /// Whether meshes are drawn otherwise than the scene has them.
+    pub(super) fn change_meshes(&self) -> bool {
+        !(self.numbers.is_empty() && self.ghosts.is_empty())
+    }
 }
 
 /// Values that all passes of one picture share.
@@ -111,6 +135,7 @@ pub struct Renderer {
     pub(super) background: BackgroundPass,
     pub(super) surfaces: SurfacePass,
     curves: CurvePass,
+    ghosts: GhostPass,
     pub(super) skeletons: SkeletonPass,
     pub(super) shadows: ShadowPass,
     pub(super) ground: GroundPass,
@@ -134,6 +159,7 @@ impl Renderer {
             background: BackgroundPass::new(gl)?,
             surfaces: SurfacePass::new(gl)?,
             curves: CurvePass::default(),
+            ghosts: GhostPass::default(),
             skeletons: SkeletonPass::new(gl)?,
             shadows: ShadowPass::new(gl)?,
             ground: GroundPass::new(gl)?,
@@ -182,11 +208,12 @@ impl Renderer {
     ) -> Result<(), RenderError> {
         // Faults that came before are not those of a mesh.
         let before = self.gl.check("what came before the scene");
+        let marked = self.prepare_marks(frame);
         let updated = self.update_meshes(frame);
         self.curves.update(&self.gl, frame, &mut self.immediate);
         let drawn = passes(self);
         let after = self.gl.check("drawing the scene");
-        before.and(updated)?;
+        before.and(updated).and(marked)?;
         let mut parts = self.meshes.left_out(frame);
         parts.extend(self.curves.left_out(frame));
         if !parts.is_empty() {
@@ -224,6 +251,7 @@ impl Renderer {
             gl,
             meshes,
             immediate,
+            ghosts,
             ..
         } = self;
         let camera = &frame.view.camera;
@@ -239,6 +267,7 @@ impl Renderer {
         }
         let mut drawn = Ok(());
         self.surfaces.draw_opaque(gl, context, frame, meshes);
+        ghosts.draw_opaque(gl, context, frame, &self.surfaces);
         self.curves.draw(gl, context, frame, immediate);
         if is_mannequin {
             draw_mannequin_bones(gl, context, frame, immediate);
@@ -266,6 +295,7 @@ impl Renderer {
         if !is_mannequin {
             self.surfaces.draw_translucent(gl, context, frame, meshes);
         }
+        ghosts.draw_translucent(gl, context, frame, &self.surfaces);
         drawn.and(self.draw_outlines(frame, target, context))
     }
 
@@ -302,6 +332,15 @@ impl Renderer {
         std::mem::take(&mut self.notices)
     }
 
+    /// Compiles and uploads what the marks of `frame` change about meshes, if anything.
+    fn prepare_marks(&mut self, frame: &Frame) -> Result<(), GpuError> {
+        if frame.marks.change_meshes() {
+            self.surfaces.add_number_colors(&self.gl)?;
+        }
+        let most_rows = self.gl.info().max_texture_size;
+        self.ghosts.update(&self.gl, frame, most_rows)
+    }
+
     /// Uploads the meshes that have changed, skinned by the processor if the graphics card cannot.
     fn update_meshes(&mut self, frame: &Frame) -> Result<(), GpuError> {
         if self.skinning() == Skinning::Gpu
@@ -320,8 +359,7 @@ impl Renderer {
     }
 
     fn update_meshes_by(&mut self, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
-        let (gl, shading) = (&self.gl, frame.view.shading);
-        self.meshes.update(gl, frame.evaluated, shading, skinning)
+        self.meshes.update(&self.gl, frame, skinning)
     }
 
     fn prepare_skinning(&mut self) -> Result<(), GpuError> {

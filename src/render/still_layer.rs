@@ -67,6 +67,7 @@ impl StillLayer {
         let may_have_ground_drawn_over =
             !has_ground(frame) || hides_below(context, &frame.view.camera);
         let is_plain = frame.view.look != Look::Mannequin
+            && !frame.marks.change_meshes()
             && may_have_ground_drawn_over
             && frame.shapes().all(|(shape, _)| is_surface_alone(shape));
         if !is_plain {

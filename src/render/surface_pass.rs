@@ -3,6 +3,7 @@
 use super::cached_mesh::CachedMesh;
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
+use super::number_colors::NumberColors;
 use super::renderer::{Frame, PassContext};
 use crate::geometry::Mesh;
 use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program, Texture};
@@ -21,18 +22,34 @@ const PICTURE: u32 = 0;
 #[derive(Debug)]
 pub(super) struct SurfacePass {
     programs: MeshPrograms,
+    /// Made when first needed.
+    numbers: Option<NumberColors>,
 }
 
 impl SurfacePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         let fragment = include_str!("../../shaders/surface_fragment.glsl");
-        let programs = MeshPrograms::new(gl, "surface", fragment)?;
-        Ok(Self { programs })
+        Ok(Self {
+            programs: MeshPrograms::new(gl, "surface", fragment)?,
+            numbers: None,
+        })
     }
 
     /// Compiles the programs for skinned meshes.
     pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
-        self.programs.add_skinned(gl)
+        self.programs.add_skinned(gl)?;
+        match &mut self.numbers {
+            Some(numbers) => numbers.add_skinned(gl),
+            None => Ok(()),
+        }
+    }
+
+    /// Compiles the programs for meshes in the colors of numbers, unless that is done.
+    pub fn add_number_colors(&mut self, gl: &Gl) -> Result<(), GpuError> {
+        if self.numbers.is_none() {
+            self.numbers = Some(NumberColors::new(gl)?);
+        }
+        Ok(())
     }
 
     /// Draws the meshes that hide what lies behind them.
@@ -60,23 +77,52 @@ impl SurfacePass {
         frame: &Frame,
         meshes: &MeshCache,
     ) {
-        let opaque = DrawState::opaque(context.width, context.height);
-        let depth_only = DrawState {
-            color_mask: [false; 4],
-            ..opaque
-        };
-        let blended = DrawState {
-            depth_test: DepthTest::LessEqual,
-            depth_write: false,
-            blend: Blend::Alpha,
-            ..opaque
-        };
         self.prepare(context, frame);
         for (shape, evaluated) in shapes(frame, ModelDisplay::Both) {
-            depth_only.apply(gl);
-            self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
-            blended.apply(gl);
-            self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
+            for state in nearest_blended(context) {
+                state.apply(gl);
+                self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
+            }
+        }
+    }
+
+    /// Draws a mesh that is not one of the scene's in the colors of its numbers.
+    pub fn draw_numbered(
+        &self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        mesh: &CachedMesh,
+        world_from_model: Mat4,
+    ) {
+        DrawState::opaque(context.width, context.height).apply(gl);
+        self.prepare(context, frame);
+        if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
+            let program = colors.program(mesh, numbers);
+            place_mesh(program, mesh, world_from_model, 1.0);
+            draw_whole(program, mesh);
+        }
+    }
+
+    /// Draws the nearest surface of a mesh that is not one of the scene's in one color, with an
+    /// opacity.
+    pub fn draw_seen_through(
+        &self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        mesh: &CachedMesh,
+        world_from_model: Mat4,
+        (color, alpha): (Vec3, f32),
+    ) {
+        self.prepare(context, frame);
+        let program = self.programs.of(mesh);
+        place_mesh(program, mesh, world_from_model, alpha);
+        program.set_vec3("color", color);
+        program.set_i32("textured", 0);
+        for state in nearest_blended(context) {
+            state.apply(gl);
+            draw_whole(program, mesh);
         }
     }
 
@@ -86,21 +132,24 @@ impl SurfacePass {
             program.set_sampler("picture", PICTURE);
             set_lights(program, frame.view.look, &frame.view.camera);
         }
+        if let Some(numbers) = &self.numbers {
+            numbers.prepare(context, frame);
+        }
     }
 
     fn draw_mesh(&self, shape: &Shape, evaluated: &EvaluatedShape, meshes: &MeshCache, alpha: f32) {
         let Some(cached) = meshes.get(shape.id) else {
             return;
         };
+        if let (Some(numbers), Some(colors)) = (cached.numbers(), &self.numbers) {
+            let program = colors.program(cached, numbers);
+            meshes.bind_skin(program, shape.id);
+            place_mesh(program, cached, evaluated.world_from_model, alpha);
+            return draw_whole(program, cached);
+        }
         let program = self.programs.of(cached);
         meshes.bind_skin(program, shape.id);
-        program.set_mat4("world_from_model", evaluated.world_from_model);
-        program.set_mat3(
-            "world_from_model_normal",
-            normal_matrix(evaluated.world_from_model),
-        );
-        program.set_i32("flat_normals", i32::from(cached.is_flat()));
-        program.set_f32("alpha", alpha);
+        place_mesh(program, cached, evaluated.world_from_model, alpha);
         let own = shape.placement.color.rgb();
         for part in parts(&evaluated.geometry.mesh, cached, own) {
             program.set_vec3("color", part.color);
@@ -114,6 +163,38 @@ impl SurfacePass {
                 .draw_indexed(program, Primitive::Triangles, indices);
         }
     }
+}
+
+/// Sets what all programs for meshes need to know of one.
+fn place_mesh(program: &Program, mesh: &CachedMesh, world_from_model: Mat4, alpha: f32) {
+    program.set_mat4("world_from_model", world_from_model);
+    program.set_mat3("world_from_model_normal", normal_matrix(world_from_model));
+    program.set_i32("flat_normals", i32::from(mesh.is_flat()));
+    program.set_f32("alpha", alpha);
+}
+
+/// Draws all triangles of a mesh.
+fn draw_whole(program: &Program, mesh: &CachedMesh) {
+    let indices = 0..mesh.vertex_array.index_count();
+    mesh.vertex_array
+        .draw_indexed(program, Primitive::Triangles, indices);
+}
+
+/// The states in which a mesh is drawn twice, so that only its nearest surface is blended: first its
+/// depth, then its color.
+fn nearest_blended(context: &PassContext) -> [DrawState; 2] {
+    let opaque = DrawState::opaque(context.width, context.height);
+    let depth_only = DrawState {
+        color_mask: [false; 4],
+        ..opaque
+    };
+    let blended = DrawState {
+        depth_test: DepthTest::LessEqual,
+        depth_write: false,
+        blend: Blend::Alpha,
+        ..opaque
+    };
+    [depth_only, blended]
 }
 
 /// Transforms normals: the inverse transpose, so that they stay perpendicular to a surface that is

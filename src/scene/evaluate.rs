@@ -54,7 +54,7 @@ pub struct EvaluatedGeometry {
 
 impl EvaluatedGeometry {
     /// Rigid geometry within `bounds`, in model space.
-    pub(super) fn rigid(mesh: SharedMesh, bounds: Aabb, revision: Revision) -> Self {
+    pub fn rigid(mesh: SharedMesh, bounds: Aabb, revision: Revision) -> Self {
         Self {
             mesh,
             deformation: None,

@@ -5,6 +5,7 @@ mod camera;
 mod camera_fit;
 mod character_shape;
 mod color_presets;
+mod color_scale;
 mod curve_shape;
 pub mod custom;
 mod evaluate;
@@ -16,6 +17,7 @@ mod picking;
 mod shape;
 mod shape_manager;
 mod turntable;
+mod vertex_numbers;
 mod view_settings;
 
 pub use box_picking::pick_in_box;
@@ -25,6 +27,7 @@ pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,
 };
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
+pub use color_scale::{SCALE_GRAY, scale_color};
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
 pub use evaluate::{Deformation, Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
@@ -35,4 +38,5 @@ pub use picking::{BoneHit, bones_in_world, pick_bone, pick_control_point, pick_s
 pub use shape::{Importer, MissingShape, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
 pub use shape_manager::{Scene, name_of_import};
 pub use turntable::{TURNTABLE_FRAMES, fit_turntable, turntable_cameras, turntable_milliseconds};
+pub use vertex_numbers::{CharacterNumber, VertexNumbers};
 pub use view_settings::{Look, Shading, Skinning, ViewDirection, ViewSettings};

@@ -1,4 +1,4 @@
-use super::CompareAction;
+use super::{CompareAction, CompareMeshAction};
 use crate::editor::{Edit, View};
 use crate::scene::ShapeId;
 use std::path::PathBuf;
@@ -106,6 +106,8 @@ pub enum Ask {
     UseBuiltinPose(ShapeId, &'static str),
     /// Begin, change or end a comparison with a picture.
     Compare(CompareAction),
+    /// Begin, change or end a comparison of a character with a mesh.
+    CompareMesh(CompareMeshAction),
     /// End the program.
     Quit,
 }

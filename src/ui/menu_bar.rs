@@ -139,6 +139,7 @@ impl Items<'_> {
         ui.separator();
         submenu(ui, "Look", |ui| self.all(ui, Menu::Look));
         submenu(ui, "Shading", |ui| self.all(ui, Menu::Shading));
+        submenu(ui, "Colors", |ui| self.all(ui, Menu::Colors));
         self.all(ui, Menu::Ground);
         ui.separator();
         self.all(ui, Menu::Compare);

@@ -22,6 +22,7 @@ mod joint_rows;
 mod joint_tree;
 mod look_switch;
 mod menu_bar;
+mod mesh_colors;
 mod messages;
 mod navigation;
 mod number_field;
@@ -44,9 +45,10 @@ mod windows;
 pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
 pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
 pub use compare::{
-    CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, ShownPicture,
-    course_panels, picture_texture,
+    CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
+    CompareView, MeshesShown, ShownPicture, course_panels, picture_texture,
 };
+pub use mesh_colors::{Legend, MeshColors};
 pub use navigation::Navigation;
 pub use number_field::evaluate;
 pub use scene_places::ScenePlaces;
@@ -95,6 +97,10 @@ pub struct ViewInput<'a> {
     pub keys_are_taken: bool,
     /// The comparison under way: its pictures replace the view of the scene.
     pub compare: Option<&'a CompareView<'a>>,
+    /// The comparison of a character with a mesh, while there is one.
+    pub compare_mesh: Option<&'a CompareMeshView<'a>>,
+    /// Words about the colors of meshes, if they are those of numbers.
+    pub legend: Option<&'a Legend>,
     /// Work that takes a while: what is done, and how much of it, from 0 to 1.
     pub progress: Option<(&'a str, f32)>,
 }
@@ -166,6 +172,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let now = ctx.input(|input| input.time);
     if keys_taken
         || input.compare.is_some()
+        || input.compare_mesh.is_some()
         || state.windows.is_any_open()
         || state.explain.is_open()
         || state.camera_before_drag.is_some()
@@ -196,6 +203,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::View(View::Tell(why)));
     }
     explain::show(root, session, &mut state.explain);
+    match input.compare_mesh {
+        Some(compare) => {
+            let area = view_overlay::fit_area(state, aspect(last_view));
+            let marked = &mut state.marked_vertex;
+            compare::mesh_panel(root, session, compare, area, marked, &mut actions);
+        }
+        None => state.marked_vertex = None,
+    }
     let (view_rect, view, places) =
         view_overlay::show(root, session, state, input, settings.as_mut(), &mut actions);
     if let (Some(compare), Some(settings)) = (input.compare, settings)
@@ -417,6 +432,10 @@ fn press(
     }
     if is_esc && state.explain.end_last() {
         return;
+    }
+    if (is_esc || command == Command::CompareMesh) && input.compare_mesh.is_some() {
+        let close = Ask::CompareMesh(CompareMeshAction::Close);
+        return actions.push(Action::Ask(close));
     }
     if is_esc {
         let deselect = if session.selected_joint().is_some() {

@@ -1,4 +1,3 @@
-use super::Navigation;
 use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
@@ -10,6 +9,7 @@ use super::messages::NoticeState;
 use super::posing::PoseState;
 use super::shape_list::Renaming;
 use super::windows::Windows;
+use super::{MeshColors, Navigation};
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
 use crate::scene::{Camera, Evaluated, Look, ShapeId, Skinning};
@@ -17,7 +17,8 @@ use egui::{Pos2, Rect, ThemePreference, vec2};
 use glam::Vec3;
 
 /// State of the panels between frames that is neither scene nor view: searches, folded rows, open
-/// windows. Nothing in it changes a picture of the scene but a mistake that is made on purpose.
+/// windows. Of it only [`UiState::skinning`], [`UiState::colors`], [`UiState::bind_ghost`] and a mistake
+/// that is made on purpose change how the scene is drawn.
 #[derive(Clone, Debug)]
 pub struct UiState {
     /// Colors of the panels. Kept by the program from one run to the next.
@@ -26,6 +27,10 @@ pub struct UiState {
     pub navigation: Navigation,
     /// What deforms characters; automatic if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
+    /// What characters are colored by.
+    pub colors: MeshColors,
+    /// Whether characters are shown in their bind pose, too.
+    pub bind_ghost: bool,
     /// Look of documents that have none of their own: the one that was chosen last, or whatever suits
     /// them if `None`. Kept by the program, too.
     pub look_of_new: Option<Look>,
@@ -66,6 +71,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
+    /// The vertex that is marked in a comparison with a mesh.
+    pub(super) marked_vertex: Option<usize>,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.
@@ -88,6 +95,8 @@ impl Default for UiState {
             theme: ThemePreference::System,
             navigation: Navigation::default(),
             skinning: None,
+            colors: MeshColors::default(),
+            bind_ghost: false,
             look_of_new: None,
             has_file: false,
             panel_folded: false,
@@ -111,6 +120,7 @@ impl Default for UiState {
             explain: ExplainState::default(),
             notices: NoticeState::default(),
             outlined: Outlined::default(),
+            marked_vertex: None,
             camera_before_drag: None,
             held_point: None,
             keys_were_taken: false,

@@ -8,7 +8,7 @@ use super::widgets::named;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, explain, look_switch, messages, posing, start_page,
+    control_points, explain, look_switch, mesh_colors, messages, posing, start_page,
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
@@ -66,6 +66,9 @@ pub(super) fn show(
         &mut state.pose,
         actions,
     );
+    if let Some((compare, vertex)) = input.compare_mesh.zip(state.marked_vertex) {
+        compare::mesh_marker(&over, &places, session, compare, vertex);
+    }
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
     explain::over_view(&mut over, rect, &places, session, &mut state.explain);
@@ -79,6 +82,14 @@ pub(super) fn show(
         start_page::show(&mut over, rect, input, actions);
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
+    }
+    let is_empty = session.scene().shapes().is_empty();
+    if let Some(legend) = input
+        .legend
+        .filter(|_| input.compare.is_none() && !is_empty)
+    {
+        let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
+        mesh_colors::legend(&mut over, rect, below_tools, legend);
     }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     if let Some(work) = input.progress {
@@ -107,15 +118,19 @@ fn viewer_reset(ui: &mut Ui, view: Rect) -> bool {
 /// of it, and as much at the bottom, so that what is fitted is in the middle.
 pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
     const LEAST: f32 = 0.5;
-    let rows = if state.pose.tool == Tool::Ik {
-        2.0
-    } else {
-        1.0
-    };
-    let covered = 2.0 * rows * BAR_HEIGHT / state.view_rect.height().max(1.0);
+    let covered = 2.0 * tool_rows(state) * BAR_HEIGHT / state.view_rect.height().max(1.0);
     FitArea {
         aspect,
         free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
+    }
+}
+
+/// Rows of the tool bar.
+fn tool_rows(state: &UiState) -> f32 {
+    if state.pose.tool == Tool::Ik {
+        2.0
+    } else {
+        1.0
     }
 }
 

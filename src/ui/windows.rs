@@ -183,6 +183,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::View => "View",
         Menu::Look => "View ⏵ Look",
         Menu::Shading => "View ⏵ Shading",
+        Menu::Colors => "View ⏵ Colors",
         Menu::Ground => "View ⏵ Ground",
         Menu::Compare => "View ⏵ Compare",
         Menu::Explain => "View ⏵ Explain",

@@ -4,13 +4,14 @@
 mod correct;
 mod documents;
 mod explained;
-mod figures;
+pub mod figures;
 mod mistaken;
 mod pairs;
 mod pictures;
 mod program;
 mod same;
-mod student;
+mod steps;
+pub mod student;
 mod unexplained;
 
 use editor_core::diagnose::{Diagnosis, Verdict};

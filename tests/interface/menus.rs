@@ -365,6 +365,7 @@ fn an_ellipsis_says_that_a_dialog_follows_and_nothing_else_has_one() {
                 | Command::ImportCurve
                 | Command::ImportCharacter
                 | Command::Compare
+                | Command::CompareMesh
                 | Command::SavePose
                 | Command::LoadPose
                 | Command::FindCommand

@@ -375,6 +375,7 @@ fn what_is_hidden_leaves_no_trace_in_any_look() {
                     hovered_joint: Some(1),
                     hovered_control_point: Some((0, 1)),
                     also_selected: ids.clone(),
+                    ..Marks::default()
                 };
                 let picture = draw(gl, &mut renderer, &scene, &view, marks);
                 assert!(picture == empty, "{look:?} {id}");

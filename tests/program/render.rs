@@ -544,3 +544,51 @@ fn what_a_large_or_turning_or_transparent_picture_cannot_be_is_said_before_it_is
     }
     assert_eq!(files_in(folder.path()), before);
 }
+
+#[test]
+fn characters_are_colored_by_numbers_and_only_where_that_is_asked_for() {
+    let folder = folder();
+    let render = |name: &str, options: &[&str]| {
+        let arguments = [&["render", "man.obj", "--fit", "-o", name], options].concat();
+        editor_in(folder.path(), &arguments)
+    };
+    let mut pictures = Vec::new();
+    for (name, options) in [
+        ("plain.png", &[][..]),
+        ("weight.png", &["--colors", "weight:Tip"]),
+        ("influences.png", &["--colors", "influences"]),
+        ("lost.png", &["--colors", "lost-at-four"]),
+    ] {
+        let ran = render(name, options);
+        assert_eq!(ran.code, Some(0), "{options:?}: {}", ran.err);
+        pictures.push(picture(folder.path(), name));
+    }
+    let outlines = pictures.iter().map(drawn).collect::<Vec<_>>();
+    assert!(
+        outlines
+            .iter()
+            .all(|count| count.abs_diff(outlines[0]) * 100 < outlines[0])
+    );
+    for (index, one) in pictures.iter().enumerate() {
+        assert!(
+            pictures[..index].iter().all(|other| other != one),
+            "{index}"
+        );
+    }
+    for (colors, told) in [
+        ("weight:Nobody", "Nobody"),
+        (
+            "weight:",
+            "expected weight:JOINT, influences or lost-at-four",
+        ),
+        (
+            "rainbow",
+            "expected weight:JOINT, influences or lost-at-four",
+        ),
+    ] {
+        let ran = render("none.png", &["--colors", colors]);
+        assert_ne!(ran.code, Some(0), "{colors}");
+        assert!(ran.err.contains(told), "{}", ran.err);
+        assert!(!folder.path().join("none.png").exists());
+    }
+}

@@ -3,7 +3,9 @@
 
 mod autosaving;
 mod boxes;
+mod coloring;
 mod comparing;
+mod comparing_meshes;
 mod documents;
 mod explaining;
 mod fetching;

@@ -18,7 +18,7 @@ pub(super) use table::{entries, in_words, label};
 use crate::editor::Tool;
 use crate::geometry::Basis;
 use crate::scene::{CurveSet, CurveShape, Look, Shading, ShapeKind, Skinning, ViewDirection};
-use crate::ui::Navigation;
+use crate::ui::{MeshColors, Navigation};
 use egui::ThemePreference;
 
 /// Everything that a menu item or a key can start.
@@ -111,6 +111,10 @@ pub enum Command {
     SetLook(Look),
     /// Chooses the normals that surfaces are lit with.
     SetShading(Shading),
+    /// Chooses what characters are colored by.
+    SetColors(MeshColors),
+    /// Shows characters in their bind pose, too, or no more.
+    ToggleBindGhost,
     /// Chooses the colors of the panels.
     SetTheme(ThemePreference),
     /// Chooses how mouse and keys move the camera.
@@ -123,6 +127,8 @@ pub enum Command {
     Compare,
     /// Opens the panel that explains skinning, or closes it.
     Explain,
+    /// Chooses a mesh to compare the selected character with, or the only one.
+    CompareMesh,
     /// Chooses what deforms characters; automatic if `None`.
     SetSkinning(Option<Skinning>),
     /// Chooses a tool.

@@ -12,7 +12,9 @@ use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
-use crate::ui::{Action, Ask, CompareAction, HistoryMove, Navigation, posing, view_overlay};
+use crate::ui::{
+    Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, posing, view_overlay,
+};
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -65,6 +67,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             return Some(Action::View(View::SetCamera(*session.start_camera())));
         }
         Command::SetSkinning(skinning) => state.skinning = skinning,
+        Command::SetColors(colors) => state.colors = colors,
+        Command::ToggleBindGhost => state.bind_ghost = !state.bind_ghost,
         Command::SetTool(tool) => state.pose.tool = tool,
         Command::Begin(tool) => state.pose.asked = Some(tool),
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
@@ -99,6 +103,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
         Command::Explain => state.explain.set_open(!state.explain.is_open()),
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
+        Command::CompareMesh => {
+            let choose = CompareMeshAction::Choose(character_to_compare(session)?);
+            return Some(Action::Ask(Ask::CompareMesh(choose)));
+        }
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
         Command::Duplicate => {
@@ -205,6 +213,8 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
         Command::SetTheme(theme) => Some(state.theme == theme),
         Command::SetNavigation(navigation) => Some(state.navigation == navigation),
         Command::SetSkinning(skinning) => Some(state.skinning == skinning),
+        Command::SetColors(colors) => Some(state.colors == colors),
+        Command::ToggleBindGhost => Some(state.bind_ghost),
         Command::SetTool(tool) => Some(state.pose.tool == tool),
         Command::ToggleLocalAxes => Some(state.pose.axes == GizmoAxes::Local),
         _ => None,
@@ -258,6 +268,9 @@ pub(in crate::ui) fn why_disabled(
         }
         Command::Explain if !state.explain.is_open() && !has_character(session) => {
             Some("There is no character")
+        }
+        Command::CompareMesh if character_to_compare(session).is_none() => {
+            Some("No character is selected")
         }
         Command::ExportCharacter if selected_character(session).is_none() => {
             Some("No character is selected")
@@ -402,6 +415,17 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// The character that a mesh is compared with: the selected one, or the only one.
+fn character_to_compare(session: &Session) -> Option<ShapeId> {
+    if let Some((selected, _)) = selected_character(session) {
+        return Some(selected);
+    }
+    let shapes = session.scene().shapes().iter();
+    let mut characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
+    let only = characters.next()?;
+    characters.next().is_none().then_some(only.id)
 }
 
 /// The selected shape, if it is a character.

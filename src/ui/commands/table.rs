@@ -3,7 +3,7 @@
 use super::{Command, Primitive};
 use crate::editor::Tool;
 use crate::scene::{Look, Shading, Skinning, ViewDirection};
-use crate::ui::Navigation;
+use crate::ui::{MeshColors, Navigation};
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
 
 /// Menu of a command, or the part of a menu between two separators.
@@ -33,6 +33,8 @@ pub enum Menu {
     Look,
     /// View ▸ Shading.
     Shading,
+    /// View ▸ Colors.
+    Colors,
     /// View, last part.
     Ground,
     /// View, the part about comparing.
@@ -71,6 +73,7 @@ impl Menu {
         Self::View,
         Self::Look,
         Self::Shading,
+        Self::Colors,
         Self::Ground,
         Self::Compare,
         Self::Explain,
@@ -210,12 +213,18 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
     entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences; the key pressed again ends that", &[key(NONE, Key::F8)]),
     entry(Command::Explain, Menu::Explain, "Explain Skinning", "The formula at work on a vertex, mistakes made on purpose, and the matrix stack step by step", &[key(NONE, Key::K)]),
+    entry(Command::CompareMesh, Menu::Compare, "Compare with Mesh…", "Lay a mesh that another program posed over the selected character, see how far off it is and which mistake gives it; the key pressed again ends that", &[key(SHIFT, Key::F8)]),
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
     entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
     entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh comes with; faceted where it has none", &[key(NONE, Key::F5)]),
     entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
     entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
+    entry(Command::SetColors(MeshColors::Materials), Menu::Colors, "Materials", "Characters have their own colors", &[]),
+    entry(Command::SetColors(MeshColors::Weight), Menu::Colors, "Weight of the Selected Joint", "Color the selected character by how much the selected joint moves each vertex", &[]),
+    entry(Command::SetColors(MeshColors::Influences), Menu::Colors, "Number of Influences", "Color characters by how many joints move each vertex", &[]),
+    entry(Command::SetColors(MeshColors::LostAtFour), Menu::Colors, "Lost at Four Influences", "Color characters by the share of the weights that is left out where a vertex has at most four", &[]),
+    entry(Command::ToggleBindGhost, Menu::Ground, "Bind Pose as Ghost", "Show the selected characters, or all, in their bind pose as well, translucent", &[]),
     entry(Command::ToggleGrid, Menu::Ground, "Ground Grid", "Show or hide the grid on the ground", &[key(NONE, Key::F4)]),
     entry(Command::TogglePanel, Menu::Ground, "Shape Panel", "Fold the panel at the right away, or unfold it", &[key(NONE, Key::N)]),
     entry(Command::SetNavigation(Navigation::Course), Menu::Navigation, "As the course's editor", "Left drag moves the scene, right drag turns it", &[]),
@@ -275,6 +284,7 @@ pub(in crate::ui) fn in_words(entry: &Entry) -> String {
         Menu::Scenes => "Built-in Scene",
         Menu::Look => "Look",
         Menu::Shading => "Shading",
+        Menu::Colors => "Colors",
         Menu::Navigation => "Navigation",
         Menu::Theme => "Theme",
         Menu::Skinning => "Skinning",

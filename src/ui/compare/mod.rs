@@ -1,14 +1,21 @@
-//! Comparing the view with a picture: the panel below the view, and both pictures in the view.
+//! Comparing the view with a picture, or a character with a mesh: the panel below the view, and both
+//! pictures or meshes in the view.
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
 mod masks;
+mod mesh_marker;
+mod mesh_panel;
+mod mesh_view;
 mod outlined;
 mod panel;
 mod pictures;
 mod place;
 mod settings;
 
+pub(super) use mesh_marker::show as mesh_marker;
+pub(super) use mesh_panel::show as mesh_panel;
+pub use mesh_view::{CompareMeshAction, CompareMeshView, MeshesShown};
 pub(super) use outlined::Outlined;
 pub(super) use panel::show as panel;
 pub(super) use pictures::show as pictures;

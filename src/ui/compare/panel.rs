@@ -245,12 +245,13 @@ fn perceived(judgment: Option<&Judgment>) -> Line {
 }
 
 /// `37 of 12345 (0.300 %)`.
-fn of_which(part: u64, whole: u64) -> String {
+pub(super) fn of_which(part: u64, whole: u64) -> String {
     let percent = 100.0 * part as f64 / whole.max(1) as f64;
     format!("{part} of {whole} ({percent:.3} %)")
 }
 
-fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &str) {
+/// A line of a grid: what it is, its value, and what that means.
+pub(super) fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &str) {
     let weak = Palette::of(ui.visuals()).weak;
     ui.label(RichText::new(name).small().color(weak))
         .on_hover_text(hint);
@@ -319,7 +320,8 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
     });
 }
 
-fn say(ui: &mut Ui, text: &str, color: Color32) {
+/// A paragraph that can be copied.
+pub(super) fn say(ui: &mut Ui, text: &str, color: Color32) {
     let text = RichText::new(text).color(color);
     ui.add(Label::new(text).wrap().selectable(true));
 }

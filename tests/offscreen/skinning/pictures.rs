@@ -4,11 +4,13 @@ use super::characters::{self, ids};
 use crate::offscreen::support::{Picture, on_each_backend};
 use editor_core::character::Pose;
 use editor_core::gpu::{Framebuffer, Gl};
-use editor_core::render::{Backdrop, Frame, Marks, Renderer};
+use editor_core::render::{Backdrop, Frame, Marks, Renderer, ShapeNumbers};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
-    Evaluated, Evaluator, FitArea, ModelDisplay, Scene, Shading, ShapeKind, Skinning, ViewSettings,
+    CharacterNumber, Evaluated, Evaluator, FitArea, ModelDisplay, SCALE_GRAY, Scene, Shading,
+    ShapeKind, Skinning, ViewSettings, scale_color,
 };
+use glam::Vec3;
 use std::sync::Arc;
 
 const SIZE: (u32, u32) = (400, 300);
@@ -101,6 +103,46 @@ fn outlines_and_meshes_seen_through_are_the_same_too() {
         let (here, _) = draw(gl, &mut cpu, &scene, &view, marks.clone());
         let (there, _) = draw(gl, &mut gpu, &scene, &view, marks.clone());
         same("outlined", &here, &there);
+    });
+}
+
+#[test]
+fn colors_of_numbers_are_the_same_whoever_skins_and_are_those_of_the_scale() {
+    let scenes = characters::all();
+    on_each_backend(|gl| {
+        let [mut cpu, mut gpu] = [Skinning::Cpu, Skinning::Gpu].map(|s| renderer(gl, s));
+        for (name, scene) in &scenes {
+            let view = fitted(scene, Shading::AsAuthored);
+            let numbered = |shape| {
+                let character = &scene.character(shape)?.character;
+                let number = (CharacterNumber::Weight(1), &**character);
+                let numbers = CharacterNumber::on_one_scale([number]).pop()?;
+                Some(ShapeNumbers {
+                    shape,
+                    numbers: Arc::new(numbers),
+                })
+            };
+            let marks = Marks {
+                numbers: ids(scene).into_iter().filter_map(numbered).collect(),
+                ..Marks::default()
+            };
+            let (here, _) = draw(gl, &mut cpu, scene, &view, marks.clone());
+            let (there, _) = draw(gl, &mut gpu, scene, &view, marks);
+            same(name, &here, &there);
+            // Every pixel of a mesh has a hue of the scale, or its gray.
+            let is_of_scale = |pixel: [u8; 4]| {
+                let seen = Vec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into()) / 255.0;
+                let scale = (0..=100).map(|part| scale_color(part as f32 / 100.0));
+                scale.chain([SCALE_GRAY]).any(|color| {
+                    let lit = color * (seen.length() / color.length());
+                    (seen - lit).length() < 0.03
+                })
+            };
+            let background = [26, 26, 26, 255];
+            let others = here.count(|pixel| pixel != background && !is_of_scale(pixel));
+            let drawn = here.count(|pixel| pixel != background);
+            assert!(others * 50 <= drawn, "{name}: {others} of {drawn}");
+        }
     });
 }
 

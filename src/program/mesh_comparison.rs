@@ -1,0 +1,299 @@
+//! A comparison of a character with a mesh that another program posed.
+
+use super::Host;
+use super::job::{Job, JobHandle, MeshDiagnosed, Work};
+use super::running::Program;
+use crate::diagnose::{
+    DiagnoseError, Diagnosis, MeshJob, MeshMeasure, may_be_of, measure, of_size,
+};
+use crate::editor::{Session, Severity};
+use crate::geometry::{Mesh, SharedMesh};
+use crate::io::{self, Files};
+use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
+use crate::revision::Revision;
+use crate::scene::{EvaluatedGeometry, ShapeId, VertexNumbers};
+use crate::ui::{CompareMeshAction, CompareMeshView, Legend, MeshesShown};
+use glam::Vec3;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// How long the pose must stand still before the mistake is sought.
+const STILL: Duration = Duration::from_millis(150);
+/// Time between two looks at how far the search has come.
+const LOOK: Duration = Duration::from_millis(100);
+/// Color of their mesh.
+const THEIRS: Vec3 = Vec3::new(1.0, 0.55, 0.35);
+
+/// A comparison under way. Ours is the exact mesh, theirs the file's.
+pub(super) struct MeshComparison {
+    /// [`Session::opened`] of the scene that the character is in.
+    opened: Revision,
+    shape: ShapeId,
+    name: String,
+    theirs: Arc<[Vec3]>,
+    /// Their mesh to be drawn.
+    geometry: Arc<EvaluatedGeometry>,
+    shown: MeshesShown,
+    /// The newest pose, and when it came.
+    pose: Option<(Revision, Duration)>,
+    measured: Option<Measured>,
+    legend: Legend,
+    /// The search for the mistake in a pose, while it is under way.
+    running: Option<(Revision, JobHandle)>,
+    diagnosis: Option<(Revision, Result<Diagnosis, DiagnoseError>)>,
+}
+
+/// How far theirs is from ours.
+struct Measured {
+    measure: MeshMeasure,
+    numbers: Arc<VertexNumbers>,
+}
+
+impl MeshComparison {
+    fn new(opened: Revision, shape: ShapeId, name: String, theirs: Mesh) -> Self {
+        let positions: Arc<[Vec3]> = theirs.positions.as_slice().into();
+        let mut drawn = theirs;
+        for at in &mut drawn.positions {
+            // What has no place cannot be drawn.
+            if !at.is_finite() {
+                *at = Vec3::ZERO;
+            }
+        }
+        let mesh = SharedMesh::new(drawn);
+        let (bounds, revision) = (mesh.bounds(), mesh.revision());
+        Self {
+            opened,
+            shape,
+            name,
+            theirs: positions,
+            geometry: Arc::new(EvaluatedGeometry::rigid(mesh, bounds, revision)),
+            shown: MeshesShown::default(),
+            pose: None,
+            measured: None,
+            legend: Legend::default(),
+            running: None,
+            diagnosis: None,
+        }
+    }
+
+    /// Measures anew if the character has another pose. Whether there still is something to compare.
+    fn update(&mut self, session: &Session, now: Duration) -> bool {
+        let character = session.scene().character(self.shape);
+        let evaluated = session.evaluated().shape(self.shape);
+        let (Some(character), Some(evaluated)) = (character, evaluated) else {
+            return false;
+        };
+        let geometry = &evaluated.geometry;
+        if session.opened() != self.opened || !may_be_of(&character.character, self.theirs.len()) {
+            return false;
+        }
+        if self.pose.is_some_and(|(of, _)| of == geometry.revision) {
+            return true;
+        }
+        self.pose = Some((geometry.revision, now));
+        // What is sought for another pose is given up.
+        self.running = None;
+        let measure = measure(&character.character, geometry.positions(), &self.theirs);
+        self.measured = measure.map(|measure| Measured {
+            numbers: Arc::new(numbers(&measure)),
+            measure,
+        });
+        let measure = self.measured.as_ref().map(|measured| &measured.measure);
+        self.legend = words(&self.name, measure);
+        true
+    }
+
+    /// As the panels show it.
+    pub fn view(&self) -> CompareMeshView<'_> {
+        let newest = self.pose.map(|(of, _)| of);
+        let diagnosis = self.diagnosis.as_ref();
+        let diagnosis = diagnosis.filter(|(of, _)| Some(*of) == newest);
+        CompareMeshView {
+            name: &self.name,
+            shape: self.shape,
+            shown: self.shown,
+            theirs: &self.theirs,
+            measure: self.measured.as_ref().map(|measured| &measured.measure),
+            diagnosis: diagnosis.map(|(_, diagnosis)| diagnosis),
+            is_diagnosing: diagnosis.is_none(),
+            diagnosed_part: self.running.as_ref().map(|(_, job)| job.part()),
+        }
+    }
+
+    /// Words about the colors.
+    pub fn legend(&self) -> &Legend {
+        &self.legend
+    }
+
+    /// Both meshes, as they are shown.
+    pub fn marks(&self, session: &Session) -> Marks {
+        let mut marks = Marks::default();
+        let Some(ours) = session.evaluated().shape(self.shape) else {
+            return marks;
+        };
+        let ghost = |paint| Ghost {
+            geometry: Arc::clone(&self.geometry),
+            world_from_model: ours.world_from_model,
+            paint,
+        };
+        let numbers = self.measured.as_ref().map(|measured| &measured.numbers);
+        if self.shown != MeshesShown::Ours {
+            let paint = match (self.shown, numbers) {
+                (MeshesShown::Theirs, Some(numbers)) => GhostPaint::Numbers(Arc::clone(numbers)),
+                _ => GhostPaint::Translucent(THEIRS),
+            };
+            marks.ghosts.push(ghost(paint));
+        }
+        if self.shown == MeshesShown::Theirs {
+            marks.replaced = Some(self.shape);
+        }
+        marks.numbers.extend(numbers.map(|numbers| ShapeNumbers {
+            shape: self.shape,
+            numbers: Arc::clone(numbers),
+        }));
+        marks
+    }
+
+    /// Starts to look for the mistake once the pose stands still. Returns how long nothing needs to be
+    /// done unless something changes.
+    pub fn advance(&mut self, session: &Session, host: &mut dyn Host) -> Option<Duration> {
+        let (newest, since) = self.pose?;
+        if self.diagnosis.as_ref().is_some_and(|(of, _)| *of == newest) {
+            return None;
+        }
+        if self.running.is_some() {
+            return Some(LOOK);
+        }
+        let still_for = host.now().saturating_sub(since);
+        if still_for < STILL {
+            return Some(STILL - still_for);
+        }
+        let character = session.scene().character(self.shape)?;
+        let mesh = MeshJob {
+            character: Arc::clone(&character.character),
+            pose: character.pose().clone(),
+            theirs: Arc::clone(&self.theirs),
+        };
+        let job = Job::new(Work::Diagnose { of: newest, mesh });
+        self.running = Some((newest, job.handle()));
+        host.start_job(job);
+        Some(LOOK)
+    }
+
+    /// Takes in the result of a search. That of another pose, or another mesh, is ignored.
+    pub fn take_result(&mut self, result: MeshDiagnosed) {
+        let running = &mut self.running;
+        if running.take_if(|(of, _)| *of == result.of).is_some() {
+            self.diagnosis = Some((result.of, result.outcome));
+        }
+    }
+}
+
+/// The distances as numbers of the vertices, to the largest one.
+fn numbers(measure: &MeshMeasure) -> VertexNumbers {
+    let finite = measure.distances.iter().copied().filter(|d| d.is_finite());
+    let most = finite.fold(measure.tolerance, f64::max);
+    let values = measure
+        .distances
+        .iter()
+        .map(|distance| distance.min(most) as f32);
+    VertexNumbers {
+        values: values.collect(),
+        low: 0.0,
+        high: most as f32,
+        gray_up_to: Some(measure.tolerance as f32),
+    }
+}
+
+fn words(name: &str, measure: Option<&MeshMeasure>) -> Legend {
+    let Some(measure) = measure else {
+        return Legend {
+            title: format!("{name}, over ours"),
+            note: Some("There are no distances: its vertices are not ours".to_owned()),
+            ..Legend::default()
+        };
+    };
+    let by_size = |distance: f64| of_size(distance / measure.size);
+    let ends = ["0".to_owned(), by_size(measure.worst)];
+    Legend {
+        title: format!("Distance of {name} from the exact mesh"),
+        ends: Some(ends).filter(|_| measure.off > 0),
+        gray: Some(format!("agrees: up to {}", by_size(measure.tolerance))),
+        note: None,
+    }
+}
+
+impl Program {
+    /// Compares a character with the mesh at `path` from now on. One that cannot be a pose of it
+    /// changes nothing.
+    pub(super) fn compare_with_mesh(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+        let read = files
+            .read(path)
+            .and_then(|bytes| io::read_character_obj(path, &bytes));
+        let theirs = match read {
+            Ok(read) => {
+                self.tell_all(Severity::Warning, read.warnings);
+                read.value
+            }
+            Err(error) => return self.tell(Severity::Error, error.to_string()),
+        };
+        let scene = self.session.scene();
+        let name = path
+            .file_name()
+            .unwrap_or(path.as_os_str())
+            .to_string_lossy();
+        let found = theirs.positions.len();
+        let Some(character) = scene.character(shape) else {
+            let text = format!("{name} is not compared: the character does not exist any more");
+            return self.tell(Severity::Error, text);
+        };
+        let ours = scene
+            .shape(shape)
+            .map_or("the character", |shape| &shape.name);
+        if !may_be_of(&character.character, found) {
+            let expected = character.character.bind_mesh().positions.len();
+            let text = format!(
+                "{} is not compared with {ours}, which has {expected} vertices: this mesh has {found}",
+                path.display()
+            );
+            return self.tell(Severity::Error, text);
+        }
+        let name = name.into_owned();
+        self.end_comparison();
+        let shown = self.mesh_comparison.take().map(|before| before.shown);
+        let mut comparison = MeshComparison::new(self.session.opened(), shape, name, theirs);
+        comparison.shown = shown.unwrap_or_default();
+        self.mesh_comparison = Some(comparison);
+    }
+
+    pub(super) fn compare_mesh(&mut self, action: CompareMeshAction, host: &mut dyn Host) {
+        match action {
+            CompareMeshAction::Choose(shape) => {
+                self.choose_file(super::Purpose::CompareMesh(shape), "", host);
+            }
+            CompareMeshAction::Show(shown) => {
+                if let Some(comparison) = &mut self.mesh_comparison {
+                    comparison.shown = shown;
+                }
+            }
+            CompareMeshAction::Close => self.mesh_comparison = None,
+        }
+    }
+
+    /// Keeps the comparison with a mesh up to date; it ends when its character is gone.
+    pub(super) fn update_mesh_comparison(&mut self, now: Duration) {
+        let session = &self.session;
+        self.mesh_comparison
+            .take_if(|comparison| !comparison.update(session, now));
+    }
+
+    /// The character that a dropped mesh is for: that of the comparison under way, unless the mesh is a
+    /// character itself.
+    pub(super) fn compared_by_dropping(&self, path: &Path, files: &dyn Files) -> Option<ShapeId> {
+        let is_obj = path.extension()?.eq_ignore_ascii_case("obj");
+        let has = |other: &str| files.exists(&path.with_extension(other));
+        let comparison = self.mesh_comparison.as_ref()?;
+        (is_obj && !has("skel") && !has("attach")).then_some(comparison.shape)
+    }
+}

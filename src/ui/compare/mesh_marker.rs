@@ -1,0 +1,57 @@
+//! The vertex that is marked in a comparison with a mesh.
+
+use super::CompareMeshView;
+use crate::editor::Session;
+use crate::ui::ScenePlaces;
+use crate::ui::theme::Palette;
+use egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Ui, vec2};
+
+/// Radius of the ring round our place of the vertex, in points, and of the dot at theirs.
+const RING: f32 = 9.0;
+const DOT: f32 = 4.0;
+
+/// Marks `vertex` where ours has it and where theirs does, with a line from one to the other.
+pub(in crate::ui) fn show(
+    ui: &Ui,
+    places: &ScenePlaces,
+    session: &Session,
+    compare: &CompareMeshView,
+    vertex: usize,
+) {
+    let Some(at) = compare.places(session, vertex) else {
+        return;
+    };
+    let camera = &session.view().camera;
+    let palette = Palette::of(ui.visuals());
+    for place in places.iter() {
+        let painter = ui.painter().with_clip_rect(place.rect);
+        let [ours, theirs] = at.map(|at| {
+            let pixel = camera.pixel(at, place.size())?;
+            Some(place.position(pixel))
+        });
+        let (Some(ours), Some(theirs)) = (ours, theirs) else {
+            continue;
+        };
+        // Each over a dark rim, so that it stands out from any color of the scale.
+        for (color, wider) in [(Color32::BLACK, 2.0), (Color32::WHITE, 0.0)] {
+            let stroke = Stroke::new(1.5 + wider, color);
+            painter.circle_stroke(ours, RING, stroke);
+            let apart = theirs - ours;
+            if apart.length() > RING {
+                let from = ours + apart.normalized() * RING;
+                painter.line_segment([from, theirs], stroke);
+            }
+            painter.circle_filled(theirs, DOT + wider / 2.0, color);
+        }
+        let corner = ours + vec2(RING + 6.0, -RING - 6.0);
+        label(&painter, corner, &format!("vertex {vertex}"), palette);
+    }
+}
+
+fn label(painter: &Painter, at: Pos2, text: &str, palette: &Palette) {
+    let font = FontId::proportional(12.0);
+    let laid_out = painter.layout_no_wrap(text.to_owned(), font, palette.strong);
+    let rect = Align2::LEFT_BOTTOM.anchor_size(at, laid_out.size());
+    painter.rect_filled(rect.expand(3.0), 3, palette.panel);
+    painter.galley(rect.min, laid_out, palette.strong);
+}

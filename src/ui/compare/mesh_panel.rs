@@ -1,0 +1,283 @@
+//! The panel below the view while a character is compared with a mesh.
+
+use super::panel::{line, of_which, say};
+use super::{CompareMeshAction, CompareMeshView, MeshesShown};
+use crate::diagnose::{Diagnosis, MeshMeasure, Verdict, of_size};
+use crate::editor::{Session, View};
+use crate::scene::FitArea;
+use crate::ui::theme::Palette;
+use crate::ui::widgets::named;
+use crate::ui::{Action, Ask};
+use egui::{Align, Button, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+
+const HEIGHT: f32 = 168.0;
+const LOWEST: f32 = 64.0;
+/// Narrower panels show their parts one below the other.
+const ROOM_FOR_COLUMNS: f32 = 760.0;
+
+/// Everything that the parts of the panel need.
+struct Parts<'a> {
+    session: &'a Session,
+    compare: &'a CompareMeshView<'a>,
+    area: FitArea,
+    marked: &'a mut Option<usize>,
+    actions: &'a mut Vec<Action>,
+}
+
+/// The panel. A vertex that is chosen in it is `marked`, and the camera goes there.
+pub(in crate::ui) fn show(
+    root: &mut Ui,
+    session: &Session,
+    compare: &CompareMeshView,
+    area: FitArea,
+    marked: &mut Option<usize>,
+    actions: &mut Vec<Action>,
+) {
+    let mut parts = Parts {
+        session,
+        compare,
+        area,
+        marked,
+        actions,
+    };
+    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
+    let highest = (root.available_height() * 0.6).max(LOWEST);
+    Panel::bottom("compare with a mesh")
+        .frame(frame)
+        .resizable(true)
+        .default_size(HEIGHT)
+        .size_range(LOWEST..=highest)
+        .show(root, |ui| {
+            parts.header(ui);
+            ui.add_space(2.0);
+            ScrollArea::vertical()
+                .id_salt("comparison with a mesh")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    if ui.available_width() < ROOM_FOR_COLUMNS {
+                        parts.diagnosis(ui);
+                        parts.numbers(ui);
+                        parts.regions(ui);
+                    } else {
+                        let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
+                        ui.columns_const(|columns: &mut [Ui; 3]| {
+                            for column in &mut *columns {
+                                column.spacing_mut().item_spacing.x = gap;
+                            }
+                            let [left, middle, right] = columns;
+                            // Columns would stretch what is in them.
+                            left.vertical(|ui| parts.numbers(ui));
+                            middle.vertical(|ui| parts.diagnosis(ui));
+                            right.vertical(|ui| parts.regions(ui));
+                        });
+                    }
+                });
+        });
+}
+
+impl Parts<'_> {
+    fn header(&mut self, ui: &mut Ui) {
+        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
+            let close = named(ui.add(Button::new("×")), "Stop comparing with the mesh");
+            if close
+                .on_hover_text("Back to the scene alone (Esc)")
+                .clicked()
+            {
+                self.ask(CompareMeshAction::Close);
+            }
+            let other = named(ui.add(Button::new("Open…")), "Compare with another mesh");
+            if other.on_hover_text("Compare with another mesh").clicked() {
+                self.ask(CompareMeshAction::Choose(self.compare.shape));
+            }
+            ui.with_layout(
+                Layout::left_to_right(Align::Min).with_main_wrap(true),
+                |ui| {
+                    for shown in MeshesShown::ALL {
+                        let is_shown = self.compare.shown == shown;
+                        let button = ui.selectable_label(is_shown, shown.label());
+                        if button.on_hover_text(explained(shown)).clicked() {
+                            self.ask(CompareMeshAction::Show(shown));
+                        }
+                    }
+                    let shape = self.session.scene().shape(self.compare.shape);
+                    let ours = shape.map_or("", |shape| &shape.name);
+                    let text = format!("{} against the exact {ours}", self.compare.name);
+                    let color = Palette::of(ui.visuals()).weak;
+                    ui.add(Label::new(RichText::new(text).color(color)).truncate())
+                        .on_hover_text(
+                            "Theirs is the file's mesh; ours is the character in its pose",
+                        );
+                },
+            );
+        });
+    }
+
+    fn ask(&mut self, action: CompareMeshAction) {
+        self.actions.push(Action::Ask(Ask::CompareMesh(action)));
+    }
+
+    /// How far off theirs is, and a way to where it is farthest.
+    fn numbers(&mut self, ui: &mut Ui) {
+        let Some(measure) = self.compare.measure else {
+            let text = "Theirs has another number of vertices, so that no vertex of it is known to be \
+                        one of ours: there are no distances.";
+            return say(ui, text, Palette::of(ui.visuals()).text);
+        };
+        let color = Palette::of(ui.visuals()).text;
+        Grid::new("distances")
+            .num_columns(2)
+            .spacing([12.0, 1.0])
+            .min_row_height(16.0)
+            .show(ui, |ui| {
+                for (name, value, hint) in lines(measure) {
+                    line(ui, name, &value, color, hint);
+                }
+            });
+        if let Some(vertex) = measure.worst_vertex {
+            ui.add_space(4.0);
+            let button = ui.button("Show the Worst Vertex");
+            let tip = "Move the camera to the vertex that is farthest off, and mark it";
+            if button.on_hover_text(tip).clicked() {
+                self.go_to(vertex);
+            }
+        }
+    }
+
+    fn go_to(&mut self, vertex: usize) {
+        *self.marked = Some(vertex);
+        let camera = self.compare.camera(self.session, vertex, self.area);
+        let camera = camera.map(|camera| Action::View(View::SetCamera(camera)));
+        self.actions.extend(camera);
+    }
+
+    /// What is wrong, in words.
+    fn diagnosis(&mut self, ui: &mut Ui) {
+        let palette = Palette::of(ui.visuals());
+        if self.compare.is_diagnosing {
+            let mut text = "Looking for the mistake…".to_owned();
+            if let Some(part) = self.compare.diagnosed_part {
+                text += &format!(" {:.0} %", 100.0 * part);
+            }
+            return say(ui, &text, palette.weak);
+        }
+        match self.compare.diagnosis {
+            None => {}
+            Some(Err(error)) => say(ui, &error.to_string(), palette.error),
+            Some(Ok(diagnosis)) => self.found(ui, diagnosis),
+        }
+    }
+
+    fn found(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
+        let palette = Palette::of(ui.visuals());
+        let off = of_size(diagnosis.error);
+        match diagnosis.verdict {
+            Verdict::Right => {
+                let text = format!("Right: this is the exact result, but for {off}.");
+                return say(ui, &text, palette.strong);
+            }
+            Verdict::Explained => {
+                for mistake in &diagnosis.mistakes {
+                    say(ui, &mistake.to_string(), palette.strong);
+                    let text = format!("Section {} · Look at {}", mistake.section, mistake.look_at);
+                    say(ui, &text, palette.text);
+                }
+                let text = format!("With that, theirs is explained but for {off}.");
+                say(ui, &text, palette.weak);
+            }
+            Verdict::Unexplained => {
+                let text = "No known mistake gives this mesh, nor do two of them.";
+                say(ui, text, palette.strong);
+                for finding in &diagnosis.findings {
+                    say(ui, finding, palette.text);
+                }
+                if let Some(nearest) = &diagnosis.nearest {
+                    let text = format!(
+                        "Nearest: {}; that explains {:.0} % of it",
+                        nearest.mistake,
+                        100.0 * nearest.explains
+                    );
+                    say(ui, &text, palette.text);
+                }
+            }
+        }
+        if !diagnosis.same_as.is_empty() {
+            let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
+            let text = format!("Or, the same here: {}", all.collect::<Vec<_>>().join(", "));
+            say(ui, &text, palette.weak);
+        }
+        let Some(first) = &diagnosis.first else {
+            return;
+        };
+        if self.compare.measure.is_none() {
+            return say(ui, &format!("Shown by {first}"), palette.text);
+        }
+        let joint = first.joint.as_deref();
+        let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
+        let text = format!("Shown by vertex {}{at}", first.vertex);
+        let is_marked = *self.marked == Some(first.vertex);
+        let button = ui.add(Button::selectable(is_marked, text).wrap());
+        if button
+            .on_hover_text(format!("{first}\nClick to go there"))
+            .clicked()
+        {
+            self.go_to(first.vertex);
+        }
+    }
+
+    /// Where vertices are off, by joints: each leads to its worst vertex.
+    fn regions(&mut self, ui: &mut Ui) {
+        let palette = Palette::of(ui.visuals());
+        let Some(measure) = self.compare.measure else {
+            return;
+        };
+        if measure.regions.is_empty() {
+            return say(ui, "Every vertex is in its place.", palette.text);
+        }
+        say(ui, "Off, by the joint that moves them most:", palette.weak);
+        for region in &measure.regions {
+            let is_marked = *self.marked == Some(region.worst_vertex);
+            let text = RichText::new(region.to_string()).small();
+            let button = ui.add(Button::selectable(is_marked, text).wrap());
+            let tip = "Go to its vertex that is farthest off, and mark it";
+            if button.on_hover_text(tip).clicked() {
+                self.go_to(region.worst_vertex);
+            }
+        }
+    }
+}
+
+fn explained(shown: MeshesShown) -> &'static str {
+    match shown {
+        MeshesShown::Both => "Ours in the colors of the distances, theirs over it like glass",
+        MeshesShown::Ours => "Ours alone, in the colors of the distances",
+        MeshesShown::Theirs => "Theirs alone, in the colors of the distances",
+    }
+}
+
+type Line = (&'static str, String, &'static str);
+
+fn lines(measure: &MeshMeasure) -> [Line; 4] {
+    let by_size = |distance: f64| of_size(distance / measure.size);
+    [
+        (
+            "Vertices off",
+            of_which(measure.off as u64, measure.distances.len() as u64),
+            "Vertices that are farther from their place than the meshes agree",
+        ),
+        (
+            "Farthest",
+            format!("{} ({:.6})", by_size(measure.worst), measure.worst),
+            "The largest distance, by the diagonal of the box around the exact mesh, and as it is",
+        ),
+        (
+            "Mean",
+            format!("{} ({:.6})", by_size(measure.mean), measure.mean),
+            "The mean distance of all vertices",
+        ),
+        (
+            "Agree up to",
+            format!("{} ({:.6})", by_size(measure.tolerance), measure.tolerance),
+            "What computing in single precision and the digits of the file are off by",
+        ),
+    ]
+}

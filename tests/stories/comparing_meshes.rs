@@ -1,0 +1,296 @@
+//! Comparing a character with a mesh that another program posed.
+
+use super::{Story, differing};
+use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::student::{RIGHT, Student};
+use editor_core::editor::{Edit, Severity};
+use editor_core::program::Purpose;
+use editor_core::scene::{SCALE_GRAY, ShapeKind, scale_color};
+use egui::{Key, Modifiers};
+use glam::Vec3;
+use std::fmt::Write;
+
+/// A dog in a pose.
+fn dog() -> Figure {
+    Figure::builtin("dog", turned(7))
+}
+
+/// The file that a program writes that has the mistake of `student`.
+fn obj(figure: &Figure, student: &Student) -> Vec<u8> {
+    let mut text = String::new();
+    for at in student.skin(figure) {
+        writeln!(text, "v {:.6} {:.6} {:.6}", at.x, at.y, at.z).unwrap();
+    }
+    for [a, b, c] in &figure.triangles {
+        writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).unwrap();
+    }
+    text.into_bytes()
+}
+
+/// A student who takes each column of the weights for the joint of the column before.
+fn off_by_one() -> Student {
+    Student {
+        joint_of_column: |column| column,
+        ..RIGHT
+    }
+}
+
+/// A story in which the posed dog is compared with what `student` makes of it.
+fn comparing(student: &Student) -> Story {
+    let figure = dog();
+    let mut story = Story::start(&["builtin:dog"]);
+    story.size = (1280, 800);
+    let files = &mut story.host.files;
+    files.insert("mine.obj".into(), obj(&figure, student));
+    let id = story.session().scene().shapes()[0].id;
+    let edit = Edit::SetPose(id, figure.pose());
+    story.program.session_mut().edit(edit).expect("a pose");
+    story.settle();
+    story.click("View");
+    story.click("Compare with Mesh…");
+    let asked = story.host.requests.last().map(|request| request.purpose);
+    assert_eq!(asked, Some(Purpose::CompareMesh(id)));
+    story.choose("mine.obj");
+    assert!(story.has("Stop comparing with the mesh"));
+    story
+}
+
+/// Lets the program find out what is wrong.
+fn diagnose(story: &mut Story) {
+    story.wait(0.2);
+    assert!(story.host.run_jobs() > 0, "a job");
+    story.settle();
+}
+
+/// The texts and labels that are shown.
+fn texts(story: &Story) -> Vec<String> {
+    let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+    let text = |node: &egui::accesskit::Node| node.value().or(node.label()).map(str::to_owned);
+    nodes.filter_map(|(_, node)| text(node)).collect()
+}
+
+/// The text that begins with `start`.
+fn text(story: &Story, start: &str) -> String {
+    let all = texts(story);
+    let found = all.iter().find(|text| text.starts_with(start));
+    found
+        .unwrap_or_else(|| panic!("no “{start}” in {all:#?}"))
+        .clone()
+}
+
+/// Pixels of the view with a hue of the scale, and those that are gray.
+fn scaled_and_gray(story: &Story) -> (usize, usize) {
+    let picture = story.scene_picture();
+    let mut counts = (0, 0);
+    for pixel in picture.rgba.chunks_exact(4) {
+        let seen = Vec3::new(pixel[0].into(), pixel[1].into(), pixel[2].into()) / 255.0;
+        let is = |color: Vec3| {
+            let lit = color * (seen.length() / color.length());
+            let bright = seen.length() / color.length();
+            (0.66..1.02).contains(&bright) && (seen - lit).length() < 0.02
+        };
+        if is(SCALE_GRAY) && seen.x > 0.42 {
+            counts.1 += 1;
+        } else if (0..=20).any(|part| is(scale_color(part as f32 / 20.0))) {
+            counts.0 += 1;
+        }
+    }
+    counts
+}
+
+#[test]
+fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click() {
+    let mut story = comparing(&off_by_one());
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.starts_with("weights-shifted"))
+    );
+    diagnose(&mut story);
+    text(&story, "weights-shifted:");
+    text(&story, "Section 4.");
+    text(&story, "Shown by vertex ");
+    let before = story.session().view().camera;
+    story.click("Show the Worst Vertex");
+    let camera = story.session().view().camera;
+    assert_ne!(before, camera);
+
+    // One of those that are farthest off, by the exact mesh and the file alone, is in the middle.
+    let figure = dog();
+    let (ours, theirs) = (RIGHT.skin(&figure), off_by_one().skin(&figure));
+    let distance = |index: usize| ours[index].distance(theirs[index]);
+    let worst = (0..ours.len()).map(distance).fold(0.0, f32::max);
+    let farthest = (0..ours.len()).filter(|&index| distance(index) > 0.9999 * worst);
+    let world = story.session().evaluated().shapes[0].world_from_model;
+    let places = |index: usize| [ours[index], theirs[index]].map(|at| world.transform_point3(at));
+    let shown = farthest.map(places).find(|[ours, theirs]| {
+        let middle = (*ours + *theirs) / 2.0;
+        middle.distance(camera.target) < 1e-3
+    });
+    let [ours, theirs] = shown.expect("one of the worst vertices");
+    let view = story.view().shrink(20.0);
+    assert!(view.contains(story.at(ours)) && view.contains(story.at(theirs)));
+    // It has a ring of white round it.
+    let picture = story.picture();
+    let at = story.at(ours);
+    let is_white = |x: i32| {
+        let index = 4 * (at.y as usize * picture.width as usize + (at.x as i32 + x) as usize);
+        picture.rgba[index..index + 3].iter().all(|&c| c > 150)
+    };
+    assert!((6..=12).any(is_white) && (-12..=-6).any(is_white));
+}
+
+#[test]
+fn the_numbers_are_those_of_the_exact_mesh() {
+    let story = comparing(&off_by_one());
+    let figure = dog();
+    let (ours, theirs) = (RIGHT.skin(&figure), off_by_one().skin(&figure));
+    let distances: Vec<f32> = ours
+        .iter()
+        .zip(&theirs)
+        .map(|(a, b)| a.distance(*b))
+        .collect();
+    let low = ours.iter().copied().fold(Vec3::INFINITY, Vec3::min);
+    let high = ours.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+    let size = low.distance(high);
+    let off = distances.iter().filter(|d| **d > 1e-4 * size).count();
+    text(&story, &format!("{off} of {} (", ours.len()));
+    // Of the numbers in brackets, one is the largest distance and one the mean.
+    let told: Vec<f32> = texts(&story)
+        .iter()
+        .filter_map(|text| text.split_once("of the size ("))
+        .filter_map(|(_, number)| number.trim_end_matches(')').parse().ok())
+        .collect();
+    let worst = distances.iter().copied().fold(0.0, f32::max);
+    let mean = distances.iter().sum::<f32>() / distances.len() as f32;
+    for expected in [worst, mean] {
+        let is_told = |told: &f32| (told - expected).abs() < 1e-4 * size;
+        assert!(told.iter().any(is_told), "{expected}: {told:?}");
+    }
+}
+
+#[test]
+fn what_is_right_is_gray_and_said_to_be_right_and_what_is_wrong_is_colored() {
+    let mut story = comparing(&RIGHT);
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    assert!(!story.has("Show the Worst Vertex"));
+    let (scaled, gray) = scaled_and_gray(&story);
+    assert!(gray > 5000 && scaled * 50 < gray, "{scaled} {gray}");
+
+    let mut story = comparing(&off_by_one());
+    story.click("Ours");
+    let (scaled, _) = scaled_and_gray(&story);
+    assert!(scaled > 5000, "{scaled}");
+}
+
+#[test]
+fn ours_theirs_and_both_are_three_pictures_and_esc_goes_back_to_the_first() {
+    let mut story = comparing(&off_by_one());
+    let both = story.scene_picture();
+    story.click("Ours");
+    let ours = story.scene_picture();
+    story.click("Theirs");
+    let theirs = story.scene_picture();
+    assert!(differing(&both, &ours) > 1000);
+    assert!(differing(&both, &theirs) > 1000);
+    assert!(differing(&ours, &theirs) > 1000);
+    story.key(Key::Escape);
+    assert!(!story.has("Stop comparing with the mesh"));
+    let id = story.session().scene().shapes()[0].id;
+    assert_eq!(
+        story.session().selected(),
+        Some(id),
+        "nothing else has ended"
+    );
+    assert_eq!(story.session().done_steps(), 1, "the document is as it was");
+}
+
+#[test]
+fn another_pose_is_measured_at_once_and_diagnosed_anew() {
+    let mut story = comparing(&RIGHT);
+    diagnose(&mut story);
+    text(&story, "Right: this");
+    let id = story.session().scene().shapes()[0].id;
+    let edit = Edit::SetPose(id, Default::default());
+    story.program.session_mut().edit(edit).expect("a pose");
+    story.settle();
+    text(&story, "Looking for the mistake…");
+    assert!(story.has("Show the Worst Vertex"));
+    diagnose(&mut story);
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.starts_with("Right: this"))
+    );
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    diagnose(&mut story);
+    text(&story, "Right: this");
+}
+
+#[test]
+fn a_mesh_of_other_vertices_or_a_file_that_is_none_changes_nothing() {
+    let mut story = comparing(&RIGHT);
+    let files = &mut story.host.files;
+    files.insert(
+        "triangle.obj".into(),
+        b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec(),
+    );
+    files.insert("broken.obj".into(), b"v 0 0 zero\n".to_vec());
+    for (path, told) in [
+        ("triangle.obj", "this mesh has 3"),
+        ("broken.obj", "broken.obj:1:7: expected"),
+        ("gone.obj", "gone.obj"),
+    ] {
+        story.click("Compare with another mesh");
+        story.choose(path);
+        let messages = story.messages();
+        let (severity, message) = messages.last().expect("a message");
+        assert_eq!(*severity, Severity::Error);
+        assert!(message.contains(told), "{message}");
+        text(&story, "mine.obj against the exact Dog");
+    }
+}
+
+#[test]
+fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
+    let corners = Student {
+        vertices: |figure| {
+            let corners = figure.triangles.iter().flatten();
+            corners
+                .map(|&corner| (corner as usize, corner as usize))
+                .collect()
+        },
+        ..RIGHT
+    };
+    let figure = dog();
+    let mut text_of = String::new();
+    for at in corners.skin(&figure) {
+        writeln!(text_of, "v {} {} {}", at.x, at.y, at.z).unwrap();
+    }
+    for first in (1..=figure.triangles.len() * 3).step_by(3) {
+        writeln!(text_of, "f {} {} {}", first, first + 1, first + 2).unwrap();
+    }
+    let mut story = comparing(&RIGHT);
+    story
+        .host
+        .files
+        .insert("corners.obj".into(), text_of.into_bytes());
+    story.host.drop_file("corners.obj");
+    story.settle();
+    text(&story, "corners.obj against the exact Dog");
+    text(&story, "Theirs has another number of vertices");
+    diagnose(&mut story);
+    text(&story, "vertices-renumbered:");
+    assert_eq!(story.names(), ["Dog"], "nothing was imported");
+}
+
+#[test]
+fn without_its_character_the_comparison_ends() {
+    let mut story = comparing(&RIGHT);
+    story.key(Key::Delete);
+    assert!(!story.has("Stop comparing with the mesh"));
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    let shapes = story.session().scene().shapes();
+    assert!(matches!(shapes[0].kind, ShapeKind::Character(_)));
+}
