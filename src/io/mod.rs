@@ -30,6 +30,7 @@ mod scene;
 pub mod scene_link;
 mod skel;
 mod swp;
+mod tests_file;
 
 pub use animation::Animation;
 pub use archive::{WithArchives, to_zip};
@@ -53,3 +54,6 @@ pub use scene::{
 };
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};
+pub use tests_file::{
+    CommandData, Points, RubricData, SectionData, Share, TestData, TestKind, TestsFile,
+};

@@ -3,13 +3,13 @@
 
 mod correct;
 mod documents;
-mod figures;
+pub mod figures;
 mod mistaken;
 mod pairs;
 mod pictures;
 mod program;
 mod same;
-mod student;
+pub mod student;
 mod unexplained;
 
 use editor_core::diagnose::{Diagnosis, Verdict};
