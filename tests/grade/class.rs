@@ -47,10 +47,12 @@ const FORMATS: [Format; 5] = [
     |number| format!("{number:.5e}"),
 ];
 
+/// Weights that count, each with the index of its joint.
+type Weights = Vec<(usize, f32)>;
+
 /// The right program with other orders of its sums.
 fn right_programs() -> [Student; 5] {
-    let with_weights =
-        |weights: fn(Vec<(usize, f32)>) -> Vec<(usize, f32)>| Student { weights, ..RIGHT };
+    let with_weights = |weights: fn(Weights) -> Weights| Student { weights, ..RIGHT };
     [
         RIGHT,
         with_weights(|mut weights| {
