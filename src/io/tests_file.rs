@@ -291,23 +291,23 @@ mod tests {
             ),
             (
                 test(r#", "kind": "film""#),
-                "t.json:1:75: expected `mesh` or `picture`, found “film”",
+                "t.json:1:79: expected `mesh` or `picture`, found “film”",
             ),
             (
                 test(r#", "camera": [1, 2, 3]"#),
-                "t.json:1:77: cameras and sizes are for pictures, found a mesh",
+                "t.json:1:81: cameras and sizes are for pictures, found a mesh",
             ),
             (
                 test(r#", "kind": "picture", "camera": [1, 2]"#),
-                "t.json:1:96: expected three numbers THETA, PHI, RADIUS or six with TX, TY, TZ, found 2",
+                "t.json:1:100: expected three numbers THETA, PHI, RADIUS or six with TX, TY, TZ, found 2",
             ),
             (
                 test(r#", "kind": "picture", "size": [0, 2]"#),
-                "t.json:1:94: expected a width and a height from 1 to 8192 such as [800, 600], found [0, 2]",
+                "t.json:1:98: expected a width and a height from 1 to 8192 such as [800, 600], found [0, 2]",
             ),
             (
                 test("").replace("{}", r#"{"4.2": -1}"#),
-                "t.json:1:73: expected a number from 0 to 1000000, found -1",
+                "t.json:1:75: expected a number from 0 to 1000000, found -1",
             ),
             (
                 test("").replace("\"a\"", "\"a/b\""),
