@@ -139,9 +139,16 @@ fn keep(
     actions: &mut Vec<Action>,
 ) {
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let keep = ui
-            .button("Keep")
-            .on_hover_text("Keep the current pose under this name");
+        let typed = name.trim();
+        let (does, tip) = if character.poses().iter().any(|kept| kept.name == typed) {
+            (
+                "Replace",
+                "Keep the current pose in place of the one of this name",
+            )
+        } else {
+            ("Keep", "Keep the current pose under this name")
+        };
+        let keep = ui.button(does).on_hover_text(tip);
         let free = character.free_pose_name();
         let field = TextEdit::singleline(name)
             .hint_text(&free)

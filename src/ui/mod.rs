@@ -242,11 +242,22 @@ const MEANT_WHILE_TYPING: [Command; 5] = [
     Command::Quit,
 ];
 
+/// Those that are meant even while a menu or a choice of color is open, which they close.
+const MEANT_IN_A_POPUP: [Command; 7] = [
+    Command::New,
+    Command::Open,
+    Command::Save,
+    Command::SaveAs,
+    Command::Quit,
+    Command::Undo,
+    Command::Redo,
+];
+
 /// Those that are meant even in the middle of a drag.
 const MEANT_IN_A_DRAG: [Command; 3] = [Command::Save, Command::SaveAs, Command::Quit];
 
 /// Has commands about the document wait until what is being typed is taken over, for which the field
-/// gives up the keyboard in this frame, and saving until a drag has ended; runs the one that has
+/// gives up the keyboard in this frame, until popups are closed, and saving until a drag has ended; runs the one that has
 /// waited. Where `keys_are_taken`, such as by a file dialog, keys mean no commands.
 fn run_waiting(
     ctx: &egui::Context,
@@ -265,7 +276,8 @@ fn run_waiting(
     let typing = ctx.text_edit_focused() && state.search.is_none();
     let saves = |command: Command| matches!(command, Command::Save | Command::SaveAs);
     let in_gesture = in_drag || session.is_in_gesture();
-    let waits = typing || in_gesture && state.waiting.is_none_or(saves);
+    let in_popup = !typing && !in_gesture && egui::Popup::is_any_open(ctx);
+    let waits = typing || in_popup || in_gesture && state.waiting.is_none_or(saves);
     if !waits {
         let aspect = aspect(state.view_rect);
         let command = state.waiting.take();
@@ -276,6 +288,8 @@ fn run_waiting(
     if state.waiting.is_none() && !input.keys_are_taken && !input.is_viewer {
         let meant: &[Command] = if typing {
             &MEANT_WHILE_TYPING
+        } else if in_popup {
+            &MEANT_IN_A_POPUP
         } else {
             &MEANT_IN_A_DRAG
         };
@@ -287,6 +301,9 @@ fn run_waiting(
         };
         let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
         state.waiting = pressed.filter(is_meant);
+    }
+    if in_popup && state.waiting.is_some() {
+        egui::Popup::close_all(ctx);
     }
     if typing && !is_typing && (gives_up || state.waiting.is_some()) {
         ctx.memory_mut(|memory| {

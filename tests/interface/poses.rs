@@ -84,7 +84,12 @@ fn poses_are_kept_taken_on_saved_and_forgotten() {
     editor.choose(&["Pose", "Keep Pose"]);
     editor.type_into("Chest X", "15");
     editor.click("Poses (1)");
-    editor.type_into("Name of the pose", "Bow");
+    editor.begin_typing("Name of the pose", "Bow");
+    assert!(editor.has("Keep") && !editor.has("Replace"));
+    editor.key(Key::Enter);
+    editor.begin_typing("Name of the pose", "Bow");
+    assert!(editor.has("Replace"), "it is told before");
+    editor.key(Key::Escape);
     let names: Vec<_> = editor
         .character()
         .poses()

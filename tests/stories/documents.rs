@@ -558,3 +558,21 @@ fn a_second_click_on_discard_is_not_an_answer_to_the_next_question() {
         "the second run's work is still asked about"
     );
 }
+
+#[test]
+fn ctrl_s_and_ctrl_z_work_while_a_color_is_chosen_and_end_the_choice() {
+    let mut story = with_saved_cube();
+    let before = story.shape().placement;
+    story.type_into("Position X", "2");
+    story.click("Custom color");
+    assert_eq!(title(&story), "*a.scene — Editor");
+    story.key_with(CTRL, Key::S);
+    assert_eq!(title(&story), "a.scene — Editor", "it is saved");
+
+    story.click("Custom color");
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.shape().placement, before);
+    // The keys after it are commands again.
+    story.key(Key::Delete);
+    assert!(story.names().is_empty());
+}
