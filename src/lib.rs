@@ -19,6 +19,7 @@ pub mod editor;
 pub mod geometry;
 #[allow(unsafe_code, reason = "the one place that calls OpenGL")]
 pub mod gpu;
+pub mod grade;
 pub mod io;
 pub mod math;
 pub mod program;

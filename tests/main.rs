@@ -17,6 +17,7 @@ mod curves;
 mod diagnose;
 mod editing;
 mod exporting;
+mod grade;
 mod history;
 mod ik;
 mod interface;

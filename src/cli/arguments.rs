@@ -10,7 +10,6 @@ use crate::scene::{
     BoneStyle, Camera, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
     ShapeId, ShapeKind, Skinning, SurfaceVisibility, ViewDirection,
 };
-use glam::Vec3;
 use std::path::{Path, PathBuf};
 
 /// Loads the scenes and shapes of `paths` into one session, with the view of the last scene file,
@@ -274,36 +273,12 @@ fn view(text: &str) -> Result<ViewDirection, String> {
 
 /// Camera: `THETA,PHI,RADIUS`, optionally with `,TX,TY,TZ`; angles in degrees.
 fn camera(text: &str) -> Result<Camera, String> {
-    let numbers: Option<Vec<f32>> = text
-        .split(',')
-        .map(|number| {
-            number
-                .trim()
-                .parse()
-                .ok()
-                .filter(|number: &f32| number.is_finite())
-        })
-        .collect();
-    let (theta, phi, radius, target) = match numbers.as_deref() {
-        Some(&[theta, phi, radius]) => (theta, phi, radius, Vec3::ZERO),
-        Some(&[theta, phi, radius, x, y, z]) => (theta, phi, radius, Vec3::new(x, y, z)),
-        _ => {
-            return Err(format!(
-                "expected three numbers THETA,PHI,RADIUS or six with TX,TY,TZ, found {text}"
-            ));
-        }
-    };
-    if radius <= 0.0 {
-        return Err(format!("expected a distance above 0, found {radius}"));
-    }
-    let (theta, phi) = (theta.to_radians(), phi.to_radians());
-    Ok(Camera {
-        target,
-        radius,
-        theta,
-        phi,
-        ..Camera::default()
-    })
+    let numbers = text.split(',').map(|number| {
+        let read = number.trim().parse();
+        read.map_err(|_| format!("expected numbers between commas, found {text}"))
+    });
+    let numbers: Vec<f32> = numbers.collect::<Result<_, _>>()?;
+    Camera::from_numbers(&numbers)
 }
 
 /// Options of the camera that a picture is seen with.
@@ -338,7 +313,7 @@ mod tests {
         assert_eq!(size("640x480"), Ok((640, 480)));
         assert!(size("640").is_err() && size("0x5").is_err() && size("-1x5").is_err());
         let read = camera("-30,10,5,0,1,0").expect("six numbers");
-        assert_eq!((read.radius, read.target), (5.0, Vec3::Y));
+        assert_eq!((read.radius, read.target), (5.0, glam::Vec3::Y));
         assert!((read.theta.to_degrees() + 30.0).abs() < 1e-4);
         for bad in ["", "1,2", "1,2,x", "1,2,NaN", "1,2,0", "1,2,3,4"] {
             assert!(camera(bad).is_err(), "{bad}");

@@ -154,8 +154,14 @@ fn pose(args: &Args, files: &dyn Files, character: &Character) -> Result<Pose, D
     PoseFile::read(&path, &files.read(&path)?)?.pose_of(character.skeleton())
 }
 
-/// The characters in a file, of which there is at least one.
-fn characters(files: &dyn Files, model: &Path) -> Result<Vec<Arc<Character>>, Diagnostic> {
+/// The characters in a file, of which there is at least one. Warnings are printed.
+///
+/// # Errors
+/// If there is none, or the file cannot be read.
+pub(super) fn characters(
+    files: &dyn Files,
+    model: &Path,
+) -> Result<Vec<Arc<Character>>, Diagnostic> {
     let is_part = ["skel", "attach"].map(|part| has_extension(model, part));
     let file = match is_part.contains(&true) {
         true => model.with_extension("obj"),

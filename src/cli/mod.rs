@@ -9,6 +9,7 @@ pub mod compare;
 pub mod diagnose;
 pub mod doctor;
 pub mod export;
+pub mod grade;
 pub mod manual;
 mod output;
 pub mod render;
@@ -61,6 +62,7 @@ enum Command {
     Compare(compare::Args),
     Diagnose(diagnose::Args),
     Export(export::Args),
+    Grade(grade::Args),
     Render(render::Args),
     Submit(submit::Args),
     Doctor(doctor::Args),
@@ -85,6 +87,7 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
         Some(Command::Compare(args)) => compare::run(&args),
         Some(Command::Diagnose(args)) => diagnose::run(&args),
         Some(Command::Export(args)) => export::run(&args),
+        Some(Command::Grade(args)) => grade::run(&args),
         Some(Command::Render(args)) => render::run(&args),
         Some(Command::Submit(args)) => submit::run(&args),
         Some(Command::Doctor(args)) => doctor::run(&args),

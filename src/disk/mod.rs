@@ -1,8 +1,10 @@
 //! The file system: reading whole files, and writing them whole or not at all. Used by the window
 //! and the commands, which pass it to the layers below as [`crate::io::Files`].
 
+mod scratch;
 mod write;
 
+pub use scratch::ScratchFolder;
 pub use write::{make_folder_of, write_all_keeping, write_all_whole, write_whole};
 
 use crate::io::builtin::WithBuiltin;

@@ -25,11 +25,13 @@ mod pictures;
 mod pose_data;
 mod pose_file;
 mod recorder;
+mod rubric_data;
 mod scanner;
 mod scene;
 pub mod scene_link;
 mod skel;
 mod swp;
+mod tests_file;
 
 pub use animation::Animation;
 pub use archive::{WithArchives, to_zip};
@@ -47,9 +49,11 @@ pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
+pub use rubric_data::{Points, RubricData, SectionData, Share};
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, needed_files, normal, package, read_scene,
     reimport, scene_text,
 };
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};
+pub use tests_file::{CommandData, TestData, TestKind, TestsFile};

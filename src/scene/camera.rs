@@ -57,6 +57,37 @@ impl Camera {
         }
     }
 
+    /// The camera that options and files describe by three numbers, THETA, PHI and RADIUS, or by six
+    /// with the target TX, TY, TZ; angles in degrees.
+    ///
+    /// # Errors
+    /// If there are more or fewer numbers, one is not finite, or the radius is not above 0.
+    pub fn from_numbers(numbers: &[f32]) -> Result<Self, String> {
+        let (theta, phi, radius, target) = match *numbers {
+            [theta, phi, radius] => (theta, phi, radius, Vec3::ZERO),
+            [theta, phi, radius, x, y, z] => (theta, phi, radius, Vec3::new(x, y, z)),
+            _ => {
+                let found = numbers.len();
+                return Err(format!(
+                    "expected three numbers THETA, PHI, RADIUS or six with TX, TY, TZ, found {found}"
+                ));
+            }
+        };
+        if let Some(number) = numbers.iter().find(|number| !number.is_finite()) {
+            return Err(format!("expected finite numbers, found {number}"));
+        }
+        if radius <= 0.0 {
+            return Err(format!("expected a distance above 0, found {radius}"));
+        }
+        Ok(Self {
+            target,
+            radius,
+            theta: theta.to_radians(),
+            phi: phi.to_radians(),
+            ..Self::default()
+        })
+    }
+
     /// The same camera turned to look from `direction`, with target and distance kept.
     pub fn looking_from(self, direction: ViewDirection) -> Self {
         let (theta, phi) = direction.angles();

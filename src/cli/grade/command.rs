@@ -1,0 +1,135 @@
+//! The command that makes the files of a submission, within limits.
+
+use crate::cli::CliError;
+use crate::io::{CommandData, Diagnostic, TestData, builtin};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
+
+#[cfg(unix)]
+mod process;
+
+/// A command with the files that it is given.
+#[derive(Clone, Debug)]
+pub(super) struct TestCommand {
+    data: CommandData,
+    /// Character and pose by name of test, as absolute paths.
+    given: BTreeMap<String, [PathBuf; 2]>,
+}
+
+/// Why a command made no file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum CommandFailure {
+    /// There is no such program.
+    Missing(String),
+    /// It failed, or was ended.
+    Failed(String),
+    /// This program was asked to end.
+    Interrupted,
+}
+
+impl TestCommand {
+    /// The command `data` for tests of the file at `path`.
+    ///
+    /// # Errors
+    /// If a character or a pose is built in, which other programs cannot read, or this system knows no
+    /// groups of processes.
+    pub fn new(data: &CommandData, tests: &[TestData], path: &Path) -> Result<Self, CliError> {
+        if cfg!(not(unix)) {
+            let message = "expected a system on which commands can be limited: Linux or macOS";
+            return Err(Diagnostic::new(path, message).into());
+        }
+        let mut given = BTreeMap::new();
+        for test in tests {
+            for file in [&test.character, &test.pose] {
+                if file.to_string_lossy().starts_with(builtin::PREFIX) {
+                    let message = format!("expected files for a command, found {}", file.display());
+                    return Err(Diagnostic::new(path, message).into());
+                }
+            }
+            let absolute = |file: &Path| {
+                let file = super::beside(path, file);
+                std::path::absolute(&file).unwrap_or(file)
+            };
+            given.insert(
+                test.name.clone(),
+                [absolute(&test.character), absolute(&test.pose)],
+            );
+        }
+        Ok(Self {
+            data: data.clone(),
+            given,
+        })
+    }
+
+    /// A number that tells this command from others.
+    pub fn fingerprint(&self) -> String {
+        let CommandData {
+            run,
+            seconds,
+            memory,
+        } = &self.data;
+        let text = format!("{run:?} {seconds} {memory}");
+        format!("{:08x}", crc32fast::hash(text.as_bytes()))
+    }
+
+    /// Runs it in `folder` for `test`, so that it writes `output`.
+    ///
+    /// # Errors
+    /// If it fails or goes beyond a limit; when `is_interrupted` is set it is ended.
+    pub fn run(
+        &self,
+        test: &TestData,
+        folder: &Path,
+        output: &Path,
+        is_interrupted: &AtomicBool,
+    ) -> Result<(), CommandFailure> {
+        let [character, pose] = match self.given.get(&test.name) {
+            Some(given) => given,
+            None => return Err(CommandFailure::Failed("the test is unknown".to_owned())),
+        };
+        let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+        let words = self.data.run.iter().map(|word| {
+            let places = [("{character}", character), ("{pose}", pose)];
+            let places = places
+                .into_iter()
+                .map(|(name, path)| (name, path.as_path()));
+            let places = places.chain([("{output}", output), ("{test}", Path::new(&test.name))]);
+            places.fold(word.clone(), |word, (name, path)| {
+                word.replace(name, &path.to_string_lossy())
+            })
+        });
+        let words: Vec<String> = words.collect();
+        execute(&self.data, &words, &folder, output, is_interrupted)
+    }
+}
+
+#[cfg(unix)]
+fn execute(
+    data: &CommandData,
+    words: &[String],
+    folder: &Path,
+    output: &Path,
+    is_interrupted: &AtomicBool,
+) -> Result<(), CommandFailure> {
+    let ran = process::run(data, words, folder, is_interrupted);
+    // The name of a temporary file differs from run to run.
+    let told = |text: String| text.replace(&*output.to_string_lossy(), "OUTPUT");
+    ran.map_err(|failure| match failure {
+        CommandFailure::Failed(text) => CommandFailure::Failed(told(text)),
+        other => other,
+    })
+}
+
+#[cfg(not(unix))]
+fn execute(
+    _: &CommandData,
+    _: &[String],
+    _: &Path,
+    _: &Path,
+    _: &AtomicBool,
+) -> Result<(), CommandFailure> {
+    Err(CommandFailure::Failed(
+        "commands cannot be run here".to_owned(),
+    ))
+}

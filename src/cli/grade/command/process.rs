@@ -1,0 +1,171 @@
+//! A process and all that it starts, which are a group and end together.
+
+use super::CommandFailure;
+use crate::disk::in_words;
+use crate::io::CommandData;
+use rustix::process::{Pid, Signal, kill_process_group};
+use signal_hook::consts;
+use std::io::{ErrorKind, Read};
+use std::os::unix::process::{CommandExt, ExitStatusExt};
+use std::path::Path;
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant};
+
+/// Time between two looks at a process: short at first, since most end soon.
+const FIRST_PAUSE: Duration = Duration::from_millis(1);
+const LONGEST_PAUSE: Duration = Duration::from_millis(20);
+/// Time that is waited for the rest of what a process that has ended printed.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// As much of the errors that a command prints is told, in bytes.
+const TOLD: usize = 400;
+
+/// Runs the program and arguments `words` in `folder` within the limits of `data`.
+pub(super) fn run(
+    data: &CommandData,
+    words: &[String],
+    folder: &Path,
+    is_interrupted: &AtomicBool,
+) -> Result<(), CommandFailure> {
+    let (name, arguments) = words
+        .split_first()
+        .map_or(("", words), |(name, rest)| (&**name, rest));
+    // One that is named by a path is the submission's.
+    let program = if name.contains('/') {
+        folder.join(name)
+    } else {
+        name.into()
+    };
+    let started = Command::new(&program)
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .process_group(0)
+        .spawn();
+    let mut child = started.map_err(|error| match error.kind() {
+        ErrorKind::NotFound => CommandFailure::Missing(format!("there is no program {name}")),
+        _ => CommandFailure::Failed(format!("{name} cannot be started: {}", in_words(&error))),
+    })?;
+    let printed = read_on(child.stderr.take());
+    let ended = wait(&mut child, data, is_interrupted);
+    end_group(&child);
+    let status = match ended {
+        Ok(status) => status,
+        Err(failure) => {
+            // It has been killed, so that it ends at once.
+            let _ = child.wait();
+            return Err(failure);
+        }
+    };
+    if status.success() {
+        return Ok(());
+    }
+    let printed = printed.recv_timeout(PATIENCE).unwrap_or_default();
+    let how = match (status.code(), status.signal()) {
+        (Some(code), _) => format!("the command ended with exit code {code}"),
+        (None, Some(signal)) => format!("the command crashed with {}", signal_name(signal)),
+        (None, None) => "the command did not end in order".to_owned(),
+    };
+    let text = String::from_utf8_lossy(&printed);
+    Err(CommandFailure::Failed(match text.trim() {
+        "" => how,
+        text => format!("{how}:\n{text}"),
+    }))
+}
+
+fn wait(
+    child: &mut Child,
+    data: &CommandData,
+    is_interrupted: &AtomicBool,
+) -> Result<ExitStatus, CommandFailure> {
+    let (started, mut pause) = (Instant::now(), FIRST_PAUSE);
+    loop {
+        match child.try_wait() {
+            Ok(Some(status)) => return Ok(status),
+            Ok(None) => {}
+            Err(error) => return Err(CommandFailure::Failed(in_words(&error))),
+        }
+        if is_interrupted.load(Ordering::Relaxed) {
+            return Err(CommandFailure::Interrupted);
+        }
+        if started.elapsed().as_secs_f64() > f64::from(data.seconds) {
+            let text = format!("the command did not end within {} s", data.seconds);
+            return Err(CommandFailure::Failed(text));
+        }
+        if memory_of_group(child.id()) > f64::from(data.memory) {
+            let text = format!("the command took more than {} MiB of memory", data.memory);
+            return Err(CommandFailure::Failed(text));
+        }
+        std::thread::sleep(pause);
+        pause = (pause * 2).min(LONGEST_PAUSE);
+    }
+}
+
+/// Ends everything that the process has started and itself.
+fn end_group(child: &Child) {
+    if let Some(group) = Pid::from_raw(child.id().cast_signed()) {
+        // All of it may have ended already.
+        let _ = kill_process_group(group, Signal::KILL);
+    }
+}
+
+/// Reads what a process prints for as long as it does, so that it never waits for a reader, and gives
+/// the beginning.
+fn read_on(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
+    let (send, receive) = channel();
+    // What left the group keeps the pipe open: the thread waits for it, and nobody for the thread.
+    std::thread::spawn(move || {
+        let mut first = Vec::new();
+        if let Some(mut pipe) = pipe {
+            // What cannot be read is not told.
+            let _ = pipe.by_ref().take(TOLD as u64).read_to_end(&mut first);
+            let _ = std::io::copy(&mut pipe, &mut std::io::sink());
+        }
+        // Nobody may be waiting for it any more.
+        let _ = send.send(first);
+    });
+    receive
+}
+
+fn signal_name(signal: i32) -> String {
+    let name = match signal {
+        consts::SIGABRT => "SIGABRT",
+        consts::SIGBUS => "SIGBUS",
+        consts::SIGFPE => "SIGFPE",
+        consts::SIGILL => "SIGILL",
+        consts::SIGKILL => "SIGKILL",
+        consts::SIGSEGV => "SIGSEGV",
+        _ => return format!("signal {signal}"),
+    };
+    name.to_owned()
+}
+
+/// Memory that the processes of a group have, in MiB.
+#[cfg(target_os = "linux")]
+fn memory_of_group(group: u32) -> f64 {
+    let group = group.to_string();
+    let processes = std::fs::read_dir("/proc").into_iter().flatten().flatten();
+    let sizes = processes.filter_map(|process| {
+        let path = process.path();
+        path.file_name()?.to_str()?.parse::<u32>().ok()?;
+        let stat = std::fs::read_to_string(path.join("stat")).ok()?;
+        // Behind the name, which may hold anything: state, parent, group.
+        let (_, fields) = stat.rsplit_once(')')?;
+        if fields.split_whitespace().nth(2)? != group {
+            return None;
+        }
+        let status = std::fs::read_to_string(path.join("status")).ok()?;
+        let line = status.lines().find(|line| line.starts_with("VmRSS:"))?;
+        line.split_whitespace().nth(1)?.parse::<f64>().ok()
+    });
+    sizes.sum::<f64>() / 1024.0
+}
+
+/// Not known on this system.
+#[cfg(not(target_os = "linux"))]
+fn memory_of_group(_: u32) -> f64 {
+    0.0
+}

@@ -1,0 +1,168 @@
+//! `editor grade`: a class graded by tests, with a report.
+
+mod command;
+mod kept;
+mod merge;
+mod submissions;
+mod work;
+
+use super::output::{eprint_line, json_text, visible};
+use super::{CliError, diagnose, print};
+use crate::disk::{self, files};
+use crate::grade::{Graded, Report, Test};
+use crate::io::{Files, PoseFile, TestData, TestsFile, builtin};
+use command::TestCommand;
+use kept::{KeptRun, Store};
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use submissions::Part;
+use work::Work;
+
+/// Grade a class: what each submission gives for each test, why it is wrong, and its points.
+///
+/// FOLDER has a folder for each submission, and that a file for each test: TEST.obj, a posed mesh, or
+/// TEST.png, a picture. TESTS.json says which tests there are, how points are given, and which command
+/// makes the files, if one does. Prints a row for each submission and writes grade.json, grade.csv and
+/// grade.html into REPORT. What is graded is kept there: started again, it goes on where it was, and
+/// only what has changed is graded anew.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  \
+    editor grade submissions --tests tests.json\n  \
+    editor grade submissions --tests tests.json --part 2/8 -o part-2\n  \
+    editor grade --merge part-1 part-2 -o report")]
+pub struct Args {
+    /// Folder with a folder for each submission
+    #[arg(value_name = "FOLDER", required_unless_present = "merge")]
+    folder: Option<PathBuf>,
+    /// Tests, rubric and command
+    #[arg(long, value_name = "TESTS.json", required_unless_present = "merge")]
+    tests: Option<PathBuf>,
+    /// Folder for the report
+    #[arg(short, long, value_name = "REPORT", default_value = "grade-report")]
+    output: PathBuf,
+    /// Submissions that are graded at a time [default: as many as there are processors]
+    #[arg(long, value_name = "N")]
+    jobs: Option<NonZeroUsize>,
+    /// Grade the I-th of N parts of the submissions alone, for several machines
+    #[arg(long, value_name = "I/N")]
+    part: Option<Part>,
+    /// Join the reports of parts into one, instead of grading
+    #[arg(
+        long,
+        value_name = "PART",
+        num_args = 1..,
+        conflicts_with_all = ["folder", "tests", "jobs", "part"]
+    )]
+    merge: Vec<PathBuf>,
+}
+
+/// Names of the files of a report.
+const JSON: &str = "grade.json";
+const CSV: &str = "grade.csv";
+const PAGE: &str = "grade.html";
+
+/// Carries the command out. That solutions are wrong is no error.
+///
+/// # Errors
+/// If the tests are wrong, there are no submissions, parts do not fit each other, or the report cannot
+/// be written.
+pub fn run(args: &Args) -> Result<(), CliError> {
+    match (&args.folder, &args.tests) {
+        (Some(folder), Some(tests)) => grade(args, folder, tests),
+        _ => {
+            let (run, graded) = merge::joined(&args.merge, &Store::new(&args.output))?;
+            report(&args.output, &run, graded)
+        }
+    }
+}
+
+fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
+    let bytes = files().read(path)?;
+    let file = TestsFile::read(path, &bytes)?;
+    let loaded = file.tests.iter().map(|test| load(test, path));
+    let tests: Vec<Test> = loaded.collect::<Result<_, _>>()?;
+    let command = file.command.as_ref();
+    let command = command.map(|data| TestCommand::new(data, &file.tests, path));
+    let command = command.transpose()?;
+    let all = submissions::of(folder)?;
+    let mine: Vec<_> = match args.part {
+        Some(part) => part.of(all),
+        None => all,
+    };
+    let store = Store::new(&args.output);
+    store.prepare()?;
+    let work = Work {
+        tests: &tests,
+        command,
+        store: &store,
+    };
+    let graded = work.all(&mine, args.jobs)?;
+    let pictures = tests
+        .iter()
+        .filter_map(|test| Some((test.data().name.clone(), test.picture()?)));
+    let run = KeptRun {
+        version: kept::VERSION,
+        // Reading it succeeded, so that it is UTF-8.
+        tests: String::from_utf8_lossy(&bytes).into_owned(),
+        fingerprints: tests
+            .iter()
+            .map(|test| (test.data().name.clone(), test.fingerprint()))
+            .collect(),
+        pictures: pictures.collect(),
+        submissions: mine
+            .iter()
+            .map(|submission| submission.name.clone())
+            .collect(),
+    };
+    store.keep_run(&run)?;
+    report(&args.output, &run, graded)
+}
+
+/// The test with its character and pose, whose paths start at the folder of the file of tests.
+fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
+    let files = files();
+    let characters = diagnose::characters(&files, &beside(tests, &test.character))?;
+    let [character] = &characters[..] else {
+        let message = format!("expected one character, found {}", characters.len());
+        return Err(crate::io::Diagnostic::new(&test.character, message).into());
+    };
+    let pose = builtin::resolve(&beside(tests, &test.pose))?;
+    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(character.skeleton())?;
+    Ok(Test::new(test.clone(), character.clone(), pose))
+}
+
+/// `path` as seen from the folder of `file`, unless it is built in.
+fn beside(file: &Path, path: &Path) -> PathBuf {
+    if path.to_string_lossy().starts_with(builtin::PREFIX) {
+        path.to_owned()
+    } else {
+        file.parent().unwrap_or(Path::new("")).join(path)
+    }
+}
+
+/// Writes the report and prints its rows.
+fn report(
+    folder: &Path,
+    run: &KeptRun,
+    graded: BTreeMap<String, Vec<Graded>>,
+) -> Result<(), CliError> {
+    let file = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
+    let report = Report::new(&file, &run.pictures, graded.into_iter().collect());
+    disk::write_all_whole(&[
+        (folder.join(JSON), json_text(&report)?.into_bytes()),
+        (folder.join(CSV), report.to_csv().into_bytes()),
+        (folder.join(PAGE), report.to_html().into_bytes()),
+    ])?;
+    let rows = report
+        .to_lines()
+        .iter()
+        .map(|line| visible(line) + "\n")
+        .collect::<String>();
+    print(&rows)?;
+    eprint_line(format_args!(
+        "the report is in {}",
+        folder.join(PAGE).display()
+    ));
+    Ok(())
+}

@@ -1,0 +1,113 @@
+//! The submissions of a class.
+
+use super::kept::Store;
+use crate::cli::CliError;
+use crate::disk::in_words;
+use crate::io::Diagnostic;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+/// A submission.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Submission {
+    /// Name of its folder.
+    pub name: String,
+    /// Its folder.
+    pub folder: PathBuf,
+}
+
+/// The I-th of N parts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Part {
+    index: usize,
+    count: usize,
+}
+
+impl FromStr for Part {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers = text.split_once('/').and_then(|(index, count)| {
+            let (index, count): (usize, usize) = (index.parse().ok()?, count.parse().ok()?);
+            (1..=count).contains(&index).then_some((index, count))
+        });
+        match numbers {
+            Some((index, count)) => Ok(Self { index, count }),
+            None => Err(format!(
+                "expected I/N with I from 1 to N, such as 2/8, found {text}"
+            )),
+        }
+    }
+}
+
+impl Part {
+    /// Every N-th of `submissions`, so that parts take about as long as each other.
+    pub fn of(self, submissions: Vec<Submission>) -> Vec<Submission> {
+        submissions
+            .into_iter()
+            .skip(self.index - 1)
+            .step_by(self.count)
+            .collect()
+    }
+}
+
+/// The submissions in `folder` by name: its folders but for hidden ones and reports.
+///
+/// # Errors
+/// If it cannot be read, has none, or a name is not in UTF-8.
+pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
+    let failed = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::NotFound => Diagnostic::new(folder, "there is no such folder"),
+        std::io::ErrorKind::NotADirectory => {
+            Diagnostic::new(folder, "expected a folder, found a file")
+        }
+        _ => Diagnostic::new(folder, in_words(&error)),
+    };
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if !path.is_dir() || Store::new(&path).is_there() {
+            continue;
+        }
+        let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
+            return Err(Diagnostic::new(&path, "expected a name in UTF-8").into());
+        };
+        if !name.starts_with('.') {
+            found.push(Submission {
+                name: name.to_owned(),
+                folder: path,
+            });
+        }
+    }
+    if found.is_empty() {
+        return Err(
+            Diagnostic::new(folder, "expected a folder for each submission, found none").into(),
+        );
+    }
+    found.sort();
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_hold_every_submission_once() {
+        let all: Vec<Submission> = (0..10)
+            .map(|index| Submission {
+                name: format!("{index}"),
+                folder: PathBuf::new(),
+            })
+            .collect();
+        let mut parts: Vec<Submission> = Vec::new();
+        for part in ["1/4", "2/4", "3/4", "4/4"] {
+            parts.extend(part.parse::<Part>().unwrap().of(all.clone()));
+        }
+        parts.sort();
+        assert_eq!(parts, all);
+        for bad in ["0/4", "5/4", "4", "a/b", "-1/2", "1/0"] {
+            assert!(bad.parse::<Part>().is_err(), "{bad}");
+        }
+    }
+}

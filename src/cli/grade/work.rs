@@ -1,0 +1,270 @@
+//! Submissions, graded side by side.
+
+use super::command::{CommandFailure, TestCommand};
+use super::kept::{KeptResult, KeptResults, Store, VERSION};
+use super::submissions::Submission;
+use crate::cli::CliError;
+use crate::cli::output::{Progress, eprint_line};
+use crate::disk::{ScratchFolder, read_at_most};
+use crate::grade::{Graded, Outcome, Test};
+use crate::io::Diagnostic;
+use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Size of the largest file of a submission, in bytes.
+const LARGEST: u64 = 64 << 20;
+
+/// What all submissions are graded by.
+#[derive(Debug)]
+pub(super) struct Work<'a> {
+    pub tests: &'a [Test],
+    pub command: Option<TestCommand>,
+    pub store: &'a Store,
+}
+
+/// A submission that is done.
+struct Done {
+    name: String,
+    graded: Vec<Graded>,
+    /// Whether everything was kept from an earlier run.
+    is_kept: bool,
+}
+
+/// What came of a file: nothing is known of one whose making was interrupted.
+enum Made {
+    Graded(Graded),
+    Interrupted,
+}
+
+impl Work<'_> {
+    /// The results of all tests by submission. Progress goes to standard error.
+    ///
+    /// # Errors
+    /// If results cannot be kept, or it is interrupted.
+    pub fn all(
+        &self,
+        submissions: &[Submission],
+        jobs: Option<NonZeroUsize>,
+    ) -> Result<BTreeMap<String, Vec<Graded>>, CliError> {
+        let processors = || std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let jobs = jobs.unwrap_or_else(processors).get().min(submissions.len());
+        let is_interrupted = interruption();
+        let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+        let (started, progress) = (Instant::now(), Progress::new());
+        progress.show(format_args!("0 of {} graded", submissions.len()));
+        let work = || {
+            while let Some(submission) = submissions.get(next.fetch_add(1, Ordering::Relaxed)) {
+                if is_interrupted.load(Ordering::Relaxed) {
+                    break;
+                }
+                let one = self.one(submission, &is_interrupted);
+                // What another thread left there is whole.
+                let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
+                done.push(one);
+                progress.show(left(
+                    done.len(),
+                    submissions.len(),
+                    started.elapsed(),
+                    &submission.name,
+                ));
+            }
+        };
+        std::thread::scope(|scope| {
+            for _ in 0..jobs {
+                scope.spawn(work);
+            }
+        });
+        drop(progress);
+        if is_interrupted.load(Ordering::Relaxed) {
+            let message = "interrupted; started again with the same report it goes on where it was";
+            return Err(CliError::Other(message.to_owned()));
+        }
+        let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let done: Vec<Done> = done.into_iter().collect::<Result<_, _>>()?;
+        let kept = done.iter().filter(|one| one.is_kept).count();
+        let seconds = started.elapsed().as_secs_f64();
+        eprint_line(format_args!(
+            "graded {} submissions in {seconds:.1} s, {kept} of them before",
+            done.len()
+        ));
+        Ok(done.into_iter().map(|one| (one.name, one.graded)).collect())
+    }
+
+    fn one(&self, submission: &Submission, is_interrupted: &AtomicBool) -> Result<Done, CliError> {
+        let before = self.store.results(&submission.name);
+        let (mut results, mut graded) = (KeptResults::default(), Vec::new());
+        for test in self.tests {
+            let name = test.data().name.clone();
+            let known = before.0.get(&name);
+            let result = match &self.command {
+                None => self.of_file(test, submission, known),
+                Some(command) => {
+                    self.of_command(test, submission, command, known, is_interrupted)?
+                }
+            };
+            let Some(result) = result else {
+                let interrupted = CliError::Other("interrupted".to_owned());
+                return Err(interrupted);
+            };
+            graded.push(result.graded.clone());
+            results.0.insert(name, result);
+        }
+        let is_kept = results == before;
+        if !is_kept {
+            self.store.keep(&submission.name, &results)?;
+        }
+        Ok(Done {
+            name: submission.name.clone(),
+            graded,
+            is_kept,
+        })
+    }
+
+    /// The result of the file that a submission has for a test.
+    fn of_file(
+        &self,
+        test: &Test,
+        submission: &Submission,
+        known: Option<&KeptResult>,
+    ) -> Option<KeptResult> {
+        let name = test.file_name();
+        let read = read(&submission.folder.join(&name), &name);
+        let key = key(
+            test,
+            &match &read {
+                Ok(bytes) => fingerprint(bytes),
+                Err(graded) => graded.outcome.word().to_owned(),
+            },
+        );
+        if let Some(known) = known.filter(|known| known.key == key) {
+            return Some(known.clone());
+        }
+        let graded = read.map_or_else(|graded| graded, |bytes| test.grade(&bytes));
+        Some(KeptResult { key, graded })
+    }
+
+    /// The result of the file that the command makes for a test; `None` if that is interrupted.
+    fn of_command(
+        &self,
+        test: &Test,
+        submission: &Submission,
+        command: &TestCommand,
+        known: Option<&KeptResult>,
+        is_interrupted: &AtomicBool,
+    ) -> Result<Option<KeptResult>, CliError> {
+        let folder = || fingerprint_of_folder(&submission.folder);
+        let key_now = || key(test, &format!("{}-{}", command.fingerprint(), folder()));
+        if let Some(known) = known.filter(|known| known.key == key_now()) {
+            return Ok(Some(known.clone()));
+        }
+        let made = self.make(test, submission, command, is_interrupted)?;
+        let Made::Graded(graded) = made else {
+            return Ok(None);
+        };
+        // A command may leave files in the folder; as it leaves the folder, so the next run finds it.
+        let key = key_now();
+        Ok(Some(KeptResult { key, graded }))
+    }
+
+    fn make(
+        &self,
+        test: &Test,
+        submission: &Submission,
+        command: &TestCommand,
+        is_interrupted: &AtomicBool,
+    ) -> Result<Made, CliError> {
+        let name = test.file_name();
+        let scratch = ScratchFolder::new()?;
+        let output = scratch.path().join(&name);
+        let ran = command.run(test.data(), &submission.folder, &output, is_interrupted);
+        let graded = match ran {
+            Ok(()) => match read(&output, &name) {
+                Ok(bytes) => test.grade(&bytes),
+                Err(graded) if graded.outcome == Outcome::Missing => Graded::without(
+                    Outcome::Missing,
+                    "the command ended without writing its file",
+                ),
+                Err(graded) => graded,
+            },
+            Err(CommandFailure::Interrupted) => return Ok(Made::Interrupted),
+            Err(CommandFailure::Missing(text)) => Graded::without(Outcome::Missing, text),
+            Err(CommandFailure::Failed(text)) => Graded::without(Outcome::Failed, text),
+        };
+        Ok(Made::Graded(graded))
+    }
+}
+
+/// The content of the file at `path`, called `name`, or what there is in its place.
+fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
+    if std::fs::symlink_metadata(path).is_err() {
+        let text = format!("there is no {name}");
+        return Err(Graded::without(Outcome::Missing, text));
+    }
+    read_at_most(path, LARGEST).map_err(|diagnostic| {
+        let told = Diagnostic {
+            path: name.into(),
+            ..diagnostic
+        };
+        Graded::without(Outcome::Unreadable, told.to_string())
+    })
+}
+
+/// What a result follows from.
+fn key(test: &Test, files: &str) -> String {
+    format!("{VERSION}-{:08x}-{files}", test.fingerprint())
+}
+
+/// A text that tells `bytes` from others.
+fn fingerprint(bytes: &[u8]) -> String {
+    format!("{}-{:08x}", bytes.len(), crc32fast::hash(bytes))
+}
+
+/// The same for all files in a folder with their names.
+fn fingerprint_of_folder(folder: &Path) -> String {
+    let (mut open, mut files) = (vec![folder.to_owned()], Vec::new());
+    while let Some(folder) = open.pop() {
+        for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+            // Links may lead round in a circle.
+            match entry.file_type() {
+                Ok(kind) if kind.is_dir() => open.push(entry.path()),
+                _ => files.push(entry.path()),
+            }
+        }
+    }
+    files.sort();
+    let mut all = crc32fast::Hasher::new();
+    for path in &files {
+        let bytes = read_at_most(path, LARGEST).unwrap_or_default();
+        let name = path.strip_prefix(folder).unwrap_or(path).as_os_str();
+        all.update(name.as_encoded_bytes());
+        all.update(fingerprint(&bytes).as_bytes());
+    }
+    format!("{}-{:08x}", files.len(), all.finalize())
+}
+
+/// What is done and what is left, in words.
+fn left(done: usize, all: usize, elapsed: Duration, name: &str) -> String {
+    let left = all - done;
+    let seconds = elapsed.as_secs_f64() / done.max(1) as f64 * left as f64;
+    let time = match seconds {
+        seconds if seconds < 90.0 => format!("{seconds:.0} s"),
+        seconds => format!("{:.0} min", seconds / 60.0),
+    };
+    let name = crate::cli::output::visible(name);
+    format!("{done} of {all} graded, {left} left, about {time}; {name} is done")
+}
+
+/// Set when the user or the system asks the program to end, so that commands end with it.
+fn interruption() -> Arc<AtomicBool> {
+    let flag = Arc::new(AtomicBool::new(false));
+    #[cfg(unix)]
+    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        // Where it cannot be watched, it ends the program at once, and what is kept stays.
+        let _ = signal_hook::flag::register(signal, flag.clone());
+    }
+    flag
+}

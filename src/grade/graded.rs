@@ -1,0 +1,76 @@
+//! What the file of one test is.
+
+use serde::{Deserialize, Serialize};
+
+/// What became of a test.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Outcome {
+    /// The exact result, but for rounding.
+    Right,
+    /// What known mistakes give.
+    Explained,
+    /// Something else.
+    Unexplained,
+    /// A file with nothing in it that could be right or wrong.
+    Blank,
+    /// No file.
+    Missing,
+    /// A file that cannot be read, or has another number of vertices or pixels.
+    Unreadable,
+    /// The command failed, took too long or too much memory.
+    Failed,
+}
+
+impl Outcome {
+    /// The word for it, as in `grade.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Explained => "explained",
+            Self::Unexplained => "unexplained",
+            Self::Blank => "blank",
+            Self::Missing => "missing",
+            Self::Unreadable => "unreadable",
+            Self::Failed => "failed",
+        }
+    }
+}
+
+/// The result of one test, without points: these follow from the rubric.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Graded {
+    /// What the file is.
+    pub outcome: Outcome,
+    /// The diagnosis in words, or why there is none.
+    pub text: String,
+    /// Mistakes that together give the file, by name; the first are those of the text, the others
+    /// give the same.
+    pub causes: Vec<Vec<String>>,
+    /// How far the file is from the exact one, by the size; `None` without a diagnosis, and where it
+    /// is not finite.
+    pub error: Option<f64>,
+    /// Share of the vertices or of the silhouette that agrees, 0 to 1.
+    pub agrees: f64,
+    /// A PNG that shows what is off, as Base64.
+    pub picture: Option<String>,
+}
+
+impl Graded {
+    /// A result without a diagnosis, and why there is none.
+    pub fn without(outcome: Outcome, text: impl Into<String>) -> Self {
+        Self {
+            outcome,
+            text: text.into(),
+            causes: Vec::new(),
+            error: None,
+            agrees: 0.0,
+            picture: None,
+        }
+    }
+}
+
+/// A measure with nine digits after the point, which reads back to itself; `None` if it is not finite.
+pub(super) fn rounded(measure: f64) -> Option<f64> {
+    measure.is_finite().then(|| (measure * 1e9).round() / 1e9)
+}

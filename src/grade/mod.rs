@@ -1,0 +1,19 @@
+//! Grading: what the files of a class are worth. A [`Test`] tells what a file is, by its bytes alone; a
+//! [`Report`] gives the points by the rubric, finds mistakes that several submissions share, and
+//! writes all of it as JSON, as a table for a gradebook, as text and as a page. Nothing here opens a
+//! file or runs a program, and everything is the same on each run.
+
+mod canvas;
+mod csv;
+mod graded;
+mod page;
+mod report;
+mod rubric;
+mod style;
+mod terminal;
+mod test;
+mod thumbnail;
+
+pub use graded::{Graded, Outcome};
+pub use report::{GradedTest, MistakeGroup, Report, Row, Section, Submission};
+pub use test::Test;

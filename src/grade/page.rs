@@ -1,0 +1,370 @@
+//! The report as one page that needs nothing else: pictures and style are in it, and its policy
+//! keeps a browser from fetching anything. It is XML as well as HTML.
+
+use super::graded::Outcome;
+use super::report::{GradedTest, MistakeGroup, Report, Submission};
+use super::style::STYLE;
+use std::collections::BTreeMap;
+use std::fmt::{Display, Write};
+
+/// Names of a mistake's group that are shown at once.
+const SHOWN_NAMES: usize = 12;
+
+impl Report {
+    /// The page.
+    pub fn to_html(&self) -> String {
+        let mut page = Page::default();
+        let title = Escaped(&self.title);
+        page.add(format_args!(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; \
+             style-src 'unsafe-inline'\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n"
+        ));
+        page.head(self);
+        page.sections(self);
+        page.mistakes(self);
+        page.tests(self);
+        page.submissions(self);
+        page.add(format_args!(
+            "<footer>Thumbnails show what a submission gives, colored by how far each vertex is from the \
+             exact result, before the exact mesh in light gray. Points follow the rubric in the file of \
+             tests.</footer>\n</body>\n</html>\n"
+        ));
+        page.0
+    }
+}
+
+/// Text of a page, in which markup and what no page can hold is replaced.
+struct Escaped<'a>(&'a str);
+
+impl Display for Escaped<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.chars().try_for_each(|c| match c {
+            '&' => f.write_str("&amp;"),
+            '<' => f.write_str("&lt;"),
+            '>' => f.write_str("&gt;"),
+            '"' => f.write_str("&quot;"),
+            '\n' | '\t' => f.write_char(c),
+            '\u{fffe}' | '\u{ffff}' => f.write_char(char::REPLACEMENT_CHARACTER),
+            c if c.is_control() => f.write_char(char::REPLACEMENT_CHARACTER),
+            c => f.write_char(c),
+        })
+    }
+}
+
+/// A page that is being written.
+#[derive(Default)]
+struct Page(String);
+
+impl Page {
+    fn add(&mut self, text: std::fmt::Arguments) {
+        // Writing to a string never fails.
+        let _ = self.0.write_fmt(text);
+    }
+
+    fn head(&mut self, report: &Report) {
+        let title = Escaped(&report.title);
+        let count = report.submissions.len();
+        let all_right = report
+            .submissions
+            .iter()
+            .filter(|one| one.summaries().is_empty());
+        let (all_right, plural) = (all_right.count(), if count == 1 { "" } else { "s" });
+        self.add(format_args!(
+            "<h1>{title}</h1>\n<p class=\"dim\">{count} submission{plural}"
+        ));
+        let mut points: Vec<f64> = report.submissions.iter().map(|one| one.points).collect();
+        points.sort_by(f64::total_cmp);
+        if let (Some(first), false) = (report.submissions.first(), points.is_empty()) {
+            let mean = points.iter().sum::<f64>() / points.len() as f64;
+            let median = (points[(points.len() - 1) / 2] + points[points.len() / 2]) / 2.0;
+            self.add(format_args!(
+                ", {all_right} right in every test. Of {} points the mean is {mean:.1}, the median {median:.1}.",
+                first.possible
+            ));
+        }
+        let open = report
+            .submissions
+            .iter()
+            .filter(|one| one.sections.values().any(Option::is_none));
+        match open.count() {
+            0 => {}
+            1 => self.add(format_args!(
+                " One still lacks points that are given by hand."
+            )),
+            open => self.add(format_args!(
+                " {open} still lack points that are given by hand."
+            )),
+        }
+        self.add(format_args!("</p>\n"));
+    }
+
+    fn sections(&mut self, report: &Report) {
+        self.add(format_args!(
+            "<h2>Points by section</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Section</th>\
+             <th class=\"number\">Possible</th><th class=\"number\">Mean</th><th></th></tr></thead>\n<tbody>\n"
+        ));
+        for section in &report.sections {
+            let points = report.submissions.iter();
+            let points = points.filter_map(|one| *one.sections.get(&section.section)?);
+            let points: Vec<f64> = points.collect();
+            let mean = points.iter().sum::<f64>() / points.len().max(1) as f64;
+            let share = if section.possible > 0.0 {
+                (mean / section.possible).min(1.0)
+            } else {
+                0.0
+            };
+            let name = section.name();
+            let (name, extra) = (Escaped(&name), if section.extra { " (extra)" } else { "" });
+            self.add(format_args!(
+                "<tr><td>{name}<span class=\"dim\">{extra}</span></td><td class=\"number\">{}</td>",
+                section.possible
+            ));
+            if points.is_empty() {
+                self.add(format_args!(
+                    "<td class=\"number dim\">–</td><td class=\"dim\">by hand</td></tr>\n"
+                ));
+            } else {
+                self.add(format_args!(
+                    "<td class=\"number\">{mean:.1}</td><td><span class=\"of\"><span class=\"bar\" \
+                     style=\"width:{:.0}%\"></span></span></td></tr>\n",
+                    100.0 * share
+                ));
+            }
+        }
+        self.add(format_args!("</tbody></table></div>\n"));
+    }
+
+    fn mistakes(&mut self, report: &Report) {
+        if report.mistakes.is_empty() {
+            return;
+        }
+        self.add(format_args!(
+            "<h2>Mistakes</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Mistake</th><th>Section</th>\
+             <th class=\"number\">Submissions</th><th>Who</th></tr></thead>\n<tbody>\n"
+        ));
+        let numbers: BTreeMap<&str, usize> = report
+            .submissions
+            .iter()
+            .enumerate()
+            .map(|(index, one)| (&*one.name, index))
+            .collect();
+        let most = report.mistakes[0].submissions.len();
+        for group in &report.mistakes {
+            self.mistake(group, &numbers, most);
+        }
+        self.add(format_args!("</tbody></table></div>\n"));
+    }
+
+    fn mistake(&mut self, group: &MistakeGroup, numbers: &BTreeMap<&str, usize>, most: usize) {
+        let count = group.submissions.len();
+        self.add(format_args!(
+            "<tr><td><code>{}</code><br/>{}<br/><span class=\"dim\">Look at {}</span></td><td>{}</td>\
+             <td class=\"number\">{count}<span class=\"bar\" style=\"width:{:.0}%\"></span></td><td>",
+            Escaped(&group.id),
+            Escaped(group.meaning),
+            Escaped(group.look_at),
+            Escaped(group.section),
+            100.0 * count as f64 / most.max(1) as f64
+        ));
+        let links = group
+            .submissions
+            .keys()
+            .filter_map(|name| Some((name, numbers.get(&**name)?)));
+        for (index, (name, number)) in links.take(SHOWN_NAMES).enumerate() {
+            let comma = if index == 0 { "" } else { ", " };
+            self.add(format_args!(
+                "{comma}<a href=\"#s{number}\">{}</a>",
+                Escaped(name)
+            ));
+        }
+        if count > SHOWN_NAMES {
+            self.add(format_args!(" and {} more", count - SHOWN_NAMES));
+        }
+        self.add(format_args!("</td></tr>\n"));
+    }
+
+    fn tests(&mut self, report: &Report) {
+        self.add(format_args!("<h2>Tests</h2>\n<div class=\"tests\">\n"));
+        for test in &report.tests {
+            let name = Escaped(&test.name);
+            let points = test
+                .points
+                .iter()
+                .map(|(section, points)| format!("{section}: {points}"));
+            let points = points.collect::<Vec<_>>().join(", ");
+            self.add(format_args!("<figure>"));
+            self.picture(
+                test.picture.as_deref(),
+                &format!("the exact result of {}", test.name),
+            );
+            self.add(format_args!(
+                "<figcaption><strong>{name}</strong>, {}<br/><span class=\"dim\">{}</span></figcaption></figure>\n",
+                test.kind,
+                Escaped(&points)
+            ));
+        }
+        self.add(format_args!(
+            "</div>\n<p class=\"legend\"><span><i style=\"background:#b0b7c0\"></i>agrees</span>\
+             <span><i class=\"ramp\"></i>off, up to 25 % of the size and more</span>"
+        ));
+        if report.tests.iter().any(|test| test.kind == "picture") {
+            self.add(format_args!(
+                "<span><i style=\"background:#e0701a\"></i>drawn, but not in the exact picture</span>\
+                 <span><i style=\"background:#3468be\"></i>missing in the picture</span>"
+            ));
+        }
+        self.add(format_args!("</p>\n"));
+    }
+
+    fn submissions(&mut self, report: &Report) {
+        self.add(format_args!(
+            "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Submission</th>\
+             <th class=\"number\">Points</th>"
+        ));
+        for section in &report.sections {
+            self.add(format_args!(
+                "<th class=\"number\">{}</th>",
+                Escaped(&section.section)
+            ));
+        }
+        self.add(format_args!("<th>Result</th></tr></thead>\n<tbody>\n"));
+        for (number, submission) in report.submissions.iter().enumerate() {
+            self.add(format_args!(
+                "<tr><td><a href=\"#s{number}\">{}</a></td><td class=\"number\">{}</td>",
+                Escaped(&submission.name),
+                submission.points
+            ));
+            for points in submission.sections.values() {
+                match points {
+                    Some(points) => self.add(format_args!("<td class=\"number\">{points}</td>")),
+                    None => self.add(format_args!("<td class=\"number dim\">–</td>")),
+                }
+            }
+            self.add(format_args!("<td>"));
+            self.chips(submission);
+            self.add(format_args!("</td></tr>\n"));
+        }
+        self.add(format_args!("</tbody></table></div>\n<h2>Results</h2>\n"));
+        for (number, submission) in report.submissions.iter().enumerate() {
+            self.submission(report, number, submission);
+        }
+    }
+
+    fn submission(&mut self, report: &Report, number: usize, submission: &Submission) {
+        let name = Escaped(&submission.name);
+        self.add(format_args!(
+            "<details><summary><h3>{name}</h3><span class=\"number\">{} of {}</span><span>",
+            submission.points, submission.possible
+        ));
+        self.chips(submission);
+        // A link to what is inside of it opens it, without a script.
+        self.add(format_args!(
+            "</span></summary>\n<div id=\"s{number}\" class=\"results\">\n"
+        ));
+        for (test, row) in submission.tests.iter().zip(&report.tests) {
+            self.add(format_args!("<div class=\"test\">"));
+            if test.picture.is_some() {
+                self.add(format_args!("<figure>"));
+                let shown = format!(
+                    "what {} gives for {}, and where it is off",
+                    submission.name, test.test
+                );
+                self.picture(test.picture.as_deref(), &shown);
+                self.add(format_args!("</figure>"));
+            }
+            self.add(format_args!("<div><h4>{} ", Escaped(&test.test)));
+            self.chip(test);
+            self.add(format_args!("</h4>"));
+            let points = row.points.iter().map(|(section, possible)| {
+                let points = test.points.get(section).copied().unwrap_or(0.0);
+                format!("{section}: {points} of {possible}")
+            });
+            let points = points.collect::<Vec<_>>().join(", ");
+            let whole = if row.kind == "mesh" {
+                "vertices"
+            } else {
+                "silhouette"
+            };
+            let agrees = match test.outcome {
+                Outcome::Explained | Outcome::Unexplained => {
+                    let percent = (100.0 * test.agrees).floor();
+                    format!(" · {percent:.0} % of the {whole} right")
+                }
+                _ => String::new(),
+            };
+            self.add(format_args!(
+                "<p class=\"dim\">{}{agrees}</p><pre>{}</pre></div></div>\n",
+                Escaped(&points),
+                Escaped(&test.text)
+            ));
+        }
+        self.add(format_args!("</div>\n</details>\n"));
+    }
+
+    /// What is wrong with a submission, each thing once.
+    fn chips(&mut self, submission: &Submission) {
+        let wrong = submission.summaries();
+        if wrong.is_empty() {
+            self.add(format_args!("<span class=\"chip right\">right</span>"));
+        }
+        for (summary, tests) in wrong {
+            let of = submission.tests.len();
+            let first = submission
+                .tests
+                .iter()
+                .find(|test| test.summary() == summary);
+            let class = first.map_or("", class);
+            let count = if tests.len() == of {
+                String::new()
+            } else {
+                format!(" ({})", tests.join(", "))
+            };
+            self.add(format_args!(
+                "<span class=\"chip {class}\">{}{}</span>",
+                Escaped(&summary),
+                Escaped(&count)
+            ));
+        }
+    }
+
+    fn chip(&mut self, test: &GradedTest) {
+        let (class, summary) = (class(test), test.summary());
+        self.add(format_args!(
+            "<span class=\"chip {class}\">{}</span>",
+            Escaped(&summary)
+        ));
+    }
+
+    /// A PNG in Base64.
+    fn picture(&mut self, png: Option<&str>, shown: &str) {
+        if let Some(png) = png {
+            let shown = Escaped(shown);
+            self.add(format_args!(
+                "<img alt=\"{shown}\" src=\"data:image/png;base64,{png}\"/>"
+            ));
+        }
+    }
+}
+
+/// The kind of a result, for its color.
+fn class(test: &GradedTest) -> &'static str {
+    match test.outcome {
+        Outcome::Right => "right",
+        Outcome::Explained | Outcome::Unexplained => "wrong",
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => "none",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_page_cannot_hold_is_replaced() {
+        let text = "<b a=\"1\">&\u{0}\u{1b}[1m\u{ffff}é";
+        let expected = "&lt;b a=&quot;1&quot;&gt;&amp;\u{fffd}\u{fffd}[1m\u{fffd}é";
+        assert_eq!(Escaped(text).to_string(), expected);
+    }
+}

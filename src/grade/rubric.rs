@@ -1,0 +1,158 @@
+//! Points by the rubric.
+
+use super::graded::{Graded, Outcome};
+use crate::diagnose::Mistake;
+use crate::io::{RubricData, TestData};
+use std::collections::BTreeMap;
+
+/// The points of a test by section. A mistake costs its share of the points of its own section alone,
+/// where the test has points for that, for all else is right once it is set aside; one whose section
+/// has no points in the test costs them in each. Of explanations that give the same file the one counts
+/// that costs least.
+pub(super) fn points(
+    test: &TestData,
+    graded: &Graded,
+    rubric: &RubricData,
+) -> BTreeMap<String, f64> {
+    let possible = || {
+        test.points
+            .iter()
+            .map(|(section, points)| (section.clone(), points.0))
+    };
+    let of_all = |share: f64| {
+        possible()
+            .map(|(section, points)| (section, points * share))
+            .collect()
+    };
+    match graded.outcome {
+        Outcome::Right => of_all(1.0),
+        Outcome::Unexplained => of_all(rubric.unexplained.0 * graded.agrees),
+        Outcome::Explained => {
+            let explained = graded.causes.iter().map(|mistakes| {
+                let left = possible().map(|(section, points)| {
+                    let left = points * share_left(test, &section, mistakes, rubric);
+                    (section, left)
+                });
+                left.collect::<BTreeMap<String, f64>>()
+            });
+            let total = |points: &BTreeMap<String, f64>| points.values().sum::<f64>();
+            // Of equals the first, which is the one that is told.
+            let best = explained.reduce(|best, other| {
+                if total(&other) > total(&best) + 1e-9 {
+                    other
+                } else {
+                    best
+                }
+            });
+            best.unwrap_or_else(|| of_all(0.0))
+        }
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => of_all(0.0),
+    }
+}
+
+/// What `mistakes` leave of the points of a section.
+fn share_left(test: &TestData, section: &str, mistakes: &[String], rubric: &RubricData) -> f64 {
+    let left = mistakes.iter().map(|id| {
+        let own = Mistake::find(id).map_or("", |mistake| number(mistake.section));
+        if own == section || !test.points.contains_key(own) {
+            rubric.mistakes.get(id).unwrap_or(&rubric.mistake).0
+        } else {
+            1.0
+        }
+    });
+    left.product()
+}
+
+/// The number of a section such as `4.2 SSD`.
+pub(super) fn number(section: &str) -> &str {
+    section.split(' ').next().unwrap_or(section)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::io::{Points, Share, TestKind};
+
+    fn test(sections: &[(&str, f64)]) -> TestData {
+        let points = sections
+            .iter()
+            .map(|&(section, points)| (section.to_owned(), Points(points)));
+        TestData {
+            name: "walk".to_owned(),
+            character: "a.obj".into(),
+            pose: "b.json".into(),
+            kind: TestKind::Mesh,
+            points: points.collect(),
+        }
+    }
+
+    fn explained(causes: &[&[&str]]) -> Graded {
+        let owned = |ids: &&[&str]| ids.iter().map(|&id| id.to_owned()).collect();
+        Graded {
+            causes: causes.iter().map(owned).collect(),
+            ..Graded::without(Outcome::Explained, "")
+        }
+    }
+
+    fn given(sections: &[(&str, f64)], graded: &Graded, rubric: &RubricData) -> Vec<f64> {
+        points(&test(sections), graded, rubric)
+            .into_values()
+            .collect()
+    }
+
+    const TWO: &[(&str, f64)] = &[("3.4", 6.0), ("4.2", 10.0)];
+
+    #[test]
+    fn a_mistake_costs_points_in_its_own_section_and_two_in_one_cost_twice() {
+        let rubric = RubricData::default();
+        for (causes, expected) in [
+            (&["euler-zyx"][..], [3.0, 10.0]),
+            (&["no-inverse-bind"], [6.0, 5.0]),
+            (&["euler-zyx", "no-inverse-bind"], [3.0, 5.0]),
+            (&["euler-zyx", "one-axis-ignored-x"], [1.5, 10.0]),
+            // Section 3.2 has no points in this test.
+            (&["parent-missing"], [3.0, 5.0]),
+        ] {
+            assert_eq!(
+                given(TWO, &explained(&[causes]), &rubric),
+                expected,
+                "{causes:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn of_mistakes_that_give_the_same_the_one_counts_that_costs_least() {
+        let causes = explained(&[&["no-inverse-bind"], &["euler-zyx"]]);
+        assert_eq!(given(TWO, &causes, &RubricData::default()), [3.0, 10.0]);
+    }
+
+    #[test]
+    fn a_mistake_may_cost_less_than_others() {
+        let mut rubric = RubricData::default();
+        rubric.mistakes.insert("euler-zyx".to_owned(), Share(0.75));
+        assert_eq!(
+            given(TWO, &explained(&[&["euler-zyx"]]), &rubric),
+            [4.5, 10.0]
+        );
+    }
+
+    #[test]
+    fn what_is_unexplained_counts_by_what_agrees_and_what_is_not_there_counts_nothing() {
+        let rubric = RubricData::default();
+        let unexplained = Graded {
+            agrees: 0.8,
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        assert_eq!(given(&[("4.2", 10.0)], &unexplained, &rubric), [4.0]);
+        for outcome in [
+            Outcome::Blank,
+            Outcome::Missing,
+            Outcome::Unreadable,
+            Outcome::Failed,
+        ] {
+            let none = Graded::without(outcome, "");
+            assert_eq!(given(TWO, &none, &rubric), [0.0, 0.0]);
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! One test: a character in a pose, and what a file of it is.
+
+use super::graded::{Graded, Outcome, rounded};
+use super::thumbnail::{MeshThumbnail, of_silhouette};
+use crate::character::{Character, Pose};
+use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture};
+use crate::geometry::Mesh;
+use crate::io::image::{self, PictureFormat};
+use crate::io::{TestData, TestKind, read_character_obj};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use glam::Vec3;
+use std::fmt::Write;
+use std::path::Path;
+use std::sync::Arc;
+
+/// A test that is ready to grade files.
+#[derive(Debug)]
+pub struct Test {
+    data: TestData,
+    character: Arc<Character>,
+    pose: Pose,
+    /// The exact vertices, in model space.
+    exact: Vec<Vec3>,
+}
+
+impl Test {
+    /// The test `data` with its files, read.
+    pub fn new(data: TestData, character: Arc<Character>, pose: Pose) -> Self {
+        let exact = character.skin_pose(&pose);
+        Self {
+            data,
+            character,
+            pose,
+            exact,
+        }
+    }
+
+    /// What the file of tests says of it.
+    pub fn data(&self) -> &TestData {
+        &self.data
+    }
+
+    /// Name of the file that a submission has for it.
+    pub fn file_name(&self) -> String {
+        format!("{}.{}", self.data.name, self.data.kind.extension())
+    }
+
+    /// A number that says whether results of an earlier run still hold: it follows from all that they
+    /// depend on but the files of the submission.
+    pub fn fingerprint(&self) -> u32 {
+        let mut digest = Digest::default();
+        let joints = self.character.skeleton().joints();
+        let mesh = self.character.bind_mesh();
+        // Writing to a digest never fails.
+        let _ = write!(digest, "{:?}{:?}{joints:?}", self.data.kind, self.pose);
+        let _ = write!(digest, "{:?}{:?}", mesh.positions, mesh.triangles);
+        for influences in self.character.attachments().vertices() {
+            let _ = write!(digest, "{influences:?}");
+        }
+        digest.0.finalize()
+    }
+
+    /// The exact result as a PNG, as Base64.
+    pub fn picture(&self) -> Option<String> {
+        let triangles = &self.character.bind_mesh().triangles;
+        as_base64(&match self.data.kind {
+            TestKind::Mesh => self.thumbnail().of_exact(),
+            TestKind::Picture { camera, size } => {
+                of_silhouette(None, size, &camera, &self.exact, triangles)
+            }
+        })
+    }
+
+    /// What the file with the content `bytes` is.
+    pub fn grade(&self, bytes: &[u8]) -> Graded {
+        if bytes.trim_ascii().is_empty() {
+            return Graded::without(Outcome::Blank, "the file is empty");
+        }
+        match self.data.kind {
+            TestKind::Mesh => self.grade_mesh(bytes),
+            TestKind::Picture { .. } => self.grade_picture(bytes),
+        }
+    }
+
+    fn grade_mesh(&self, bytes: &[u8]) -> Graded {
+        let is_vertex = |line: &[u8]| {
+            let line = line.trim_ascii_start();
+            line.starts_with(b"v ") || line.starts_with(b"v\t")
+        };
+        if !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
+            return Graded::without(Outcome::Blank, "the file has no vertices");
+        }
+        let name = self.file_name();
+        let theirs = match read_character_obj(Path::new(&name), bytes) {
+            Ok(read) => read.value,
+            Err(diagnostic) => {
+                return Graded::without(Outcome::Unreadable, diagnostic.to_string());
+            }
+        };
+        let places = &theirs.positions;
+        if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
+            return Graded::without(Outcome::Blank, "all vertices are in one place");
+        }
+        match diagnose(&self.character, &self.pose, places) {
+            Ok(found) => self.diagnosed_mesh(&found, &theirs),
+            Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
+        }
+    }
+
+    fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
+        let off: usize = found.regions.iter().map(|region| region.off).sum();
+        let is_right = found.verdict == Verdict::Right;
+        let agrees = match found.verdict {
+            Verdict::Right => 1.0,
+            Verdict::Unexplained => 1.0 - off as f64 / theirs.positions.len().max(1) as f64,
+            Verdict::Explained => {
+                let tolerance = found.tolerance * f64::from(self.thumbnail().size());
+                let pairs = self.exact.iter().zip(&theirs.positions);
+                let near = pairs
+                    .filter(|(exact, theirs)| f64::from(exact.distance(**theirs)) <= tolerance);
+                near.count() as f64 / theirs.positions.len().max(1) as f64
+            }
+        };
+        let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, found.tolerance));
+        Graded {
+            outcome: outcome(found.verdict),
+            text: found.to_string(),
+            causes: explanations(found.together(), &found.same_as),
+            error: rounded(found.error_from_exact),
+            agrees: rounded(agrees).unwrap_or(0.0),
+            picture: if is_right { None } else { drawn() },
+        }
+    }
+
+    fn grade_picture(&self, bytes: &[u8]) -> Graded {
+        let TestKind::Picture { camera, size } = self.data.kind else {
+            return Graded::without(Outcome::Unreadable, "expected a mesh, found a picture");
+        };
+        let name = self.file_name();
+        let picture = match image::decode(Path::new(&name), bytes) {
+            Ok(picture) => picture,
+            Err(diagnostic) => {
+                return Graded::without(Outcome::Unreadable, diagnostic.to_string());
+            }
+        };
+        let [width, height] = size;
+        if [picture.width, picture.height] != size {
+            let found = format!("{}×{}", picture.width, picture.height);
+            let text = format!("{name}: expected {width}×{height} pixels, found {found}");
+            return Graded::without(Outcome::Unreadable, text);
+        }
+        let seen = camera.clip_from_world(width as f32 / height as f32);
+        let found = match diagnose_picture(&self.character, &self.pose, &picture, seen) {
+            Ok(found) => found,
+            Err(PictureError::Blank) => {
+                let text = "there is nothing in the picture but its background";
+                return Graded::without(Outcome::Blank, text);
+            }
+        };
+        let told = found.mistakes.iter().map(|mistake| mistake.id).collect();
+        let triangles = &self.character.bind_mesh().triangles;
+        let drawn = || {
+            as_base64(&of_silhouette(
+                Some(&picture),
+                size,
+                &camera,
+                &self.exact,
+                triangles,
+            ))
+        };
+        Graded {
+            outcome: outcome(found.verdict),
+            text: found.to_string(),
+            causes: explanations(told, &found.same_as),
+            error: rounded(found.error_from_exact),
+            agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
+            picture: if found.verdict == Verdict::Right {
+                None
+            } else {
+                drawn()
+            },
+        }
+    }
+
+    fn thumbnail(&self) -> MeshThumbnail<'_> {
+        let facing = self.character.skeleton().facing();
+        MeshThumbnail::new(&self.exact, &self.character.bind_mesh().triangles, facing)
+    }
+}
+
+fn outcome(verdict: Verdict) -> Outcome {
+    match verdict {
+        Verdict::Right => Outcome::Right,
+        Verdict::Explained => Outcome::Explained,
+        Verdict::Unexplained => Outcome::Unexplained,
+    }
+}
+
+/// The explanations, the one that is told in words first; none without one.
+fn explanations(told: Vec<&'static str>, same_as: &[Vec<&'static str>]) -> Vec<Vec<String>> {
+    let first = (!told.is_empty()).then_some(&told);
+    let owned = |ids: &Vec<&str>| ids.iter().map(|&id| id.to_owned()).collect();
+    first.into_iter().chain(same_as).map(owned).collect()
+}
+
+/// A picture as PNG in Base64.
+fn as_base64(picture: &crate::geometry::Picture) -> Option<String> {
+    let png = image::encode(picture, PictureFormat::Png);
+    png.ok().map(|png| STANDARD.encode(png))
+}
+
+/// The digest of a text that is too long to be kept.
+#[derive(Default)]
+struct Digest(crc32fast::Hasher);
+
+impl Write for Digest {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        self.0.update(text.as_bytes());
+        Ok(())
+    }
+}

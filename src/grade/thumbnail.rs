@@ -1,0 +1,248 @@
+//! Small pictures of what is off.
+
+use super::canvas::{Canvas, Color};
+use crate::character::Facing;
+use crate::compare::{DRAWN_THRESHOLD, Pair};
+use crate::geometry::{Mesh, Picture};
+use crate::math::Aabb;
+use crate::scene::Camera;
+use glam::{Mat3, Vec2, Vec3};
+
+/// Width and height of pictures of meshes in pixels, and the longer side of those of pictures.
+const SIDE: u32 = 192;
+/// Pixels that stay free at each side.
+const MARGIN: f32 = 6.0;
+/// As much of what is far off is shown, in sizes of the exact mesh from its center.
+const SHOWN: f32 = 1.0;
+/// The error at the end of the colors, by the size.
+const LARGEST_ERROR: f32 = 0.25;
+/// Steps of color and of light: few, so that pictures stay small.
+const STEPS: f32 = 12.0;
+
+const PAPER: Color = [247, 247, 244];
+const GHOST: Color = [221, 223, 226];
+const EXACT: Color = [150, 163, 179];
+/// Where a file agrees.
+const AGREES: Color = [176, 183, 192];
+/// Errors, the largest last: each is darker than the one before, so that they are told apart without
+/// seeing colors.
+const ERRORS: [[f32; 3]; 4] = [
+    [250.0, 204.0, 106.0],
+    [241.0, 138.0, 52.0],
+    [208.0, 46.0, 34.0],
+    [112.0, 8.0, 44.0],
+];
+/// What only their silhouette has, and only the exact one.
+const ONLY_THEIRS: Color = [224, 112, 26];
+const ONLY_EXACT: Color = [52, 104, 190];
+
+/// The exact mesh of a test, seen from its front and a little from its left and above.
+#[derive(Debug)]
+pub(super) struct MeshThumbnail<'a> {
+    exact: &'a [Vec3],
+    triangles: &'a [[u32; 3]],
+    view_from_model: Mat3,
+    bounds: Aabb,
+}
+
+impl<'a> MeshThumbnail<'a> {
+    pub(super) fn new(exact: &'a [Vec3], triangles: &'a [[u32; 3]], facing: Facing) -> Self {
+        let to_eye = facing.front() + 0.45 * facing.left() + 0.2 * Vec3::Y;
+        let to_eye = to_eye.normalize_or(Vec3::Z);
+        let right = Vec3::Y.cross(to_eye).normalize_or(Vec3::X);
+        Self {
+            exact,
+            triangles,
+            view_from_model: Mat3::from_cols(right, to_eye.cross(right), to_eye).transpose(),
+            bounds: Aabb::from_points(exact.iter().copied()),
+        }
+    }
+
+    /// The diagonal of the exact mesh's box.
+    pub(super) fn size(&self) -> f32 {
+        match self.bounds.size().length() {
+            size if size > 0.0 => size,
+            _ => 1.0,
+        }
+    }
+
+    /// The exact mesh alone.
+    pub(super) fn of_exact(&self) -> Picture {
+        let mut canvas = Canvas::new([SIDE; 2], PAPER);
+        let frame = self.frame(&[]);
+        self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
+            EXACT
+        });
+        canvas.into_picture()
+    }
+
+    /// `theirs` in the colors of its errors before the exact mesh. `tolerance`, by the size, agrees.
+    pub(super) fn of_theirs(&self, theirs: &Mesh, tolerance: f64) -> Picture {
+        let mut canvas = Canvas::new([SIDE; 2], PAPER);
+        let frame = self.frame(&theirs.positions);
+        self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
+            GHOST
+        });
+        canvas.forget_depths();
+        let has_pairs = theirs.positions.len() == self.exact.len();
+        let errors: Vec<f32> = theirs
+            .positions
+            .iter()
+            .enumerate()
+            .map(|(index, theirs)| {
+                let exact = self.exact.get(index).filter(|_| has_pairs);
+                exact.map_or(LARGEST_ERROR, |exact| exact.distance(*theirs) / self.size())
+            })
+            .collect();
+        self.draw(
+            &mut canvas,
+            &frame,
+            &theirs.positions,
+            &theirs.triangles,
+            |corners, weights| {
+                let errors = Vec3::from_array(corners.map(|corner| errors[corner as usize]));
+                match weights.dot(errors) {
+                    error if f64::from(error) <= tolerance => AGREES,
+                    error => error_color(error),
+                }
+            },
+        );
+        canvas.into_picture()
+    }
+
+    /// Center of the picture in the view, and pixels by length.
+    fn frame(&self, theirs: &[Vec3]) -> (Vec2, f32) {
+        let most = Vec3::splat(self.size() * SHOWN);
+        let center = self.bounds.center();
+        let near = theirs
+            .iter()
+            .map(|place| place.clamp(center - most, center + most));
+        let seen = self.exact.iter().copied().chain(near);
+        let bounds = Aabb::from_points(seen.map(|place| self.view_from_model * place));
+        let side = bounds.size().truncate().max_element();
+        let scale = (SIDE as f32 - 2.0 * MARGIN) / if side > 0.0 { side } else { 1.0 };
+        (bounds.center().truncate(), scale)
+    }
+
+    fn draw(
+        &self,
+        canvas: &mut Canvas,
+        &(center, scale): &(Vec2, f32),
+        places: &[Vec3],
+        triangles: &[[u32; 3]],
+        color: impl Fn([u32; 3], Vec3) -> Color,
+    ) {
+        let middle = SIDE as f32 / 2.0;
+        let seen: Vec<Vec3> = places
+            .iter()
+            .map(|&place| {
+                let view = self.view_from_model * place;
+                let from_center = (view.truncate() - center) * scale;
+                Vec3::new(
+                    middle + from_center.x,
+                    middle - from_center.y,
+                    view.z * scale,
+                )
+            })
+            .collect();
+        for &corners in triangles {
+            let at = corners.map(|corner| seen[corner as usize]);
+            let normal = (at[1] - at[0]).cross(at[2] - at[0]).normalize_or(Vec3::Z);
+            // Light from the eye: how much a side is turned away, whichever it is.
+            let light = 0.55 + 0.45 * (normal.z.abs() * STEPS).round() / STEPS;
+            canvas.triangle(at, |weights| {
+                color(corners, weights).map(|channel| (f32::from(channel) * light) as u8)
+            });
+        }
+    }
+}
+
+/// The color of an error, by the size.
+fn error_color(error: f32) -> Color {
+    let share = (error / LARGEST_ERROR).clamp(0.0, 1.0).sqrt();
+    let place = (share * STEPS).round() / STEPS * (ERRORS.len() - 1) as f32;
+    let below = (place as usize).min(ERRORS.len() - 2);
+    let (from, to) = (Vec3::from(ERRORS[below]), Vec3::from(ERRORS[below + 1]));
+    from.lerp(to, place - below as f32)
+        .to_array()
+        .map(|channel| channel.round() as u8)
+}
+
+/// The silhouette in `theirs`, and where it differs from the exact one: a mesh with the vertices
+/// `exact`, seen with `camera` in a picture of `size` pixels. Without `theirs` the exact one alone.
+pub(super) fn of_silhouette(
+    theirs: Option<&Picture>,
+    size: [u32; 2],
+    camera: &Camera,
+    exact: &[Vec3],
+    triangles: &[[u32; 3]],
+) -> Picture {
+    let longer = size[0].max(size[1]).max(1);
+    let side = |pixels: u32| (pixels * SIDE / longer).max(1);
+    let (width, height) = (side(size[0]), side(size[1]));
+    let mut canvas = Canvas::new([width, height], PAPER);
+    let clip_from_world = camera.clip_from_world(size[0] as f32 / size[1].max(1) as f32);
+    let seen: Vec<Option<Vec3>> = exact
+        .iter()
+        .map(|&place| {
+            let clip = clip_from_world * place.extend(1.0);
+            let at = clip.truncate() / clip.w;
+            let (x, y) = (
+                (at.x + 1.0) * width as f32 / 2.0,
+                (1.0 - at.y) * height as f32 / 2.0,
+            );
+            (clip.w > 1e-6).then(|| Vec3::new(x, y, -at.z))
+        })
+        .collect();
+    for corners in triangles {
+        if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner as usize]) {
+            canvas.triangle([a, b, c], |_| EXACT);
+        }
+    }
+    if let Some(theirs) = theirs {
+        let is_drawn = drawn(theirs);
+        let from = |place: usize, small: u32, large: u32| {
+            ((2 * place + 1) * large as usize / (2 * small as usize)).min(large as usize - 1)
+        };
+        canvas.map(|x, y, pixel| {
+            let (column, row) = (from(x, width, size[0]), from(y, height, size[1]));
+            match (is_drawn(column, row), pixel != PAPER) {
+                (true, true) => AGREES,
+                (true, false) => ONLY_THEIRS,
+                (false, true) => ONLY_EXACT,
+                (false, false) => PAPER,
+            }
+        });
+    }
+    canvas.into_picture()
+}
+
+/// Whether a pixel, by column and row, differs from the background.
+fn drawn(picture: &Picture) -> impl Fn(usize, usize) -> bool {
+    let pair = Pair::new(picture, picture, &[]).ok();
+    let background = pair.and_then(|pair| pair.backgrounds()[0]);
+    move |column, row| {
+        let at = 4 * (row * picture.width as usize + column);
+        let pixel = &picture.rgba[at..at + 3];
+        background.is_some_and(|background| {
+            let differences = pixel.iter().zip(background).map(|(a, b)| a.abs_diff(b));
+            differences.max() > Some(DRAWN_THRESHOLD)
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_of_errors_get_darker_all_the_way() {
+        let light = |error: f32| -> u32 {
+            let [r, g, b] = error_color(error).map(u32::from);
+            2 * r + 7 * g + b
+        };
+        let lights: Vec<u32> = (0..=30).map(|step| light(step as f32 * 0.01)).collect();
+        assert!(lights.is_sorted_by(|a, b| a >= b), "{lights:?}");
+        assert!(lights[0] > 2 * lights[30]);
+    }
+}

@@ -1,0 +1,79 @@
+//! The rubric in the file that a class is graded by: points and sections.
+
+use serde::de::{Deserializer, Error as _};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Points that can be given at most.
+const MOST_POINTS: f64 = 1e6;
+
+/// A number of points, 0 or more.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd, Serialize)]
+#[serde(transparent)]
+pub struct Points(pub f64);
+
+/// A part of a whole, 0 to 1.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+pub struct Share(pub f64);
+
+/// How points are given.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct RubricData {
+    /// Sections by number or name; those of tests need not be here.
+    pub sections: BTreeMap<String, SectionData>,
+    /// Part of a section's points that is left for each mistake in it.
+    pub mistake: Share,
+    /// The same for some mistakes by name.
+    pub mistakes: BTreeMap<String, Share>,
+    /// Part of a test's points that is given where no known mistake explains it, for the share of
+    /// vertices that are right.
+    pub unexplained: Share,
+    /// Points that a person gives, by submission and section.
+    pub given: BTreeMap<String, BTreeMap<String, Points>>,
+}
+
+impl Default for RubricData {
+    fn default() -> Self {
+        Self {
+            sections: BTreeMap::new(),
+            mistake: Share(0.5),
+            mistakes: BTreeMap::new(),
+            unexplained: Share(0.5),
+            given: BTreeMap::new(),
+        }
+    }
+}
+
+/// A section of the assignment.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SectionData {
+    /// What it is called beside its number.
+    pub title: String,
+    /// What it is worth; without it as much as its tests are together.
+    pub points: Option<Points>,
+    /// Whether its points come on top of what is possible.
+    pub extra: bool,
+}
+
+impl<'de> Deserialize<'de> for Points {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        number_up_to(deserializer, MOST_POINTS).map(Self)
+    }
+}
+
+impl<'de> Deserialize<'de> for Share {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        number_up_to(deserializer, 1.0).map(Self)
+    }
+}
+
+fn number_up_to<'de, D: Deserializer<'de>>(deserializer: D, most: f64) -> Result<f64, D::Error> {
+    let number = f64::deserialize(deserializer)?;
+    if (0.0..=most).contains(&number) {
+        return Ok(number);
+    }
+    let message = format!("expected a number from 0 to {most}, found {number}");
+    Err(D::Error::custom(message))
+}

@@ -1,0 +1,110 @@
+//! Programs of submissions that are run, and what they must not do to others.
+
+use crate::diagnose::student::RIGHT;
+use crate::grade::support::{Class, obj, result};
+use serde_json::json;
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+
+/// A class whose submissions are programs, each with the lines of a shell script.
+fn class(programs: &[(&str, &str)]) -> Class {
+    let class = Class::new(&["robot"]);
+    let figure = &class.tests[0].1;
+    class.write(
+        "right.obj",
+        obj(&RIGHT.skin(figure), figure, |number| number.to_string()),
+    );
+    for file in ["man.obj", "man.skel", "man.attach"] {
+        let extension = file.split('.').nth(1).unwrap();
+        let asset = format!(
+            "{}/assets/characters/robot.{extension}",
+            env!("CARGO_MANIFEST_DIR")
+        );
+        class.write(file, fs::read(asset).unwrap());
+    }
+    let mut tests = class.tests_file();
+    tests["tests"][0]["character"] = "man.obj".into();
+    tests["command"] = json!({
+        "run": ["./pose", "{character}", "{pose}", "{output}", "{test}"],
+        "seconds": 6,
+        "memory": 200,
+    });
+    class.set_tests(&tests);
+    for (name, lines) in programs {
+        let path = format!("class/{name}/pose");
+        class.write(&path, format!("#!/bin/sh\n{lines}\n"));
+        let executable = fs::Permissions::from_mode(0o755);
+        fs::set_permissions(class.path().join(path), executable).unwrap();
+    }
+    class
+}
+
+#[test]
+fn a_program_that_hangs_crashes_or_eats_memory_harms_no_other() {
+    let class = class(&[
+        (
+            "ada",
+            "test -f \"$1\" && test -f \"$2\" && test \"$4\" = robot-1 && cp ../../right.obj \"$3\"",
+        ),
+        ("bob", "sleep 1000 & echo $! > child; wait"),
+        ("cem", "kill -SEGV $$"),
+        ("dan", "head -c 3000m /dev/zero | tail"),
+        ("eve", "echo 'no such joint' >&2; echo > \"$3\"; exit 3"),
+        ("fay", "exit 0"),
+        ("gus", "yes >&2 & yes; "),
+        ("ida", "printf 'v 1 2' > \"$3\""),
+        (
+            "joe",
+            "cp ../../right.obj \"$3\"; exec > /dev/null; sleep 1000 &",
+        ),
+    ]);
+    class.write("class/hal/readme.txt", "no program");
+    let report = class.graded();
+    for (name, outcome, text) in [
+        ("ada", "right", "right: "),
+        ("bob", "failed", "the command did not end within 6 s"),
+        ("cem", "failed", "the command crashed with SIGSEGV"),
+        (
+            "dan",
+            "failed",
+            "the command took more than 200 MiB of memory",
+        ),
+        (
+            "eve",
+            "failed",
+            "the command ended with exit code 3:\nno such joint",
+        ),
+        (
+            "fay",
+            "missing",
+            "the command ended without writing its file",
+        ),
+        ("gus", "failed", "the command did not end within 6 s"),
+        ("hal", "missing", "there is no program ./pose"),
+        ("ida", "unreadable", "robot-1.obj:1:6: "),
+        ("joe", "right", "right: "),
+    ] {
+        let found = result(&report, name, "robot-1");
+        assert_eq!(found["outcome"], outcome, "{name}: {found}");
+        assert!(
+            found["text"].as_str().unwrap().starts_with(text),
+            "{name}: {found}"
+        );
+    }
+    // What a program started ends with it, and is then gone or waits to be collected.
+    let child = String::from_utf8(class.read("class/bob/child")).unwrap();
+    let status = fs::read_to_string(format!("/proc/{}/stat", child.trim())).unwrap_or_default();
+    assert!(status.is_empty() || status.contains(") Z "), "{status}");
+}
+
+#[test]
+fn a_program_is_run_again_only_if_something_of_its_folder_has_changed() {
+    let class = class(&[("ada", "echo run >> ../../runs; cp ../../right.obj \"$3\"")]);
+    let runs = || class.read("runs").len() / "run\n".len();
+    class.graded();
+    class.graded();
+    assert_eq!(runs(), 1);
+    class.write("class/ada/src/main.cpp", "// changed");
+    class.graded();
+    assert_eq!(runs(), 2);
+}

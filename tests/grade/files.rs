@@ -1,0 +1,241 @@
+//! What is blank, missing, unreadable and wrong is told apart.
+
+use crate::diagnose::figures::Figure;
+use crate::diagnose::student::{RIGHT, with};
+use crate::grade::support::{Class, obj, result};
+use crate::program::editor_in;
+use glam::Vec3;
+use serde_json::{Value, json};
+
+fn class() -> (Class, String) {
+    let class = Class::new(&["adult"]);
+    let figure: &Figure = &class.tests[0].1;
+    let right = obj(&RIGHT.skin(figure), figure, |number| number.to_string());
+    (class, right)
+}
+
+#[test]
+fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
+    let (class, right) = class();
+    let figure = &class.tests[0].1;
+    let number: fn(f32) -> String = |number| number.to_string();
+    let origin = obj(&vec![Vec3::ZERO; figure.positions.len()], figure, number);
+    let wrong = obj(&with(&["parent-order"]).skin(figure), figure, number);
+    let mut bent = RIGHT.skin(figure);
+    for place in bent.iter_mut().take(500) {
+        *place += Vec3::new(1.0, 2.0, 3.0);
+    }
+    let bent = obj(&bent, figure, number);
+    let nan = right.replacen("v ", "v nan ", 1);
+    let cut = &right[..right.len() / 3];
+    for (name, content) in [
+        ("ada", &*right),
+        ("bob", &wrong),
+        ("cem", &bent),
+        ("dan", ""),
+        ("eve", "\n \n"),
+        ("fay", "# nothing yet\n"),
+        ("gus", &origin),
+        ("hal", cut),
+        ("ida", &nan),
+        ("joe", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+    ] {
+        class.write(&format!("class/{name}/adult-1.obj"), content);
+    }
+    class.write("class/kim/Adult.obj", &right);
+    std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
+    let report = class.graded();
+    for (name, outcome, text) in [
+        ("ada", "right", "right: this is the exact result"),
+        ("bob", "explained", "parent-order: "),
+        ("cem", "unexplained", "unexplained: "),
+        ("dan", "blank", "the file is empty"),
+        ("eve", "blank", "the file is empty"),
+        ("fay", "blank", "the file has no vertices"),
+        ("gus", "blank", "all vertices are in one place"),
+        ("hal", "unreadable", "adult-1.obj"),
+        (
+            "ida",
+            "unreadable",
+            "adult-1.obj:1:3: expected a number for x, found “nan”",
+        ),
+        ("joe", "unreadable", "adult-1.obj: expected "),
+        ("kim", "missing", "there is no adult-1.obj"),
+        (
+            "lee",
+            "unreadable",
+            "adult-1.obj: expected a file, found a folder",
+        ),
+    ] {
+        let found = result(&report, name, "adult-1");
+        assert_eq!(found["outcome"], outcome, "{name}: {found}");
+        assert!(
+            found["text"].as_str().unwrap().starts_with(text),
+            "{name}: {found}"
+        );
+    }
+    let points = |name: &str| {
+        result(&report, name, "adult-1")["points"]["4.2"]
+            .as_f64()
+            .unwrap()
+    };
+    assert_eq!(
+        (points("ada"), points("gus"), points("kim")),
+        (10.0, 0.0, 0.0)
+    );
+    // Half of the points for what agrees, which is nearly all.
+    assert!((4.0..5.0).contains(&points("cem")), "{}", points("cem"));
+}
+
+#[test]
+fn pictures_are_graded_by_their_silhouette_and_size() {
+    let (class, right) = class();
+    let mut tests = class.tests_file();
+    tests["tests"][0]["kind"] = "picture".into();
+    tests["tests"][0]["camera"] = json!([80, 10, 3]);
+    tests["tests"][0]["size"] = json!([400, 300]);
+    class.set_tests(&tests);
+    let figure = &class.tests[0].1;
+    class.write("right.obj", right);
+    let wrong = with(&["parent-order"]).skin(figure);
+    class.write(
+        "wrong.obj",
+        obj(&wrong, figure, |number| number.to_string()),
+    );
+    for (name, line) in [
+        ("ada", "right.obj --camera 80,10,3 --size 400x300"),
+        ("bob", "wrong.obj --camera 80,10,3 --size 400x300"),
+        (
+            "cem",
+            "right.obj --camera 80,10,3,100,100,100 --size 400x300",
+        ),
+        ("dan", "right.obj --camera 80,10,3 --size 200x150"),
+    ] {
+        class.write(&format!("class/{name}/about.txt"), "");
+        let output = format!("class/{name}/adult-1.png");
+        let words = ["render", "-o", &output].into_iter().chain(line.split(' '));
+        let ran = editor_in(class.path(), &words.collect::<Vec<_>>());
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+    }
+    let png = class.read("class/ada/adult-1.png");
+    class.write("class/eve/adult-1.png", &png[..png.len() / 2]);
+    class.write("class/fay/adult-1.png", "");
+    let report = class.graded();
+    for (name, outcome, text) in [
+        ("ada", "right", "right, as far as the silhouette tells"),
+        ("bob", "explained", "parent-order: "),
+        (
+            "cem",
+            "blank",
+            "there is nothing in the picture but its background",
+        ),
+        (
+            "dan",
+            "unreadable",
+            "adult-1.png: expected 400×300 pixels, found 200×150",
+        ),
+        ("eve", "unreadable", "adult-1.png: "),
+        ("fay", "blank", "the file is empty"),
+    ] {
+        let found = result(&report, name, "adult-1");
+        assert_eq!(found["outcome"], outcome, "{name}: {found}");
+        assert!(
+            found["text"].as_str().unwrap().starts_with(text),
+            "{name}: {found}"
+        );
+    }
+}
+
+#[test]
+fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_report() {
+    let (class, right) = class();
+    class.write("class/ada/adult-1.obj", right);
+    class.write("empty/readme.txt", "");
+    let tests = class.tests_file();
+    let with = |change: fn(&mut Value)| {
+        let mut tests = tests.clone();
+        change(&mut tests);
+        tests.to_string()
+    };
+    class.write(
+        "character.json",
+        with(|tests| tests["tests"][0]["character"] = "builtin:nobody".into()),
+    );
+    class.write(
+        "shape.json",
+        with(|tests| tests["tests"][0]["character"] = "builtin:gear".into()),
+    );
+    class.write(
+        "pose.json",
+        with(|tests| tests["tests"][0]["pose"] = "none.json".into()),
+    );
+    class.write(
+        "other.json",
+        with(|tests| tests["tests"][0]["pose"] = "builtin:dog-trot".into()),
+    );
+    class.write("none.json", "{\"tests\": []}");
+    class.write(
+        "command.json",
+        with(|tests| tests["command"] = json!({"run": ["./a"]})),
+    );
+    class.write("cut.json", "{\"tests\": [");
+    for (line, told) in [
+        (
+            "class --tests nowhere.json",
+            "nowhere.json: there is no such file",
+        ),
+        (
+            "nowhere --tests tests.json",
+            "nowhere: there is no such folder",
+        ),
+        (
+            "tests.json --tests tests.json",
+            "tests.json: expected a folder, found a file",
+        ),
+        (
+            "empty --tests tests.json",
+            "empty: expected a folder for each submission, found none",
+        ),
+        ("class --tests character.json", "nobody"),
+        ("class --tests shape.json", "builtin:shapes/gear.obj"),
+        ("class --tests pose.json", "none.json"),
+        (
+            "class --tests other.json",
+            "expected the name or index of a joint",
+        ),
+        (
+            "class --tests cut.json",
+            "cut.json:1:12: expected the rest of",
+        ),
+        (
+            "class --tests none.json",
+            "none.json: expected a test, found none",
+        ),
+        (
+            "class --tests command.json",
+            "expected files for a command, found builtin:adult",
+        ),
+        (
+            "--merge nowhere",
+            "nowhere: expected the finished report of `editor grade`, found none",
+        ),
+    ] {
+        let ran = class.run(&format!("{line} -o report"));
+        assert_eq!((ran.code, &*ran.out), (Some(1), ""), "{line}: {}", ran.err);
+        assert!(
+            ran.err.starts_with("error: ") && ran.err.contains(told),
+            "{line}: {}",
+            ran.err
+        );
+        assert_eq!(ran.err.lines().count(), 1, "{line}: {}", ran.err);
+        assert!(!class.path().join("report").exists(), "{line}");
+    }
+    for line in [
+        "class",
+        "--tests tests.json",
+        "class --tests tests.json --part 3/2",
+        "class --merge a",
+    ] {
+        assert_eq!(class.run(line).code, Some(2), "{line}");
+    }
+}

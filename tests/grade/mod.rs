@@ -1,0 +1,9 @@
+//! Grading a class: folders of solutions, made by the student's program of `tests/diagnose`.
+
+mod class;
+#[cfg(unix)]
+mod commands;
+mod files;
+mod parts;
+mod report;
+mod support;

@@ -1,0 +1,114 @@
+//! Runs that go on where another one was, and parts that are joined.
+
+use crate::diagnose::student::{RIGHT, with};
+use crate::grade::support::Class;
+use std::fs;
+
+fn class() -> Class {
+    let class = Class::new(&["robot"]);
+    for (name, ids) in [
+        ("ada", &[][..]),
+        ("bob", &["euler-zyx"]),
+        ("cem", &["no-inverse-bind", "euler-xzy"]),
+        ("dan", &["parent-order"]),
+        ("eve", &["euler-zyx"]),
+    ] {
+        class.submit(name, &with(ids), |number| number.to_string());
+    }
+    class.write("class/fay/notes.txt", "no file");
+    class
+}
+
+#[track_caller]
+fn run(class: &Class, line: &str) -> String {
+    let ran = class.run(line);
+    assert_eq!(ran.code, Some(0), "{line}: {}", ran.err);
+    ran.err
+}
+
+#[test]
+fn parts_that_are_joined_give_the_report_of_one_run_byte_for_byte() {
+    let class = class();
+    run(&class, "class --tests tests.json -o whole");
+    for part in 1..=4 {
+        run(
+            &class,
+            &format!("class --tests tests.json --part {part}/4 -o part-{part}"),
+        );
+    }
+    run(&class, "--merge part-3 part-1 part-4 part-2 -o joined");
+    class.assert_same("whole", "joined");
+    // A part that comes twice changes nothing.
+    run(
+        &class,
+        "--merge part-1 part-1 part-2 part-3 part-4 -o joined",
+    );
+    class.assert_same("whole", "joined");
+}
+
+#[test]
+fn reports_are_the_same_whatever_the_number_of_jobs() {
+    let class = class();
+    run(&class, "class --tests tests.json -o one --jobs 1");
+    run(&class, "class --tests tests.json -o many --jobs 7");
+    class.assert_same("one", "many");
+}
+
+#[test]
+fn what_is_graded_is_not_graded_again_unless_it_has_changed() {
+    let class = class();
+    let graded = |line: &str| {
+        let told = run(&class, line);
+        let told = told.lines().next().unwrap().to_owned();
+        told.split_once(" s, ").unwrap().1.to_owned()
+    };
+    let line = "class --tests tests.json -o report";
+    assert_eq!(graded(line), "0 of them before");
+    let first = class.read("report/grade.html");
+    assert_eq!(graded(line), "6 of them before");
+    assert_eq!(class.read("report/grade.html"), first);
+    // As a run leaves it that was cut off.
+    fs::remove_file(class.path().join("report/kept/submissions/bob.json")).unwrap();
+    class.write("report/kept/submissions/cem.json", "{\"robot-1\": ");
+    fs::remove_file(class.path().join("report/kept/run.json")).unwrap();
+    assert_eq!(graded(line), "4 of them before");
+    assert_eq!(class.read("report/grade.html"), first);
+    class.submit("bob", &RIGHT, |number| number.to_string());
+    assert_eq!(graded(line), "5 of them before");
+    assert_ne!(class.read("report/grade.html"), first);
+    // Other points need no file to be graded anew, and another pose all of them.
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"]["4.2"] = 30.into();
+    class.set_tests(&tests);
+    assert_eq!(graded(line), "6 of them before");
+    class.write("robot-1.json", "{\"joints\": {\"1\": [10, 20, 30]}}");
+    // The one without a file is still without one, but by another test.
+    assert_eq!(graded(line), "0 of them before");
+}
+
+#[test]
+fn parts_of_other_tests_or_with_other_results_do_not_fit() {
+    let class = class();
+    run(&class, "class --tests tests.json --part 1/2 -o a");
+    run(&class, "class --tests tests.json -o b");
+    class.submit("bob", &RIGHT, |number| number.to_string());
+    run(&class, "class --tests tests.json -o c");
+    let mut tests = class.tests_file();
+    tests["title"] = "Another".into();
+    class.set_tests(&tests);
+    run(&class, "class --tests tests.json --part 2/2 -o d");
+    for (line, told) in [
+        (
+            "--merge a d -o e",
+            "error: d: expected the same tests as in a, found others\n",
+        ),
+        (
+            "--merge b c -o e",
+            "error: c: expected the same results for bob as in b, found others\n",
+        ),
+    ] {
+        let ran = class.run(line);
+        assert_eq!((ran.code, &*ran.err), (Some(1), told));
+        assert!(!class.path().join("e").exists());
+    }
+}

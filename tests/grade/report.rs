@@ -1,0 +1,128 @@
+//! What an instructor gets: rows, a table, and a page that needs nothing else.
+
+use crate::diagnose::student::with;
+use crate::grade::support::Class;
+use serde_json::json;
+
+fn class() -> Class {
+    let class = Class::new(&["robot", "dog"]);
+    for (name, ids) in [
+        ("Ada & <Bob>", &[][..]),
+        ("eve", &["euler-zyx"]),
+        ("kim, lee", &["euler-zyx"]),
+    ] {
+        class.submit(name, &with(ids), |number| number.to_string());
+    }
+    class.write(
+        "class/zoe/robot-1.obj",
+        "v 1 2 <script>alert(1)</script>\u{1b}[0m\nf 1 1 1\n",
+    );
+    let mut tests = class.tests_file();
+    tests["title"] = "Assignment <1> & more".into();
+    tests["rubric"] = json!({
+        "sections": {"artifact": {"title": "Artifact", "points": 10}, "extra credit": {"points": 5, "extra": true}},
+        "given": {"eve": {"artifact": 9.5, "extra credit": 2}},
+    });
+    class.set_tests(&tests);
+    class
+}
+
+#[test]
+fn every_submission_has_a_row_on_the_terminal_and_the_same_mistake_is_one_line() {
+    let class = class();
+    let ran = class.run("class --tests tests.json -o report");
+    let expected = "\
+submission   points  3.2  3.4   4.2    artifact  extra credit  result
+Ada & <Bob>  40/50   8/8  12/12  20/20  -/10      -/5           right
+eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
+kim, lee     34/50   8/8  6/12  20/20  -/10      -/5           euler-zyx
+zoe          0/50    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
+euler-zyx in 2 submissions: eve, kim, lee
+";
+    let squeezed = |text: &str| {
+        text.lines()
+            .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" "))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(squeezed(&ran.out), squeezed(expected));
+    assert_eq!(ran.code, Some(0));
+    assert!(
+        ran.err.ends_with("the report is in report/grade.html\n"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
+    let class = class();
+    class.graded();
+    let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
+    let expected =
+        "submission,points,possible,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
+Ada & <Bob>,40,50,8,12,20,,,right\r
+eve,45.5,50,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
+\"kim, lee\",34,50,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r
+zoe,0,50,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
+";
+    assert_eq!(csv, expected);
+}
+
+#[test]
+fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    let options = roxmltree::ParsingOptions {
+        allow_dtd: true,
+        ..roxmltree::ParsingOptions::default()
+    };
+    let document = roxmltree::Document::parse_with_options(&page, options).unwrap();
+    let mut pictures = 0;
+    for node in document.descendants() {
+        let name = node.tag_name().name();
+        assert!(
+            !["script", "link", "iframe", "object", "embed", "base"].contains(&name),
+            "{name}"
+        );
+        for attribute in node.attributes() {
+            assert!(!attribute.name().starts_with("on"), "{attribute:?}");
+            if ["src", "href", "srcset", "data", "action"].contains(&attribute.name()) {
+                let target = attribute.value();
+                let is_inside =
+                    target.starts_with('#') || target.starts_with("data:image/png;base64,iVBOR");
+                assert!(is_inside, "{target}");
+                pictures += usize::from(target.starts_with("data:"));
+            }
+        }
+    }
+    // Two exact ones, and what two submissions give for two tests.
+    assert_eq!(pictures, 6);
+    for address in ["http:", "https:", "url(", "@import"] {
+        assert!(!page.contains(address), "{address}");
+    }
+    let ids: Vec<&str> = document
+        .descendants()
+        .filter_map(|node| node.attribute("id"))
+        .collect();
+    let links = document
+        .descendants()
+        .filter_map(|node| node.attribute("href")?.strip_prefix('#'));
+    for link in links {
+        assert!(ids.contains(&link), "{link}");
+    }
+    let text: String = document
+        .descendants()
+        .filter(|node| node.is_text())
+        .filter_map(|node| node.text())
+        .collect();
+    for told in [
+        "Assignment <1> & more",
+        "Ada & <Bob>",
+        "euler-zyx",
+        "<script>alert(1)</script>",
+        "setJointTransform",
+    ] {
+        assert!(text.contains(told), "{told}");
+    }
+}
