@@ -13,6 +13,7 @@ mod mirror;
 mod pose;
 mod skeletal_model;
 pub mod skinning;
+mod skinning_blocks;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
 pub use bones::{Bone, JointBone, StickFigure};
@@ -22,3 +23,4 @@ pub use joint::{COURSE_JOINT_NAMES, Joint};
 pub use mirror::Mirror;
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
+pub use skinning_blocks::{Skinned, SkinningBlocks};
