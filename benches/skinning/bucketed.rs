@@ -22,15 +22,20 @@ struct Bucket {
 impl Bucketed {
     pub fn new(attachments: &Attachments, mesh: &Mesh, level: Level) -> Self {
         let bucket = |count: usize| {
-            let all = attachments.vertices().zip(&mesh.positions);
-            let of_bucket = all.filter(move |(influences, _)| influences.len() == count);
-            let influences = of_bucket.clone().flat_map(|(influences, _)| influences);
-            Bucket {
+            let mut bucket = Bucket {
                 influences: count,
-                joints: influences.clone().map(|i| i.joint as u16).collect(),
-                weights: influences.map(|i| i.weight).collect(),
-                positions: of_bucket.map(|(_, position)| position.to_array()).collect(),
+                joints: Vec::new(),
+                weights: Vec::new(),
+                positions: Vec::new(),
+            };
+            let all = attachments.vertices().zip(&mesh.positions);
+            for (influences, position) in all.filter(|(all, _)| all.len() == count) {
+                let joints = influences.iter().map(|i| i.joint as u16);
+                bucket.joints.extend(joints);
+                bucket.weights.extend(influences.iter().map(|i| i.weight));
+                bucket.positions.push(position.to_array());
             }
+            bucket
         };
         let buckets = (1..=attachments.most_influences()).map(bucket);
         Self {
