@@ -37,8 +37,9 @@ run: packages-run editor
 test: packages-test
 	$(CARGO) test --locked --quiet
 
+# With debug assertions egui keeps the source of every identifier, for good: no growth of the program's.
 test-long: packages-test
-	$(CARGO) test --locked --quiet --test all -- --ignored long:: --nocapture
+	$(CARGO) test --config profile.dev.package.egui.debug-assertions=false --locked --quiet --test all -- --ignored long:: --nocapture
 
 bench: packages-test
 	$(CARGO) bench --locked --bench bench

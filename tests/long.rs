@@ -245,8 +245,13 @@ fn ten_thousand_commands_and_files_leave_no_memory_and_no_object_behind_and_are_
     let discard = Action::Ask(Ask::Answer(Answer::Discard));
     story.program.carry_out(vec![discard], &mut story.host);
     let first: Scene = story.program.session().scene().clone();
-    for _ in 0..150 {
-        let edit = edit(&story, &mut dice);
+    for count in 0..150 {
+        // The last document has shapes, whatever was deleted before.
+        let edit = if count < 148 {
+            edit(&story, &mut dice)
+        } else {
+            insertion(&mut dice)
+        };
         story
             .program
             .carry_out(vec![Action::Edit(edit)], &mut story.host);

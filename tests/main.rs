@@ -3,6 +3,7 @@
 //! because they take turns at a display and want the processor for themselves.
 
 mod host;
+mod keyboard;
 mod reference_data;
 
 mod architecture;

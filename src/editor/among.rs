@@ -10,12 +10,15 @@ const GAP: f32 = 0.1;
 /// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
 /// does not, nor does a figure in a room.
 const INSIDE: f32 = 0.1;
+/// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
+const OFF_THE_GROUND: f32 = 0.02;
 /// Cosine of the angle from which on a figure shows its back.
 const BACK: f32 = -0.5;
 
 /// Places `shapes`, which are to be added, if one of them is a character: turned round where it would
-/// show its back beside other characters, or else to `camera`, and beside whatever it would stand in.
-/// What it does not stand in stays where its file has it.
+/// show its back beside other characters, or else to `camera`, and beside whatever it would stand in, on
+/// the ground of the other characters. What stands in nothing stays where its file has it: on a horse, or in
+/// the air.
 pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     let Some(front) = shapes.iter().find_map(NewShape::front) else {
         return;
@@ -32,7 +35,15 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     let evaluated = session.evaluated().shapes.iter();
     let there = evaluated.filter(|shape| shape.visible);
     let there: Vec<Aabb> = there.map(|shape| shape.world_bounds()).collect();
-    let beside = way_out(&bounds, &there);
+    let mut beside = way_out(&bounds, &there);
+    if beside != Vec3::ZERO
+        && let Some(ground) = ground_of_characters(session)
+    {
+        let up = ground - bounds.min.y;
+        if up.abs() > OFF_THE_GROUND * bounds.size().y {
+            beside.y = up;
+        }
+    }
     for shape in shapes {
         shape.placement.transform.position += beside;
         shape.start.transform.position += beside;
@@ -49,6 +60,15 @@ pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {
     let evaluated = Evaluator::new().evaluate(&alone, 0.0);
     let all = evaluated.shapes.iter();
     all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
+}
+
+/// Height, in the world, of the lowest point of all characters that are seen.
+fn ground_of_characters(session: &Session) -> Option<f32> {
+    let shapes = session.scene().shapes().iter();
+    let characters = shapes.filter(|shape| shape.visible && shape.front().is_some());
+    let evaluated = characters.filter_map(|shape| session.evaluated().shape(shape.id));
+    let lowest = evaluated.map(|shape| shape.world_bounds().min.y);
+    lowest.reduce(f32::min).filter(|height| height.is_finite())
 }
 
 fn shows_back(front: Vec3, toward: Vec3) -> bool {

@@ -5,11 +5,15 @@ use glam::{Mat3, Mat4, Vec2, Vec3};
 /// Sine of the angle (about 1°) between the ray and a plane below which the pointer does not move a
 /// point in that plane.
 const EDGE_ON: f32 = 0.02;
+/// The same of the angle (30°) below which points of a curve that is flat for now leave its plane.
+const OBLIQUE: f32 = 0.5;
 /// Rounding error of a coordinate, relative to the distance from the eye: well below a pixel.
 const ROUNDING: f32 = 4e-6;
 
 /// Drag of a control point, which stays under the pointer: points of flat curves and of profiles in
-/// the plane of their curve, others in the plane through them that is parallel to the picture.
+/// the plane of their curve, others in the plane through them that is parallel to the picture. A curve
+/// that could leave its plane, but lies in it still, does so only in a view from the side: a new curve is
+/// drawn flat, as a surface of revolution needs it, though the first view looks down a little.
 #[derive(Clone, Debug)]
 pub struct ControlPointDrag {
     shape: ShapeId,
@@ -52,10 +56,13 @@ impl ControlPointDrag {
         let start = *grabbed.control_points().get(point)?;
         let origin = world_from_model.transform_point3(start);
         let camera = &session.view().camera;
+        let backward = camera.right().cross(camera.up());
         let normal = if grabbed.stays_flat() || before.is_profile(curve) {
             flat_normal(world_from_model)?
         } else {
-            camera.right().cross(camera.up())
+            let flat = flat_normal(world_from_model).filter(|_| grabbed.is_flat());
+            let flat = flat.filter(|normal| normal.dot(backward).abs() > OBLIQUE);
+            flat.unwrap_or(backward)
         };
         Some(Self {
             shape,

@@ -36,27 +36,54 @@ pub struct Builtin {
 struct Asset {
     /// Path below `assets/`.
     path: &'static str,
-    /// Its bytes, where they are inside the program.
-    content: Option<&'static [u8]>,
+    content: Content,
     /// Number of its bytes.
     size: usize,
 }
 
+/// Bytes of a file of `assets/`.
+enum Content {
+    Plain(&'static [u8]),
+    /// Deflated by `build.rs`, to a quarter on average.
+    #[cfg(not(target_arch = "wasm32"))]
+    Deflated(&'static [u8]),
+    /// They are not inside the program.
+    #[cfg(target_arch = "wasm32")]
+    Absent,
+}
+
+macro_rules! plain {
+    ($path:literal) => {
+        Content::Plain(include_bytes!(concat!("../../assets/", $path)))
+    };
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+macro_rules! deflated {
+    ($path:literal) => {
+        Content::Deflated(include_bytes!(concat!(env!("OUT_DIR"), "/", $path)))
+    };
+}
+
+#[cfg(target_arch = "wasm32")]
+macro_rules! deflated {
+    ($path:literal) => {
+        Content::Absent
+    };
+}
+
 macro_rules! assets {
-    ($is_inside:expr; $($path:literal),* $(,)?) => {
-        [$({
-            let content: &[u8] = include_bytes!(concat!("../../assets/", $path));
-            Asset {
-                path: $path,
-                content: if $is_inside { Some(content) } else { None },
-                size: content.len(),
-            }
+    ($content:ident; $($path:literal),* $(,)?) => {
+        [$(Asset {
+            path: $path,
+            content: $content!($path),
+            size: include_bytes!(concat!("../../assets/", $path)).len(),
         }),*]
     };
 }
 
 /// Files that are inside the program everywhere.
-static SMALL: &[Asset] = &assets![true;
+static SMALL: &[Asset] = &assets![plain;
     "characters/adult.skel",
     "characters/dog.skel",
     "characters/robot.skel",
@@ -94,7 +121,7 @@ static SMALL: &[Asset] = &assets![true;
 ];
 
 /// Files that a page fetches when they are used: with them, it would be twice as long to load.
-static LARGE: &[Asset] = &assets![cfg!(not(target_arch = "wasm32"));
+static LARGE: &[Asset] = &assets![deflated;
     "characters/adult.attach",
     "characters/adult.obj",
     "characters/dog.attach",
@@ -212,8 +239,7 @@ fn companions(path: &Path) -> impl Iterator<Item = PathBuf> {
 
 /// Number of bytes of the built-in file at `path`, wherever it is; 0 if there is none.
 pub fn size(path: &Path) -> usize {
-    let is = |asset: &&Asset| builtin_name(path) == Some(asset.path);
-    assets().find(is).map_or(0, |asset| asset.size)
+    asset(path).map_or(0, |asset| asset.size)
 }
 
 /// Answers for paths that start with `builtin:` from inside the program, and hands all others on;
@@ -227,14 +253,16 @@ pub struct WithBuiltin<F>(
 impl<F: Files> Files for WithBuiltin<F> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let resolved = resolve(path)?;
-        match content(&resolved) {
-            Some(content) => Ok(content.to_vec()),
-            None => self.0.read(&resolved),
+        match asset(&resolved).map(|asset| (&asset.content, asset.size)) {
+            Some((Content::Plain(content), _)) => Ok(content.to_vec()),
+            #[cfg(not(target_arch = "wasm32"))]
+            Some((Content::Deflated(content), size)) => inflated(content, size, path),
+            _ => self.0.read(&resolved),
         }
     }
 
     fn exists(&self, path: &Path) -> bool {
-        resolve(path).is_ok_and(|path| content(&path).is_some() || self.0.exists(&path))
+        resolve(path).is_ok_and(|path| asset(&path).is_some_and(is_inside) || self.0.exists(&path))
     }
 
     fn absolute(&self, path: &Path) -> PathBuf {
@@ -252,9 +280,27 @@ impl<F: Files> Files for WithBuiltin<F> {
     }
 }
 
-/// Bytes of the built-in file at `path`, complete with folder and extension, if they are inside the
-/// program.
-fn content(path: &Path) -> Option<&'static [u8]> {
+/// The built-in file at `path`, complete with folder and extension.
+fn asset(path: &Path) -> Option<&'static Asset> {
     let name = builtin_name(path)?;
-    assets().find(|asset| asset.path == name)?.content
+    assets().find(|asset| asset.path == name)
+}
+
+fn is_inside(asset: &Asset) -> bool {
+    match asset.content {
+        Content::Plain(_) => true,
+        #[cfg(not(target_arch = "wasm32"))]
+        Content::Deflated(_) => true,
+        #[cfg(target_arch = "wasm32")]
+        Content::Absent => false,
+    }
+}
+
+#[cfg(not(target_arch = "wasm32"))]
+fn inflated(content: &[u8], size: usize, path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    use std::io::Read;
+    let mut bytes = Vec::with_capacity(size);
+    let read = flate2::read::DeflateDecoder::new(content).read_to_end(&mut bytes);
+    read.map_err(|error| Diagnostic::new(path, error.to_string()))?;
+    Ok(bytes)
 }

@@ -206,21 +206,32 @@ impl Purpose {
         )
     }
 
-    /// `path` as it was meant, if the file is to be written: with the extension that was left out,
-    /// or once with one that was given twice. Dialogs select a name without its extension, so that
-    /// one that is typed with it comes out as `my.scene.scene`.
+    /// `path` as it was meant, if the file is to be written: with the extension where it has none of
+    /// its formats, as in Blender, so that `v1.2` and `Dr. No` are names; or once with one that was
+    /// given twice. Dialogs select a name without its extension, so that one that is typed with it
+    /// comes out as `my.scene.scene`.
     pub fn completed(self, path: &Path) -> Option<PathBuf> {
         let (_, extension) = self.written().first()?;
         let stem = path.file_stem().map(Path::new)?;
         if path.extension().is_some() && path.extension() == stem.extension() {
             return Some(path.with_file_name(stem));
         }
-        if path.extension().is_some_and(is_extension) {
+        if path.extension().is_some_and(|end| self.writes(end)) {
             return None;
         }
         let mut name = path.file_name()?.to_owned();
         name.push(format!(".{extension}"));
         Some(path.with_file_name(name))
+    }
+
+    /// Whether files with this extension may be written.
+    fn writes(self, extension: &OsStr) -> bool {
+        let extension = extension.to_string_lossy().to_lowercase();
+        let as_listed = match &*extension {
+            "jpeg" => "jpg",
+            other => other,
+        };
+        self.written().iter().any(|(_, own)| *own == as_listed)
     }
 
     /// Whether a dialog offers `path`. AppleDouble files, which archives from some systems carry
@@ -254,15 +265,6 @@ impl Purpose {
             }
         }
     }
-}
-
-/// Whether the end of a name is meant as an extension, and is not part of it as in `v1.2` or `Dr. No`.
-fn is_extension(end: &OsStr) -> bool {
-    let end = end.to_string_lossy();
-    let is_short = (1..=5).contains(&end.len());
-    is_short
-        && end.starts_with(|c: char| c.is_ascii_alphabetic())
-        && end.chars().all(|c| c.is_ascii_alphanumeric())
 }
 
 #[cfg(test)]
@@ -320,12 +322,11 @@ mod tests {
     }
 
     #[test]
-    fn a_name_to_save_that_has_no_extension_gets_the_first_that_suits() {
+    fn a_name_to_save_that_has_none_of_its_extensions_gets_the_first() {
         let save = Purpose::SavePose(ShapeId(1), None);
         let walk = PathBuf::from("poses/walk.json");
         assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
-        assert_eq!(save.completed(Path::new("poses/walk.txt")), None);
-        for name in ["v1.2", "Dr. No", "a."] {
+        for name in ["v1.2", "Dr. No", "a.", "walk.txt", "a.b", "q.zip"] {
             let complete = PathBuf::from(format!("poses/{name}.json"));
             assert_eq!(
                 save.completed(&Path::new("poses").join(name)),
@@ -335,6 +336,12 @@ mod tests {
         assert_eq!(save.completed(Path::new("poses/walk.json")), None);
         let twice = Path::new("poses/walk.json.json");
         assert_eq!(save.completed(twice), Some("poses/walk.json".into()));
+        let picture = Purpose::SaveComparison;
+        for name in ["a.PNG", "a.jpeg", "a.gif"] {
+            assert_eq!(picture.completed(Path::new(name)), None);
+        }
+        let other = picture.completed(Path::new("a.bmp"));
+        assert_eq!(other, Some("a.bmp.png".into()));
         assert_eq!(Purpose::Compare.completed(Path::new("picture")), None);
     }
 }

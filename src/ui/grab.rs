@@ -145,7 +145,9 @@ impl<H: Follow> Grab<H> {
         if self.ended {
             return hand.any_down;
         }
-        let early = if !is_pickable(session, self.held.shape()) {
+        // Behind a question the pointer is on its way to the answer.
+        let is_covered = view.ctx.memory(|memory| memory.top_modal_layer().is_some());
+        let early = if is_covered || !is_pickable(session, self.held.shape()) {
             Some(GestureStep::Commit)
         } else {
             hand.cancel.then_some(GestureStep::Cancel)

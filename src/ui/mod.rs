@@ -150,7 +150,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
     let holding = is_holding(&ctx);
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
-    let in_drag = dragging || state.gesture_under_way();
+    let reorders = shape_list::cancel_drag_by_undo(&ctx, input.keys_are_taken);
+    let in_drag = dragging || reorders || state.gesture_under_way();
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
         || input.is_viewer

@@ -5,8 +5,9 @@ use super::{Action, commands};
 use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::scene::{Shape, ShapeId};
 use egui::{
-    Align, Button, Color32, Key, Layout, Painter, Pos2, Rect, Response, RichText, ScrollArea,
-    Sense, Stroke, StrokeKind, TextEdit, Ui, UiBuilder, WidgetInfo, WidgetType, pos2, vec2,
+    Align, Button, Color32, Context, DragAndDrop, Key, Layout, Modifiers, Painter, Pos2, Rect,
+    Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, UiBuilder, WidgetInfo,
+    WidgetType, pos2, vec2,
 };
 use std::f32::consts::PI;
 
@@ -147,6 +148,17 @@ fn rename(ui: &mut Ui, shape: &Shape, typed: &mut Renaming, actions: &mut Vec<Ac
         actions.push(Action::Edit(Edit::Rename(shape.id, name.to_owned())));
     }
     true
+}
+
+/// Ends a drag in the list without a change if Ctrl+Z is pressed, as egui does with Esc; whether there was
+/// one, to which the keys of this frame belong. To be called before the panels.
+pub(super) fn cancel_drag_by_undo(ctx: &Context, keys_are_taken: bool) -> bool {
+    let drags = DragAndDrop::has_any_payload(ctx);
+    let undoes = drags && !keys_are_taken;
+    if undoes && ctx.input_mut(|input| input.consume_key(Modifiers::COMMAND, Key::Z)) {
+        DragAndDrop::clear_payload(ctx);
+    }
+    drags
 }
 
 /// The shape that is dropped on `row`, and the place in the list that it gets; shows the place

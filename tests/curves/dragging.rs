@@ -180,9 +180,10 @@ fn a_plane_that_the_pointer_meets_behind_the_eye_is_out_of_reach() {
 
 #[test]
 fn the_points_of_a_profile_stay_in_its_plane_and_others_move_across_the_view() {
-    // Half-way between the directions x and z.
+    // From the side, but not wholly.
+    let theta = 20.0_f32.to_radians();
     let camera = Camera {
-        theta: 45.0_f32.to_radians(),
+        theta,
         ..Camera::default()
     };
     let points = [Vec3::X, Vec3::ONE.with_z(0.0), Vec3::Y, Vec3::ZERO];
@@ -207,12 +208,35 @@ fn the_points_of_a_profile_stay_in_its_plane_and_others_move_across_the_view() {
             panic!("{edit:?}")
         };
         // To the right is towards +x and -z.
-        assert!(position.x > 0.1, "{position}");
+        assert!(position.x > 0.05, "{position}");
         if is_profile {
             assert_eq!(position.z, 0.0);
         } else {
-            assert!((position.x + position.z).abs() < 1e-5, "{position}");
+            let off = position.z + position.x / theta.tan();
+            assert!(off.abs() < 1e-5, "{position}");
         }
+    }
+}
+
+#[test]
+fn a_new_curve_is_drawn_flat_in_a_view_that_looks_down_a_little() {
+    let points = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::new(0.4, 0.3, 0.0)];
+    let camera = Camera {
+        theta: 1.2,
+        phi: 0.3,
+        ..Camera::default()
+    };
+    for (lifted, stays_flat) in [(0.0, true), (0.1, false)] {
+        let mut points = points;
+        points[0].z = lifted;
+        let mut session = session(camera, Transform::IDENTITY, false, points);
+        let at = pixel(&session, 3).unwrap();
+        let drag = ControlPointDrag::begin(&session, at, SIZE).unwrap();
+        let moved = at + Vec2::new(-25.0, -40.0);
+        let edit = drag.moved_to(&session, moved, SIZE).unwrap();
+        session.edit(edit).unwrap();
+        assert_eq!(world(&session, 3).z == 0.0, stays_flat, "{lifted}");
+        assert!(pixel(&session, 3).unwrap().abs_diff_eq(moved, 0.01));
     }
 }
 

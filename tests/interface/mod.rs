@@ -17,6 +17,7 @@ mod view;
 mod visibility;
 
 use crate::host::MemoryHost;
+use crate::keyboard;
 use editor_core::character::Character;
 use editor_core::editor::{Edit, Session, View};
 use editor_core::program::{GraphicsInfo, Program};
@@ -229,7 +230,11 @@ impl Editor {
     }
 
     fn key(&mut self, key: Key) {
-        self.harness.key_press(key);
+        for event in keyboard::press(key, Modifiers::NONE) {
+            self.harness.event(event);
+        }
+        self.harness
+            .event(keyboard::key(key, false, Modifiers::NONE));
         self.settle();
     }
 

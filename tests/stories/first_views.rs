@@ -275,6 +275,12 @@ fn a_figure_that_is_imported_stands_beside_others_and_faces_as_they_do() {
         bounds[2].min.x < bounds[1].max.x + 0.5,
         "no farther than needed"
     );
+    let lowest: Vec<f32> = bounds.iter().map(|bounds| bounds.min.y).collect();
+    let apart = lowest.iter().map(|y| (y - lowest[0]).abs());
+    assert!(
+        apart.fold(0.0, f32::max) < 1e-5,
+        "on one ground: {lowest:?}"
+    );
     let place = story.shape().placement;
     assert_eq!(place, story.shape().start, "Reset leaves it there");
     assert_eq!(place.transform.position.with_x(0.0), Vec3::ZERO);

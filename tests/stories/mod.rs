@@ -20,6 +20,7 @@ mod typing;
 mod undoing;
 
 use crate::host::MemoryHost;
+use crate::keyboard;
 use editor_core::editor::{Session, Severity};
 use editor_core::geometry::Picture;
 use editor_core::gpu::{Backend, HeadlessContext};
@@ -274,15 +275,8 @@ impl Story {
 
     fn key_with(&mut self, modifiers: Modifiers, key: Key) {
         self.frame(vec![Event::ModifiersChanged(modifiers)]);
-        for pressed in [true, false] {
-            self.frame(vec![Event::Key {
-                key,
-                physical_key: None,
-                pressed,
-                repeat: false,
-                modifiers,
-            }]);
-        }
+        self.frame(keyboard::press(key, modifiers));
+        self.frame(vec![keyboard::key(key, false, modifiers)]);
         self.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
         self.settle();
     }

@@ -293,3 +293,28 @@ fn a_pose_is_pasted_by_the_same_key_and_what_is_neither_is_refused() {
     );
     assert_eq!(story.names(), ["Strip"]);
 }
+
+#[test]
+fn in_a_drag_of_the_list_esc_and_ctrl_z_cancel_it_and_delete_does_nothing() {
+    let mut story = with_three();
+    let to = |story: &Story| story.place("[1] Cube (ID: 1)") - vec2(0.0, 8.0);
+    let drag = |story: &mut Story| {
+        let (from, to) = (story.place("[3] Pyramid (ID: 3)"), to(story));
+        story.press_and_drag(from, to);
+    };
+    let before = story.session().done_steps();
+    for (modifiers, key) in [(Modifiers::NONE, Key::Escape), (CTRL, Key::Z)] {
+        drag(&mut story);
+        story.key_with(modifiers, key);
+        story.button(false);
+        story.settle();
+        assert_eq!(story.names(), ["Cube", "Sphere", "Pyramid"], "{key:?}");
+        assert_eq!(story.session().done_steps(), before, "{key:?}");
+    }
+    drag(&mut story);
+    story.key(Key::Delete);
+    story.button(false);
+    story.settle();
+    assert_eq!(story.names(), ["Pyramid", "Cube", "Sphere"]);
+    assert_eq!(story.session().done_steps(), before + 1);
+}

@@ -1,9 +1,11 @@
 //! Shapes moved, turned and scaled in the view: by keys with typed numbers, by rings and handles.
 
 use super::Story;
+use crate::keyboard;
 use editor_core::character::Pose;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
+use editor_core::program::HostEvent;
 use editor_core::scene::ShapeId;
 use editor_core::ui::{Action, Navigation};
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
@@ -55,6 +57,34 @@ fn g_x_2_enter_moves_by_exactly_2_along_x_in_one_step() {
     assert_eq!(story.done(), Some("Move Cube"));
     story.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(story.transform().position, Vec3::ZERO);
+}
+
+#[test]
+fn a_sign_over_a_digit_on_the_keyboard_is_that_sign_and_no_digit() {
+    let mut story = Story::with_cube_in_blender();
+    story.keys(&[Key::G, Key::X, Key::Num3]);
+    let times = keyboard::key(Key::Num8, true, Modifiers::SHIFT);
+    story.frame(vec![times, Event::Text("*".to_owned())]);
+    story.keys(&[Key::Num2, Key::Enter]);
+    assert_eq!(story.transform().position, Vec3::X * 6.0);
+}
+
+#[test]
+fn a_question_ends_a_movement_which_does_not_follow_the_pointer_to_the_answer() {
+    let mut story = Story::with_cube_in_blender();
+    story.key(Key::G);
+    let from = story.at(Vec3::new(1.0, 0.5, 0.0));
+    story.point(from + vec2(30.0, 0.0));
+    let moved = story.transform();
+    assert!(moved.position.x > 0.05, "{moved:?}");
+    story.host.events.push_back(HostEvent::CloseRequested);
+    story.settle();
+    story.point(from + vec2(300.0, 120.0));
+    story.click("Cancel");
+    assert_eq!(story.transform(), moved);
+    story.point(from);
+    assert_eq!(story.transform(), moved, "it goes on after the question");
+    assert_eq!(story.done(), Some("Move Cube"));
 }
 
 #[test]

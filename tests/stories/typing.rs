@@ -1,6 +1,7 @@
 //! Keys that come faster than frames: each does what it would alone.
 
 use super::Story;
+use crate::keyboard;
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers};
 use glam::Vec3;
@@ -11,18 +12,12 @@ const CTRL: Modifiers = Modifiers::COMMAND;
 /// Presses and releases of keys, with their text, as a keyboard sends them.
 fn presses(keys: &[(Modifiers, Key)]) -> Vec<Event> {
     let of_key = |&(modifiers, key): &(Modifiers, Key)| {
-        let event = |pressed| Event::Key {
-            key,
-            physical_key: None,
-            pressed,
-            repeat: false,
-            modifiers,
-        };
-        let name = key.name();
-        let text = (modifiers == NONE && name.len() == 1).then(|| Event::Text(name.to_lowercase()));
-        let mut events = vec![Event::ModifiersChanged(modifiers), event(true)];
-        events.extend(text);
-        events.extend([event(false), Event::ModifiersChanged(NONE)]);
+        let mut events = vec![Event::ModifiersChanged(modifiers)];
+        events.extend(keyboard::press(key, modifiers));
+        events.extend([
+            keyboard::key(key, false, modifiers),
+            Event::ModifiersChanged(NONE),
+        ]);
         events
     };
     keys.iter().flat_map(of_key).collect()

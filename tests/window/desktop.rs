@@ -320,6 +320,7 @@ impl Drop for Program<'_> {
 pub fn command(home: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_editor"));
     command
+        .current_dir(home)
         .env("HOME", home)
         .env_remove("XDG_CONFIG_HOME")
         .env_remove("WAYLAND_DISPLAY")

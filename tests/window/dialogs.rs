@@ -106,6 +106,16 @@ fn a_path_is_typed_after_ctrl_l_and_its_folder_is_kept() {
     program.write(&models.join("lowered").display().to_string());
     press(&program, &["Return"]);
     assert_eq!(poses_in(&models), ["lowered.json", "raised.json"]);
+
+    // A path that does not begin at the root begins where the program was started.
+    press(&program, &["ctrl+p", "ctrl+l"]);
+    let below_home = models.strip_prefix(home.path()).expect("below home");
+    program.write(&below_home.join("v1.bent").display().to_string());
+    press(&program, &["Return"]);
+    assert_eq!(
+        poses_in(&models),
+        ["lowered.json", "raised.json", "v1.bent.json"]
+    );
     let preferences = home.path().join(".config/skeleton-editor/preferences.json");
     let preferences = std::fs::read(preferences).expect("kept preferences");
     let preferences: serde_json::Value = serde_json::from_slice(&preferences).expect("JSON");

@@ -6,6 +6,27 @@ use egui::{Context, Event, Key};
 
 /// Most characters of a number: more are not exact anyway.
 const LONGEST: usize = 12;
+/// Characters between two numbers. A minus turns the sign of all, as in Blender.
+const OPERATORS: [char; 3] = ['+', '*', '/'];
+/// Keys that numbers are typed with.
+const NUMBER: [Key; 16] = [
+    Key::Num0,
+    Key::Num1,
+    Key::Num2,
+    Key::Num3,
+    Key::Num4,
+    Key::Num5,
+    Key::Num6,
+    Key::Num7,
+    Key::Num8,
+    Key::Num9,
+    Key::Minus,
+    Key::Plus,
+    Key::Equals,
+    Key::Period,
+    Key::Comma,
+    Key::Slash,
+];
 
 /// What has been typed during a drag: an axis, and the exact amount.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,7 +41,9 @@ pub(in crate::ui) struct Typed {
 }
 
 impl Typed {
-    /// Takes the keys of this frame that are meant for the drag, so that nothing else gets them.
+    /// Takes the keys of this frame that are meant for the drag, so that nothing else gets them. The
+    /// number is in their text, since which keys `*` and the digits are on differs from keyboard to
+    /// keyboard.
     pub(super) fn take_keys(&mut self, ctx: &Context) {
         let before = self.clone();
         ctx.input_mut(|input| {
@@ -31,8 +54,10 @@ impl Typed {
                     modifiers,
                     ..
                 } if !modifiers.command && !modifiers.alt => !self.take(*key),
-                // The same keys as text, which no field may get.
-                Event::Text(_) => false,
+                Event::Text(text) => {
+                    text.chars().for_each(|typed| self.push(typed));
+                    false
+                }
                 _ => true,
             });
         });
@@ -53,30 +78,32 @@ impl Typed {
                     self.axis = None;
                 }
             }
-            Key::Minus => {
+            // Those of the number, whose text follows.
+            key => return NUMBER.contains(&key),
+        }
+        true
+    }
+
+    /// Takes a character of the number, if it is one.
+    fn push(&mut self, typed: char) {
+        let ends_in_digit = self.text.ends_with(|last: char| last.is_ascii_digit());
+        match typed {
+            '-' | '−' => {
                 self.text = match self.text.strip_prefix('-') {
                     Some(positive) => positive.to_owned(),
                     None => format!("-{}", self.text),
                 }
             }
-            Key::Period | Key::Comma => {
-                let number = self.text.rsplit('/').next().unwrap_or_default();
+            '.' | ',' => {
+                let number = self.text.rsplit(OPERATORS).next().unwrap_or_default();
                 if !number.contains('.') {
                     self.text.push('.');
                 }
             }
-            Key::Slash => {
-                if self.text.ends_with(|last: char| last.is_ascii_digit()) {
-                    self.text.push('/');
-                }
-            }
-            _ => match digit(key) {
-                Some(digit) if self.text.len() < LONGEST => self.text.push(digit),
-                Some(_) => {}
-                None => return false,
-            },
+            operator if ends_in_digit && OPERATORS.contains(&operator) => self.text.push(operator),
+            digit if digit.is_ascii_digit() && self.text.len() < LONGEST => self.text.push(digit),
+            _ => {}
         }
-        true
     }
 
     /// The first press of its key chooses an axis of the gizmo, the second one of the other kind,
@@ -95,10 +122,10 @@ impl Typed {
         Some((self.axis?, axes))
     }
 
-    /// The number, or the quotient of those that were typed; `None` while there is none, or only a part of
-    /// one such as `-`.
+    /// The number, or what those that were typed come to, as in `360*2/3`; `None` while there is none, or
+    /// only a part of one such as `-`.
     pub(super) fn amount(&self) -> Option<f64> {
-        evaluate(self.text.trim_end_matches('/'))
+        evaluate(self.text.trim_end_matches(OPERATORS))
     }
 
     /// What was typed for the number, with a mark where typing goes on; `None` if there is nothing.
@@ -110,23 +137,6 @@ impl Typed {
     pub(super) fn is_confirmed(&self) -> bool {
         self.confirmed
     }
-}
-
-fn digit(key: Key) -> Option<char> {
-    let digits = [
-        Key::Num0,
-        Key::Num1,
-        Key::Num2,
-        Key::Num3,
-        Key::Num4,
-        Key::Num5,
-        Key::Num6,
-        Key::Num7,
-        Key::Num8,
-        Key::Num9,
-    ];
-    let digit = digits.iter().position(|&known| known == key)?;
-    char::from_digit(digit as u32, 10)
 }
 
 #[cfg(test)]
@@ -142,26 +152,37 @@ mod tests {
     }
 
     #[test]
-    fn digits_a_point_a_minus_and_backspace_make_a_number() {
-        use Key::{Backspace, Comma, Minus, Num0, Num2, Num5, Period, Slash};
-        for (keys, amount) in [
-            (&[Num2, Num5][..], Some(25.0)),
-            (&[Num2, Period, Num5], Some(2.5)),
-            (&[Period, Num5], Some(0.5)),
-            (&[Num2, Comma, Period, Num5], Some(2.5)),
-            (&[Num2, Minus], Some(-2.0)),
-            (&[Minus, Num2, Minus], Some(2.0)),
-            (&[Num2, Num5, Backspace], Some(2.0)),
-            (&[Num2, Backspace, Backspace], None),
-            (&[Minus], None),
-            (&[Num0], Some(0.0)),
-            (&[Num5, Slash], Some(5.0)),
-            (&[Num5, Slash, Num2], Some(2.5)),
-            (&[Minus, Num5, Slash, Slash, Num2, Period, Num5], Some(-2.0)),
-            (&[Slash, Num5], Some(5.0)),
-            (&[Num5, Slash, Num0], None),
+    fn digits_a_point_signs_and_backspace_make_a_number() {
+        for (text, amount) in [
+            ("25", Some(25.0)),
+            ("2.5", Some(2.5)),
+            (".5", Some(0.5)),
+            ("2,.5", Some(2.5)),
+            ("2-", Some(-2.0)),
+            ("-2-", Some(2.0)),
+            ("-2−", Some(2.0)),
+            ("25<", Some(2.0)),
+            ("2<<", None),
+            ("-", None),
+            ("0", Some(0.0)),
+            ("5/", Some(5.0)),
+            ("5/2", Some(2.5)),
+            ("-5//2.5", Some(-2.0)),
+            ("/5", Some(5.0)),
+            ("5/0", None),
+            ("3*2", Some(6.0)),
+            ("3+2", Some(5.0)),
+            ("1.5*1.5*", Some(2.25)),
+            ("1 m", Some(1.0)),
         ] {
-            assert_eq!(typed(keys).amount(), amount, "{keys:?}");
+            let mut typed = Typed::default();
+            for character in text.chars() {
+                match character {
+                    '<' => assert!(typed.take(Key::Backspace)),
+                    character => typed.push(character),
+                }
+            }
+            assert_eq!(typed.amount(), amount, "{text}");
         }
         assert!(!Typed::default().take(Key::Q), "means nothing here");
     }
