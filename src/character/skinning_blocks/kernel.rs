@@ -68,7 +68,7 @@ pub(super) fn skin_span<S: Simd, const NORMALS: bool>(
             let model_from_bind = &palette[joint as usize];
             let weight = S::f32s::from_slice(simd, weights);
             for (sum, &number) in sum.iter_mut().zip(model_from_bind) {
-                *sum = *sum + S::f32s::splat(simd, number) * weight;
+                *sum += S::f32s::splat(simd, number) * weight;
             }
         }
         let [x, y, z] = load(simd, position);
