@@ -29,7 +29,6 @@ const MILLION: usize = 1_000_000;
 pub fn run(report: &mut Report) {
     let one = figure(&adult());
     for (name, level, most) in levels() {
-        // AVX-512 has twice the lanes of the bucketed kernel's best.
         report.ratio(
             &format!("Skinning by blocks with {name} against one vertex's matrices at a time"),
             most,
@@ -59,7 +58,7 @@ pub fn run(report: &mut Report) {
     );
     report.ratio(
         "Skinning by blocks with normals against without",
-        1.25,
+        2.0,
         || {
             let mut with_normals = one.clone();
             let up = vec![Vec3::Y; one.mesh.positions.len()];
