@@ -8,8 +8,7 @@ pub struct Influence {
 }
 
 /// Influences of the joints on all vertices: every non-zero weight of the file, none dropped,
-/// stored as one run per vertex, in ascending order of the joints. The weights of a vertex need not add
-/// up to 1.
+/// stored as one run per vertex. The weights of a vertex need not add up to 1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attachments {
     influences: Vec<Influence>,
@@ -43,11 +42,8 @@ impl Attachments {
 
     /// Appends a vertex with its influences; zero weights are left out, for they move nothing.
     pub fn push_vertex(&mut self, influences: impl IntoIterator<Item = Influence>) {
-        let first = self.influences.len();
         self.influences
             .extend(influences.into_iter().filter(|i| i.weight != 0.0));
-        // Of the same joint, they stay in order.
-        self.influences[first..].sort_by_key(|influence| influence.joint);
         if self.starts.is_empty() {
             self.starts.push(0);
         }
