@@ -7,6 +7,7 @@ mod frames;
 mod host;
 mod picking;
 mod report;
+mod skinning;
 mod window;
 
 use report::Report;
@@ -19,5 +20,6 @@ fn main() {
     let mut report = Report::new(filter);
     frames::run(&mut report);
     picking::run(&mut report);
+    skinning::run(&mut report);
     report.finish();
 }

@@ -28,5 +28,6 @@ mod posing;
 mod program;
 mod reference;
 mod scenes;
+mod skinning;
 mod stories;
 mod work;

@@ -1,9 +1,13 @@
 use super::bones::bones;
 use super::skinning::{self, ConservativeBounds};
-use super::{Attachments, AttachmentsError, JointBone, Pose, SkeletalModel};
+use super::{
+    Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, Skinned, SkinningBlocks,
+};
 use crate::geometry::{Mesh, Normals, SharedMesh};
 use crate::math::Aabb;
+use fearless_simd::Level;
 use glam::{Mat4, Vec3};
+use std::sync::OnceLock;
 
 /// Character: a skeleton with a mesh bound to it.
 #[derive(Clone, Debug)]
@@ -14,6 +18,9 @@ pub struct Character {
     bind_mesh: SharedMesh,
     bones: Vec<JointBone>,
     bounds: ConservativeBounds,
+    /// The weights once more, for skinning; made when they are first needed, which is never where the
+    /// graphics card skins.
+    blocks: OnceLock<SkinningBlocks>,
 }
 
 /// Reason why mesh, weights and skeleton do not make a character.
@@ -35,7 +42,8 @@ pub enum CharacterError {
 impl Character {
     /// Estimated memory of the weights, in bytes: all that is heavy beside the mesh.
     pub fn weights_memory(&self) -> usize {
-        self.attachments.memory()
+        let blocks = self.blocks.get().map_or(0, SkinningBlocks::memory);
+        self.attachments.memory() + blocks
     }
 
     /// Binds `bind_mesh` (positions in model space, in the order of the rows of `attachments`) to
@@ -62,6 +70,7 @@ impl Character {
             bind_mesh: SharedMesh::new(bind_mesh),
             bones,
             bounds,
+            blocks: OnceLock::new(),
         })
     }
 
@@ -85,35 +94,45 @@ impl Character {
         &self.bones
     }
 
-    /// Skinned vertices of the mesh, in model space and in the order of the file, with the joints'
-    /// frames at `model_from_joint`.
-    pub fn skin(&self, model_from_joint: &[Mat4]) -> Vec<Vec3> {
+    /// Skinned vertices with the joints' frames at `model_from_joint`: those of
+    /// [`Character::skin_one_by_one`], bit for bit, many vertices at once.
+    pub fn skin(&self, model_from_joint: &[Mat4]) -> Skinned {
         let palette = self.skeleton.palette(model_from_joint);
-        let bind = &self.bind_mesh.positions;
-        let mut skinned = vec![Vec3::ZERO; bind.len()];
-        skinning::skin_positions(&palette, &self.attachments, bind, &mut skinned);
+        if !palette.iter().all(|matrix| matrix.is_finite()) {
+            return self.skin_one_by_one(model_from_joint);
+        }
+        let blocks = || SkinningBlocks::new(&self.attachments, &self.bind_mesh, Level::new());
+        let mut skinned = Skinned::default();
+        let blocks = self.blocks.get_or_init(blocks);
+        blocks.skin(&palette, &mut skinned);
         skinned
+    }
+
+    /// Skinned vertices with the joints' frames at `model_from_joint`, one after the other by the
+    /// formulas of [`skinning`]: the reference.
+    pub fn skin_one_by_one(&self, model_from_joint: &[Mat4]) -> Skinned {
+        let palette = self.skeleton.palette(model_from_joint);
+        let mesh = &self.bind_mesh;
+        let mut positions = vec![Vec3::ZERO; mesh.positions.len()];
+        skinning::skin_positions(&palette, &self.attachments, &mesh.positions, &mut positions);
+        let normals = match &mesh.normals {
+            Normals::Flat => None,
+            Normals::PerVertex(bind) => {
+                let vertices = mesh.position_of_vertices().zip(bind.iter().copied());
+                Some(skinning::skin_normals(
+                    &palette,
+                    &self.attachments,
+                    vertices,
+                ))
+            }
+        };
+        Skinned { positions, normals }
     }
 
     /// Conservative bounds of the mesh, in model space, with the joints' frames at
     /// `model_from_joint`: larger than the tightest box, but found without skinning a vertex.
     pub fn conservative_bounds(&self, model_from_joint: &[Mat4]) -> Aabb {
         self.bounds.under(&self.skeleton.palette(model_from_joint))
-    }
-
-    /// Skinned normals, one per vertex of the mesh, with the joints' frames at `model_from_joint`;
-    /// `None` for a mesh with flat triangles, whose normals follow from their corners.
-    pub fn skin_normals(&self, model_from_joint: &[Mat4]) -> Option<Vec<Vec3>> {
-        let Normals::PerVertex(bind) = &self.bind_mesh.normals else {
-            return None;
-        };
-        let palette = self.skeleton.palette(model_from_joint);
-        let positions = self.bind_mesh.position_of_vertices();
-        Some(skinning::skin_normals(
-            &palette,
-            &self.attachments,
-            positions.zip(bind.iter().copied()),
-        ))
     }
 
     /// The same character with at most `most` influences per vertex, see [`Attachments::limited`].
@@ -123,12 +142,14 @@ impl Character {
         Self {
             bounds: ConservativeBounds::new(&attachments, &self.bind_mesh.positions, joints),
             attachments,
+            blocks: OnceLock::new(),
             ..self.clone()
         }
     }
 
     /// Skinned vertices under `pose`, in model space and in the order of the file.
     pub fn skin_pose(&self, pose: &Pose) -> Vec<Vec3> {
-        self.skin(&self.skeleton.update_current_joint_to_world_transforms(pose))
+        let model_from_joint = self.skeleton.update_current_joint_to_world_transforms(pose);
+        self.skin(&model_from_joint).positions
     }
 }

@@ -14,6 +14,7 @@ mod pose;
 mod skeletal_model;
 mod skeleton_walk;
 pub mod skinning;
+mod skinning_blocks;
 
 pub use attachments::{Attachments, AttachmentsError, Influence};
 pub use bones::{Bone, JointBone, StickFigure};
@@ -24,3 +25,4 @@ pub use mirror::Mirror;
 pub use pose::{Pose, PoseError};
 pub use skeletal_model::{SkeletalModel, SkeletonError};
 pub use skeleton_walk::{SkeletonWalk, WalkStep};
+pub use skinning_blocks::{Skinned, SkinningBlocks};

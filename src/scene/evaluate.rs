@@ -1,6 +1,6 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
 use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
-use crate::character::{Character, StickFigure};
+use crate::character::{Character, Skinned, StickFigure};
 use crate::geometry::{Normals, SharedMesh, TriangleBoxes};
 use crate::math::{Aabb, Ray, TriangleHit};
 use crate::revision::Revision;
@@ -74,8 +74,7 @@ impl EvaluatedGeometry {
         let deformation = self.deformation.as_ref()?;
         Some(Self {
             deformation: Some(Deformation {
-                positions: positions.into(),
-                normals: normals.into(),
+                skinned: Skinned { positions, normals }.into(),
                 is_exact: false,
                 ..deformation.clone()
             }),
@@ -262,8 +261,7 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
 pub struct Deformation {
     character: Arc<Character>,
     model_from_joint: Vec<Mat4>,
-    positions: OnceLock<Vec<Vec3>>,
-    normals: OnceLock<Option<Vec<Vec3>>>,
+    skinned: OnceLock<Skinned>,
     /// Whether the vertices follow from the frames by the exact formula.
     is_exact: bool,
 }
@@ -274,8 +272,7 @@ impl Deformation {
         Self {
             character,
             model_from_joint,
-            positions: OnceLock::new(),
-            normals: OnceLock::new(),
+            skinned: OnceLock::new(),
             is_exact: true,
         }
     }
@@ -301,17 +298,19 @@ impl Deformation {
         self.character.skeleton().palette(&self.model_from_joint)
     }
 
+    fn skinned(&self) -> &Skinned {
+        self.skinned
+            .get_or_init(|| self.character.skin(&self.model_from_joint))
+    }
+
     /// Deformed positions, as many as the mesh has, in model space.
     pub fn positions(&self) -> &[Vec3] {
-        self.positions
-            .get_or_init(|| self.character.skin(&self.model_from_joint))
+        &self.skinned().positions
     }
 
     /// Deformed normals, one per vertex of the mesh; `None` if its triangles are flat.
     pub fn normals(&self) -> Option<&[Vec3]> {
-        self.normals
-            .get_or_init(|| self.character.skin_normals(&self.model_from_joint))
-            .as_deref()
+        self.skinned().normals.as_deref()
     }
 
     /// Box that contains the mesh, in model space, found without skinning a vertex.
@@ -321,7 +320,7 @@ impl Deformation {
 
     /// Whether the positions have been computed.
     pub fn is_worked_out(&self) -> bool {
-        self.positions.get().is_some()
+        self.skinned.get().is_some()
     }
 }
 

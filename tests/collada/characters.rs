@@ -404,7 +404,7 @@ fn normals_follow_the_joints() {
     let current = character
         .skeleton()
         .update_current_joint_to_world_transforms(&pose);
-    let skinned = character.skin_normals(&current).unwrap();
+    let skinned = character.skin(&current).normals.unwrap();
     assert_near(
         &skinned,
         &[Vec3::X, Vec3::X, Vec3::X, -Vec3::Z, -Vec3::Z, -Vec3::Z],
