@@ -55,7 +55,11 @@ fn share_left(test: &TestData, section: &str, mistakes: &[String], rubric: &Rubr
     let left = mistakes.iter().map(|id| {
         let own = Mistake::find(id).map_or("", |mistake| number(mistake.section));
         if own == section || !test.points.contains_key(own) {
-            rubric.mistakes.get(id).unwrap_or(&rubric.mistake).0
+            rubric
+                .mistakes
+                .get(id.as_str())
+                .unwrap_or(&rubric.mistake)
+                .0
         } else {
             1.0
         }
@@ -130,7 +134,8 @@ mod tests {
     #[test]
     fn a_mistake_may_cost_less_than_others() {
         let mut rubric = RubricData::default();
-        rubric.mistakes.insert("euler-zyx".to_owned(), Share(0.75));
+        let name = "euler-zyx".to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.75));
         assert_eq!(
             given(TWO, &explained(&[&["euler-zyx"]]), &rubric),
             [4.5, 10.0]

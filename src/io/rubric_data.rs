@@ -1,7 +1,10 @@
 //! The rubric in the file that a class is graded by: points and sections.
 
+use super::scanner::quoted;
+use crate::diagnose::MISTAKES;
 use serde::de::{Deserializer, Error as _};
 use serde::{Deserialize, Serialize};
+use std::borrow::Borrow;
 use std::collections::BTreeMap;
 
 /// Points that can be given at most.
@@ -16,6 +19,17 @@ pub struct Points(pub f64);
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Share(pub f64);
 
+/// Name of a mistake that is known.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(try_from = "String")]
+pub struct MistakeName(String);
+
+impl Borrow<str> for MistakeName {
+    fn borrow(&self) -> &str {
+        &self.0
+    }
+}
+
 /// How points are given.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -25,7 +39,7 @@ pub struct RubricData {
     /// Part of a section's points that is left for each mistake in it.
     pub mistake: Share,
     /// The same for some mistakes by name.
-    pub mistakes: BTreeMap<String, Share>,
+    pub mistakes: BTreeMap<MistakeName, Share>,
     /// Part of a test's points that is given where no known mistake explains it, for the share of
     /// vertices that are right.
     pub unexplained: Share,
@@ -55,6 +69,23 @@ pub struct SectionData {
     pub points: Option<Points>,
     /// Whether its points come on top of what is possible.
     pub extra: bool,
+}
+
+impl TryFrom<String> for MistakeName {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        if MISTAKES.iter().any(|mistake| mistake.id == name) {
+            return Ok(Self(name));
+        }
+        let ids = MISTAKES.iter().map(|mistake| mistake.id);
+        let nearest = ids.min_by_key(|id| strsim::levenshtein(id, &name));
+        Err(format!(
+            "expected the name of a mistake such as {}, found {}",
+            nearest.unwrap_or_default(),
+            quoted(&name)
+        ))
+    }
 }
 
 impl<'de> Deserialize<'de> for Points {

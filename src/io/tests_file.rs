@@ -290,6 +290,10 @@ mod tests {
                 "t.json: expected a test, found none",
             ),
             (
+                r#"{"tests": [], "rubric": {"mistakes": {"euler-zxx": 1}}}"#.to_owned(),
+                "t.json:1:39: expected the name of a mistake such as euler-zxy, found “euler-zxx”",
+            ),
+            (
                 test(r#", "kind": "film""#),
                 "t.json:1:79: expected `mesh` or `picture`, found “film”",
             ),

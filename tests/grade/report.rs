@@ -126,3 +126,26 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
         assert!(text.contains(told), "{told}");
     }
 }
+
+#[test]
+fn points_that_are_given_to_nobody_are_told() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&[]), |number| number.to_string());
+    let mut tests = class.tests_file();
+    tests["rubric"] = json!({"given": {"eva": {"4.2": 9}, "eve": {"4.3": 1, "4.2": 5}}});
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o report");
+    assert_eq!(ran.code, Some(0));
+    let warnings: Vec<&str> = ran
+        .err
+        .lines()
+        .filter(|line| line.contains("given"))
+        .collect();
+    assert_eq!(
+        warnings,
+        [
+            "tests.json: points are given to eva, but there is no such submission",
+            "tests.json: eve is given points for 4.3, which is no section",
+        ]
+    );
+}

@@ -13,10 +13,10 @@ use crate::grade::{Graded, Report, Test};
 use crate::io::{Files, PoseFile, TestData, TestsFile, builtin};
 use command::TestCommand;
 use kept::{KeptRun, Store};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use submissions::Part;
+use submissions::{Part, Submission};
 use work::Work;
 
 /// Grade a class: what each submission gives for each test, why it is wrong, and its points.
@@ -86,6 +86,9 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
     let command = command.map(|data| TestCommand::new(data, &file.tests, path));
     let command = command.transpose()?;
     let all = submissions::of(folder)?;
+    for warning in given_to_none(&file, &all) {
+        eprint_line(format_args!("{}: {warning}", path.display()));
+    }
     let mine: Vec<_> = match args.part {
         Some(part) => part.of(all),
         None => all,
@@ -117,6 +120,29 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
     };
     store.keep_run(&run)?;
     report(&args.output, &run, graded)
+}
+
+/// Points in `given` that no one gets: of submissions that are not there, and in sections that are none.
+fn given_to_none(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
+    let points = file.tests.iter().flat_map(|test| test.points.keys());
+    let sections: BTreeSet<&String> = points.chain(file.rubric.sections.keys()).collect();
+    let mut told = Vec::new();
+    for (name, given) in &file.rubric.given {
+        if submissions
+            .iter()
+            .all(|submission| submission.name != *name)
+        {
+            told.push(format!(
+                "points are given to {name}, but there is no such submission"
+            ));
+        }
+        for section in given.keys().filter(|section| !sections.contains(section)) {
+            told.push(format!(
+                "{name} is given points for {section}, which is no section"
+            ));
+        }
+    }
+    told
 }
 
 /// The test with its character and pose, whose paths start at the folder of the file of tests.
