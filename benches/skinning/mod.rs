@@ -134,6 +134,7 @@ struct Posed {
 impl Posed {
     fn blocks(&self, level: Level) -> SkinningBlocks {
         SkinningBlocks::new(&self.attachments, &self.mesh, level)
+            .expect("its vertices have much in common")
     }
 
     /// The same so many times in one mesh.

@@ -19,8 +19,8 @@ pub struct Character {
     bones: Vec<JointBone>,
     bounds: ConservativeBounds,
     /// The weights once more, for skinning; made when they are first needed, which is never where the
-    /// graphics card skins.
-    blocks: OnceLock<SkinningBlocks>,
+    /// graphics card skins. `None` if it has no use for blocks.
+    blocks: OnceLock<Option<SkinningBlocks>>,
 }
 
 /// Reason why mesh, weights and skeleton do not make a character.
@@ -42,7 +42,8 @@ pub enum CharacterError {
 impl Character {
     /// Estimated memory of the weights, in bytes: all that is heavy beside the mesh.
     pub fn weights_memory(&self) -> usize {
-        let blocks = self.blocks.get().map_or(0, SkinningBlocks::memory);
+        let blocks = self.blocks.get().and_then(Option::as_ref);
+        let blocks = blocks.map_or(0, SkinningBlocks::memory);
         self.attachments.memory() + blocks
     }
 
@@ -98,14 +99,16 @@ impl Character {
     /// [`Character::skin_one_by_one`], bit for bit, many vertices at once.
     pub fn skin(&self, model_from_joint: &[Mat4]) -> Skinned {
         let palette = self.skeleton.palette(model_from_joint);
-        if !palette.iter().all(|matrix| matrix.is_finite()) {
-            return self.skin_one_by_one(model_from_joint);
-        }
         let blocks = || SkinningBlocks::new(&self.attachments, &self.bind_mesh, Level::new());
-        let mut skinned = Skinned::default();
-        let blocks = self.blocks.get_or_init(blocks);
-        blocks.skin(&palette, &mut skinned);
-        skinned
+        let is_finite = palette.iter().all(Mat4::is_finite);
+        match self.blocks.get_or_init(blocks) {
+            Some(blocks) if is_finite => {
+                let mut skinned = Skinned::default();
+                blocks.skin(&palette, &mut skinned);
+                skinned
+            }
+            _ => self.skin_one_by_one(model_from_joint),
+        }
     }
 
     /// Skinned vertices with the joints' frames at `model_from_joint`, one after the other by the

@@ -246,7 +246,7 @@ impl Diagnosis {
         }
         if !self.same_as.is_empty() {
             let all: Vec<String> = self.same_as.iter().map(|ids| together(ids)).collect();
-            write!(f, "\n  or, the same here: {}", all.join(", "))?;
+            write!(f, "\n  indistinguishable here: {}", all.join(", "))?;
         }
         Ok(())
     }

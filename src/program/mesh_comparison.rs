@@ -39,9 +39,18 @@ pub(super) struct MeshComparison {
     pose: Option<(Revision, Duration)>,
     measured: Option<Measured>,
     legend: Legend,
-    /// The search for the mistake in a pose, while it is under way.
-    running: Option<(Revision, JobHandle)>,
+    /// The search for the mistake, while it is under way.
+    running: Option<Search>,
     diagnosis: Option<(Revision, Result<Diagnosis, DiagnoseError>)>,
+}
+
+/// A search for the mistake.
+struct Search {
+    /// The pose that it is about.
+    pose: Revision,
+    /// Its own, by which its result is known.
+    own: Revision,
+    handle: JobHandle,
 }
 
 /// How far theirs is from ours.
@@ -53,14 +62,7 @@ struct Measured {
 impl MeshComparison {
     fn new(opened: Revision, shape: ShapeId, name: String, theirs: Mesh) -> Self {
         let positions: Arc<[Vec3]> = theirs.positions.as_slice().into();
-        let mut drawn = theirs;
-        for at in &mut drawn.positions {
-            // What has no place cannot be drawn.
-            if !at.is_finite() {
-                *at = Vec3::ZERO;
-            }
-        }
-        let mesh = SharedMesh::new(drawn);
+        let mesh = SharedMesh::new(theirs);
         let (bounds, revision) = (mesh.bounds(), mesh.revision());
         Self {
             opened,
@@ -112,12 +114,13 @@ impl MeshComparison {
         CompareMeshView {
             name: &self.name,
             shape: self.shape,
+            mesh: self.geometry.revision,
             shown: self.shown,
             theirs: &self.theirs,
             measure: self.measured.as_ref().map(|measured| &measured.measure),
             diagnosis: diagnosis.map(|(_, diagnosis)| diagnosis),
             is_diagnosing: diagnosis.is_none(),
-            diagnosed_part: self.running.as_ref().map(|(_, job)| job.part()),
+            diagnosed_part: self.running.as_ref().map(|search| search.handle.part()),
         }
     }
 
@@ -175,17 +178,22 @@ impl MeshComparison {
             pose: character.pose().clone(),
             theirs: Arc::clone(&self.theirs),
         };
-        let job = Job::new(Work::Diagnose { of: newest, mesh });
-        self.running = Some((newest, job.handle()));
+        let own = Revision::new();
+        let job = Job::new(Work::Diagnose { of: own, mesh });
+        self.running = Some(Search {
+            pose: newest,
+            own,
+            handle: job.handle(),
+        });
         host.start_job(job);
         Some(LOOK)
     }
 
     /// Takes in the result of a search. That of another pose, or another mesh, is ignored.
     pub fn take_result(&mut self, result: MeshDiagnosed) {
-        let running = &mut self.running;
-        if running.take_if(|(of, _)| *of == result.of).is_some() {
-            self.diagnosis = Some((result.of, result.outcome));
+        let is_of = |search: &mut Search| search.own == result.of;
+        if let Some(search) = self.running.take_if(is_of) {
+            self.diagnosis = Some((search.pose, result.outcome));
         }
     }
 }
@@ -210,7 +218,7 @@ fn words(name: &str, measure: Option<&MeshMeasure>) -> Legend {
     let Some(measure) = measure else {
         return Legend {
             title: format!("{name}, over ours"),
-            note: Some("There are no distances: its vertices are not ours".to_owned()),
+            note: Some("There are no distances: its vertices are numbered differently".to_owned()),
             ..Legend::default()
         };
     };

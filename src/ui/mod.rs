@@ -202,12 +202,16 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         let why = "Skinning is not explained while the view is compared with a picture";
         actions.push(Action::View(View::Tell(why)));
     }
+    state.explain.set_compares(input.compare_mesh.is_some());
     explain::show(root, session, &mut state.explain);
     match input.compare_mesh {
         Some(compare) => {
             let area = view_overlay::fit_area(state, aspect(last_view));
-            let marked = &mut state.marked_vertex;
-            compare::mesh_panel(root, session, compare, area, marked, &mut actions);
+            // One of another mesh says nothing of this one.
+            let marked = state.marked_vertex.filter(|(of, _)| *of == compare.mesh);
+            let mut marked = marked.map(|(_, vertex)| vertex);
+            compare::mesh_panel(root, session, compare, area, &mut marked, &mut actions);
+            state.marked_vertex = marked.map(|vertex| (compare.mesh, vertex));
         }
         None => state.marked_vertex = None,
     }

@@ -71,8 +71,8 @@ pub struct UiState {
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
-    /// The vertex that is marked in a comparison with a mesh.
-    pub(super) marked_vertex: Option<usize>,
+    /// Vertex that is marked in a comparison with the mesh of this revision.
+    pub(super) marked_vertex: Option<(Revision, usize)>,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.

@@ -55,6 +55,7 @@ fn gestures(
     if state.pose.gesture.is_none() {
         pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
     }
+    let over_point = pointer != PointerUse::Free;
     if pointer == PointerUse::Free {
         let list = state.joints.hovered.or(state.explain.lit());
         pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
@@ -71,8 +72,10 @@ fn gestures(
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));
     }
-    let picks = explain::pointer(view, places, session, &mut state.explain, actions);
-    if pointer == PointerUse::Over {
+    let selects = pointer == PointerUse::Over;
+    let picks = !over_point
+        && explain::pointer(view, places, session, &mut state.explain, selects, actions);
+    if selects {
         return None;
     }
     if view.clicked() && !picks {

@@ -66,7 +66,10 @@ pub(super) fn show(
         &mut state.pose,
         actions,
     );
-    if let Some((compare, vertex)) = input.compare_mesh.zip(state.marked_vertex) {
+    if let Some((compare, vertex)) = input
+        .compare_mesh
+        .zip(state.marked_vertex.map(|(_, vertex)| vertex))
+    {
         compare::mesh_marker(&over, &places, session, compare, vertex);
     }
     control_points::show_clicked(&over, &places, session, &state.curves);

@@ -29,7 +29,7 @@ fn mistakes_that_a_pose_does_not_tell_apart_are_all_named_the_most_telling_first
     );
     let told = flipped.to_string();
     assert!(
-        told.ends_with("\n  or, the same here: sign-flipped-z"),
+        told.ends_with("\n  indistinguishable here: sign-flipped-z"),
         "{told}"
     );
     let ignored = found(&figure, &["one-axis-ignored-z"], 6);

@@ -286,11 +286,49 @@ fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
 }
 
 #[test]
+fn while_meshes_are_compared_skinning_is_explained_without_mistakes() {
+    let mut story = comparing(&RIGHT);
+    story.click("Stop comparing with the mesh");
+    story.key(Key::K);
+    let mistake = texts(&story)
+        .into_iter()
+        .find(|text| text.starts_with("Column c"));
+    let mistake = mistake.expect("the list of mistakes");
+    story.click(&mistake);
+    assert!(story.has("Back to Right"));
+    story.key_with(Modifiers::SHIFT, Key::F8);
+    story.choose("mine.obj");
+    assert!(
+        !story.has("Back to Right"),
+        "the character is shown as it is"
+    );
+    assert!(!story.has(&mistake));
+    assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
+    story.click("Stop comparing with the mesh");
+    assert!(story.has(&mistake) && !story.has("Back to Right"));
+}
+
+#[test]
+fn a_character_at_rest_is_said_to_need_the_pose_first() {
+    let mut story = comparing(&RIGHT);
+    diagnose(&mut story);
+    let is_told = |story: &Story| texts(story).iter().any(|text| text.contains("is at rest"));
+    assert!(!is_told(&story), "it is right");
+    story.click("Reset all");
+    diagnose(&mut story);
+    assert!(is_told(&story));
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    diagnose(&mut story);
+    assert!(!is_told(&story));
+}
+
+#[test]
 fn without_its_character_the_comparison_ends() {
     let mut story = comparing(&RIGHT);
     story.key(Key::Delete);
     assert!(!story.has("Stop comparing with the mesh"));
     story.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(!story.has("Stop comparing with the mesh"), "it has ended");
     let shapes = story.session().scene().shapes();
     assert!(matches!(shapes[0].kind, ShapeKind::Character(_)));
 }

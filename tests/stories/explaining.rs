@@ -1,6 +1,7 @@
 //! View ▸ Explain Skinning: the formula of a vertex, mistakes on purpose, the matrix stack.
 
 use super::{Story, differing};
+use editor_core::io::image::{self, PictureFormat};
 use egui::accesskit::{Action, ActionRequest, TreeId};
 use egui::{Event, Key, Pos2, vec2};
 use glam::Vec3;
@@ -159,6 +160,9 @@ fn esc_ends_the_mistake_then_the_panel_and_then_what_it_ended_before() {
     story.key(Key::Escape);
     assert!(!story.has("Close Explain"));
     assert_eq!(story.shape().name, "Strip");
+    story.key(Key::Escape);
+    assert!(story.session().selected().is_none());
+    story.click("[1] Strip (ID: 1)");
     story.key(Key::K);
     make(&mut story, NO_INVERSE);
     story.click("Close Explain");
@@ -251,4 +255,33 @@ fn another_document_has_no_mistake_and_a_scene_without_characters_nothing_to_exp
     story.click("Close Explain");
     story.key(Key::K);
     assert!(!story.has("Close Explain"), "the command is disabled");
+
+    let mut story = bent();
+    make(&mut story, NO_INVERSE);
+    story.host.drop_file("models/strip.obj");
+    story.settle();
+    assert!(story.has("Back to Right"), "an import is no other document");
+    story.click("File");
+    story.click("New");
+    story.click("Don't Save");
+    story.host.drop_file("models/strip.obj");
+    story.settle();
+    assert!(!story.has("Back to Right"));
+}
+
+#[test]
+fn a_comparison_with_a_picture_closes_the_panel_and_ends_the_mistake() {
+    let mut story = bent();
+    make(&mut story, NO_INVERSE);
+    let reference = story.scene_picture();
+    let bytes = image::encode(&reference, PictureFormat::Png).expect("a picture");
+    story.host.files.insert("reference.png".into(), bytes);
+    story.key(Key::F8);
+    story.choose("reference.png");
+    assert!(!story.has("Back to Right") && !story.has("Close Explain"));
+    let told = story.messages();
+    assert!(
+        told.iter()
+            .any(|(_, text)| text.starts_with("Skinning is not explained"))
+    );
 }

@@ -18,6 +18,12 @@ const WINDOW: usize = 4096;
 #[cfg(not(target_arch = "wasm32"))]
 const WINDOWS_FOR_A_THREAD: usize = 8;
 
+/// Weights in blocks for each influence, beyond which blocks are not worth it, and so many more that do
+/// not matter. Lanes have a weight for each joint of their block: vertices that share no joints, or have
+/// them in all orders, would fill memory with zeros.
+const MOST_WEIGHTS: usize = 8;
+const FEW_WEIGHTS: usize = 1 << 18;
+
 /// Weights of a mesh, laid out for skinning as many vertices at once as the processor has lanes.
 ///
 /// Vertices with the same joints are put into blocks, one vertex a lane, and a block lists each joint
@@ -62,8 +68,9 @@ pub struct Skinned {
 }
 
 impl SkinningBlocks {
-    /// Lays out `attachments`, one run for each position of `mesh`, for processors of `level`.
-    pub fn new(attachments: &Attachments, mesh: &Mesh, level: Level) -> Self {
+    /// Lays out `attachments`, one run for each position of `mesh`, for processors of `level`; `None` if
+    /// its vertices have too little in common.
+    pub fn new(attachments: &Attachments, mesh: &Mesh, level: Level) -> Option<Self> {
         let normals = match &mesh.normals {
             Normals::Flat => None,
             Normals::PerVertex(normals) => Some(&normals[..]),
@@ -94,6 +101,7 @@ impl SkinningBlocks {
             }
         };
         let mut order = Vec::with_capacity(WINDOW);
+        let mut influences = 0;
         for first in (0..vertices).step_by(WINDOW) {
             let first_block = blocks.starts.len() - 1;
             let window = first..(first + WINDOW).min(vertices);
@@ -108,8 +116,16 @@ impl SkinningBlocks {
                 blocks.push(block, |place| vertex(first + usize::from(place)));
             }
             blocks.windows.push(first_block..blocks.starts.len() - 1);
+            let of_window = order.iter().map(|&(_, place)| {
+                let vertex = vertex(first + usize::from(place));
+                vertex.influences.len()
+            });
+            influences += of_window.sum::<usize>();
+            if blocks.weights.len() > MOST_WEIGHTS * influences + FEW_WEIGHTS {
+                return None;
+            }
         }
-        blocks
+        Some(blocks)
     }
 
     /// Adds a block of the vertices in `block`. Lanes that are left over repeat the last vertex.
@@ -226,7 +242,9 @@ impl SkinningBlocks {
 
     /// Estimated memory, in bytes.
     pub fn memory(&self) -> usize {
-        size_of_val(&*self.joints)
+        size_of_val(&*self.windows)
+            + size_of_val(&*self.starts)
+            + size_of_val(&*self.joints)
             + size_of_val(&*self.weights)
             + size_of_val(&*self.bind)
             + size_of_val(&*self.places)

@@ -93,7 +93,8 @@ fn fault(character: &Character, frames: &[Mat4]) -> Option<String> {
     let expected = character.skin_one_by_one(frames);
     let palette = character.skeleton().palette(frames);
     levels().into_iter().find_map(|level| {
-        let blocks = SkinningBlocks::new(character.attachments(), character.bind_mesh(), level);
+        let blocks =
+            SkinningBlocks::new(character.attachments(), character.bind_mesh(), level).unwrap();
         let mut found = Skinned::default();
         blocks.skin(&palette, &mut found);
         let found = difference(&found, &expected);
@@ -177,7 +178,8 @@ fn what_was_skinned_before_is_replaced() {
         let (mesh, attachments) = mesh(100, &[3, 0], with_normals);
         let character = character(mesh, attachments);
         let blocks =
-            SkinningBlocks::new(character.attachments(), character.bind_mesh(), Level::new());
+            SkinningBlocks::new(character.attachments(), character.bind_mesh(), Level::new())
+                .unwrap();
         let palette = character.skeleton().palette(&frames(4));
         (blocks, palette, character.skin_one_by_one(&frames(4)))
     };
@@ -201,4 +203,23 @@ fn fewer_influences_are_skinned_as_such() {
         limited.skin(&frames(0)),
         limited.skin_one_by_one(&frames(0))
     );
+}
+
+#[test]
+fn vertices_with_nothing_in_common_are_skinned_one_by_one() {
+    let (mesh, _) = mesh(20 * WINDOW, &[0], false);
+    let mut attachments = Attachments::new();
+    for vertex in 0..mesh.positions.len() as u32 {
+        // All joints, in an order of its own.
+        attachments.push_vertex((0..JOINTS).map(|at| Influence {
+            joint: (at * (2 * (vertex % 17) + 1) * 3 + vertex) % JOINTS,
+            weight: 1.0 / JOINTS as f32,
+        }));
+    }
+    let level = Level::new();
+    assert!(SkinningBlocks::new(&attachments, &mesh, level).is_none());
+    let character = character(mesh, attachments);
+    let skinned = character.skin(&frames(3));
+    let expected = character.skin_one_by_one(&frames(3));
+    assert_eq!(difference(&skinned, &expected), None);
 }

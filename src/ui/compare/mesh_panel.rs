@@ -24,6 +24,10 @@ struct Parts<'a> {
     actions: &'a mut Vec<Action>,
 }
 
+/// What a student forgets first.
+const AT_REST: &str = "The character is at rest. Load the pose that their mesh was made in: \
+                       Pose ▸ Load Pose…";
+
 /// The panel. A vertex that is chosen in it is `marked`, and the camera goes there.
 pub(in crate::ui) fn show(
     root: &mut Ui,
@@ -170,9 +174,14 @@ impl Parts<'_> {
     fn found(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
         let palette = Palette::of(ui.visuals());
         let off = of_size(diagnosis.error);
+        let character = self.session.scene().character(self.compare.shape);
+        let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
+        if is_at_rest && diagnosis.verdict != Verdict::Right {
+            say(ui, AT_REST, palette.warning);
+        }
         match diagnosis.verdict {
             Verdict::Right => {
-                let text = format!("Right: this is the exact result, but for {off}.");
+                let text = format!("Right: this is the exact result to within {off}.");
                 return say(ui, &text, palette.strong);
             }
             Verdict::Explained => {
@@ -181,7 +190,7 @@ impl Parts<'_> {
                     let text = format!("Section {} · Look at {}", mistake.section, mistake.look_at);
                     say(ui, &text, palette.text);
                 }
-                let text = format!("With that, theirs is explained but for {off}.");
+                let text = format!("That explains theirs to within {off}.");
                 say(ui, &text, palette.weak);
             }
             Verdict::Unexplained => {
@@ -202,7 +211,10 @@ impl Parts<'_> {
         }
         if !diagnosis.same_as.is_empty() {
             let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
-            let text = format!("Or, the same here: {}", all.collect::<Vec<_>>().join(", "));
+            let text = format!(
+                "Indistinguishable here: {}",
+                all.collect::<Vec<_>>().join(", ")
+            );
             say(ui, &text, palette.weak);
         }
         let Some(first) = &diagnosis.first else {

@@ -3,6 +3,7 @@
 use crate::diagnose::{DiagnoseError, Diagnosis, MeshMeasure};
 use crate::editor::Session;
 use crate::math::Aabb;
+use crate::revision::Revision;
 use crate::scene::{Camera, FitArea, ShapeId};
 use glam::Vec3;
 
@@ -50,6 +51,8 @@ pub struct CompareMeshView<'a> {
     pub name: &'a str,
     /// The character.
     pub shape: ShapeId,
+    /// Revision of their mesh.
+    pub mesh: Revision,
     /// How the two are shown.
     pub shown: MeshesShown,
     /// Their vertices, in model space.

@@ -7,12 +7,20 @@ use crate::ui::widgets::{named, section};
 use egui::{Button, Label, RichText, Ui};
 use std::collections::BTreeSet;
 
-/// Shows the list by the sections of the assignment, the section of the formula first. A click makes a mistake, another ends it.
-pub(super) fn show(ui: &mut Ui, made: &mut Option<Made>) {
+/// Shows the list by the sections of the assignment, the section of the formula first. A click makes a
+/// mistake, another ends it. While a mesh `compares` itself with the character there is none to make.
+pub(super) fn show(ui: &mut Ui, compares: bool, made: &mut Option<Made>) {
     section(ui, "Make this mistake");
     let weak = Palette::of(ui.visuals()).weak;
-    let hint = "The view shows what comes of it. Nothing in the document changes.";
+    let hint = if compares {
+        "A mesh is compared with the character, which is therefore shown as it is."
+    } else {
+        "The view shows what comes of it. Nothing in the document changes."
+    };
     ui.add(Label::new(RichText::new(hint).small().color(weak)).wrap());
+    if compares {
+        return;
+    }
     let mut sections: Vec<&str> = MISTAKES.iter().map(|mistake| mistake.section).collect();
     let mut known = BTreeSet::new();
     sections.retain(|section| known.insert(*section));

@@ -47,6 +47,8 @@ pub(super) struct ExplainState {
     picked: Option<(ShapeId, usize)>,
     /// The mistake that is made on purpose.
     made: Option<Made>,
+    /// Whether a mesh is compared with the character, for which it has to be shown right.
+    compares: bool,
     /// The mesh with it.
     mistaken: Option<Mistaken>,
     /// The formula at work on the vertex.
@@ -56,6 +58,8 @@ pub(super) struct ExplainState {
     /// Joint whose row is under the pointer.
     hovered: Option<usize>,
     stepper: Stepper,
+    /// The vertex that is explained of a mesh until one is picked.
+    first_vertex: Option<(Revision, usize)>,
 }
 
 /// The character that is explained.
@@ -97,6 +101,14 @@ impl ExplainState {
             topic: self.topic,
             ..Self::default()
         };
+    }
+
+    /// Takes note of whether a mesh is compared with the character: no mistake is made then.
+    pub(super) fn set_compares(&mut self, compares: bool) {
+        self.compares = compares;
+        if compares {
+            self.made = None;
+        }
     }
 
     /// Ends the mistake that is made, or else closes the panel; whether there was anything to end.

@@ -94,7 +94,7 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             .show(ui, |ui| {
                 numbers(ui, session, state);
                 ui.separator();
-                mistakes::show(ui, &mut state.made);
+                mistakes::show(ui, state.compares, &mut state.made);
             });
         return;
     }
@@ -106,7 +106,7 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
         area("formula").show(ui, |ui| numbers(ui, session, state));
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
-        area("mistakes").show(ui, |ui| mistakes::show(ui, &mut state.made));
+        area("mistakes").show(ui, |ui| mistakes::show(ui, state.compares, &mut state.made));
     });
 }
 

@@ -154,7 +154,7 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
     sum.show(ui, columns, decimals, "Sum");
     if formula.sum != told.exact.sum {
         let off = number(formula.sum.distance(told.exact.sum), decimals);
-        let name = format!("v' if it were right, {off} away");
+        let name = format!("v' should be here, {off} away");
         let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
         exact.show(ui, columns, decimals, "Right");
     }

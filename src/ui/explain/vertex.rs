@@ -63,7 +63,7 @@ impl Told {
 impl ExplainState {
     /// The vertex that is explained: the one that was picked, or one where there is much to see: of those
     /// with several weights the farthest from the origin.
-    pub(super) fn vertex(&self, explained: &Explained) -> usize {
+    pub(super) fn vertex(&mut self, explained: &Explained) -> usize {
         let attachments = explained.shape.character.attachments();
         let picked = self.picked.filter(|&(shape, vertex)| {
             shape == explained.id && vertex < attachments.vertex_count()
@@ -71,7 +71,12 @@ impl ExplainState {
         if let Some((_, vertex)) = picked {
             return vertex;
         }
-        let positions = &explained.shape.character.bind_mesh().positions;
+        let mesh = explained.shape.character.bind_mesh();
+        let of = mesh.revision();
+        if let Some((_, vertex)) = self.first_vertex.filter(|(known, _)| *known == of) {
+            return vertex;
+        }
+        let positions = &mesh.positions;
         let tells = |vertex: &usize| {
             let influences = attachments.of_vertex(*vertex).iter();
             let heavy = influences.filter(|one| one.weight.abs() >= HEAVY);
@@ -80,7 +85,9 @@ impl ExplainState {
         let far = |vertex: &usize| positions[*vertex].length();
         let most = (0..attachments.vertex_count())
             .max_by(|a, b| tells(a).cmp(&tells(b)).then(far(a).total_cmp(&far(b))));
-        most.unwrap_or(0)
+        let vertex = most.unwrap_or(0);
+        self.first_vertex = Some((of, vertex));
+        vertex
     }
 
     /// Picks a vertex of a character.
@@ -90,13 +97,15 @@ impl ExplainState {
     }
 }
 
-/// Picks the vertex of a character that is clicked in the view, and selects that character; whether
-/// one was. With Ctrl or Shift a click is about the selection alone.
+/// Picks the vertex of a character that is clicked in the view, and selects that character, unless the
+/// click is on a bone, which `selects` itself; whether one was. With Ctrl or Shift a click is about the
+/// selection alone.
 pub(in crate::ui) fn pointer(
     view: &Response,
     places: &ScenePlaces,
     session: &Session,
     state: &mut ExplainState,
+    selects: bool,
     actions: &mut Vec<Action>,
 ) -> bool {
     let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
@@ -108,7 +117,7 @@ pub(in crate::ui) fn pointer(
         return false;
     };
     state.pick(shape, vertex);
-    if session.selected() != Some(shape) {
+    if !selects && session.selected() != Some(shape) {
         actions.push(Action::View(View::Select(Some(shape))));
     }
     true
