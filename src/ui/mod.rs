@@ -414,9 +414,10 @@ struct KeyPress {
     at: f64,
 }
 
-/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison, a mistake
-/// that is made on purpose, or the panel that explains, deselects the joint, deselects the shape, or ends the program. While the screenshot dialog is
-/// open, no other key works.
+/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison with a picture,
+/// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
+/// joint, deselects the shape, or ends the program. While the screenshot dialog is open, no other key
+/// works.
 fn press(
     command: Command,
     session: &Session,

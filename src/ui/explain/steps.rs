@@ -98,7 +98,7 @@ impl Stepper {
         self.lit
     }
 
-    /// Goes on by as many steps as are due at the time `now`, and notes the joint of the last of
+    /// Goes on by a step if one is due at the time `now`, and notes the joint of the last of
     /// `steps` that is done.
     pub(super) fn advance(&mut self, steps: &[StackStep], now: f64) {
         self.done = self.done.min(steps.len());
