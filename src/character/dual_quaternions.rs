@@ -171,6 +171,43 @@ mod tests {
     }
 
     #[test]
+    fn a_twisted_cylinder_keeps_its_volume_and_loses_most_of_it_by_linear_blending() {
+        use crate::geometry::enclosed_volume;
+        const RINGS: u32 = 32;
+        const SIDES: u32 = 16;
+        let (mut bind, mut attachments) = (Vec::new(), Attachments::new());
+        for ring in 0..=RINGS {
+            let along = ring as f32 / RINGS as f32;
+            for side in 0..SIDES {
+                let turn = Quat::from_rotation_x(side as f32 * 2.0 * PI / SIDES as f32);
+                bind.push(turn * Vec3::Y + Vec3::X * along * 4.0);
+                let weights = [(0, 1.0 - along), (1, along)];
+                attachments.push_vertex(weights.map(|(joint, weight)| Influence { joint, weight }));
+            }
+        }
+        let mut triangles = Vec::new();
+        for side in 0..SIDES {
+            let next = (side + 1) % SIDES;
+            for start in (0..RINGS).map(|ring| ring * SIDES) {
+                let [a, b, c, d] = [side, next, SIDES + next, SIDES + side].map(|v| v + start);
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+            let end = RINGS * SIDES;
+            triangles.extend([[0, next, side], [end, end + side, end + next]]);
+        }
+        let palette = [Mat4::IDENTITY, Mat4::from_rotation_x(PI)];
+        let volume = |positions: &[Vec3]| enclosed_volume(positions, &triangles).unwrap();
+        let kept = |positions: &[Vec3]| volume(positions) / volume(&bind);
+        let by_dual_quaternions = kept(&skin_positions(&palette, &attachments, &bind));
+        assert!(
+            (0.97..1.01).contains(&by_dual_quaternions),
+            "{by_dual_quaternions}"
+        );
+        let linearly = kept(&linear(&palette, &attachments, &bind));
+        assert!(linearly < 0.4, "{linearly}");
+    }
+
+    #[test]
     fn turns_on_either_side_of_half_a_turn_are_blended_the_short_way() {
         // 170° and 190° about x: their quaternions lie on opposite sides where one is made of -170°.
         let palette = [170.0_f32, -170.0].map(|angle| Mat4::from_rotation_x(angle.to_radians()));
