@@ -7,7 +7,7 @@ use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{
     CharacterDisplay, CurveSet, CurveShape, IkSettings, ModelDisplay, NewShape, Scene, ShapeColor,
-    ShapeId, ShapeKind, ViewSettings,
+    ShapeId, ShapeKind, SkinningMethod, ViewSettings,
 };
 use glam::Vec3;
 use proptest::prelude::*;
@@ -113,6 +113,10 @@ fn a_step_is_named_for_what_it_changed() {
         (
             vec![Edit::SetDisplay(MAN, skeleton)],
             "Change the display of Man",
+        ),
+        (
+            vec![Edit::SetSkinningMethod(MAN, SkinningMethod::DualQuaternion)],
+            "Change the skinning of Man",
         ),
         (vec![point(0.25)], "Edit curve"),
         (vec![Edit::AddCurve(CURVES, circle)], "Add curve2"),

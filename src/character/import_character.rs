@@ -1,4 +1,5 @@
 use super::bones::bones;
+use super::dual_quaternions;
 use super::skinning::{self, ConservativeBounds};
 use super::{
     Attachments, AttachmentsError, JointBone, Pose, SkeletalModel, Skinned, SkinningBlocks,
@@ -123,6 +124,27 @@ impl Character {
             Normals::PerVertex(bind) => {
                 let vertices = mesh.position_of_vertices().zip(bind.iter().copied());
                 Some(skinning::skin_normals(
+                    &palette,
+                    &self.attachments,
+                    vertices,
+                ))
+            }
+        };
+        Skinned { positions, normals }
+    }
+
+    /// Skinned vertices with the joints' frames at `model_from_joint`, with dual quaternions: the mesh
+    /// keeps its volume where joints twist. Scale and shear in a joint's matrix are left out.
+    pub fn skin_by_dual_quaternions(&self, model_from_joint: &[Mat4]) -> Skinned {
+        let palette = self.skeleton.palette(model_from_joint);
+        let mesh = &self.bind_mesh;
+        let positions =
+            dual_quaternions::skin_positions(&palette, &self.attachments, &mesh.positions);
+        let normals = match &mesh.normals {
+            Normals::Flat => None,
+            Normals::PerVertex(bind) => {
+                let vertices = mesh.position_of_vertices().zip(bind.iter().copied());
+                Some(dual_quaternions::skin_normals(
                     &palette,
                     &self.attachments,
                     vertices,

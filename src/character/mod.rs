@@ -5,6 +5,7 @@
 
 mod attachments;
 mod bones;
+mod dual_quaternions;
 mod facing;
 pub mod ik;
 mod import_character;

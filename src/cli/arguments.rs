@@ -8,7 +8,7 @@ use crate::editor::{Edit, Session};
 use crate::io::{Files, Loaded, PoseFile, builtin};
 use crate::scene::{
     BoneStyle, Camera, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
-    ShapeId, ShapeKind, Skinning, SurfaceVisibility, ViewDirection,
+    ShapeId, ShapeKind, Skinning, SkinningMethod, SurfaceVisibility, ViewDirection,
 };
 use std::path::{Path, PathBuf};
 
@@ -194,6 +194,28 @@ impl Influences {
                 .map(|id| Edit::LimitInfluences(id, 4))
                 .collect(),
         }
+    }
+}
+
+/// Way in which the meshes of characters follow their joints.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+pub(super) enum SkinningMethodName {
+    /// Linear blend skinning, the assignment's.
+    Lbs,
+    /// Dual quaternion skinning.
+    Dqs,
+}
+
+impl SkinningMethodName {
+    /// Edits that set the method of all characters of `session`.
+    pub fn edits(self, session: &Session) -> Vec<Edit> {
+        let method = match self {
+            Self::Lbs => SkinningMethod::LinearBlend,
+            Self::Dqs => SkinningMethod::DualQuaternion,
+        };
+        ids(session)
+            .map(|id| Edit::SetSkinningMethod(id, method))
+            .collect()
     }
 }
 

@@ -37,6 +37,10 @@ pub struct Args {
     /// Influences per vertex: all of the file, or the four largest
     #[arg(long, default_value = "all")]
     influences: arguments::Influences,
+    /// How meshes follow their joints: linear blending, or dual quaternions, which keep the volume of
+    /// what is twisted [default: lbs, or as the scene has it]
+    #[arg(long, value_name = "lbs|dqs")]
+    skinning_method: Option<arguments::SkinningMethodName>,
     #[command(flatten)]
     curves: arguments::CurveOptions,
     /// Write colors, pictures and normals too: OUT.mtl, and OUT-1.png and so on
@@ -64,6 +68,9 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let format = format(args)?;
     let mut session = load(&args.files, args.pose.as_deref())?;
     let mut edits = args.influences.edits(&session);
+    if let Some(method) = args.skinning_method {
+        edits.extend(method.edits(&session));
+    }
     edits.extend(args.curves.edits(&session));
     edit(&mut session, edits)?;
     let files = match format {

@@ -55,6 +55,10 @@ pub struct Args {
     /// Influences per vertex: all of the file, or the four largest.
     #[arg(long, default_value = "all")]
     influences: arguments::Influences,
+    /// How meshes follow their joints: linear blending, or dual quaternions, which keep the volume of
+    /// what is twisted [default: lbs, or as the scene has it].
+    #[arg(long, value_name = "lbs|dqs")]
+    skinning_method: Option<arguments::SkinningMethodName>,
     /// Light and background [default: course, or as the scene has it].
     #[arg(long)]
     look: Option<LookName>,
@@ -294,6 +298,9 @@ impl Painter<'_> {
 fn session(args: &Args) -> Result<Session, CliError> {
     let mut session = load(&args.files, args.pose.as_deref())?;
     let mut edits = args.influences.edits(&session);
+    if let Some(method) = args.skinning_method {
+        edits.extend(method.edits(&session));
+    }
     edits.extend(args.display.edits(&session));
     edit(&mut session, edits)?;
 

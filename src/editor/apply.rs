@@ -100,6 +100,9 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         Edit::SetVisible(id, visible) => on_shape(scene, id, |s| s.visible = visible),
         Edit::SetLocked(id, locked) => on_shape(scene, id, |s| s.locked = locked),
         Edit::SetDisplay(id, display) => on_character(scene, id, |c| c.display = display),
+        Edit::SetSkinningMethod(id, method) => {
+            on_character(scene, id, |c| c.set_skinning_method(method));
+        }
         Edit::LimitInfluences(id, most) => on_character(scene, id, |c| c.limit_influences(most)),
         Edit::SetJointAngle {
             shape,

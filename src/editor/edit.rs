@@ -4,7 +4,7 @@ use crate::geometry::Curve;
 use crate::math::{Euler, Transform};
 use crate::scene::{
     Camera, CharacterDisplay, CurveDisplay, FitArea, IkSettings, Look, NewShape, Shading,
-    ShapeColor, ShapeId, ShapeKind, Source, ViewDirection,
+    ShapeColor, ShapeId, ShapeKind, SkinningMethod, Source, ViewDirection,
 };
 use glam::Vec3;
 
@@ -34,6 +34,8 @@ pub enum Edit {
     SetLocked(ShapeId, bool),
     /// Sets the display options of a character.
     SetDisplay(ShapeId, CharacterDisplay),
+    /// Sets the way in which the mesh of a character follows its joints.
+    SetSkinningMethod(ShapeId, SkinningMethod),
     /// Limits the number of influences per vertex of a character (see
     /// [`crate::character::Character::limited`]).
     LimitInfluences(ShapeId, usize),

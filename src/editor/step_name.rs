@@ -130,6 +130,9 @@ fn altered_character(was: &CharacterShape, is: &CharacterShape, name: &str) -> N
             only.map_or_else(|| name.to_owned(), |pose| pose.name.clone()),
         );
     }
+    if was.skinning_method() != is.skinning_method() {
+        return ("Change the skinning of", name.to_owned());
+    }
     if was.ik.pins != is.ik.pins {
         let mut differ = was.ik.pins.symmetric_difference(&is.ik.pins);
         let verb = if is.ik.pins.len() > was.ik.pins.len() {

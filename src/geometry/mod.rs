@@ -16,6 +16,7 @@ mod surface;
 mod teapot;
 mod triangle_tree;
 mod triangulate;
+mod volume;
 
 pub use bone_box::{BONE_HALF_WIDTH, cuboid_from_unit};
 pub use cube::cube;
@@ -31,3 +32,4 @@ pub use surface::{generalized_cylinder, surface_of_revolution, wireframe};
 pub use teapot::teapot;
 pub use triangle_tree::{TriangleBoxes, TriangleOrder};
 pub use triangulate::Triangulator;
+pub use volume::enclosed_volume;

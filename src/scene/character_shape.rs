@@ -11,15 +11,27 @@ pub struct CharacterShape {
     pub character: Arc<Character>,
     /// Current pose, changed by [`CharacterShape::set_pose`] alone.
     pose: Pose,
-    /// Revision of everything that the deformed mesh follows from: character and pose.
+    /// Revision of everything that the deformed mesh follows from: character, pose and skinning method.
     revision: Revision,
     poses: Vec<KeptPose>,
     /// Settings of inverse kinematics, with its pins.
     pub ik: IkSettings,
+    skinning_method: SkinningMethod,
     /// Display options.
     pub display: CharacterDisplay,
     /// What was saved about joints that it does not have.
     pub missing_joints: Arc<MissingJoints>,
+}
+
+/// Way in which a character's mesh follows its joints.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SkinningMethod {
+    /// The assignment's: the weighted sum of where each joint takes a vertex.
+    #[default]
+    LinearBlend,
+    /// Dual quaternions: a rigid motion blended from those of the joints.
+    DualQuaternion,
 }
 
 /// Display options of a character.
@@ -88,6 +100,7 @@ impl PartialEq for CharacterShape {
             && self.pose == other.pose
             && self.poses == other.poses
             && self.ik == other.ik
+            && self.skinning_method == other.skinning_method
             && self.display == other.display
             && self.missing_joints == other.missing_joints
     }
@@ -102,6 +115,7 @@ impl CharacterShape {
             revision: Revision::new(),
             poses: Vec::new(),
             ik: IkSettings::default(),
+            skinning_method: SkinningMethod::default(),
             display: CharacterDisplay::default(),
             missing_joints: Arc::default(),
         }
@@ -176,6 +190,19 @@ impl CharacterShape {
     pub fn set_pose(&mut self, pose: Pose) {
         if pose != self.pose {
             self.pose = pose;
+            self.revision = Revision::new();
+        }
+    }
+
+    /// Way in which the mesh follows the joints.
+    pub fn skinning_method(&self) -> SkinningMethod {
+        self.skinning_method
+    }
+
+    /// Sets the way in which the mesh follows the joints. An equal one does not change the revision.
+    pub fn set_skinning_method(&mut self, method: SkinningMethod) {
+        if method != self.skinning_method {
+            self.skinning_method = method;
             self.revision = Revision::new();
         }
     }

@@ -1,7 +1,7 @@
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
+use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind, SkinningMethod};
 use crate::character::{Character, Skinned, StickFigure};
-use crate::geometry::{Normals, SharedMesh, TriangleBoxes};
+use crate::geometry::{Normals, SharedMesh, TriangleBoxes, enclosed_volume};
 use crate::math::{Aabb, Ray, TriangleHit};
 use crate::revision::Revision;
 use glam::{Mat4, Vec3};
@@ -50,6 +50,8 @@ pub struct EvaluatedGeometry {
     pub(super) bounds: OnceLock<Aabb>,
     /// Boxes over the triangles for rays.
     pub(super) boxes: OnceLock<TriangleBoxes>,
+    /// See [`EvaluatedGeometry::volume_kept`].
+    pub(super) volume_kept: OnceLock<Option<f64>>,
 }
 
 impl EvaluatedGeometry {
@@ -64,6 +66,7 @@ impl EvaluatedGeometry {
             fixed_bounds: bounds,
             bounds: OnceLock::new(),
             boxes: OnceLock::new(),
+            volume_kept: OnceLock::new(),
         }
     }
 
@@ -81,6 +84,7 @@ impl EvaluatedGeometry {
             revision: Revision::new(),
             bounds: OnceLock::new(),
             boxes: OnceLock::new(),
+            volume_kept: OnceLock::new(),
             ..self.clone()
         })
     }
@@ -109,6 +113,16 @@ impl EvaluatedGeometry {
                 self.fixed_bounds.union(Aabb::from_points(deformed))
             }
             None => self.fixed_bounds,
+        })
+    }
+
+    /// Volume of the mesh relative to that of the bind pose; `None` if the mesh is not closed.
+    pub fn volume_kept(&self) -> Option<f64> {
+        *self.volume_kept.get_or_init(|| {
+            let triangles = &self.mesh.triangles;
+            let bind = enclosed_volume(&self.mesh.positions, triangles)?;
+            let kept = enclosed_volume(self.positions(), triangles)? / bind;
+            kept.is_finite().then_some(kept)
         })
     }
 
@@ -247,7 +261,11 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
     let around_joints = Aabb::from_points(figure.joints.iter().copied());
     let mesh = character.bind_mesh().clone();
     EvaluatedGeometry {
-        deformation: Some(Deformation::new(character.clone(), model_from_joint)),
+        deformation: Some(Deformation::new(
+            character.clone(),
+            model_from_joint,
+            shape.skinning_method(),
+        )),
         figure: Some(figure),
         ..EvaluatedGeometry::rigid(mesh, around_joints, shape.revision_at(time))
     }
@@ -262,23 +280,27 @@ pub struct Deformation {
     character: Arc<Character>,
     model_from_joint: Vec<Mat4>,
     skinned: OnceLock<Skinned>,
-    /// Whether the vertices follow from the frames by the exact formula.
+    /// Way in which the vertices follow from the frames.
+    method: SkinningMethod,
+    /// Whether the vertices follow from the frames by the exact formula of linear blending.
     is_exact: bool,
 }
 
 impl Deformation {
-    /// Deformation of `character` with the joints' frames at `model_from_joint`, one per joint.
-    fn new(character: Arc<Character>, model_from_joint: Vec<Mat4>) -> Self {
+    /// Deformation of `character` by `method` with the joints' frames at `model_from_joint`, one per
+    /// joint.
+    fn new(character: Arc<Character>, model_from_joint: Vec<Mat4>, method: SkinningMethod) -> Self {
         Self {
             character,
             model_from_joint,
             skinned: OnceLock::new(),
-            is_exact: true,
+            method,
+            is_exact: method == SkinningMethod::LinearBlend,
         }
     }
 
-    /// Whether the vertices follow from the frames by the exact formula, as a vertex shader computes
-    /// it; see [`EvaluatedGeometry::with_vertices`].
+    /// Whether the vertices follow from the frames by the exact formula of linear blending, as a
+    /// vertex shader computes it; not so with dual quaternions, nor after [`EvaluatedGeometry::with_vertices`].
     pub fn is_exact(&self) -> bool {
         self.is_exact
     }
@@ -299,8 +321,12 @@ impl Deformation {
     }
 
     fn skinned(&self) -> &Skinned {
-        self.skinned
-            .get_or_init(|| self.character.skin(&self.model_from_joint))
+        self.skinned.get_or_init(|| match self.method {
+            SkinningMethod::LinearBlend => self.character.skin(&self.model_from_joint),
+            SkinningMethod::DualQuaternion => {
+                (self.character).skin_by_dual_quaternions(&self.model_from_joint)
+            }
+        })
     }
 
     /// Deformed positions, as many as the mesh has, in model space.
@@ -313,9 +339,15 @@ impl Deformation {
         self.skinned().normals.as_deref()
     }
 
-    /// Box that contains the mesh, in model space, found without skinning a vertex.
+    /// Box that contains the mesh, in model space, found without skinning a vertex where
+    /// they are blended linearly. With dual quaternions vertices bulge out of that box, and count.
     pub fn conservative_bounds(&self) -> Aabb {
-        self.character.conservative_bounds(&self.model_from_joint)
+        match self.method {
+            SkinningMethod::LinearBlend => {
+                self.character.conservative_bounds(&self.model_from_joint)
+            }
+            SkinningMethod::DualQuaternion => Aabb::from_points(self.positions().iter().copied()),
+        }
     }
 
     /// Whether the positions have been computed.

@@ -24,7 +24,7 @@ pub use box_picking::pick_in_box;
 pub use camera::Camera;
 pub use camera_fit::FitArea;
 pub use character_shape::{
-    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay,
+    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay, SkinningMethod,
 };
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
 pub use color_scale::{SCALE_GRAY, scale_color};

@@ -5,7 +5,8 @@ use super::widgets::{choice, labelled, named, section};
 use super::{Action, Ask};
 use crate::editor::Edit;
 use crate::scene::{
-    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, ShapeId,
+    BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, ModelDisplay,
+    ShapeId, SkinningMethod,
 };
 use egui::{Button, CollapsingHeader, TextEdit, Ui, vec2};
 
@@ -84,6 +85,41 @@ fn skeleton(ui: &mut Ui, display: CharacterDisplay, changed: &mut CharacterDispl
 fn beside(ui: &mut Ui, field: NumberField) -> Option<f32> {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     field.show(ui, size)
+}
+
+/// How the mesh follows the joints, and how much of its volume is left.
+pub(super) fn skinning(
+    ui: &mut Ui,
+    id: ShapeId,
+    character: &CharacterShape,
+    geometry: Option<&EvaluatedGeometry>,
+    actions: &mut Vec<Action>,
+) {
+    let method = character.skinning_method();
+    let header = CollapsingHeader::new("Skinning").id_salt("skinning");
+    header.show(ui, |ui| {
+        let mut changed = method;
+        let methods = [
+            (
+                SkinningMethod::LinearBlend,
+                "Linear Blend",
+                "Add up where each joint takes a vertex, by weight: the assignment's formula",
+            ),
+            (
+                SkinningMethod::DualQuaternion,
+                "Dual Quaternion",
+                "Blend the joints' motions into one that keeps the volume of what is twisted",
+            ),
+        ];
+        choice(ui, &mut changed, &methods);
+        if changed != method {
+            actions.push(Action::Edit(Edit::SetSkinningMethod(id, changed)));
+        }
+        if let Some(kept) = geometry.and_then(EvaluatedGeometry::volume_kept) {
+            let volume = ui.label(format!("Volume {:.1} % of the bind pose", kept * 100.0));
+            volume.on_hover_text("Signed volume inside the mesh, shown for closed meshes");
+        }
+    });
 }
 
 /// Poses kept with a character: a click applies one.

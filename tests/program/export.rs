@@ -36,6 +36,32 @@ fn a_posed_character_is_written_in_the_order_of_its_file() {
 }
 
 #[test]
+fn dual_quaternions_are_asked_for_on_the_command_line() {
+    let folder = folder();
+    let export = |method: &str| {
+        let arguments = ["export", "man.obj", "--pose", "bend.json", "-o", "out.obj"];
+        let arguments = [&arguments[..], &["--skinning-method", method]].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        (ran.code, vertices(&folder.path().join("out.obj")))
+    };
+    // The second vertex has weights that sum up to less than one: linear blending shrinks it.
+    let (linear, dual) = (export("lbs"), export("dqs"));
+    assert_eq!((linear.0, dual.0), (Some(0), Some(0)));
+    assert_eq!(linear.1[1], [0.25, 0.5, 0.0]);
+    assert_ne!(dual.1[1], linear.1[1]);
+    assert_eq!(export("other").0, Some(2));
+    let picture = [
+        "render",
+        "man.obj",
+        "--skinning-method",
+        "dqs",
+        "-o",
+        "out.png",
+    ];
+    assert_eq!(editor_in(folder.path(), &picture).code, Some(0));
+}
+
+#[test]
 fn a_scene_is_written_in_the_world_and_can_be_read_again() {
     let folder = folder();
     let ran = editor_in(folder.path(), &["export", "a.scene", "-o", "out.obj"]);

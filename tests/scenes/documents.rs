@@ -8,7 +8,8 @@ use editor_core::math::{Euler, Transform};
 use editor_core::scene::{
     BoneStyle, Camera, CharacterDisplay, CharacterShape, CurveDisplay, CurveItemKind, CurveSet,
     CurveShape, CurveVisibility, IkPole, IkSettings, JointStyle, KeptPose, Look, ModelDisplay,
-    NewShape, Placement, Scene, Shading, ShapeColor, ShapeKind, SurfaceVisibility, ViewSettings,
+    NewShape, Placement, Scene, Shading, ShapeColor, ShapeKind, SkinningMethod, SurfaceVisibility,
+    ViewSettings,
 };
 use glam::Vec3;
 use proptest::collection::{btree_set, vec};
@@ -128,16 +129,19 @@ pub struct Dress {
     kept: Vec<(String, JointList)>,
     ik: IkSettings,
     display: CharacterDisplay,
+    skinning_method: SkinningMethod,
 }
 
 fn dress() -> impl Strategy<Value = Dress> {
     let kept = vec((name(), joints()), 0..3);
-    let parts = (joints(), kept, ik(), character_display());
-    parts.prop_map(|(pose, kept, ik, display)| Dress {
+    let methods = vec![SkinningMethod::LinearBlend, SkinningMethod::DualQuaternion];
+    let parts = (joints(), kept, ik(), character_display(), select(methods));
+    parts.prop_map(|(pose, kept, ik, display, skinning_method)| Dress {
         pose,
         kept,
         ik,
         display,
+        skinning_method,
     })
 }
 
@@ -157,6 +161,7 @@ impl Dress {
             pins,
             ..self.ik.clone()
         };
+        shape.set_skinning_method(self.skinning_method);
         shape.display = self.display;
     }
 }

@@ -4,6 +4,7 @@ use super::{Story, differing};
 use crate::collada::support::{instance, static_document, triangle};
 use editor_core::editor::Severity;
 use editor_core::program::{Purpose, StorageKey};
+use editor_core::scene::SkinningMethod;
 use editor_core::scene::bones_in_world;
 use egui::{Key, Modifiers, Pos2, pos2, vec2};
 use glam::Vec3;
@@ -15,6 +16,24 @@ fn end_of_bone(story: &Story, joint: usize) -> Pos2 {
     let mut bones = bones_in_world(session.scene(), shape);
     let (.., end) = bones.find(|bone| bone.0 == joint).expect("a bone");
     story.at(end)
+}
+
+#[test]
+fn a_character_is_skinned_with_dual_quaternions_until_it_is_undone() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let method = |story: &Story| {
+        let shape = &story.session().scene().shapes()[0];
+        let editor_core::scene::ShapeKind::Character(character) = &shape.kind else {
+            panic!("expected a character");
+        };
+        character.skinning_method()
+    };
+    assert_eq!(method(&story), SkinningMethod::LinearBlend);
+    story.click("Skinning");
+    story.click("Dual Quaternion");
+    assert_eq!(method(&story), SkinningMethod::DualQuaternion);
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(method(&story), SkinningMethod::LinearBlend);
 }
 
 #[test]

@@ -11,6 +11,7 @@ use crate::io::pose_data::{Entries, Key, key};
 use crate::io::pose_file::{Misfit, find_joint};
 use crate::scene::{
     CharacterDisplay, CharacterShape, IkPole, IkSettings, KeptPose, MissingJoints, MissingPose,
+    SkinningMethod,
 };
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor};
@@ -25,6 +26,7 @@ pub(super) struct CharacterData {
     pose: ExactPose,
     poses: KeptPoses,
     ik: IkData,
+    skinning_method: SkinningMethod,
     display: CharacterDisplay,
 }
 
@@ -138,6 +140,7 @@ impl CharacterData {
                     .chain(missing.pins.iter().map(|name| Key::named(name)))
                     .collect(),
             },
+            skinning_method: shape.skinning_method(),
             display: shape.display,
         }
     }
@@ -155,6 +158,7 @@ impl CharacterData {
         let kept = kept.collect();
         shape.set_poses(kept);
         shape.ik = self.ik.settings(skeleton, &mut misfits);
+        shape.set_skinning_method(self.skinning_method);
         shape.missing_joints = Arc::new(self.missing(skeleton));
         set_display(shape, self.display);
         misfits
@@ -185,6 +189,9 @@ impl CharacterData {
         }
         members.push_some("poses", poses);
         members.push_some("ik", self.ik.members());
+        if self.skinning_method != SkinningMethod::default() {
+            members.push("skinning_method", word(self.skinning_method));
+        }
         members.push_some("display", display_members(&self.display));
         members
     }
