@@ -46,8 +46,8 @@ impl DualQuaternion {
             let motion = &motions[influence.joint as usize];
             let is_antipodal = motion.real.dot(pivot.real) < 0.0;
             let weight = influence.weight * if is_antipodal { -1.0 } else { 1.0 };
-            real = real + motion.real * weight;
-            dual = dual + motion.dual * weight;
+            real += motion.real * weight;
+            dual += motion.dual * weight;
         }
         let norm = real.length();
         Some(if norm > SMALLEST_NORM {

@@ -11,7 +11,7 @@ use crate::geometry::{Mesh, SharedMesh};
 use crate::io::{self, Files};
 use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
 use crate::revision::Revision;
-use crate::scene::{EvaluatedGeometry, ShapeId, VertexNumbers};
+use crate::scene::{EvaluatedGeometry, ShapeId, SkinningMethod, VertexNumbers};
 use crate::ui::{CompareMeshAction, CompareMeshView, Legend, MeshesShown};
 use glam::Vec3;
 use std::path::Path;
@@ -87,7 +87,11 @@ impl MeshComparison {
             return false;
         };
         let geometry = &evaluated.geometry;
-        if session.opened() != self.opened || !may_be_of(&character.character, self.theirs.len()) {
+        let is_linear = character.skinning_method() == SkinningMethod::LinearBlend;
+        if session.opened() != self.opened
+            || !is_linear
+            || !may_be_of(&character.character, self.theirs.len())
+        {
             return false;
         }
         if self.pose.is_some_and(|(of, _)| of == geometry.revision) {
@@ -259,6 +263,13 @@ impl Program {
         let ours = scene
             .shape(shape)
             .map_or("the character", |shape| &shape.name);
+        if character.skinning_method() != SkinningMethod::LinearBlend {
+            let text = format!(
+                "{name} is not compared with {ours}, which is skinned with dual quaternions: \
+                 choose Linear Blend in its panel"
+            );
+            return self.tell(Severity::Error, text);
+        }
         if !may_be_of(&character.character, found) {
             let expected = character.character.bind_mesh().positions.len();
             let text = format!(

@@ -5,7 +5,7 @@ use crate::diagnose::figures::{Figure, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity};
 use editor_core::program::Purpose;
-use editor_core::scene::{SCALE_GRAY, ShapeKind, scale_color};
+use editor_core::scene::{SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 use std::fmt::Write;
@@ -320,6 +320,22 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn a_comparison_is_with_linear_blending_alone() {
+    let mut story = comparing(&RIGHT);
+    let id = story.session().scene().shapes()[0].id;
+    let edit = Edit::SetSkinningMethod(id, SkinningMethod::DualQuaternion);
+    story.program.session_mut().edit(edit).expect("a method");
+    story.settle();
+    assert!(!story.has("Stop comparing with the mesh"), "it has ended");
+    story.key_with(Modifiers::SHIFT, Key::F8);
+    story.choose("mine.obj");
+    assert!(!story.has("Stop comparing with the mesh"));
+    let (severity, text) = story.messages()[story.messages().len() - 1];
+    assert_eq!(severity, Severity::Error);
+    assert!(text.contains("is skinned with dual quaternions"), "{text}");
 }
 
 #[test]

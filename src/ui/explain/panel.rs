@@ -2,6 +2,7 @@
 
 use super::{ExplainState, Topic, mistakes, stack, table, words};
 use crate::editor::Session;
+use crate::scene::SkinningMethod;
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
@@ -128,6 +129,11 @@ fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
         line(ui, &current, 12.5);
         line(ui, &bind, 12.5);
     });
+    if explained.shape.skinning_method() != SkinningMethod::LinearBlend {
+        let hint = "The character is skinned with dual quaternions; this is linear blending.";
+        let color = Palette::of(ui.visuals()).warning;
+        ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+    }
     ui.add_space(2.0);
     let mut chosen = None;
     ui.horizontal_wrapped(|ui| {
