@@ -4,6 +4,10 @@
 use crate::geometry::Picture;
 use glam::Vec3;
 
+/// The most pixels of triangles that are looked at in one picture, about a second: a file may have
+/// millions of triangles that each cover all of it.
+const MOST_WORK: usize = 200_000_000;
+
 /// A color of red, green and blue.
 pub(super) type Color = [u8; 3];
 
@@ -14,6 +18,8 @@ pub(super) struct Canvas {
     height: usize,
     pixels: Vec<Color>,
     depths: Vec<f32>,
+    /// How many pixels of triangles may still be looked at.
+    left: usize,
 }
 
 impl Canvas {
@@ -24,6 +30,7 @@ impl Canvas {
             height,
             pixels: vec![background; width * height],
             depths: vec![f32::NEG_INFINITY; width * height],
+            left: MOST_WORK,
         }
     }
 
@@ -33,7 +40,7 @@ impl Canvas {
     }
 
     /// Draws a triangle in pixels from the upper left with Z toward the viewer. `color` gets the weights
-    /// of the three corners.
+    /// of the three corners. Draws nothing once the picture has spent its share of work.
     pub(super) fn triangle(&mut self, corners: [Vec3; 3], color: impl Fn(Vec3) -> Color) {
         let [a, b, c] = corners.map(Vec3::truncate);
         let area = (b - a).perp_dot(c - a);
@@ -43,8 +50,15 @@ impl Canvas {
         }
         // Conversions stop at 0 and at the largest number, and make 0 of what is no number.
         let end = |most: f32, side: usize| (most.ceil() as usize).min(side);
-        for y in low.y.max(0.0) as usize..end(high.y, self.height) {
-            for x in low.x.max(0.0) as usize..end(high.x, self.width) {
+        let rows = low.y.max(0.0) as usize..end(high.y, self.height);
+        let columns = low.x.max(0.0) as usize..end(high.x, self.width);
+        let Some(left) = self.left.checked_sub(rows.len() * columns.len()) else {
+            self.left = 0;
+            return;
+        };
+        self.left = left;
+        for y in rows {
+            for x in columns.clone() {
                 let pixel = glam::Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
                 let weights = Vec3::new(
                     (c - b).perp_dot(pixel - b),
@@ -108,6 +122,18 @@ mod tests {
         let picture = draw([near, far]);
         assert_eq!(picture, draw([far, near]));
         assert_eq!(picture.rgba, [1, 2, 3, 255].repeat(16));
+    }
+
+    #[test]
+    fn triangles_beyond_the_most_work_are_not_drawn() {
+        let mut canvas = Canvas::new([4, 4], [9, 9, 9]);
+        canvas.left = 40;
+        let whole =
+            |z: f32| [(-9.0, -9.0), (20.0, -9.0), (-9.0, 20.0)].map(|(x, y)| Vec3::new(x, y, z));
+        for z in 1..=4_u8 {
+            canvas.triangle(whole(f32::from(z)), |_| [z; 3]);
+        }
+        assert_eq!(canvas.into_picture().rgba, [2, 2, 2, 255].repeat(16));
     }
 
     #[test]

@@ -43,8 +43,16 @@ fn line(csv: &mut String, cells: impl Iterator<Item = String>) {
     *csv += "\r\n";
 }
 
-/// A cell, in quotes where it needs them.
+/// A cell, in quotes where it needs them. An apostrophe keeps spreadsheets from running a text as a
+/// formula.
 fn quoted(cell: &str) -> String {
+    let is_formula = cell.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    let is_number = cell.parse::<f64>().is_ok();
+    let cell = if is_formula && !is_number {
+        format!("'{cell}")
+    } else {
+        cell.to_owned()
+    };
     if cell.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {

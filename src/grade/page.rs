@@ -91,10 +91,10 @@ impl Page {
         match open.count() {
             0 => {}
             1 => self.add(format_args!(
-                " One still lacks points that are given by hand."
+                " One submission still needs points given by hand."
             )),
             open => self.add(format_args!(
-                " {open} still lack points that are given by hand."
+                " {open} submissions still need points given by hand."
             )),
         }
         self.add(format_args!("</p>\n"));
@@ -340,7 +340,8 @@ impl Page {
     /// A PNG in Base64.
     fn picture(&mut self, png: Option<&str>, shown: &str) {
         if let Some(png) = png {
-            let shown = Escaped(shown);
+            // A part that is merged may hold anything.
+            let (shown, png) = (Escaped(shown), Escaped(png));
             self.add(format_args!(
                 "<img alt=\"{shown}\" src=\"data:image/png;base64,{png}\"/>"
             ));

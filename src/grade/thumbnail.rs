@@ -98,7 +98,12 @@ impl<'a> MeshThumbnail<'a> {
             &mut canvas,
             &frame,
             &theirs.positions,
-            &theirs.triangles,
+            // The exact triangles fit the same vertices; a file may have any number of its own.
+            if has_pairs {
+                self.triangles
+            } else {
+                &theirs.triangles
+            },
             |corners, weights| {
                 let errors = Vec3::from_array(corners.map(|corner| errors[corner as usize]));
                 match weights.dot(errors) {

@@ -108,3 +108,26 @@ fn a_program_is_run_again_only_if_something_of_its_folder_has_changed() {
     class.graded();
     assert_eq!(runs(), 2);
 }
+
+#[test]
+fn a_program_is_run_again_if_a_huge_file_or_a_link_in_its_folder_has_changed() {
+    let class = class(&[("ada", "echo run >> ../../runs; cp ../../right.obj \"$3\"")]);
+    let runs = || class.read("runs").len() / "run\n".len();
+    let huge = class.path().join("class/ada/huge");
+    let resize = |mib: u64| fs::File::create(&huge).unwrap().set_len(mib << 20).unwrap();
+    resize(65);
+    class.graded();
+    class.graded();
+    assert_eq!(runs(), 1);
+    resize(66);
+    class.graded();
+    assert_eq!(runs(), 2);
+    let link = class.path().join("class/ada/link");
+    std::os::unix::fs::symlink("nowhere", &link).unwrap();
+    class.graded();
+    assert_eq!(runs(), 3);
+    fs::remove_file(&link).unwrap();
+    std::os::unix::fs::symlink("elsewhere", &link).unwrap();
+    class.graded();
+    assert_eq!(runs(), 4);
+}

@@ -4,6 +4,7 @@ mod class;
 #[cfg(unix)]
 mod commands;
 mod files;
+mod hostile;
 mod parts;
 mod report;
 mod support;

@@ -1,12 +1,12 @@
 //! What a report folder keeps of a run: results by submission, so that a run that is started again
-//! goes on where it was, and parts can be joined.
+//! resumes where it stopped, and parts can be joined.
 
 use crate::disk::{self, Disk};
 use crate::grade::Graded;
 use crate::io::{Diagnostic, Files};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Version of what is kept and of how it is graded; results of another one are graded anew.
 pub(super) const VERSION: u32 = 1;
@@ -61,9 +61,9 @@ impl Store {
         self.folder.join("kept").join("submissions").join(file)
     }
 
-    /// Whether this is the folder of a report.
+    /// Whether this is the folder of a finished report.
     pub fn is_there(&self) -> bool {
-        self.folder.join("kept").join("submissions").is_dir()
+        self.run_path().is_file()
     }
 
     /// Makes the folders.
@@ -90,15 +90,23 @@ impl Store {
     /// The run whose report this is.
     ///
     /// # Errors
-    /// If there is none, or it is of another version.
+    /// If there is none, it is of another version, or a submission is not named like a folder.
     pub fn run(&self) -> Result<KeptRun, Diagnostic> {
         let wrong = |message: &str| Diagnostic::new(&self.folder, message);
         let read = Disk.read(&self.run_path());
         let bytes =
             read.map_err(|_| wrong("expected the finished report of `editor grade`, found none"))?;
         let run: Option<KeptRun> = serde_json::from_slice(&bytes).ok();
-        run.filter(|run| run.version == VERSION)
-            .ok_or_else(|| wrong("expected a report of this version of `editor grade`"))
+        let run = run
+            .filter(|run| run.version == VERSION)
+            .ok_or_else(|| wrong("expected a report of this version of `editor grade`"))?;
+        // Results are read and written under these names.
+        match run.submissions.iter().find(|name| !is_folder_name(name)) {
+            Some(name) => Err(wrong(&format!(
+                "expected the name of a folder, found “{name}”"
+            ))),
+            None => Ok(run),
+        }
     }
 
     /// # Errors
@@ -112,4 +120,11 @@ impl Store {
         let json = json.map_err(|error| Diagnostic::new(path, error.to_string()))?;
         disk::write_whole(path, &json)
     }
+}
+
+/// Whether `name` is one part of a path, which leads to no other folder.
+fn is_folder_name(name: &str) -> bool {
+    let mut parts = Path::new(name).components();
+    let first = parts.next();
+    first == Some(Component::Normal(name.as_ref())) && parts.next().is_none()
 }

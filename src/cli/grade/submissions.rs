@@ -2,6 +2,7 @@
 
 use super::kept::Store;
 use crate::cli::CliError;
+use crate::cli::output::eprint_line;
 use crate::disk::in_words;
 use crate::io::Diagnostic;
 use std::path::{Path, PathBuf};
@@ -51,7 +52,7 @@ impl Part {
     }
 }
 
-/// The submissions in `folder` by name: its folders but for hidden ones and reports.
+/// The submissions in `folder` by name: its folders but for hidden ones and finished reports.
 ///
 /// # Errors
 /// If it cannot be read, has none, or a name is not in UTF-8.
@@ -66,7 +67,12 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
-        if !path.is_dir() || Store::new(&path).is_there() {
+        if !path.is_dir() {
+            continue;
+        }
+        if Store::new(&path).is_there() {
+            let path = path.display();
+            eprint_line(format_args!("{path}: left out, since it is a report"));
             continue;
         }
         let Some(name) = path.file_name().and_then(|name| name.to_str()) else {

@@ -9,6 +9,7 @@ use crate::disk::{ScratchFolder, read_at_most};
 use crate::grade::{Graded, Outcome, Test};
 use crate::io::Diagnostic;
 use std::collections::BTreeMap;
+use std::io::Read;
 use std::num::NonZeroUsize;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -80,7 +81,8 @@ impl Work<'_> {
         });
         drop(progress);
         if is_interrupted.load(Ordering::Relaxed) {
-            let message = "interrupted; started again with the same report it goes on where it was";
+            let message =
+                "interrupted; started again with the same report it resumes where it stopped";
             return Err(CliError::Other(message.to_owned()));
         }
         let done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
@@ -200,9 +202,14 @@ impl Work<'_> {
 
 /// The content of the file at `path`, called `name`, or what there is in its place.
 fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
-    if std::fs::symlink_metadata(path).is_err() {
+    let Ok(metadata) = std::fs::symlink_metadata(path) else {
         let text = format!("there is no {name}");
         return Err(Graded::without(Outcome::Missing, text));
+    };
+    // It may lead to the file of another submission.
+    if metadata.is_symlink() {
+        let text = format!("{name}: expected a file, found a symbolic link");
+        return Err(Graded::without(Outcome::Unreadable, text));
     }
     read_at_most(path, LARGEST).map_err(|diagnostic| {
         let told = Diagnostic {
@@ -238,12 +245,39 @@ fn fingerprint_of_folder(folder: &Path) -> String {
     files.sort();
     let mut all = crc32fast::Hasher::new();
     for path in &files {
-        let bytes = read_at_most(path, LARGEST).unwrap_or_default();
+        let content = fingerprint_on_disk(path).unwrap_or_else(|error| error.kind().to_string());
         let name = path.strip_prefix(folder).unwrap_or(path).as_os_str();
         all.update(name.as_encoded_bytes());
-        all.update(fingerprint(&bytes).as_bytes());
+        all.update(content.as_bytes());
     }
     format!("{}-{:08x}", files.len(), all.finalize())
+}
+
+/// The same for what is at `path`: a file of any size, a link by where it leads, or anything else by
+/// its kind.
+fn fingerprint_on_disk(path: &Path) -> std::io::Result<String> {
+    let metadata = std::fs::symlink_metadata(path)?;
+    if metadata.is_symlink() {
+        let target = std::fs::read_link(path)?;
+        let target = fingerprint(target.as_os_str().as_encoded_bytes());
+        return Ok(format!("link-{target}"));
+    }
+    // Opening a pipe would wait until someone writes to it.
+    if !metadata.is_file() {
+        return Ok("special".to_owned());
+    }
+    let mut file = std::fs::File::open(path)?;
+    let (mut digest, mut length) = (crc32fast::Hasher::new(), 0);
+    let mut block = vec![0; 1 << 16];
+    loop {
+        match file.read(&mut block)? {
+            0 => return Ok(format!("{length}-{:08x}", digest.finalize())),
+            read => {
+                digest.update(&block[..read]);
+                length += read;
+            }
+        }
+    }
 }
 
 /// What is done and what is left, in words.

@@ -67,7 +67,7 @@ pub(super) fn run(
     let how = match (status.code(), status.signal()) {
         (Some(code), _) => format!("the command ended with exit code {code}"),
         (None, Some(signal)) => format!("the command crashed with {}", signal_name(signal)),
-        (None, None) => "the command did not end in order".to_owned(),
+        (None, None) => "the command ended abnormally".to_owned(),
     };
     let text = String::from_utf8_lossy(&printed);
     Err(CommandFailure::Failed(match text.trim() {
