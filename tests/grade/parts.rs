@@ -1,4 +1,4 @@
-//! Runs that go on where another one was, and parts that are joined.
+//! Runs that resume where another one stopped, and parts that are joined.
 
 use crate::diagnose::student::{RIGHT, with};
 use crate::grade::support::Class;
