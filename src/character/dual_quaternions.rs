@@ -208,12 +208,13 @@ mod tests {
     }
 
     #[test]
-    fn turns_on_either_side_of_half_a_turn_are_blended_the_short_way() {
-        // 170° and 190° about x: their quaternions lie on opposite sides where one is made of -170°.
-        let palette = [170.0_f32, -170.0].map(|angle| Mat4::from_rotation_x(angle.to_radians()));
+    fn quaternions_of_opposite_signs_are_blended_the_short_way() {
+        // The quaternions that are made of these two matrices lie on opposite sides.
+        let palette = [40.0_f32, -100.0].map(|angle| Mat4::from_rotation_x(angle.to_radians()));
         let attachments = weighted(&[&[(0, 0.5), (1, 0.5)]]);
         let skinned = skin_positions(&palette, &attachments, &[Vec3::Y]);
-        assert!(skinned[0].abs_diff_eq(-Vec3::Y, 1e-5), "{skinned:?}");
+        let half_way = Quat::from_rotation_x(-PI / 6.0) * Vec3::Y;
+        assert!(skinned[0].abs_diff_eq(half_way, 1e-5), "{skinned:?}");
     }
 
     #[test]
