@@ -218,6 +218,29 @@ mod tests {
     }
 
     #[test]
+    fn signs_go_by_the_strongest_influence_wherever_it_is_listed() {
+        // Only to the middle one all others are near.
+        let turned = |angle: f32| Mat4::from_rotation_x(angle.to_radians());
+        let palette = [-120.0, 0.0, 120.0].map(turned);
+        let at = |order: [usize; 3]| {
+            let weights = [0.3, 0.4, 0.3];
+            let row: Vec<(u32, f32)> = order.map(|at| (at as u32, weights[at])).into();
+            skin_positions(&palette, &weighted(&[&row]), &[Vec3::Y])[0]
+        };
+        for order in [[1, 0, 2], [0, 1, 2], [2, 0, 1]] {
+            assert!(at(order).abs_diff_eq(Vec3::Y, 1e-5), "{order:?}");
+        }
+    }
+
+    #[test]
+    fn where_motions_cancel_out_the_strongest_alone_counts() {
+        let palette = [Mat4::from_translation(Vec3::X), Mat4::from_rotation_y(0.0)];
+        let attachments = weighted(&[&[(0, 0.5), (1, -0.5)]]);
+        let skinned = skin_positions(&palette, &attachments, &[Vec3::Z]);
+        assert_eq!(skinned[0], Vec3::Z + Vec3::X);
+    }
+
+    #[test]
     fn scale_of_a_joint_is_left_out_and_its_rotation_and_translation_stay() {
         let turn = Quat::from_rotation_y(0.8);
         let scaled = Mat4::from_scale_rotation_translation(Vec3::new(1.0, 3.0, 0.5), turn, Vec3::X);

@@ -5,7 +5,6 @@ use crate::character::{Character, Pose};
 use crate::editor::Session;
 use crate::render::ShapeNumbers;
 use crate::scene::CharacterNumber;
-use std::sync::Arc;
 
 /// What characters are colored by.
 #[derive(Clone, Debug)]
@@ -62,12 +61,7 @@ impl Colors {
             return Err(CliError::Usage(format!("--colors: {error}")));
         }
         let numbered = characters.iter();
-        let numbered = numbered.filter_map(|&(id, c)| Some((id, (number(c)?, c))));
-        let (ids, of): (Vec<_>, Vec<_>) = numbered.unzip();
-        let numbers = CharacterNumber::on_one_scale(of).into_iter().map(Arc::new);
-        let pairs = ids.into_iter().zip(numbers);
-        Ok(pairs
-            .map(|(shape, numbers)| ShapeNumbers { shape, numbers })
-            .collect())
+        let numbered = numbered.filter_map(|&(id, c)| Some((id, number(c)?, c)));
+        Ok(ShapeNumbers::on_one_scale(numbered))
     }
 }

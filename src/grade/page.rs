@@ -1,9 +1,11 @@
 //! The report as one page that needs nothing else: pictures and style are in it, and its policy
 //! keeps a browser from fetching anything. It is XML as well as HTML.
 
+use super::canvas::Color;
 use super::graded::Outcome;
 use super::report::{GradedTest, MistakeGroup, Report, Submission};
 use super::style::STYLE;
+use super::thumbnail::{AGREES, ERRORS, LARGEST_ERROR, ONLY_EXACT, ONLY_THEIRS};
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
@@ -206,13 +208,19 @@ impl Page {
             ));
         }
         self.add(format_args!(
-            "</div>\n<p class=\"legend\"><span><i style=\"background:#b0b7c0\"></i>agrees</span>\
-             <span><i class=\"ramp\"></i>off, up to 25 % of the size and more</span>"
+            "</div>\n<p class=\"legend\"><span><i style=\"background:{}\"></i>agrees</span>\
+             <span><i class=\"ramp\" style=\"background:linear-gradient(90deg, {})\"></i>off, up to {:.0} % of the \
+             size and more</span>",
+            css(AGREES),
+            ERRORS.map(css).join(", "),
+            100.0 * LARGEST_ERROR
         ));
         if report.tests.iter().any(|test| test.kind == "picture") {
             self.add(format_args!(
-                "<span><i style=\"background:#e0701a\"></i>drawn, but not in the exact picture</span>\
-                 <span><i style=\"background:#3468be\"></i>missing in the picture</span>"
+                "<span><i style=\"background:{}\"></i>drawn, but not in the exact picture</span>\
+                 <span><i style=\"background:{}\"></i>missing in the picture</span>",
+                css(ONLY_THEIRS),
+                css(ONLY_EXACT)
             ));
         }
         self.add(format_args!("</p>\n"));
@@ -347,6 +355,11 @@ impl Page {
             ));
         }
     }
+}
+
+/// A color of thumbnails in the words of a style.
+fn css([red, green, blue]: Color) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// The kind of a result, for its color.

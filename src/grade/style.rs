@@ -47,7 +47,7 @@ img { display: block; max-width: 192px; height: auto; border: 1px solid var(--li
 figcaption { margin-top: .3rem; font-size: .9rem; }
 .legend { display: flex; flex-wrap: wrap; gap: .4rem 1.2rem; font-size: .85rem; color: var(--dim); margin: .8rem 0 0; }
 .legend i { display: inline-block; width: 1rem; height: .7rem; margin-right: .35rem; border-radius: 2px; }
-.legend i.ramp { width: 6rem; background: linear-gradient(90deg, #facc6a, #f18a34, #d02e22, #70082c); }
+.legend i.ramp { width: 6rem; }
 details { border: 1px solid var(--line); border-radius: 8px; background: var(--card); margin: .5rem 0; }
 summary { display: flex; flex-wrap: wrap; gap: .3rem 1rem; align-items: baseline; padding: .6rem .9rem; cursor: pointer; }
 summary h3 { min-width: 9rem; overflow-wrap: anywhere; }

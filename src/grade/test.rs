@@ -3,7 +3,7 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture};
+use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{TestData, TestKind, read_character_obj};
@@ -109,20 +109,18 @@ impl Test {
     }
 
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
-        let off: usize = found.regions.iter().map(|region| region.off).sum();
         let is_right = found.verdict == Verdict::Right;
-        let agrees = match found.verdict {
-            Verdict::Right => 1.0,
-            Verdict::Unexplained => 1.0 - off as f64 / theirs.positions.len().max(1) as f64,
-            Verdict::Explained => {
-                let tolerance = found.tolerance * f64::from(self.thumbnail().size());
-                let pairs = self.exact.iter().zip(&theirs.positions);
-                let near = pairs
-                    .filter(|(exact, theirs)| f64::from(exact.distance(**theirs)) <= tolerance);
-                near.count() as f64 / theirs.positions.len().max(1) as f64
-            }
+        let measure = measure(&self.character, &self.exact, &theirs.positions);
+        // Of vertices that are numbered otherwise it is not known which is which.
+        let near = measure
+            .as_ref()
+            .map_or(0, |measure| theirs.positions.len() - measure.off);
+        let agrees = if is_right {
+            1.0
+        } else {
+            near as f64 / theirs.positions.len().max(1) as f64
         };
-        let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, found.tolerance));
+        let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),

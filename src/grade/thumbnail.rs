@@ -3,6 +3,7 @@
 use super::canvas::{Canvas, Color};
 use crate::character::Facing;
 use crate::compare::{DRAWN_THRESHOLD, Pair};
+use crate::diagnose::MeshMeasure;
 use crate::geometry::{Mesh, Picture};
 use crate::math::Aabb;
 use crate::scene::Camera;
@@ -15,7 +16,7 @@ const MARGIN: f32 = 6.0;
 /// As much of what is far off is shown, in sizes of the exact mesh from its center.
 const SHOWN: f32 = 1.0;
 /// The error at the end of the colors, by the size.
-const LARGEST_ERROR: f32 = 0.25;
+pub(super) const LARGEST_ERROR: f32 = 0.25;
 /// Steps of color and of light: few, so that pictures stay small.
 const STEPS: f32 = 12.0;
 
@@ -23,18 +24,14 @@ const PAPER: Color = [247, 247, 244];
 const GHOST: Color = [221, 223, 226];
 const EXACT: Color = [150, 163, 179];
 /// Where a file agrees.
-const AGREES: Color = [176, 183, 192];
+pub(super) const AGREES: Color = [176, 183, 192];
 /// Errors, the largest last: each is darker than the one before, so that they are told apart without
 /// seeing colors.
-const ERRORS: [[f32; 3]; 4] = [
-    [250.0, 204.0, 106.0],
-    [241.0, 138.0, 52.0],
-    [208.0, 46.0, 34.0],
-    [112.0, 8.0, 44.0],
-];
+pub(super) const ERRORS: [Color; 4] =
+    [[250, 204, 106], [241, 138, 52], [208, 46, 34], [112, 8, 44]];
 /// What only their silhouette has, and only the exact one.
-const ONLY_THEIRS: Color = [224, 112, 26];
-const ONLY_EXACT: Color = [52, 104, 190];
+pub(super) const ONLY_THEIRS: Color = [224, 112, 26];
+pub(super) const ONLY_EXACT: Color = [52, 104, 190];
 
 /// The exact mesh of a test, seen from its front and a little from its left and above.
 #[derive(Debug)]
@@ -59,7 +56,7 @@ impl<'a> MeshThumbnail<'a> {
     }
 
     /// The diagonal of the exact mesh's box.
-    pub(super) fn size(&self) -> f32 {
+    fn size(&self) -> f32 {
         match self.bounds.size().length() {
             size if size > 0.0 => size,
             _ => 1.0,
@@ -76,30 +73,28 @@ impl<'a> MeshThumbnail<'a> {
         canvas.into_picture()
     }
 
-    /// `theirs` in the colors of its errors before the exact mesh. `tolerance`, by the size, agrees.
-    pub(super) fn of_theirs(&self, theirs: &Mesh, tolerance: f64) -> Picture {
+    /// `theirs` before the exact mesh, in the colors of its errors as far as they have been measured.
+    pub(super) fn of_theirs(&self, theirs: &Mesh, measure: Option<&MeshMeasure>) -> Picture {
         let mut canvas = Canvas::new([SIDE; 2], PAPER);
         let frame = self.frame(&theirs.positions);
         self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
             GHOST
         });
         canvas.forget_depths();
-        let has_pairs = theirs.positions.len() == self.exact.len();
-        let errors: Vec<f32> = theirs
-            .positions
-            .iter()
-            .enumerate()
-            .map(|(index, theirs)| {
-                let exact = self.exact.get(index).filter(|_| has_pairs);
-                exact.map_or(LARGEST_ERROR, |exact| exact.distance(*theirs) / self.size())
-            })
-            .collect();
+        let tolerance = measure.map_or(0.0, |measure| measure.tolerance / measure.size);
+        let errors: Vec<f32> = match measure {
+            Some(measure) => {
+                let by_size = |distance: &f64| (distance / measure.size) as f32;
+                measure.distances.iter().map(by_size).collect()
+            }
+            None => vec![LARGEST_ERROR; theirs.positions.len()],
+        };
         self.draw(
             &mut canvas,
             &frame,
             &theirs.positions,
             // The exact triangles fit the same vertices; a file may have any number of its own.
-            if has_pairs {
+            if measure.is_some() {
                 self.triangles
             } else {
                 &theirs.triangles
@@ -167,7 +162,7 @@ fn error_color(error: f32) -> Color {
     let share = (error / LARGEST_ERROR).clamp(0.0, 1.0).sqrt();
     let place = (share * STEPS).round() / STEPS * (ERRORS.len() - 1) as f32;
     let below = (place as usize).min(ERRORS.len() - 2);
-    let (from, to) = (Vec3::from(ERRORS[below]), Vec3::from(ERRORS[below + 1]));
+    let [from, to] = [below, below + 1].map(|at| Vec3::from(ERRORS[at].map(f32::from)));
     from.lerp(to, place - below as f32)
         .to_array()
         .map(|channel| channel.round() as u8)

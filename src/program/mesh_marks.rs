@@ -81,16 +81,10 @@ impl MeshMarks {
             return;
         }
         let of = shown.of.iter();
-        let of = of.filter_map(|(_, character)| Some((shown.number?, &**character)));
-        let numbers = CharacterNumber::on_one_scale(of);
-        self.legend = Some(words(colors, &shown, numbers.first()));
-        let of = shown.of.iter().zip(numbers);
-        self.numbers = of
-            .map(|((shape, _), numbers)| ShapeNumbers {
-                shape: *shape,
-                numbers: Arc::new(numbers),
-            })
-            .collect();
+        let of = of.filter_map(|(shape, character)| Some((*shape, shown.number?, &**character)));
+        self.numbers = ShapeNumbers::on_one_scale(of);
+        let first = self.numbers.first().map(|first| &*first.numbers);
+        self.legend = Some(words(colors, &shown, first));
         self.shown = Some(shown);
     }
 

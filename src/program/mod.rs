@@ -6,6 +6,7 @@
 //! [`Program::begin_frame`], [`Program::show`] within the pass of egui for each of the
 //! [`input_parts`], [`Program::draw`] and [`Program::finish_frame`].
 
+mod actions;
 mod autosave;
 mod awaited;
 mod clipboard;

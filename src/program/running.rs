@@ -1,9 +1,7 @@
 use super::autosave::Autosave;
 use super::awaited::Awaited;
 use super::comparison::Comparison;
-use super::document::Next;
 use super::document_file::DocumentFile;
-use super::files::file_stem;
 use super::frame::Pass;
 use super::frame_rate::FrameRate;
 use super::graphics::GraphicsInfo;
@@ -14,18 +12,15 @@ use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::questions::Asked;
 use super::start_pictures::StartPictures;
-use super::{Host, HostEvent, Purpose, globals};
-use crate::editor::{Edit, Session, Severity, View};
+use super::{Host, HostEvent, globals};
+use crate::editor::{Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
 use crate::revision::Revision;
 use crate::scene::{FitArea, ShapeId, Skinning};
-use crate::ui::{
-    self, Action, Ask, CompareAction, CompareSettings, GestureStep, HistoryMove, Screenshot,
-    UiOutput, UiState,
-};
+use crate::ui::{self, Screenshot, UiOutput, UiState};
 use std::collections::{BTreeSet, HashMap, VecDeque};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Options that the program is started with.
 #[derive(Clone, Debug, Default)]
@@ -357,188 +352,6 @@ impl Program {
             }
         }
         any
-    }
-
-    /// Carries out the actions of panels, menus, keys and gestures: the one place that does.
-    /// Returns whether there is something new to show. A drag that is held still is none.
-    pub fn carry_out(&mut self, actions: Vec<Action>, host: &mut dyn Host) -> bool {
-        let mut changed = false;
-        for action in actions {
-            changed |= match action {
-                Action::Edit(edit) => self.edit(edit),
-                Action::Gesture(step) => {
-                    match step {
-                        GestureStep::Begin => self.session.begin_gesture(),
-                        GestureStep::Commit => self.session.commit_gesture(),
-                        GestureStep::Cancel => self.session.cancel_gesture(),
-                    }
-                    true
-                }
-                Action::History(step) => {
-                    match step {
-                        HistoryMove::Undo => drop(self.session.undo()),
-                        HistoryMove::Redo => drop(self.session.redo()),
-                        HistoryMove::GoTo(done) => self.session.go_to_step(done),
-                    }
-                    true
-                }
-                Action::View(view) => {
-                    // The look that pictures are compared in is for that time only.
-                    if let View::SetLook(look) = view
-                        && self.comparison.is_none()
-                    {
-                        self.ui.look_of_new = Some(look);
-                    }
-                    self.session.look(view);
-                    true
-                }
-                Action::Ask(ask) => {
-                    self.answer(ask, host);
-                    true
-                }
-            };
-        }
-        changed
-    }
-
-    /// Edits the document; a refusal becomes a message. Returns whether there is something new to
-    /// show.
-    pub(super) fn edit(&mut self, edit: Edit) -> bool {
-        match self.session.edit(edit) {
-            Ok(change) => !change.is_nothing(),
-            Err(refused) => {
-                self.tell(Severity::Error, refused.to_string());
-                true
-            }
-        }
-    }
-
-    /// Whether an answer is about a scene that another has taken the place of; a message says so.
-    pub(super) fn is_from_another_scene(&mut self, opened: Revision) -> bool {
-        let is_late = opened != self.session.opened();
-        if is_late {
-            let text = "Nothing was done: another scene has been opened in the meantime";
-            self.tell(Severity::Warning, text);
-        }
-        is_late
-    }
-
-    pub(super) fn tell(&mut self, severity: Severity, text: impl Into<String>) {
-        self.session.messages.tell(severity, text);
-    }
-
-    fn answer(&mut self, ask: Ask, host: &mut dyn Host) {
-        match ask {
-            Ask::ImportShape => self.choose_file(Purpose::ImportShape, "", host),
-            Ask::ImportCharacter => self.choose_file(Purpose::ImportCharacter, "", host),
-            Ask::ImportCurve => self.choose_file(Purpose::ImportCurve, "", host),
-            Ask::ExportCurve(id) => {
-                let shape = self.session.scene().shape(id);
-                let stem = file_stem(shape.map_or("curve", |shape| &shape.name));
-                self.choose_file(Purpose::ExportCurve(id), &format!("{stem}.swp"), host);
-            }
-            Ask::ExportGeometry => {
-                let name = format!("{}.obj", self.document_stem());
-                self.choose_file(Purpose::ExportGeometry, &name, host);
-            }
-            Ask::Screenshot(shot) => {
-                let stem = self.document_stem();
-                let name = if shot.turntable.is_some() {
-                    format!("{stem}-turntable.gif")
-                } else {
-                    format!("{stem}.png")
-                };
-                self.choose_file(Purpose::SaveScreenshot(shot), &name, host);
-            }
-            Ask::CancelPictures => {
-                self.cancel_pictures();
-                self.stop_waiting(host);
-            }
-            Ask::ExportMaterials => {
-                let name = format!("{}.obj", self.document_stem());
-                self.choose_file(Purpose::ExportMaterials, &name, host);
-            }
-            Ask::ExportCharacter(id) => {
-                let shape = self.session.scene().shape(id);
-                let stem = file_stem(shape.map_or("character", |shape| &shape.name));
-                self.choose_file(Purpose::ExportCharacter(id), &format!("{stem}.skel"), host);
-            }
-            Ask::SavePose(shape, kept) => {
-                let name = self.name_of_pose(shape, kept);
-                self.choose_file(
-                    Purpose::SavePose(shape, kept),
-                    &format!("{name}.json"),
-                    host,
-                );
-            }
-            Ask::LoadPose(shape) => self.choose_file(Purpose::LoadPose(shape), "", host),
-            Ask::UseBuiltinPose(shape, name) => {
-                let path = format!("{}poses/{name}.json", builtin::PREFIX);
-                self.load_pose(shape, Path::new(&path), &*host.files());
-            }
-            Ask::InsertBuiltin(name) => {
-                self.import_any(Path::new(&format!("builtin:{name}")), &host.files(), host);
-            }
-            Ask::New => self.leave_for(Next::New, host),
-            Ask::Open => self.leave_for(Next::Open, host),
-            Ask::OpenRecent(path) => self.leave_for(Next::OpenFile(path, host.files()), host),
-            Ask::OpenBuiltin(name) => self.leave_for(Next::OpenBuiltin(name), host),
-            Ask::Save => self.save(None, host),
-            Ask::SaveAs => self.save_as(None, host),
-            Ask::SaveWithFiles => {
-                let name = format!("{}.zip", self.document_stem());
-                self.choose_file(Purpose::SaveWithFiles, &name, host);
-            }
-            Ask::CopyLink => self.copy_link(host),
-            Ask::Revert => self.revert(host),
-            Ask::Reload => self.reload(host),
-            Ask::FindSource(shape) => self.find_source(shape, host),
-            Ask::Answer(answer) => self.take_answer(answer, host),
-            Ask::CopyShapes => drop(self.copy_shapes(host)),
-            Ask::CutShapes => self.cut_shapes(host),
-            Ask::Paste => {
-                self.paste_into = Some((self.session.opened(), self.session.selected()));
-                host.request_paste();
-            }
-            Ask::CopyPose(shape) => {
-                if let Some(text) = self.pose_text(shape, None) {
-                    host.copy_text(text);
-                    let name = self.session.scene().shape(shape).map(|shape| &shape.name);
-                    let name = name.map_or("the character", String::as_str);
-                    let text = format!("Copied the pose of {name}");
-                    self.tell(Severity::Info, text);
-                }
-            }
-            Ask::PastePose(shape) => {
-                self.paste_into = Some((self.session.opened(), Some(shape)));
-                host.request_paste();
-            }
-            Ask::Compare(action) => self.compare(action, host),
-            Ask::CompareMesh(action) => self.compare_mesh(action, host),
-            Ask::Quit => self.leave_for(Next::Quit, host),
-        }
-    }
-
-    fn compare(&mut self, action: CompareAction, host: &mut dyn Host) {
-        match action {
-            CompareAction::Choose => self.choose_file(Purpose::Compare, "", host),
-            CompareAction::Save => {
-                let name = format!("{}-comparison.png", self.document_stem());
-                self.choose_file(Purpose::SaveComparison, &name, host);
-            }
-            CompareAction::Close => self.end_comparison(),
-            CompareAction::Set(settings) => {
-                if let Some(comparison) = &mut self.comparison {
-                    comparison.set(settings, host.now());
-                }
-            }
-        }
-    }
-
-    /// The settings of the comparison, which the next one goes on with.
-    pub(super) fn compare_settings(&self) -> CompareSettings {
-        let comparison = self.comparison.as_ref();
-        comparison.map_or_else(CompareSettings::default, |c| c.settings().clone())
     }
 }
 

@@ -1,6 +1,6 @@
 //! The passes before the shapes: the background, the Mannequin look's floor, and the axes.
 
-use super::renderer::{Background, PassContext};
+use super::frame::{Background, PassContext};
 use super::surface_pass::MANNEQUIN_LIGHT;
 use crate::gpu::{
     Attribute, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Mode, Primitive,

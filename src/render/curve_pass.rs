@@ -1,7 +1,7 @@
 //! Lines and points of shapes made of curves.
 
 use super::backdrop::Colors;
-use super::renderer::{Frame, PassContext};
+use super::frame::{Frame, PassContext};
 use super::upload_cache::UploadCache;
 use crate::geometry::Normals;
 use crate::gpu::{DisplayList, DrawState, Gl, Immediate, Mode, PointShape};

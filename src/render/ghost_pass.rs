@@ -1,8 +1,8 @@
 //! Meshes that are drawn beside those of the scene.
 
 use super::cached_mesh::CachedMesh;
+use super::frame::{Frame, PassContext};
 use super::number_marks::{Ghost, GhostPaint};
-use super::renderer::{Frame, PassContext};
 use super::surface_pass::SurfacePass;
 use crate::gpu::{Gl, GpuError};
 use crate::scene::{EvaluatedGeometry, Shading, Skinning};

@@ -2,9 +2,9 @@
 
 use super::area::Area;
 use super::backdrop_pass::set_gradient;
+use super::frame::{Background, Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
-use super::renderer::{Background, Frame, PassContext};
 use super::rows::Rows;
 use super::surface_pass::surfaces;
 use crate::gpu::{

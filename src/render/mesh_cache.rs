@@ -1,7 +1,7 @@
 //! The meshes and textures of a scene in the memory of the graphics card.
 
 use super::cached_mesh::{CachedMesh, MeshKey};
-use super::renderer::Frame;
+use super::frame::Frame;
 use super::skinning_tables::Palettes;
 use super::upload_cache::UploadCache;
 use crate::geometry::Picture;

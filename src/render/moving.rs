@@ -2,8 +2,9 @@
 
 use super::area::Area;
 use super::backdrop_pass::draw_axis;
+use super::frame::{Background, Frame, Marks, PassContext, has_ground};
 use super::ground_pass::{Shadows, shadow_area};
-use super::renderer::{Background, Frame, Marks, PassContext, RenderError, Renderer, has_ground};
+use super::renderer::{RenderError, Renderer};
 use super::still_layer::Plan;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, GpuError};

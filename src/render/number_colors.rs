@@ -1,8 +1,8 @@
 //! Meshes in the colors of numbers at their vertices.
 
 use super::cached_mesh::CachedMesh;
+use super::frame::{Frame, PassContext};
 use super::mesh_programs::MeshPrograms;
-use super::renderer::{Frame, PassContext};
 use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture};
 use crate::scene::{SCALE_GRAY, VertexNumbers, scale_color};
 

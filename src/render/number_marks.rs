@@ -1,7 +1,8 @@
 //! What an editor shows of meshes besides themselves: numbers of their vertices, and other meshes with
 //! them.
 
-use crate::scene::{EvaluatedGeometry, ShapeId, VertexNumbers};
+use crate::character::Character;
+use crate::scene::{CharacterNumber, EvaluatedGeometry, ShapeId, VertexNumbers};
 use glam::{Mat4, Vec3};
 use std::sync::Arc;
 
@@ -12,6 +13,23 @@ pub struct ShapeNumbers {
     pub shape: ShapeId,
     /// The numbers, one for each position of its mesh.
     pub numbers: Arc<VertexNumbers>,
+}
+
+impl ShapeNumbers {
+    /// The numbers of characters, each with its shape, all on one scale.
+    pub fn on_one_scale<'a>(
+        of: impl IntoIterator<Item = (ShapeId, CharacterNumber, &'a Character)>,
+    ) -> Vec<Self> {
+        let of = of.into_iter();
+        let (shapes, of): (Vec<_>, Vec<_>) = of
+            .map(|(shape, number, character)| (shape, (number, character)))
+            .unzip();
+        let numbers = CharacterNumber::on_one_scale(of).into_iter().map(Arc::new);
+        let pairs = shapes.into_iter().zip(numbers);
+        pairs
+            .map(|(shape, numbers)| Self { shape, numbers })
+            .collect()
+    }
 }
 
 impl PartialEq for ShapeNumbers {

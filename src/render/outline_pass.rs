@@ -3,9 +3,9 @@
 use super::area::Area;
 use super::curve_pass::draw_curve_mask;
 use super::edge_pass::{Edge, EdgePass};
+use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
-use super::renderer::{Frame, PassContext};
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive};
 use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeId, ShapeKind, SurfaceVisibility};

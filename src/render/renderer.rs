@@ -1,115 +1,20 @@
 //! The renderer: frames in, pictures out.
 
 use super::area::Area;
-use super::backdrop::{Backdrop, Colors};
 use super::backdrop_pass::{BackgroundPass, FloorPass, draw_axis};
 use super::curve_pass::CurvePass;
+use super::frame::{Background, Frame, PassContext, has_ground};
 use super::ghost_pass::GhostPass;
 use super::ground_pass::{GroundPass, ShadowPass, Shadows, hides_below, shadow_area};
 use super::mesh_cache::MeshCache;
-use super::number_marks::{Ghost, ShapeNumbers};
 use super::outline_pass::OutlinePass;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
+use super::skinning_choice::SkinningChoice;
 use super::still_layer::StillLayer;
 use super::surface_pass::SurfacePass;
 use super::tile::Tile;
-use crate::gpu::{Framebuffer, Gl, GpuError, Immediate, Info};
-use crate::scene::{
-    Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, Skinning, VertexNumbers, ViewSettings,
-};
-use glam::Mat4;
-use std::sync::Arc;
-
-/// Everything that a picture depends on: the same frame gives the same picture.
-#[derive(Clone, Debug)]
-pub struct Frame<'a> {
-    /// The shapes.
-    pub scene: &'a Scene,
-    /// The evaluation of `scene`.
-    pub evaluated: &'a Evaluated,
-    /// Camera, look and shading.
-    pub view: &'a ViewSettings,
-    /// Brightness of what is behind the shapes, where the look leaves a choice.
-    pub backdrop: Backdrop,
-    /// Marks of an editor; none in a picture of the scene alone.
-    pub marks: Marks,
-}
-
-impl<'a> Frame<'a> {
-    /// The visible shapes, but for one that another mesh takes the place of.
-    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
-        let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);
-        shapes
-            .filter(|(shape, evaluated)| evaluated.visible && self.marks.replaced != Some(shape.id))
-    }
-}
-
-/// Marks that an editor draws over the scene for its user.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Marks {
-    /// The selected shape; of several the active one.
-    pub selected: Option<ShapeId>,
-    /// All other selected shapes.
-    pub also_selected: Vec<ShapeId>,
-    /// The shape under the pointer.
-    pub hovered: Option<ShapeId>,
-    /// The selected joint of the selected shape.
-    pub selected_joint: Option<usize>,
-    /// The joint of the selected shape that the pointer is over.
-    pub hovered_joint: Option<usize>,
-    /// The control point of the selected shape that the pointer is over: the indices of its curve
-    /// in the [`crate::scene::CurveSet`] and of the point in the curve.
-    pub hovered_control_point: Option<(usize, usize)>,
-    /// Shapes whose meshes are drawn in the colors of numbers.
-    pub numbers: Vec<ShapeNumbers>,
-    /// Meshes that are drawn beside those of the scene.
-    pub ghosts: Vec<Ghost>,
-    /// A shape that is not drawn, since a ghost takes its place.
-    pub replaced: Option<ShapeId>,
-}
-
-impl Marks {
-    /// The numbers that a shape is colored by, if it is.
-    pub(super) fn numbers_of(&self, shape: ShapeId) -> Option<&Arc<VertexNumbers>> {
-        let mut all = self.numbers.iter();
-        let own = all.find(|numbers| numbers.shape == shape);
-        own.map(|own| &own.numbers)
-    }
-
-    /// Whether meshes are drawn otherwise than the scene has them.
-    pub(super) fn change_meshes(&self) -> bool {
-        !(self.numbers.is_empty() && self.ghosts.is_empty())
-    }
-}
-
-/// Values that all passes of one picture share.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PassContext {
-    /// Width of the tile, in pixels.
-    pub width: u32,
-    /// Height of the tile, in pixels.
-    pub height: u32,
-    /// The part of the picture that is drawn.
-    pub tile: Tile,
-    pub background: Background,
-    /// From the world to the tile's clip space.
-    pub clip_from_world: Mat4,
-    /// Height of the Studio look's ground in the world.
-    pub ground: f32,
-    /// Colors of the background and of marks before it.
-    pub colors: &'static Colors,
-}
-
-/// What is drawn behind the shapes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Background {
-    /// The background of the look, and its ground or floor.
-    #[default]
-    Look,
-    /// Nothing: the picture is transparent there. Of the Studio look's ground only the shadows are
-    /// drawn. Colors are multiplied by alpha.
-    Transparent,
-}
+use crate::gpu::{Framebuffer, Gl, GpuError, Immediate};
+use crate::scene::Look;
 
 /// Why a picture is not, or not as a whole, as it should be.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -130,8 +35,8 @@ pub enum RenderError {
 pub struct Renderer {
     pub(super) gl: Gl,
     pub(super) meshes: MeshCache,
-    skinning: SkinningChoice,
-    notices: Vec<String>,
+    pub(super) skinning: SkinningChoice,
+    pub(super) notices: Vec<String>,
     pub(super) background: BackgroundPass,
     pub(super) surfaces: SurfacePass,
     curves: CurvePass,
@@ -310,23 +215,6 @@ impl Renderer {
             .draw(&self.gl, context, frame, &self.meshes, lines, target)
     }
 
-    /// Chooses where characters are skinned. `None` leaves it to the driver: on the graphics card if
-    /// there is one, on the processor if that draws as well. Whether this makes a difference.
-    pub fn set_skinning(&mut self, asked: Option<Skinning>) -> bool {
-        if asked == self.skinning.asked {
-            return false;
-        }
-        let before = self.skinning();
-        self.skinning = SkinningChoice::new(asked, self.gl.info());
-        before != self.skinning()
-    }
-
-    /// Where characters are skinned. On the processor, once the graphics card has refused to: see
-    /// [`Renderer::take_notices`].
-    pub fn skinning(&self) -> Skinning {
-        self.skinning.in_use
-    }
-
     /// Notices for the user about how pictures are drawn, each once.
     pub fn take_notices(&mut self) -> Vec<String> {
         std::mem::take(&mut self.notices)
@@ -340,75 +228,6 @@ impl Renderer {
         let most_rows = self.gl.info().max_texture_size;
         self.ghosts.update(&self.gl, frame, most_rows)
     }
-
-    /// Uploads the meshes that have changed, skinned by the processor if the graphics card cannot.
-    fn update_meshes(&mut self, frame: &Frame) -> Result<(), GpuError> {
-        if self.skinning() == Skinning::Gpu
-            && let Err(error) = self
-                .prepare_skinning()
-                .and_then(|()| self.update_meshes_by(frame, Skinning::Gpu))
-        {
-            self.notices.push(format!(
-                "The graphics card cannot skin the characters, so the processor does: {error}"
-            ));
-            self.skinning.in_use = Skinning::Cpu;
-        }
-        self.update_meshes_by(frame, self.skinning())?;
-        self.notices.extend(self.meshes.take_notices());
-        Ok(())
-    }
-
-    fn update_meshes_by(&mut self, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
-        self.meshes.update(&self.gl, frame, skinning)
-    }
-
-    fn prepare_skinning(&mut self) -> Result<(), GpuError> {
-        let gl: &Gl = &self.gl;
-        let available = gl.info().max_vertex_textures;
-        if available < TEXTURES_NEEDED {
-            return Err(GpuError::Create {
-                what: "vertex shader that skins",
-                why: format!("{TEXTURES_NEEDED} textures are needed in it, {available} possible"),
-            });
-        }
-        self.surfaces.add_skinned(gl)?;
-        self.shadows.add_skinned(gl)?;
-        self.outline.add_skinned(gl)
-    }
-}
-
-/// Whether the look has a ground with lines, which is seen.
-pub(super) fn has_ground(frame: &Frame) -> bool {
-    frame.view.grid && frame.view.look == Look::Studio
-}
-
-/// Textures that a skinning vertex shader reads: palettes and influences.
-const TEXTURES_NEEDED: u32 = 2;
-
-/// Choice of where skinning is done: as asked for, and as in use.
-#[derive(Debug)]
-struct SkinningChoice {
-    asked: Option<Skinning>,
-    in_use: Skinning,
-}
-
-impl SkinningChoice {
-    pub fn automatic(info: &Info) -> Self {
-        Self::new(None, info)
-    }
-
-    fn new(asked: Option<Skinning>, info: &Info) -> Self {
-        // On software OpenGL both are the processor, and the vertex shader is the slower way.
-        let automatic = if info.is_software {
-            Skinning::Cpu
-        } else {
-            Skinning::Gpu
-        };
-        Self {
-            asked,
-            in_use: asked.unwrap_or(automatic),
-        }
-    }
 }
 
 #[cfg(test)]
@@ -418,9 +237,11 @@ mod tests {
     use crate::geometry::{Basis, Mesh, Picture};
     use crate::gpu::test_driver::TestDriver;
     use crate::gpu::{Backend, HeadlessContext};
-    use crate::render::read_picture;
-    use crate::scene::NewShape;
-    use crate::scene::{CharacterShape, CurveSet, CurveShape, Evaluator, ShapeKind};
+    use crate::render::{Backdrop, Marks, read_picture};
+    use crate::scene::{
+        CharacterShape, CurveSet, CurveShape, Evaluator, NewShape, Scene, ShapeKind, Skinning,
+        ViewSettings,
+    };
     use glam::Vec3;
     use std::sync::Arc;
 
@@ -541,19 +362,5 @@ mod tests {
         assert!(drawn(&mut renderer, gl, &scene).0.is_err());
         scene.curve_mut(id).unwrap().display.control_points = false;
         assert_ne!(picture(&mut renderer, gl, &scene), empty);
-    }
-
-    #[test]
-    fn software_leaves_skinning_to_the_processor_and_hardware_takes_it() {
-        let context = HeadlessContext::new(Backend::Auto).unwrap();
-        let mut info = context.gl().info().clone();
-        info.is_software = true;
-        assert_eq!(SkinningChoice::automatic(&info).in_use, Skinning::Cpu);
-        info.is_software = false;
-        assert_eq!(SkinningChoice::automatic(&info).in_use, Skinning::Gpu);
-        assert_eq!(
-            SkinningChoice::new(Some(Skinning::Cpu), &info).in_use,
-            Skinning::Cpu
-        );
     }
 }

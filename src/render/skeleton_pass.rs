@@ -1,6 +1,6 @@
 //! Skeletons: joints as points or spheres, bones as lines or boxes.
 
-use super::renderer::{Frame, PassContext};
+use super::frame::{Frame, PassContext};
 use super::surface_pass::set_lights;
 use crate::character::StickFigure;
 use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, smooth_normals, sphere};

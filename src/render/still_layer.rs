@@ -1,8 +1,8 @@
 //! What stands still while something else is dragged.
 
 use super::backdrop::Backdrop;
+use super::frame::{Frame, PassContext, has_ground};
 use super::ground_pass::hides_below;
-use super::renderer::{Frame, PassContext, has_ground};
 use super::surface_pass::is_surface_alone;
 use crate::gpu::Framebuffer;
 use crate::scene::{

@@ -1,10 +1,10 @@
 //! The surfaces of shapes, and the lights that they are drawn with.
 
 use super::cached_mesh::CachedMesh;
+use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::number_colors::NumberColors;
-use super::renderer::{Frame, PassContext};
 use crate::geometry::Mesh;
 use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program, Texture};
 use crate::scene::{

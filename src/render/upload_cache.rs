@@ -1,6 +1,6 @@
 //! Uploads of shapes that are kept while the shape stays the same.
 
-use super::renderer::Frame;
+use super::frame::Frame;
 use crate::gpu::GpuError;
 use crate::scene::{Evaluated, Shape, ShapeId};
 use std::collections::{HashMap, HashSet};

@@ -359,21 +359,23 @@ impl Deformation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
+    use crate::geometry::Mesh;
+    use crate::math::Euler;
     use crate::scene::NewShape;
 
     #[test]
     fn vertices_are_deformed_when_they_are_asked_for_and_not_before() {
-        let joint = crate::character::Joint::default();
-        let skeleton = crate::character::SkeletalModel::new(vec![joint]).unwrap();
-        let mut attachments = crate::character::Attachments::new();
-        attachments.push_vertex([crate::character::Influence {
+        let skeleton = SkeletalModel::new(vec![Joint::default()]).unwrap();
+        let mut attachments = Attachments::new();
+        attachments.push_vertex([Influence {
             joint: 0,
             weight: 1.0,
         }]);
-        let mesh = crate::geometry::Mesh::new(vec![Vec3::X * 2.0], Vec::new());
-        let character = crate::character::Character::new(skeleton, attachments, mesh).unwrap();
+        let mesh = Mesh::new(vec![Vec3::X * 2.0], Vec::new());
+        let character = Character::new(skeleton, attachments, mesh).unwrap();
         let mut shape = CharacterShape::new(Arc::new(character));
-        let mut pose = crate::character::Pose::new();
+        let mut pose = Pose::new();
         pose.set_root_offset(0, Vec3::Y);
         shape.set_pose(pose);
         let mut scene = Scene::new();
@@ -386,6 +388,42 @@ mod tests {
         assert!(deformation.is_worked_out());
         // The joint has moved to (0, 1, 0), and belongs to what is seen.
         assert_eq!(geometry.bounds().min, Vec3::new(0.0, 1.0, 0.0));
+    }
+
+    #[test]
+    fn bounds_hold_what_bulges_by_dual_quaternions() {
+        // A joint at rest and its child, which turns by 170°, share a vertex at distance 1: it
+        // keeps that distance, while the box of where either joint carries it is flat.
+        let child = Joint {
+            parent: Some(0),
+            ..Joint::default()
+        };
+        let skeleton = SkeletalModel::new(vec![Joint::default(), child]).unwrap();
+        let mut attachments = Attachments::new();
+        attachments.push_vertex([0, 1].map(|joint| Influence { joint, weight: 0.5 }));
+        let mesh = Mesh::new(vec![Vec3::X], Vec::new());
+        let character = Character::new(skeleton, attachments, mesh).unwrap();
+        let mut shape = CharacterShape::new(Arc::new(character));
+        let mut pose = Pose::new();
+        pose.set_joint_transform(1, Euler::from_degrees(Vec3::Z * 170.0));
+        shape.set_pose(pose);
+        for (method, highest) in [
+            (SkinningMethod::LinearBlend, 170_f32.to_radians().sin()),
+            (SkinningMethod::DualQuaternion, 85_f32.to_radians().sin()),
+        ] {
+            shape.set_skinning_method(method);
+            let mut scene = Scene::new();
+            scene.add(NewShape::new("Dot", ShapeKind::Character(shape.clone())));
+            let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+            let deformation = evaluated.shapes[0].geometry.deformation.as_ref().unwrap();
+            let bounds = deformation.conservative_bounds();
+            assert!(
+                (bounds.max.y - highest).abs() < 1e-5,
+                "{method:?}: {bounds:?}"
+            );
+            let at = deformation.positions()[0];
+            assert!(at.y <= bounds.max.y + 1e-6, "{method:?}: {at}");
+        }
     }
 
     #[test]

@@ -1,9 +1,10 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
 use super::commands::{COMMANDS, Command, Entry, full_label, in_words, run, why_disabled};
+use super::key_commands::is_there;
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
-use super::{Action, ViewInput, is_there};
+use super::{Action, ViewInput};
 use crate::editor::Session;
 use egui::{
     Align2, Button, Frame, Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui, Vec2,

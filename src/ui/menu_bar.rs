@@ -1,8 +1,9 @@
 use super::commands::{Command, Entry, Menu, full_label, is_on, run, why_disabled};
+use super::key_commands::is_there;
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{named, tip_beside};
-use super::{Action, Ask, ViewInput, commands, is_there};
+use super::{Action, Ask, ViewInput, commands};
 use crate::editor::Session;
 use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig};

@@ -20,6 +20,7 @@ mod joint_list;
 mod joint_marks;
 mod joint_rows;
 mod joint_tree;
+mod key_commands;
 mod look_switch;
 mod menu_bar;
 mod mesh_colors;
@@ -57,9 +58,10 @@ pub use state::UiState;
 pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
-use crate::editor::{Session, Tool, View};
+use crate::editor::{Session, View};
 use crate::scene::{FitArea, ShapeId};
 use egui::{Rect, Response, Ui};
+use key_commands::{KeyPress, press, run_waiting, takes_keys};
 use std::path::PathBuf;
 
 /// Input to the panels besides the session and their own state.
@@ -260,93 +262,6 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     }
 }
 
-/// Commands about the document that are meant even while a text or a number is being typed.
-const MEANT_WHILE_TYPING: [Command; 5] = [
-    Command::New,
-    Command::Open,
-    Command::Save,
-    Command::SaveAs,
-    Command::Quit,
-];
-
-/// Those that are meant even while a menu or a choice of color is open, which they close.
-const MEANT_IN_A_POPUP: [Command; 7] = [
-    Command::New,
-    Command::Open,
-    Command::Save,
-    Command::SaveAs,
-    Command::Quit,
-    Command::Undo,
-    Command::Redo,
-];
-
-/// Those that are meant even in the middle of a drag.
-const MEANT_IN_A_DRAG: [Command; 3] = [Command::Save, Command::SaveAs, Command::Quit];
-
-/// Has commands about the document wait until what is being typed is taken over, for which the field
-/// gives up the keyboard in this frame, until popups are closed, and saving until a drag has ended; runs the one that has
-/// waited. Where `keys_are_taken`, such as by a file dialog, keys mean no commands.
-fn run_waiting(
-    ctx: &egui::Context,
-    session: &Session,
-    state: &mut UiState,
-    input: &ViewInput,
-    in_drag: bool,
-) -> Vec<Action> {
-    // What came in with it is typed first.
-    let is_typing = ctx.input(|input| {
-        use egui::Event::{Key, Paste, Text};
-        let typed = |event: &egui::Event| matches!(event, Text(_) | Paste(_) | Key { .. });
-        input.events.iter().any(typed)
-    });
-    let gives_up = !is_typing && std::mem::take(&mut state.gives_up_typing);
-    let typing = ctx.text_edit_focused() && state.search.is_none();
-    let saves = |command: Command| matches!(command, Command::Save | Command::SaveAs);
-    let in_gesture = in_drag || session.is_in_gesture();
-    let in_popup = !typing && !in_gesture && egui::Popup::is_any_open(ctx);
-    let waits = typing || in_popup || in_gesture && state.waiting.is_none_or(saves);
-    if !waits {
-        let aspect = aspect(state.view_rect);
-        let command = state.waiting.take();
-        return command.map_or_else(Vec::new, |command| {
-            commands::run(command, session, state, aspect)
-        });
-    }
-    if state.waiting.is_none() && !input.keys_are_taken && !input.is_viewer {
-        let meant: &[Command] = if typing {
-            &MEANT_WHILE_TYPING
-        } else if in_popup {
-            &MEANT_IN_A_POPUP
-        } else {
-            &MEANT_IN_A_DRAG
-        };
-        // What was typed into a number field is taken back by the field itself.
-        let undoes = number_field::is_untouched(ctx);
-        let is_meant = |command: &Command| {
-            let is_undo = undoes && *command == Command::Undo;
-            (is_undo || meant.contains(command)) && is_there(*command, input)
-        };
-        let pressed = commands::pressed_with_ctrl(ctx, state.navigation);
-        state.waiting = pressed.filter(is_meant);
-    }
-    if in_popup && state.waiting.is_some() {
-        egui::Popup::close_all(ctx);
-    }
-    if typing && !is_typing && (gives_up || state.waiting.is_some()) {
-        ctx.memory_mut(|memory| {
-            if let Some(field) = memory.focused() {
-                memory.surrender_focus(field);
-            }
-        });
-    }
-    // What waits for the end of a drag needs no frame before.
-    let waits_for_drag = !typing && state.waiting.is_some_and(saves);
-    if state.gives_up_typing || state.waiting.is_some() && !waits_for_drag {
-        ctx.request_repaint();
-    }
-    Vec::new()
-}
-
 /// Whether a button or an arrow key is held, so that edits go on in the next frames.
 fn is_holding(ctx: &egui::Context) -> bool {
     use egui::Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp};
@@ -386,99 +301,4 @@ fn add_gestures_of_panels(
         };
         actions.insert(place, Action::Gesture(step));
     }
-}
-
-/// Whether a command exists where the program runs: browsers close their pages themselves, and only
-/// pages have an address.
-fn is_there(command: Command, input: &ViewInput) -> bool {
-    match command {
-        Command::Quit => !input.is_page,
-        Command::CopyLink => input.is_page,
-        _ => true,
-    }
-}
-
-/// Whether a text field or a popup has the keyboard focus.
-fn takes_keys(ctx: &egui::Context) -> bool {
-    ctx.text_edit_focused() || egui::Popup::is_any_open(ctx)
-}
-
-/// Seconds for which Esc does not end the program after it, or anything else, has ended something:
-/// whoever presses it once too often must not lose the window.
-const ESC_RESTS: f64 = 1.0;
-
-/// A key that was pressed, and when, in seconds of egui's clock.
-#[derive(Clone, Copy)]
-struct KeyPress {
-    key: egui::Key,
-    at: f64,
-}
-
-/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison with a picture,
-/// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
-/// joint, deselects the shape, or ends the program. While the screenshot dialog is open, no other key
-/// works.
-fn press(
-    command: Command,
-    session: &Session,
-    state: &mut UiState,
-    input: &ViewInput,
-    aspect: f32,
-    pressed: KeyPress,
-    actions: &mut Vec<Action>,
-) {
-    let is_esc = pressed.key == egui::Key::Escape;
-    if is_esc && state.windows.close_last() {
-        return;
-    }
-    if (is_esc || command == Command::Compare) && input.compare.is_some() {
-        actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
-        return;
-    }
-    if is_esc && state.explain.end_last() {
-        return;
-    }
-    if (is_esc || command == Command::CompareMesh) && input.compare_mesh.is_some() {
-        let close = Ask::CompareMesh(CompareMeshAction::Close);
-        return actions.push(Action::Ask(close));
-    }
-    if is_esc {
-        let deselect = if session.selected_joint().is_some() {
-            Some(View::SelectJoint(None))
-        } else {
-            session.selected().map(|_| View::Select(None))
-        };
-        if let Some(deselect) = deselect {
-            state.busy_at = pressed.at;
-            actions.push(Action::View(deselect));
-            return;
-        }
-        if pressed.at - state.busy_at < ESC_RESTS || !state.navigation.quits_by_esc() {
-            return;
-        }
-    }
-    if state.windows.is_open(windows::Dialog::Screenshot) || !is_there(command, input) {
-        return;
-    }
-    // Typed for an axis of a drag that a locked shape has refused.
-    let is_locked = || session.selected_shapes().any(|shape| shape.locked);
-    if command == Command::Delete && pressed.key == egui::Key::X && is_locked() {
-        actions.push(Action::View(View::Tell(
-            "X deletes nothing that is locked: the Delete key does",
-        )));
-        return;
-    }
-    // The joint at hand, rather than all that hangs together with it.
-    let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
-    if command == Command::Delete
-        && let Some(action) = control_points::delete_clicked(session, &state.curves)
-    {
-        actions.push(action);
-        return;
-    }
-    let command = match command {
-        Command::Delete if joint_at_hand => Command::ResetJoint,
-        command => command,
-    };
-    actions.extend(commands::run(command, session, state, aspect));
 }

@@ -4,8 +4,8 @@ use super::theme::Palette;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align, Button, EventFilter, Id, Key, Label, Layout, Modifiers, RectAlign, Response, RichText,
-    Tooltip, Ui, Vec2, vec2,
+    Align, Align2, Button, Color32, EventFilter, FontId, Id, Key, Label, Layout, Modifiers,
+    Painter, Pos2, RectAlign, Response, RichText, Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -172,4 +172,16 @@ pub(super) fn moved(movement: ListMove, at: usize, count: usize) -> Option<usize
         ListMove::Last => Some(last),
         ListMove::Left | ListMove::Right => None,
     }
+}
+
+/// Behind lines and words over the scene, so that they stand out from whatever is there.
+pub(super) const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
+
+/// A word over the scene whose lower left corner is at `corner`.
+pub(super) fn word_over_scene(painter: &Painter, corner: Pos2, text: &str) {
+    let font = FontId::proportional(13.0);
+    let galley = painter.layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+    let rect = Align2::LEFT_BOTTOM.anchor_size(corner, galley.size());
+    painter.rect_filled(rect.expand2(vec2(4.0, 1.0)), 3.0, SHADE);
+    painter.galley(rect.min, galley, Color32::WHITE);
 }

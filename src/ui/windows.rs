@@ -1,10 +1,11 @@
 //! Windows over the view: Keys and Mouse, Messages, History, Preferences, About; which of them are open.
 
 use super::commands::{GESTURES, Menu, entries};
+use super::key_commands::is_there;
 use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::{Action, Navigation, ViewInput, history, is_there, messages, preferences};
+use super::{Action, Navigation, ViewInput, history, messages, preferences};
 use crate::editor::Session;
 use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 

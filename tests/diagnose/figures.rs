@@ -8,6 +8,7 @@ use editor_core::io::import_any;
 use editor_core::math::Euler;
 use editor_core::scene::ShapeKind;
 use glam::Vec3;
+use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -143,4 +144,29 @@ pub fn written_in_all(points: &[Vec3], digits: usize) -> Vec<Vec3> {
         .iter()
         .map(|point| point.to_array().map(read).into())
         .collect()
+}
+
+/// How a program writes numbers.
+pub type Format = fn(f32) -> String;
+
+/// A posed mesh as a program writes it. Repeated corners have faces of their own.
+pub fn obj(places: &[Vec3], figure: &Figure, format: Format) -> String {
+    let mut text = String::new();
+    for place in places {
+        let [x, y, z] = place.to_array().map(format);
+        writeln!(text, "v {x} {y} {z}").unwrap();
+    }
+    let is_same = places.len() == figure.positions.len();
+    for (index, &[a, b, c]) in figure.triangles.iter().enumerate() {
+        let first = 3 * index as u32;
+        let [a, b, c] = if is_same {
+            [a, b, c]
+        } else {
+            [first, first + 1, first + 2]
+        };
+        if a.max(b).max(c) < places.len() as u32 {
+            writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).unwrap();
+        }
+    }
+    text
 }

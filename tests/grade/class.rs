@@ -1,7 +1,8 @@
 //! A class of eighty: thirty with mistakes, by themselves and two at once, and fifty that are right.
 
+use crate::diagnose::figures::Format;
 use crate::diagnose::student::{RIGHT, Student, with};
-use crate::grade::support::{Class, Format, result};
+use crate::grade::support::{Class, result};
 use glam::Vec3;
 use serde_json::{Value, json};
 

@@ -1,7 +1,8 @@
 //! Programs of submissions that are run, and what they must not do to others.
 
+use crate::diagnose::figures::obj;
 use crate::diagnose::student::RIGHT;
-use crate::grade::support::{Class, obj, result};
+use crate::grade::support::{Class, result};
 use serde_json::json;
 use std::fs;
 use std::os::unix::fs::PermissionsExt;

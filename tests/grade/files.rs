@@ -1,8 +1,9 @@
 //! What is blank, missing, unreadable and wrong is told apart.
 
 use crate::diagnose::figures::Figure;
+use crate::diagnose::figures::obj;
 use crate::diagnose::student::{RIGHT, with};
-use crate::grade::support::{Class, obj, result};
+use crate::grade::support::{Class, result};
 use crate::program::editor_in;
 use glam::Vec3;
 use serde_json::{Value, json};

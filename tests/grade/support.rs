@@ -1,11 +1,9 @@
 //! Folders of submissions.
 
-use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::figures::{Figure, Format, obj, turned};
 use crate::diagnose::student::Student;
 use crate::program::{Ran, editor_in};
-use glam::Vec3;
 use serde_json::{Value, json};
-use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -16,9 +14,6 @@ pub struct Class {
     /// Names of the tests, each with its character in its pose.
     pub tests: Vec<(String, Figure)>,
 }
-
-/// How a program writes numbers.
-pub type Format = fn(f32) -> String;
 
 impl Class {
     /// A class that poses the built-in characters `models`, each in a pose of its own.
@@ -133,28 +128,6 @@ impl Class {
             assert!(one == other, "{} differs", file.display());
         }
     }
-}
-
-/// A posed mesh as a program writes it. Repeated corners have faces of their own.
-pub fn obj(places: &[Vec3], figure: &Figure, format: Format) -> String {
-    let mut text = String::new();
-    for place in places {
-        let [x, y, z] = place.to_array().map(format);
-        writeln!(text, "v {x} {y} {z}").unwrap();
-    }
-    let is_same = places.len() == figure.positions.len();
-    for (index, &[a, b, c]) in figure.triangles.iter().enumerate() {
-        let first = 3 * index as u32;
-        let [a, b, c] = if is_same {
-            [a, b, c]
-        } else {
-            [first, first + 1, first + 2]
-        };
-        if a.max(b).max(c) < places.len() as u32 {
-            writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).unwrap();
-        }
-    }
-    text
 }
 
 /// The result that `grade.json` has of a submission for a test.

@@ -1,30 +1,25 @@
 //! Comparing a character with a mesh that another program posed.
 
 use super::{Story, differing};
-use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity};
 use editor_core::program::Purpose;
 use editor_core::scene::{SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::{Key, Modifiers};
 use glam::Vec3;
-use std::fmt::Write;
 
 /// A dog in a pose.
 fn dog() -> Figure {
     Figure::builtin("dog", turned(7))
 }
 
-/// The file that a program writes that has the mistake of `student`.
-fn obj(figure: &Figure, student: &Student) -> Vec<u8> {
-    let mut text = String::new();
-    for at in student.skin(figure) {
-        writeln!(text, "v {:.6} {:.6} {:.6}", at.x, at.y, at.z).unwrap();
-    }
-    for [a, b, c] in &figure.triangles {
-        writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).unwrap();
-    }
-    text.into_bytes()
+/// The file that the program of `student` writes.
+fn mine(figure: &Figure, student: &Student) -> Vec<u8> {
+    obj(&student.skin(figure), figure, |number| {
+        format!("{number:.6}")
+    })
+    .into_bytes()
 }
 
 /// A student who takes each column of the weights for the joint of the column before.
@@ -41,7 +36,7 @@ fn comparing(student: &Student) -> Story {
     let mut story = Story::start(&["builtin:dog"]);
     story.size = (1280, 800);
     let files = &mut story.host.files;
-    files.insert("mine.obj".into(), obj(&figure, student));
+    files.insert("mine.obj".into(), mine(&figure, student));
     let id = story.session().scene().shapes()[0].id;
     let edit = Edit::SetPose(id, figure.pose());
     story.program.session_mut().edit(edit).expect("a pose");
@@ -263,19 +258,9 @@ fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
         },
         ..RIGHT
     };
-    let figure = dog();
-    let mut text_of = String::new();
-    for at in corners.skin(&figure) {
-        writeln!(text_of, "v {} {} {}", at.x, at.y, at.z).unwrap();
-    }
-    for first in (1..=figure.triangles.len() * 3).step_by(3) {
-        writeln!(text_of, "f {} {} {}", first, first + 1, first + 2).unwrap();
-    }
     let mut story = comparing(&RIGHT);
-    story
-        .host
-        .files
-        .insert("corners.obj".into(), text_of.into_bytes());
+    let file = mine(&dog(), &corners);
+    story.host.files.insert("corners.obj".into(), file);
     story.host.drop_file("corners.obj");
     story.settle();
     text(&story, "corners.obj against the exact Dog");

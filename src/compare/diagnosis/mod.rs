@@ -6,6 +6,7 @@ mod color;
 mod detail;
 mod evidence;
 mod finding;
+mod finding_words;
 mod highlight;
 mod outline;
 mod placed;

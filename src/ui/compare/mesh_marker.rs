@@ -3,8 +3,8 @@
 use super::CompareMeshView;
 use crate::editor::Session;
 use crate::ui::ScenePlaces;
-use crate::ui::theme::Palette;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, Ui, vec2};
+use crate::ui::widgets::word_over_scene;
+use egui::{Color32, Stroke, Ui, vec2};
 
 /// Radius of the ring round our place of the vertex, in points, and of the dot at theirs.
 const RING: f32 = 9.0;
@@ -22,7 +22,6 @@ pub(in crate::ui) fn show(
         return;
     };
     let camera = &session.view().camera;
-    let palette = Palette::of(ui.visuals());
     for place in places.iter() {
         let painter = ui.painter().with_clip_rect(place.rect);
         let [ours, theirs] = at.map(|at| {
@@ -44,14 +43,6 @@ pub(in crate::ui) fn show(
             painter.circle_filled(theirs, DOT + wider / 2.0, color);
         }
         let corner = ours + vec2(RING + 6.0, -RING - 6.0);
-        label(&painter, corner, &format!("vertex {vertex}"), palette);
+        word_over_scene(&painter, corner, &format!("vertex {vertex}"));
     }
-}
-
-fn label(painter: &Painter, at: Pos2, text: &str, palette: &Palette) {
-    let font = FontId::proportional(12.0);
-    let laid_out = painter.layout_no_wrap(text.to_owned(), font, palette.strong);
-    let rect = Align2::LEFT_BOTTOM.anchor_size(at, laid_out.size());
-    painter.rect_filled(rect.expand(3.0), 3, palette.panel);
-    painter.galley(rect.min, laid_out, palette.strong);
 }

@@ -1,5 +1,6 @@
 //! The panel below the view while a character is compared with a mesh.
 
+use super::below::{below_the_view, columns, has_room_for_columns, scrolled};
 use super::panel::{line, of_which, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
 use crate::diagnose::{Diagnosis, MeshMeasure, Verdict, of_size};
@@ -8,12 +9,9 @@ use crate::scene::FitArea;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
-use egui::{Align, Button, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
 
 const HEIGHT: f32 = 168.0;
-const LOWEST: f32 = 64.0;
-/// Narrower panels show their parts one below the other.
-const ROOM_FOR_COLUMNS: f32 = 760.0;
 
 /// Everything that the parts of the panel need.
 struct Parts<'a> {
@@ -44,39 +42,23 @@ pub(in crate::ui) fn show(
         marked,
         actions,
     };
-    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = (root.available_height() * 0.6).max(LOWEST);
-    Panel::bottom("compare with a mesh")
-        .frame(frame)
-        .resizable(true)
-        .default_size(HEIGHT)
-        .size_range(LOWEST..=highest)
-        .show(root, |ui| {
-            parts.header(ui);
-            ui.add_space(2.0);
-            ScrollArea::vertical()
-                .id_salt("comparison with a mesh")
-                .auto_shrink(false)
-                .show(ui, |ui| {
-                    if ui.available_width() < ROOM_FOR_COLUMNS {
-                        parts.diagnosis(ui);
-                        parts.numbers(ui);
-                        parts.regions(ui);
-                    } else {
-                        let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
-                        ui.columns_const(|columns: &mut [Ui; 3]| {
-                            for column in &mut *columns {
-                                column.spacing_mut().item_spacing.x = gap;
-                            }
-                            let [left, middle, right] = columns;
-                            // Columns would stretch what is in them.
-                            left.vertical(|ui| parts.numbers(ui));
-                            middle.vertical(|ui| parts.diagnosis(ui));
-                            right.vertical(|ui| parts.regions(ui));
-                        });
-                    }
+    below_the_view(root, "compare with a mesh", HEIGHT, |ui| {
+        parts.header(ui);
+        scrolled(ui, |ui| {
+            if has_room_for_columns(ui) {
+                columns(ui, |[left, middle, right]| {
+                    // Columns would stretch what is in them.
+                    left.vertical(|ui| parts.numbers(ui));
+                    middle.vertical(|ui| parts.diagnosis(ui));
+                    right.vertical(|ui| parts.regions(ui));
                 });
+            } else {
+                parts.diagnosis(ui);
+                parts.numbers(ui);
+                parts.regions(ui);
+            }
         });
+    });
 }
 
 impl Parts<'_> {

@@ -3,6 +3,7 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
+mod below;
 mod masks;
 mod mesh_marker;
 mod mesh_panel;

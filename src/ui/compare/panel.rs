@@ -1,3 +1,4 @@
+use super::below::{below_the_view, columns, has_room_for_columns, scrolled};
 use super::outlined::Outlined;
 use super::place::place;
 use super::{CompareReport, CompareView, masks};
@@ -8,16 +9,10 @@ use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
-use egui::{
-    Align, Button, Color32, Frame, Grid, Label, Layout, Margin, Panel, RichText, ScrollArea,
-    Slider, Ui, vec2,
-};
+use egui::{Align, Button, Color32, Grid, Label, Layout, RichText, Slider, Ui, vec2};
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
 const HEIGHT: f32 = 128.0;
-const LOWEST: f32 = 64.0;
-/// Narrower panels show their parts one below the other.
-const ROOM_FOR_COLUMNS: f32 = 760.0;
 /// Shown for what is not known yet.
 const UNKNOWN: &str = "…";
 
@@ -31,39 +26,23 @@ pub(in crate::ui) fn show(
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
-    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = (root.available_height() * 0.6).max(LOWEST);
-    Panel::bottom("compare")
-        .frame(frame)
-        .resizable(true)
-        .default_size(HEIGHT)
-        .size_range(LOWEST..=highest)
-        .show(root, |ui| {
-            header(ui, compare, changed, actions);
-            ui.add_space(2.0);
-            ScrollArea::vertical()
-                .id_salt("comparison")
-                .auto_shrink(false)
-                .show(ui, |ui| {
-                    if ui.available_width() < ROOM_FOR_COLUMNS {
-                        findings(ui, session, compare, outlined);
-                        numbers(ui, compare.report);
-                        ui.separator();
-                        settings(ui, look_is_course, compare, changed, actions);
-                    } else {
-                        let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
-                        ui.columns_const(|columns: &mut [Ui; 3]| {
-                            for column in &mut *columns {
-                                column.spacing_mut().item_spacing.x = gap;
-                            }
-                            let [left, middle, right] = columns;
-                            numbers(left, compare.report);
-                            findings(middle, session, compare, outlined);
-                            settings(right, look_is_course, compare, changed, actions);
-                        });
-                    }
+    below_the_view(root, "compare", HEIGHT, |ui| {
+        header(ui, compare, changed, actions);
+        scrolled(ui, |ui| {
+            if has_room_for_columns(ui) {
+                columns(ui, |[left, middle, right]| {
+                    numbers(left, compare.report);
+                    findings(middle, session, compare, outlined);
+                    settings(right, look_is_course, compare, changed, actions);
                 });
+            } else {
+                findings(ui, session, compare, outlined);
+                numbers(ui, compare.report);
+                ui.separator();
+                settings(ui, look_is_course, compare, changed, actions);
+            }
         });
+    });
 }
 
 fn header(

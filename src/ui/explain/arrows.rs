@@ -5,7 +5,8 @@ use super::Explained;
 use super::vertex::Told;
 use crate::editor::Session;
 use crate::ui::scene_places::Place;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
+use crate::ui::widgets::{SHADE, word_over_scene};
+use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 use glam::DVec3;
 
 /// Colors of joints, which are told apart by the color-blind as well: Okabe and Ito, "Color universal
@@ -19,7 +20,6 @@ const COLORS: [Color32; 7] = [
     Color32::from_rgb(0xd5, 0x5e, 0x00),
     Color32::from_rgb(0x00, 0x72, 0xb2),
 ];
-const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
 /// Color of the term at `index`, in its row and in the view.
 pub(super) fn color(index: usize) -> Color32 {
@@ -105,14 +105,7 @@ fn arrow(painter: &Painter, from: Pos2, to: Pos2, stroke: Stroke) {
     ));
 }
 
-/// A word beside a point.
+/// A letter beside a point.
 fn letter(painter: &Painter, at: Pos2, text: &str) {
-    let galley =
-        painter.layout_no_wrap(text.to_owned(), FontId::proportional(13.0), Color32::WHITE);
-    let corner = Align2::LEFT_BOTTOM
-        .anchor_size(at + vec2(10.0, -6.0), galley.size())
-        .min;
-    let ground = Rect::from_min_size(corner, galley.size()).expand2(Vec2::new(4.0, 1.0));
-    painter.rect_filled(ground, 3.0, SHADE);
-    painter.galley(corner, galley, Color32::WHITE);
+    word_over_scene(painter, at + vec2(10.0, -6.0), text);
 }

@@ -5,6 +5,7 @@ use crate::character::{Pose, SkeletalModel, WalkStep};
 use crate::editor::Session;
 use crate::math::MatrixStack;
 use crate::ui::scene_places::Place;
+use crate::ui::widgets::SHADE;
 use egui::{Color32, Painter, Pos2, Stroke};
 use glam::Mat4;
 
@@ -122,7 +123,6 @@ impl Stepper {
 }
 
 const DRAWN: Color32 = Color32::from_rgb(0x56, 0xb4, 0xe9);
-const SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 0xa0);
 
 /// Paints the joints that have been drawn, with lines to those that they hang on.
 pub(super) fn paint_drawn(

@@ -8,7 +8,7 @@ use editor_core::render::{Backdrop, Frame, Marks, Renderer, ShapeNumbers};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
     CharacterNumber, Evaluated, Evaluator, FitArea, ModelDisplay, SCALE_GRAY, Scene, Shading,
-    ShapeKind, Skinning, ViewSettings, scale_color,
+    ShapeKind, Skinning, SkinningMethod, ViewSettings, scale_color,
 };
 use glam::Vec3;
 use std::sync::Arc;
@@ -103,6 +103,25 @@ fn outlines_and_meshes_seen_through_are_the_same_too() {
         let (here, _) = draw(gl, &mut cpu, &scene, &view, marks.clone());
         let (there, _) = draw(gl, &mut gpu, &scene, &view, marks.clone());
         same("outlined", &here, &there);
+    });
+}
+
+#[test]
+fn dual_quaternions_give_the_same_picture_where_the_graphics_card_is_to_skin() {
+    let mut scene = characters::scene_of(characters::column(true));
+    characters::bend(&mut scene);
+    let id = ids(&scene)[0];
+    on_each_backend(|gl| {
+        let [mut cpu, mut gpu] = [Skinning::Cpu, Skinning::Gpu].map(|s| renderer(gl, s));
+        let view = fitted(&scene, Shading::AsAuthored);
+        let (linear, _) = draw(gl, &mut gpu, &scene, &view, Marks::default());
+        let mut scene = scene.clone();
+        let character = scene.character_mut(id).expect("the column");
+        character.set_skinning_method(SkinningMethod::DualQuaternion);
+        let (here, _) = draw(gl, &mut cpu, &scene, &view, Marks::default());
+        let (there, _) = draw(gl, &mut gpu, &scene, &view, Marks::default());
+        same("dual quaternions", &here, &there);
+        assert!(there.rgba != linear.rgba, "as by linear blending");
     });
 }
 
