@@ -1,7 +1,7 @@
 //! A screen without a monitor, the program in it, and hands: Xvfb and xdotool.
 
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -316,12 +316,20 @@ impl Drop for Program<'_> {
     }
 }
 
+/// The folder of the user's session, made if need be.
+pub fn session_folder(home: &Path) -> PathBuf {
+    let folder = home.join("session");
+    std::fs::create_dir_all(&folder).expect("the session's folder");
+    folder
+}
+
 /// The program with nothing of this machine's user in its surroundings.
 pub fn command(home: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_editor"));
     command
         .current_dir(home)
         .env("HOME", home)
+        .env("XDG_RUNTIME_DIR", home.join("session"))
         .env_remove("XDG_CONFIG_HOME")
         .env_remove("WAYLAND_DISPLAY")
         .env_remove("DISPLAY")
