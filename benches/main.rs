@@ -9,6 +9,7 @@ mod frames;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
+mod moving;
 mod picking;
 mod report;
 mod skinning;
@@ -24,6 +25,7 @@ fn main() {
     let mut report = Report::new(filter);
     earlier::run(&mut report);
     frames::run(&mut report);
+    moving::run(&mut report);
     picking::run(&mut report);
     skinning::run(&mut report);
     report.finish();
