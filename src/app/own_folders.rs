@@ -13,12 +13,16 @@ pub(super) fn configuration() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// A folder that is rarely on the same disk, for work that does not fit there: that of the user's
-/// session, or one among the temporary files. The system may clear it when it shuts down.
-pub(super) fn spare() -> Option<PathBuf> {
+/// Folders that are rarely on the same disk, for work that does not fit there: that of the user's
+/// session, and one among the temporary files. The system may clear them when it shuts down.
+pub(super) fn spare() -> Vec<PathBuf> {
     let session = BaseDirs::new().and_then(|folders| folders.runtime_dir().map(Path::to_owned));
-    let parent = session.unwrap_or_else(std::env::temp_dir);
-    private(parent.join(folder_name()))
+    let mut parents: Vec<PathBuf> = session.into_iter().chain([std::env::temp_dir()]).collect();
+    // A folder that came twice would be locked against itself.
+    parents.dedup();
+    let folders = parents.into_iter();
+    let folders = folders.filter_map(|parent| private(parent.join(folder_name())));
+    folders.collect()
 }
 
 /// Name of the folder, another for each user, who may share the one for temporary files.

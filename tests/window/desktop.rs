@@ -340,6 +340,13 @@ pub fn session_folder(home: &Path) -> PathBuf {
     folder
 }
 
+/// The folder for temporary files, made if need be.
+pub fn temporary_folder(home: &Path) -> PathBuf {
+    let folder = home.join("temporary");
+    std::fs::create_dir_all(&folder).expect("the folder for temporary files");
+    folder
+}
+
 /// The program with nothing of this machine's user in its surroundings.
 pub fn command(home: &Path) -> Command {
     command_at(Path::new(PROGRAM), home)
@@ -351,6 +358,7 @@ fn command_at(program: &Path, home: &Path) -> Command {
         .current_dir(home)
         .env("HOME", home)
         .env("XDG_RUNTIME_DIR", home.join("session"))
+        .env("TMPDIR", home.join("temporary"))
         .env_remove("XDG_CONFIG_HOME")
         .env_remove("WAYLAND_DISPLAY")
         .env_remove("DISPLAY")

@@ -1,6 +1,6 @@
 //! Documents of the real window: saved, reopened, and kept through a kill.
 
-use super::desktop::{Desktop, Program, session_folder};
+use super::desktop::{Desktop, Program, session_folder, temporary_folder};
 use super::home_with_character;
 use std::path::Path;
 
@@ -9,34 +9,37 @@ fn a_program_that_is_ended_says_what_it_could_not_keep() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
     std::fs::write(home.path().join(".config"), "no folder").expect("a file in its place");
-    let spare = session_folder(home.path());
-    std::fs::remove_dir(&spare).expect("an empty folder");
-    std::fs::write(&spare, "no folder").expect("a file in its place, too");
     let (status, told) = with_a_cube(&desktop, home.path()).terminate();
     assert!(status.success(), "{status}: {told}");
     assert!(told.contains("unsaved work could not be kept"), "{told}");
 }
 
 #[test]
-fn a_program_that_is_ended_keeps_what_does_not_fit_at_home_in_the_session_s_folder() {
+fn a_program_that_is_ended_keeps_what_does_not_fit_at_home_in_a_spare_folder() {
     let desktop = Desktop::start();
-    let home = tempfile::tempdir().expect("a folder");
-    let spare = session_folder(home.path());
-    let config = home.path().join(".config");
+    for spare in [session_folder, temporary_folder] {
+        let home = tempfile::tempdir().expect("a folder");
+        let spare = spare(home.path());
+        keeps_in_spare_folder(&desktop, home.path(), &spare);
+    }
+}
+
+fn keeps_in_spare_folder(desktop: &Desktop, home: &Path, spare: &Path) {
+    let config = home.join(".config");
     std::fs::write(&config, "no folder").expect("a file in its place");
-    let (status, told) = with_a_cube(&desktop, home.path()).terminate();
+    let (status, told) = with_a_cube(desktop, home).terminate();
     assert!(status.success(), "{status}: {told}");
     let told_place = format!("unsaved work is in {}", spare.display());
     assert!(told.contains(&told_place), "{told}");
 
     // There is room again.
     std::fs::remove_file(&config).expect("the file");
-    let mut program = Program::start(&desktop, home.path(), &[]);
+    let mut program = Program::start(desktop, home, &[]);
     program.keys(&["Return"]);
     title_is(&mut program, "*Untitled — Editor");
     let (status, told) = program.terminate();
     assert!(status.success() && told.is_empty(), "{status}: {told}");
-    let kept = autosave(home.path()).expect("unsaved work");
+    let kept = autosave(home).expect("unsaved work");
     assert!(kept.contains("cube"), "{kept}");
 }
 
