@@ -190,14 +190,58 @@ impl Framebuffer {
         }
         self.bind_raw();
         self.gl.check("reading a picture back")?;
-        // OpenGL counts rows from the bottom.
-        let (mut top, mut bottom) = (0, self.height as usize);
-        while top + 1 < bottom {
-            bottom -= 1;
-            let (upper, lower) = pixels.split_at_mut(bottom * row);
-            upper[top * row..(top + 1) * row].swap_with_slice(&mut lower[..row]);
-            top += 1;
+        turn_rows(&mut pixels, row);
+        Ok(pixels)
+    }
+
+    /// Has the graphics card copy the picture, once it is drawn, into a buffer of its own.
+    ///
+    /// # Errors
+    /// When the context is lost or the driver refuses.
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gpu) fn copy_into_buffer(&self) -> Result<glow::Buffer, GpuError> {
+        let Rect { width, height, .. } = self.rect();
+        let glow = self.gl.current_for("reading a picture back")?;
+        // SAFETY: current context; rows are packed without gaps, so they fill the buffer exactly.
+        unsafe {
+            let buffer = glow.create_buffer().map_err(|why| GpuError::Create {
+                what: "picture to read",
+                why,
+            })?;
+            let size = width.saturating_mul(height).saturating_mul(4);
+            glow.bind_buffer(glow::PIXEL_PACK_BUFFER, Some(buffer));
+            glow.buffer_data_size(glow::PIXEL_PACK_BUFFER, size, glow::STREAM_READ);
+            glow.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(self.readable()));
+            glow.pixel_store_i32(glow::PACK_ALIGNMENT, 4);
+            glow.pixel_store_i32(glow::PACK_ROW_LENGTH, 0);
+            glow.pixel_store_i32(glow::PACK_SKIP_ROWS, 0);
+            glow.pixel_store_i32(glow::PACK_SKIP_PIXELS, 0);
+            let data = glow::PixelPackData::BufferOffset(0);
+            glow.read_pixels(0, 0, width, height, glow::RGBA, glow::UNSIGNED_BYTE, data);
+            glow.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+            self.bind_raw();
+            Ok(buffer)
         }
+    }
+
+    /// The picture that [`copy_into_buffer`](Self::copy_into_buffer) put into `buffer`, as
+    /// [`read_rgba`](Self::read_rgba) returns it.
+    ///
+    /// # Errors
+    /// As [`read_rgba`](Self::read_rgba).
+    #[cfg(target_arch = "wasm32")]
+    pub(in crate::gpu) fn read_buffer(&self, buffer: glow::Buffer) -> Result<Vec<u8>, GpuError> {
+        let row = self.width as usize * 4;
+        let mut pixels = vec![0; row * self.height as usize];
+        let glow = self.gl.current_for("reading a picture back")?;
+        // SAFETY: current context; the buffer has the size of the slice.
+        unsafe {
+            glow.bind_buffer(glow::PIXEL_PACK_BUFFER, Some(buffer));
+            glow.get_buffer_sub_data(glow::PIXEL_PACK_BUFFER, 0, &mut pixels);
+            glow.bind_buffer(glow::PIXEL_PACK_BUFFER, None);
+        }
+        self.gl.check("reading a picture back")?;
+        turn_rows(&mut pixels, row);
         Ok(pixels)
     }
 
@@ -328,6 +372,17 @@ impl Framebuffer {
 
     fn readable(&self) -> glow::Framebuffer {
         self.resolved.as_ref().unwrap_or(&self.drawn).raw
+    }
+}
+
+/// Puts the top row first, of rows of so many bytes: OpenGL counts them from the bottom.
+fn turn_rows(pixels: &mut [u8], row: usize) {
+    let (mut top, mut bottom) = (0, pixels.len() / row);
+    while top + 1 < bottom {
+        bottom -= 1;
+        let (upper, lower) = pixels.split_at_mut(bottom * row);
+        upper[top * row..(top + 1) * row].swap_with_slice(&mut lower[..row]);
+        top += 1;
     }
 }
 

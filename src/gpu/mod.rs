@@ -49,6 +49,7 @@ pub(crate) mod interface_painter;
 #[cfg(not(target_arch = "wasm32"))]
 mod native_driver;
 mod program;
+mod reading;
 #[cfg(test)]
 pub(crate) mod test_driver;
 mod texture;
@@ -68,5 +69,6 @@ pub use gl::Gl;
 pub use gpu_error::{ContextError, GpuError};
 pub use immediate::{Immediate, Mode, PointShape};
 pub use program::Program;
+pub use reading::Reading;
 pub use texture::{Filter, FloatTexture, Sampling, Texture, Wrap};
 pub use vertex_array::{Attribute, Primitive, VertexArray, VertexArrayBuilder};

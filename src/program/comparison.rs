@@ -16,6 +16,8 @@ use std::time::Duration;
 const STILL: Duration = Duration::from_millis(150);
 /// Time between two looks at how far the slower half has come.
 const LOOK: Duration = Duration::from_millis(100);
+/// Time between two looks at whether the live view has been drawn: about a frame.
+pub(super) const DRAWING: Duration = Duration::from_millis(16);
 
 /// A comparison of the live view with a picture.
 pub(super) struct Comparison {
@@ -29,6 +31,8 @@ pub(super) struct Comparison {
     difference: Option<Textured>,
     /// State that `live` shows: it is drawn again only when this changes.
     drawn: Option<Drawn>,
+    /// State that is being drawn.
+    drawing: Option<Drawn>,
     settings: CompareSettings,
     report: CompareReport,
     measuring: Measuring,
@@ -111,6 +115,7 @@ impl Comparison {
             live: None,
             difference: None,
             drawn: None,
+            drawing: None,
             settings,
             report: CompareReport::default(),
             measuring: Measuring::default(),
@@ -138,8 +143,10 @@ impl Comparison {
         }
     }
 
-    /// Loads all textures anew when they are shown next.
-    pub fn forget_textures(&mut self) {
+    /// Goes on with other graphics: all textures are loaded anew when they are shown next, and what was
+    /// being drawn is drawn again.
+    pub fn replace_graphics(&mut self) {
+        self.drawing = None;
         let shown = [&mut self.live, &mut self.difference];
         let shown = shown.into_iter().flatten();
         for textured in shown.chain([&mut self.reference]) {
@@ -194,9 +201,19 @@ impl Comparison {
         self.drawn.as_ref() != Some(wanted)
     }
 
-    /// Takes a new picture of the live view; whether it differs from the one before.
-    pub fn take_live(&mut self, picture: Picture, drawn: Drawn, now: Duration) -> bool {
-        self.drawn = Some(drawn);
+    /// Whether the live view is being drawn.
+    pub fn is_drawing(&self) -> bool {
+        self.drawing.is_some()
+    }
+
+    /// Takes note that the live view is being drawn as it is in this state.
+    pub fn begin_drawing(&mut self, state: Drawn) {
+        self.drawing = Some(state);
+    }
+
+    /// Takes the picture of the live view that was being drawn; whether it differs from the one before.
+    pub fn take_live(&mut self, picture: Picture, now: Duration) -> bool {
+        self.drawn = self.drawing.take();
         let before = self.live.as_ref();
         if before.is_some_and(|live| *live.picture == picture) {
             return false;

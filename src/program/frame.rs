@@ -1,5 +1,5 @@
 use super::Host;
-use super::comparison::Drawn;
+use super::comparison::{Comparison, DRAWING, Drawn};
 use super::graphics::Graphics;
 use super::input_parts::input_parts;
 use super::running::{Program, Shown};
@@ -190,11 +190,8 @@ impl Program {
         let wait = self.comparison.as_mut().and_then(|c| c.advance(host));
         let meshes = self.mesh_comparison.as_mut();
         let wait = wait.or(meshes.and_then(|c| c.advance(&self.session, host)));
-        Ok(match wait {
-            _ if compared => Duration::ZERO,
-            Some(wait) => wait.min(graphics.full_picture_after(host.now())),
-            None => graphics.full_picture_after(host.now()),
-        })
+        let wait = wait.unwrap_or(Duration::MAX).min(compared);
+        Ok(wait.min(graphics.full_picture_after(host.now())))
     }
 
     /// Runs egui once, and with it the panels.
@@ -251,33 +248,29 @@ impl Program {
         graphics.draw_scene(&frame, self.session.document(), moves, now)
     }
 
-    /// Draws the scene in the size of the picture that it is compared with, if it changed. Whether
-    /// the panels have something new to show. A comparison that cannot be drawn ends, and the
-    /// scene stays.
-    fn draw_comparison(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> bool {
+    /// Draws the scene in the size of the picture that it is compared with, if it changed. Returns how
+    /// long no frame is needed for its sake: none if the panels have something new to show. A comparison
+    /// that cannot be drawn ends, and the scene stays.
+    fn draw_comparison(&mut self, graphics: &mut Graphics, host: &mut dyn Host) -> Duration {
         let Some(comparison) = &mut self.comparison else {
             graphics.end_comparison();
-            return false;
+            return Duration::MAX;
         };
-        let smooth_edges = comparison.settings().smooth_edges;
         let wanted = Drawn {
             document: self.session.document(),
             view: *self.session.view(),
-            smooth_edges,
+            smooth_edges: comparison.settings().smooth_edges,
             skinning: self.ui.skinning,
         };
-        if !comparison.needs(&wanted) {
-            return false;
-        }
         // Marks would count as differences, and so would a backdrop that goes with the panels.
         let frame = frame(&self.session, comparison.backdrop(), Marks::default());
-        match graphics.compared_picture(&frame, comparison.size(), smooth_edges) {
-            Ok(picture) => comparison.take_live(picture, wanted, host.now()),
+        match compare_view(comparison, wanted, &frame, graphics, host.now()) {
+            Ok(wait) => wait,
             Err(error) => {
                 self.end_comparison();
                 let text = format!("The comparison ended, since it cannot be drawn: {error}");
                 self.tell(Severity::Error, text);
-                true
+                Duration::ZERO
             }
         }
     }
@@ -308,6 +301,33 @@ impl Program {
         }
         Ok(())
     }
+}
+
+/// Has `comparison` show `frame`, in the state `wanted`, if it does not yet. A state that changes while
+/// the one before is drawn is drawn after that. Returns how long no frame is needed for its sake.
+fn compare_view(
+    comparison: &mut Comparison,
+    wanted: Drawn,
+    frame: &Frame,
+    graphics: &mut Graphics,
+    now: Duration,
+) -> Result<Duration, RenderError> {
+    if !comparison.is_drawing() {
+        if !comparison.needs(&wanted) {
+            return Ok(Duration::MAX);
+        }
+        graphics.draw_compared(frame, comparison.size(), wanted.smooth_edges)?;
+        comparison.begin_drawing(wanted);
+    }
+    let Some(picture) = graphics.compared_picture()? else {
+        return Ok(DRAWING);
+    };
+    let is_new = comparison.take_live(picture, now);
+    Ok(if is_new || comparison.needs(&wanted) {
+        Duration::ZERO
+    } else {
+        Duration::MAX
+    })
 }
 
 /// Whether a picture could not have the size that it needs.

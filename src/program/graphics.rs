@@ -1,6 +1,6 @@
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
+use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
 use crate::render::{
     Backdrop, Frame, InterfacePainter, LargePicture, Marks, PictureParts, RenderError, Renderer,
     compose, read_picture,
@@ -19,6 +19,8 @@ pub struct Graphics {
     scene: Option<Framebuffer>,
     /// The scene, as large as the picture that it is compared with.
     compared: Option<Framebuffer>,
+    /// That on its way back.
+    compared_reading: Option<Reading>,
     /// The scene, as large as the view and without samples, while something moves on software OpenGL.
     draft: Option<Framebuffer>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
@@ -82,6 +84,7 @@ impl Graphics {
             renderer: Renderer::new(gl)?,
             scene: None,
             compared: None,
+            compared_reading: None,
             draft: None,
             shown: None,
             window: None,
@@ -242,21 +245,40 @@ impl Graphics {
     ///
     /// # Errors
     /// See [`Renderer::draw`], and when there is no room for the picture.
-    pub(super) fn compared_picture(
+    pub(super) fn draw_compared(
         &mut self,
         frame: &Frame,
         size: (u32, u32),
         smooth_edges: bool,
-    ) -> Result<Picture, RenderError> {
+    ) -> Result<(), RenderError> {
         let samples = if smooth_edges { self.samples } else { 0 };
         let target = fit(&self.gl, &mut self.compared, size, samples)?;
         self.renderer.draw(frame, target)?;
-        Ok(read_picture(target)?)
+        self.compared_reading = Some(Reading::begin(target, &self.gl)?);
+        Ok(())
+    }
+
+    /// What [`Graphics::draw_compared`] has drawn, once; `None` while it is being drawn, which only a
+    /// page does not wait for.
+    ///
+    /// # Errors
+    /// When a GL error occurred.
+    pub(super) fn compared_picture(&mut self) -> Result<Option<Picture>, RenderError> {
+        let reading = self.compared_reading.take_if(|it| it.is_drawn());
+        let (Some(reading), Some(target)) = (reading, &self.compared) else {
+            return Ok(None);
+        };
+        Ok(Some(Picture {
+            width: target.width(),
+            height: target.height(),
+            rgba: reading.finish(target)?,
+        }))
     }
 
     /// Frees the memory of the picture that was compared.
     pub(super) fn end_comparison(&mut self) {
         self.compared = None;
+        self.compared_reading = None;
     }
 
     /// Width and height of the view in pixels.

@@ -193,7 +193,7 @@ impl Program {
         self.ui.replace_context();
         self.start_pictures = StartPictures::default();
         if let Some(comparison) = &mut self.comparison {
-            comparison.forget_textures();
+            comparison.replace_graphics();
         }
     }
 

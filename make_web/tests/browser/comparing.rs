@@ -17,6 +17,35 @@ const WATCH: &str = "
     };
     setTimeout(task, 0);";
 
+/// Notes of each step of reading a picture back from the graphics card whether it can be done at once. It
+/// can if the card copies the picture into a buffer, and if that is read when it is known to be there.
+const READS: &str = "
+    window.reads = [];
+    let drawn = false;
+    const methods = WebGL2RenderingContext.prototype;
+    const { clientWaitSync, getBufferSubData, readPixels } = methods;
+    methods.clientWaitSync = function (...given) {
+        const status = clientWaitSync.apply(this, given);
+        drawn = status !== this.TIMEOUT_EXPIRED;
+        return status;
+    };
+    methods.readPixels = function (...given) {
+        reads.push(['copied', typeof given[6] === 'number']);
+        drawn = false;
+        return readPixels.apply(this, given);
+    };
+    methods.getBufferSubData = function (...given) {
+        reads.push(['read', drawn]);
+        return getBufferSubData.apply(this, given);
+    };";
+
+/// The longest time, in milliseconds, for which the page stood still between the moment `chosen` and
+/// the first of the jobs after the first `before` of them.
+const CHOOSING: &str = "
+    const [job] = performance.getEntriesByName('editor-job', 'measure').slice(before);
+    const inside = held.filter(([from, to]) => to > chosen && from < job.startTime);
+    return Math.max(...inside.map(([from, to]) => to - from));";
+
 /// The longest of the jobs after the first `before` of them: its time in milliseconds, the longest time
 /// within it for which the page stood still, and the number of frames that began within it.
 const LONGEST: &str = "
@@ -48,10 +77,21 @@ fn the_page_goes_on_while_a_picture_is_compared_with_the_view() {
     browser.drag((700, 650), (760, 650));
     browser.picture();
     browser.script(WATCH);
+    browser.script(READS);
     let before = jobs(&browser);
     browser.press(&[F8]);
+    let chosen = browser.script("return performance.now()");
     browser.choose(&[file.path().to_owned()]);
     browser.wait("the pictures are compared", || jobs(&browser) >= before + 2);
+    let choosing = format!("const before = {before}, chosen = {chosen}; {CHOOSING}");
+    let choosing = browser.script(&choosing).as_f64().unwrap();
+    eprintln!("the longest stop until both pictures are there {choosing:.0} ms");
+    let reads = browser.script("return reads");
+    assert_eq!(
+        reads,
+        serde_json::json!([["copied", true], ["read", true]]),
+        "the page waits for the graphics card"
+    );
     let [whole, longest, frames] = [0, 1, 2].map(|index| {
         let numbers = browser.script(&format!("const before = {before}; {LONGEST}"));
         numbers[index].as_f64().unwrap()
