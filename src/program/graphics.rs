@@ -6,7 +6,7 @@ use crate::render::{
     compose, read_picture,
 };
 use crate::revision::Revision;
-use crate::scene::{Skinning, ViewSettings};
+use crate::scene::{Evaluated, Skinning, ViewSettings};
 use egui::FullOutput;
 use std::time::Duration;
 
@@ -21,6 +21,9 @@ pub struct Graphics {
     compared: Option<Framebuffer>,
     /// The scene, as large as the view and without samples, while something moves on software OpenGL.
     draft: Option<Framebuffer>,
+    /// The scene with another evaluation, as large as the view, and both of them beside each other, while
+    /// the view is split.
+    split: Option<Split>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
     shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
@@ -39,6 +42,15 @@ pub struct Graphics {
 struct Window {
     picture: Option<Framebuffer>,
     painter: InterfacePainter,
+}
+
+/// Pictures of a view that is split.
+#[derive(Debug, Default)]
+struct Split {
+    /// What is at the right of the line, in all of the view.
+    right: Option<Framebuffer>,
+    /// Both.
+    both: Option<Framebuffer>,
 }
 
 /// Properties of the graphics that the program shows and keeps to.
@@ -65,8 +77,10 @@ const REST: Duration = Duration::from_millis(100);
 #[derive(Clone, Debug, PartialEq)]
 struct SceneKey {
     document: Revision,
-    /// Geometry of each shape, which is not the document's while a mistake is made on purpose.
+    /// Geometry of each shape, which is not the document's while the view shows another one.
     geometry: Vec<Revision>,
+    /// The same at the right of a line, and the column of the line, while the view is split.
+    right: Option<(Vec<Revision>, i32)>,
     view: ViewSettings,
     backdrop: Backdrop,
     marks: Marks,
@@ -83,6 +97,7 @@ impl Graphics {
             scene: None,
             compared: None,
             draft: None,
+            split: None,
             shown: None,
             window: None,
             has_wrong_size: false,
@@ -118,7 +133,7 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        shown_picture(&self.shown, &self.draft, &self.scene).as_ref()
+        shown_picture(&self.shown, &self.split, &self.draft, &self.scene)
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -187,13 +202,15 @@ impl Graphics {
 
     /// Draws `frame` into the scene's picture, unless it shows just that already: at the time `now`,
     /// and while something `moves` on software OpenGL as a draft without samples, which cost it as much
-    /// as all else.
+    /// as all else. With `right` the part at the right of a line, at a share of the width, shows another
+    /// evaluation of the scene.
     ///
     /// # Errors
-    /// See [`Renderer::draw`]. What failed is not tried again before something changes.
+    /// See [`Renderer::draw`], and when there is no room for a split view. What failed is not tried again before something changes.
     pub(super) fn draw_scene(
         &mut self,
         frame: &Frame,
+        right: Option<(&Evaluated, f32)>,
         document: Revision,
         moves: bool,
         now: Duration,
@@ -201,10 +218,15 @@ impl Graphics {
         let Some(target) = &self.scene else {
             return Ok(());
         };
-        let shapes = frame.evaluated.shapes.iter();
+        let size = (target.width(), target.height());
+        let right = right.map(|(evaluated, line)| {
+            let column = (size.0 as f32 * line.clamp(0.0, 1.0)).round() as i32;
+            (evaluated, column)
+        });
         let key = SceneKey {
             document,
-            geometry: shapes.map(|shape| shape.geometry.revision).collect(),
+            geometry: revisions(frame.evaluated),
+            right: right.map(|(evaluated, column)| (revisions(evaluated), column)),
             view: *frame.view,
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),
@@ -217,7 +239,6 @@ impl Graphics {
             Some(Some(_)) => false,
             None => true,
         };
-        let size = (target.width(), target.height());
         // Where there is no room for a draft, there still is the full picture.
         let draft = (drafts && is_new).then(|| fit(&self.gl, &mut self.draft, size, 0));
         let draft = draft.and_then(Result::ok);
@@ -225,10 +246,36 @@ impl Graphics {
             key,
             draft_since: draft.map(|_| now),
         });
-        match draft {
-            Some(draft) => self.renderer.draw_moving(frame, draft),
-            None => self.renderer.draw(frame, target),
+        let Some((evaluated, column)) = right else {
+            self.split = None;
+            return match draft {
+                Some(draft) => self.renderer.draw_moving(frame, draft),
+                None => self.renderer.draw(frame, target),
+            };
+        };
+        let left = draft.unwrap_or(target);
+        let Split { right, both } = self.split.get_or_insert_default();
+        let right = fit(&self.gl, right, size, left.samples())?;
+        let both = fit(&self.gl, both, size, 0)?;
+        let of_left = self.renderer.draw(frame, left);
+        let of_right = Frame {
+            evaluated,
+            ..frame.clone()
+        };
+        let of_right = self.renderer.draw(&of_right, right);
+        let columns = |from: i32, to: i32| Rect {
+            x: from,
+            y: 0,
+            width: to - from,
+            height: size.1 as i32,
+        };
+        let width = size.0 as i32;
+        for (part, columns) in [(left, columns(0, column)), (right, columns(column, width))] {
+            if columns.width > 0 {
+                part.blit_into(both, columns, columns)?;
+            }
         }
+        of_left.and(of_right)
     }
 
     /// Time after which the full picture has to take the place of a draft, if one is shown.
@@ -300,7 +347,7 @@ impl Graphics {
         let Some(Window { picture, painter }) = &mut self.window else {
             return Ok(());
         };
-        let scene = shown_picture(&self.shown, &self.draft, &self.scene);
+        let scene = shown_picture(&self.shown, &self.split, &self.draft, &self.scene);
         match (scene, picture) {
             (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
             _ => {
@@ -319,18 +366,28 @@ impl Graphics {
     }
 }
 
-/// The draft while that is shown, else the full picture of the scene.
+/// Both parts of a view that is split, else the draft while that is shown, else the full picture of the
+/// scene.
 fn shown_picture<'a>(
     shown: &Option<Shown>,
+    split: &'a Option<Split>,
     draft: &'a Option<Framebuffer>,
     scene: &'a Option<Framebuffer>,
-) -> &'a Option<Framebuffer> {
+) -> Option<&'a Framebuffer> {
+    let both = split.as_ref().and_then(|split| split.both.as_ref());
     let is_draft = |shown: &Shown| shown.draft_since.is_some();
-    if shown.as_ref().is_some_and(is_draft) {
+    let drawn = if shown.as_ref().is_some_and(is_draft) {
         draft
     } else {
         scene
-    }
+    };
+    both.or(drawn.as_ref())
+}
+
+/// Revisions of the geometry of each shape.
+fn revisions(evaluated: &Evaluated) -> Vec<Revision> {
+    let shapes = evaluated.shapes.iter();
+    shapes.map(|shape| shape.geometry.revision).collect()
 }
 
 /// Whether there is a picture of this size, in pixels, and with so many samples.
