@@ -1,3 +1,4 @@
+use super::split_view::SplitView;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Rect};
@@ -21,9 +22,8 @@ pub struct Graphics {
     compared: Option<Framebuffer>,
     /// The scene, as large as the view and without samples, while something moves on software OpenGL.
     draft: Option<Framebuffer>,
-    /// The scene with another evaluation, as large as the view, and both of them beside each other, while
-    /// the view is split.
-    split: Option<Split>,
+    /// Both parts of the view, while it is split.
+    split: Option<SplitView>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
     shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
@@ -42,15 +42,6 @@ pub struct Graphics {
 struct Window {
     picture: Option<Framebuffer>,
     painter: InterfacePainter,
-}
-
-/// Pictures of a view that is split.
-#[derive(Debug, Default)]
-struct Split {
-    /// What is at the right of the line, in all of the view.
-    right: Option<Framebuffer>,
-    /// Both.
-    both: Option<Framebuffer>,
 }
 
 /// Properties of the graphics that the program shows and keeps to.
@@ -253,29 +244,9 @@ impl Graphics {
                 None => self.renderer.draw(frame, target),
             };
         };
-        let left = draft.unwrap_or(target);
-        let Split { right, both } = self.split.get_or_insert_default();
-        let right = fit(&self.gl, right, size, left.samples())?;
-        let both = fit(&self.gl, both, size, 0)?;
-        let of_left = self.renderer.draw(frame, left);
-        let of_right = Frame {
-            evaluated,
-            ..frame.clone()
-        };
-        let of_right = self.renderer.draw(&of_right, right);
-        let columns = |from: i32, to: i32| Rect {
-            x: from,
-            y: 0,
-            width: to - from,
-            height: size.1 as i32,
-        };
-        let width = size.0 as i32;
-        for (part, columns) in [(left, columns(0, column)), (right, columns(column, width))] {
-            if columns.width > 0 {
-                part.blit_into(both, columns, columns)?;
-            }
-        }
-        of_left.and(of_right)
+        let left = (frame, draft.unwrap_or(target));
+        let split = self.split.get_or_insert_default();
+        split.draw(&self.gl, &mut self.renderer, left, (evaluated, column))
     }
 
     /// Time after which the full picture has to take the place of a draft, if one is shown.
@@ -370,11 +341,11 @@ impl Graphics {
 /// scene.
 fn shown_picture<'a>(
     shown: &Option<Shown>,
-    split: &'a Option<Split>,
+    split: &'a Option<SplitView>,
     draft: &'a Option<Framebuffer>,
     scene: &'a Option<Framebuffer>,
 ) -> Option<&'a Framebuffer> {
-    let both = split.as_ref().and_then(|split| split.both.as_ref());
+    let both = split.as_ref().and_then(SplitView::picture);
     let is_draft = |shown: &Shown| shown.draft_since.is_some();
     let drawn = if shown.as_ref().is_some_and(is_draft) {
         draft
@@ -399,7 +370,7 @@ fn fits(picture: Option<&Framebuffer>, (width, height): (u32, u32), samples: u32
 ///
 /// # Errors
 /// If it cannot be made; then `picture` is as it was.
-fn fit<'a>(
+pub(super) fn fit<'a>(
     gl: &Gl,
     picture: &'a mut Option<Framebuffer>,
     (width, height): (u32, u32),

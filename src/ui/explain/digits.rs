@@ -50,15 +50,7 @@ impl Digits {
 
     /// In words which power of ten lengths are written in; `None` if they are written as they are.
     pub(super) fn note(self) -> Option<String> {
-        let raised = |digit: char| match digit {
-            '-' => '⁻',
-            '1' => '¹',
-            '2' => '²',
-            '3' => '³',
-            digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
-        };
-        let power: String = self.power.to_string().chars().map(raised).collect();
-        (self.power != 0).then(|| format!("Coordinates × 10{power}"))
+        (self.power != 0).then(|| format!("Coordinates × 1e{}", self.power))
     }
 
     fn unit(self) -> f64 {
@@ -87,10 +79,10 @@ mod tests {
             (1.8, -0.0001, "0.000", None),
             (150.0, 75.125, "75.12", None),
             (1800.0, 1234.56, "1234.6", None),
-            (0.0018, -0.00123456, "-1.235", Some("Coordinates × 10⁻³")),
-            (0.05, 0.0123, "1.230", Some("Coordinates × 10⁻²")),
-            (4.0e7, 1.5e7, "1.500", Some("Coordinates × 10⁷")),
-            (3.0e-14, 1.5e-14, "1.500", Some("Coordinates × 10⁻¹⁴")),
+            (0.0018, -0.00123456, "-1.235", Some("Coordinates × 1e-3")),
+            (0.05, 0.0123, "1.230", Some("Coordinates × 1e-2")),
+            (4.0e7, 1.5e7, "1.500", Some("Coordinates × 1e7")),
+            (3.0e-14, 1.5e-14, "1.500", Some("Coordinates × 1e-14")),
             (0.0, 0.0, "0.000", None),
             (f64::INFINITY, 1.0, "1.000", None),
         ] {
