@@ -239,13 +239,16 @@ impl Program {
             hovered_control_point: self.session.hovered_control_point(),
             ..self.marks_of_meshes(now)
         };
-        let mistaken = self.ui.mistaken(&self.session);
+        let shown = self.ui.shown_scene(&self.session);
         let mut frame = frame(&self.session, self.backdrop, marks);
-        if let Some(mistaken) = &mistaken {
-            frame.evaluated = mistaken;
+        let mut right = None;
+        if let Some(shown) = &shown {
+            frame.evaluated = &shown.evaluated;
+            right = shown.right.as_ref();
         }
+        let right = right.map(|(evaluated, line)| (evaluated, *line));
         let moves = self.session.is_in_gesture() || self.ui.is_moving_camera();
-        graphics.draw_scene(&frame, self.session.document(), moves, now)
+        graphics.draw_scene(&frame, right, self.session.document(), moves, now)
     }
 
     /// Draws the scene in the size of the picture that it is compared with, if it changed. Returns how

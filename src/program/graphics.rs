@@ -1,3 +1,4 @@
+use super::split_view::SplitView;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
@@ -6,7 +7,7 @@ use crate::render::{
     compose, read_picture,
 };
 use crate::revision::Revision;
-use crate::scene::{Skinning, ViewSettings};
+use crate::scene::{Evaluated, Skinning, ViewSettings};
 use egui::FullOutput;
 use std::time::Duration;
 
@@ -23,6 +24,8 @@ pub struct Graphics {
     compared_reading: Option<Reading>,
     /// The scene, as large as the view and without samples, while something moves on software OpenGL.
     draft: Option<Framebuffer>,
+    /// Both parts of the view, while it is split.
+    split: Option<SplitView>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
     shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
@@ -67,8 +70,10 @@ const REST: Duration = Duration::from_millis(100);
 #[derive(Clone, Debug, PartialEq)]
 struct SceneKey {
     document: Revision,
-    /// Geometry of each shape, which is not the document's while a mistake is made on purpose.
+    /// Geometry of each shape, which is not the document's while the view shows another one.
     geometry: Vec<Revision>,
+    /// The same at the right of a line, and the column of the line, while the view is split.
+    right: Option<(Vec<Revision>, i32)>,
     view: ViewSettings,
     backdrop: Backdrop,
     marks: Marks,
@@ -86,6 +91,7 @@ impl Graphics {
             compared: None,
             compared_reading: None,
             draft: None,
+            split: None,
             shown: None,
             window: None,
             has_wrong_size: false,
@@ -121,7 +127,7 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        shown_picture(&self.shown, &self.draft, &self.scene).as_ref()
+        shown_picture(&self.shown, &self.split, &self.draft, &self.scene)
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -190,13 +196,15 @@ impl Graphics {
 
     /// Draws `frame` into the scene's picture, unless it shows just that already: at the time `now`,
     /// and while something `moves` on software OpenGL as a draft without samples, which cost it as much
-    /// as all else.
+    /// as all else. With `right` the part at the right of a line, at a share of the width, shows another
+    /// evaluation of the scene.
     ///
     /// # Errors
-    /// See [`Renderer::draw`]. What failed is not tried again before something changes.
+    /// See [`Renderer::draw`], and when there is no room for a split view. What failed is not tried again before something changes.
     pub(super) fn draw_scene(
         &mut self,
         frame: &Frame,
+        right: Option<(&Evaluated, f32)>,
         document: Revision,
         moves: bool,
         now: Duration,
@@ -204,10 +212,15 @@ impl Graphics {
         let Some(target) = &self.scene else {
             return Ok(());
         };
-        let shapes = frame.evaluated.shapes.iter();
+        let size = (target.width(), target.height());
+        let right = right.map(|(evaluated, line)| {
+            let column = (size.0 as f32 * line.clamp(0.0, 1.0)).round() as i32;
+            (evaluated, column)
+        });
         let key = SceneKey {
             document,
-            geometry: shapes.map(|shape| shape.geometry.revision).collect(),
+            geometry: revisions(frame.evaluated),
+            right: right.map(|(evaluated, column)| (revisions(evaluated), column)),
             view: *frame.view,
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),
@@ -220,7 +233,6 @@ impl Graphics {
             Some(Some(_)) => false,
             None => true,
         };
-        let size = (target.width(), target.height());
         // Where there is no room for a draft, there still is the full picture.
         let draft = (drafts && is_new).then(|| fit(&self.gl, &mut self.draft, size, 0));
         let draft = draft.and_then(Result::ok);
@@ -228,10 +240,16 @@ impl Graphics {
             key,
             draft_since: draft.map(|_| now),
         });
-        match draft {
-            Some(draft) => self.renderer.draw_moving(frame, draft),
-            None => self.renderer.draw(frame, target),
-        }
+        let Some((evaluated, column)) = right else {
+            self.split = None;
+            return match draft {
+                Some(draft) => self.renderer.draw_moving(frame, draft),
+                None => self.renderer.draw(frame, target),
+            };
+        };
+        let left = (frame, draft.unwrap_or(target));
+        let split = self.split.get_or_insert_default();
+        split.draw(&self.gl, &mut self.renderer, left, (evaluated, column))
     }
 
     /// Time after which the full picture has to take the place of a draft, if one is shown.
@@ -322,7 +340,7 @@ impl Graphics {
         let Some(Window { picture, painter }) = &mut self.window else {
             return Ok(());
         };
-        let scene = shown_picture(&self.shown, &self.draft, &self.scene);
+        let scene = shown_picture(&self.shown, &self.split, &self.draft, &self.scene);
         match (scene, picture) {
             (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
             _ => {
@@ -341,18 +359,28 @@ impl Graphics {
     }
 }
 
-/// The draft while that is shown, else the full picture of the scene.
+/// Both parts of a view that is split, else the draft while that is shown, else the full picture of the
+/// scene.
 fn shown_picture<'a>(
     shown: &Option<Shown>,
+    split: &'a Option<SplitView>,
     draft: &'a Option<Framebuffer>,
     scene: &'a Option<Framebuffer>,
-) -> &'a Option<Framebuffer> {
+) -> Option<&'a Framebuffer> {
+    let both = split.as_ref().and_then(SplitView::picture);
     let is_draft = |shown: &Shown| shown.draft_since.is_some();
-    if shown.as_ref().is_some_and(is_draft) {
+    let drawn = if shown.as_ref().is_some_and(is_draft) {
         draft
     } else {
         scene
-    }
+    };
+    both.or(drawn.as_ref())
+}
+
+/// Revisions of the geometry of each shape.
+fn revisions(evaluated: &Evaluated) -> Vec<Revision> {
+    let shapes = evaluated.shapes.iter();
+    shapes.map(|shape| shape.geometry.revision).collect()
 }
 
 /// Whether there is a picture of this size, in pixels, and with so many samples.
@@ -364,7 +392,7 @@ fn fits(picture: Option<&Framebuffer>, (width, height): (u32, u32), samples: u32
 ///
 /// # Errors
 /// If it cannot be made; then `picture` is as it was.
-fn fit<'a>(
+pub(super) fn fit<'a>(
     gl: &Gl,
     picture: &'a mut Option<Framebuffer>,
     (width, height): (u32, u32),

@@ -32,6 +32,7 @@ mod questions;
 mod running;
 mod scene_link;
 mod sources;
+mod split_view;
 mod start_pictures;
 
 pub use autosave::Unsaved;

@@ -12,6 +12,7 @@ mod evaluate;
 mod evaluate_curves;
 mod ik_settings;
 mod import_curve;
+mod method_blend;
 mod missing_joints;
 mod picking;
 mod shape;

@@ -1,12 +1,12 @@
 //! A character in the shape panel: how it is drawn, and its poses.
 
+use super::method_view::{self, MethodViewState};
 use super::number_field::NumberField;
 use super::widgets::{choice, labelled, named, section};
 use super::{Action, Ask};
-use crate::editor::Edit;
+use crate::editor::{Edit, Session};
 use crate::scene::{
-    BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, ModelDisplay,
-    ShapeId, SkinningMethod,
+    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, ShapeId, SkinningMethod,
 };
 use egui::{Button, CollapsingHeader, TextEdit, Ui, vec2};
 
@@ -92,7 +92,8 @@ pub(super) fn skinning(
     ui: &mut Ui,
     id: ShapeId,
     character: &CharacterShape,
-    geometry: Option<&EvaluatedGeometry>,
+    session: &Session,
+    methods_shown: &mut MethodViewState,
     actions: &mut Vec<Action>,
 ) {
     let method = character.skinning_method();
@@ -115,10 +116,12 @@ pub(super) fn skinning(
         if changed != method {
             actions.push(Action::Edit(Edit::SetSkinningMethod(id, changed)));
         }
-        if let Some(kept) = geometry.and_then(EvaluatedGeometry::volume_kept) {
+        let evaluated = session.evaluated().shape(id);
+        if let Some(kept) = evaluated.and_then(|shape| shape.geometry.volume_kept()) {
             let volume = ui.label(format!("Volume {:.1} % of the bind pose", kept * 100.0));
             volume.on_hover_text("Signed volume inside the mesh, shown for closed meshes");
         }
+        method_view::choice(ui, session, id, methods_shown);
     });
 }
 

@@ -25,6 +25,7 @@ mod look_switch;
 mod menu_bar;
 mod mesh_colors;
 mod messages;
+mod method_view;
 mod navigation;
 mod number_field;
 mod posing;
@@ -37,6 +38,7 @@ mod shape_list;
 mod shape_panel;
 mod start_page;
 mod state;
+mod swipe_line;
 mod theme;
 mod view_gestures;
 mod view_overlay;
@@ -50,6 +52,7 @@ pub use compare::{
     CompareView, MeshesShown, ShownPicture, course_panels, picture_texture,
 };
 pub use mesh_colors::{Legend, MeshColors};
+pub use method_view::ShownScene;
 pub use navigation::Navigation;
 pub use number_field::evaluate;
 pub use scene_places::ScenePlaces;
@@ -205,6 +208,9 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         actions.push(Action::View(View::Tell(why)));
     }
     state.explain.set_compares(input.compare_mesh.is_some());
+    if input.compare.is_some() || input.compare_mesh.is_some() {
+        state.methods.end();
+    }
     explain::show(root, session, &mut state.explain);
     match input.compare_mesh {
         Some(compare) => {

@@ -174,9 +174,8 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
             ui.separator();
             character_panel::display(ui, shape.id, character.display, actions);
             ui.separator();
-            let evaluated = session.evaluated().shape(shape.id);
-            let geometry = evaluated.map(|shape| &*shape.geometry);
-            character_panel::skinning(ui, shape.id, character, geometry, actions);
+            let methods = &mut state.methods;
+            character_panel::skinning(ui, shape.id, character, session, methods, actions);
             ui.separator();
             character_panel::poses(ui, shape.id, character, &mut state.pose_name, actions);
             ui.separator();

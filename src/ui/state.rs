@@ -6,19 +6,20 @@ use super::curve_panel::CurveState;
 use super::explain::ExplainState;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
+use super::method_view::{MethodViewState, ShownScene};
 use super::posing::PoseState;
 use super::shape_list::Renaming;
 use super::windows::Windows;
 use super::{MeshColors, Navigation};
 use crate::editor::{Session, Tool};
 use crate::revision::Revision;
-use crate::scene::{Camera, Evaluated, Look, ShapeId, Skinning};
+use crate::scene::{Camera, Look, ShapeId, Skinning};
 use egui::{Pos2, Rect, ThemePreference, vec2};
 use glam::Vec3;
 
 /// State of the panels between frames that is neither scene nor view: searches, folded rows, open
-/// windows. Of it only [`UiState::skinning`], [`UiState::colors`], [`UiState::bind_ghost`] and a mistake
-/// that is made on purpose change how the scene is drawn.
+/// windows. Of it only [`UiState::skinning`], [`UiState::colors`], [`UiState::bind_ghost`] and
+/// [`UiState::shown_scene`] change how the scene is drawn.
 #[derive(Clone, Debug)]
 pub struct UiState {
     /// Colors of the panels. Kept by the program from one run to the next.
@@ -68,6 +69,8 @@ pub struct UiState {
     pub(super) pose: PoseState,
     pub(super) box_select: BoxSelect,
     pub(super) explain: ExplainState,
+    /// How both methods of skinning are shown.
+    pub(super) methods: MethodViewState,
     pub(super) notices: NoticeState,
     /// What is outlined in the pictures of a comparison.
     pub(super) outlined: Outlined,
@@ -118,6 +121,7 @@ impl Default for UiState {
             pose: PoseState::default(),
             box_select: BoxSelect::default(),
             explain: ExplainState::default(),
+            methods: MethodViewState::default(),
             notices: NoticeState::default(),
             outlined: Outlined::default(),
             marked_vertex: None,
@@ -187,10 +191,16 @@ impl UiState {
         self.styled = false;
     }
 
-    /// The scene as the view shows it while a mistake in skinning is made on purpose; `None` while it
-    /// shows what is in the document.
-    pub fn mistaken(&mut self, session: &Session) -> Option<Evaluated> {
-        self.explain.evaluated(session)
+    /// The scene as the view shows it while a mistake in skinning is made on purpose, or else while
+    /// methods of skinning are blended or split; `None` while it shows what is in the document.
+    pub fn shown_scene(&mut self, session: &Session) -> Option<ShownScene> {
+        match self.explain.evaluated(session) {
+            Some(evaluated) => Some(ShownScene {
+                evaluated,
+                right: None,
+            }),
+            None => self.methods.shown(session),
+        }
     }
 
     /// Whether the camera is being turned or moved by a drag.
@@ -229,6 +239,7 @@ impl UiState {
         self.pose.forget_shapes();
         self.box_select = BoxSelect::default();
         self.explain.forget_shapes();
+        self.methods.end();
         self.camera_before_drag = None;
     }
 }

@@ -8,7 +8,7 @@ use super::widgets::named;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, explain, look_switch, mesh_colors, messages, posing, start_page,
+    control_points, explain, look_switch, mesh_colors, messages, method_view, posing, start_page,
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
@@ -75,6 +75,10 @@ pub(super) fn show(
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
     explain::over_view(&mut over, rect, &places, session, &mut state.explain);
+    // The mistake is what is seen then.
+    if !state.explain.makes_mistake() {
+        method_view::over_view(&mut over, rect, &mut state.methods);
+    }
     // Over the pictures of a comparison they would hide what is compared; its panel has the looks.
     if input.compare.is_none() {
         axis_ball::show(&mut over, rect, &session.view().camera, actions);

@@ -111,6 +111,68 @@ fn a_program_is_run_again_only_if_something_of_its_folder_has_changed() {
 }
 
 #[test]
+fn of_several_tests_none_is_run_again_for_what_a_later_one_leaves_in_the_folder() {
+    let lines = "echo run >> ../../runs; date +%N > \"left-$4\"; cp ../../right.obj \"$3\"";
+    let class = class(&[("ada", lines)]);
+    let mut tests = class.tests_file();
+    let mut second = tests["tests"][0].clone();
+    second["name"] = "again".into();
+    tests["tests"].as_array_mut().unwrap().push(second);
+    class.set_tests(&tests);
+    let runs = || class.read("runs").len() / "run\n".len();
+    class.graded();
+    class.graded();
+    assert_eq!(runs(), 2);
+    class.write("class/ada/src/main.cpp", "// changed");
+    class.graded();
+    assert_eq!(runs(), 4);
+}
+
+/// Sends a signal to a process.
+fn signal(name: &str, process: u32) {
+    let sent = std::process::Command::new("kill")
+        .args(["-s", name, &process.to_string()])
+        .status();
+    assert!(sent.unwrap().success());
+}
+
+#[test]
+fn asked_to_end_it_ends_what_it_started_and_asked_twice_it_ends_at_once() {
+    let class = class(&[("ada", "echo $$ > child; exec sleep 5")]);
+    let started = || {
+        let child = class.path().join("class/ada/child");
+        let _ = fs::remove_file(&child);
+        let grade = std::process::Command::new(env!("CARGO_BIN_EXE_editor"))
+            .args(["grade", "class", "--tests", "tests.json", "-o", "report"])
+            .current_dir(class.path())
+            .stderr(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        while !fs::read_to_string(&child)
+            .unwrap_or_default()
+            .ends_with('\n')
+        {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        grade
+    };
+    let mut once = started();
+    signal("INT", once.id());
+    assert_eq!(once.wait().unwrap().code(), Some(1));
+    let child = String::from_utf8(class.read("class/ada/child")).unwrap();
+    let status = fs::read_to_string(format!("/proc/{}/stat", child.trim())).unwrap_or_default();
+    assert!(status.is_empty() || status.contains(") Z "), "{status}");
+
+    // Both come while it stands still, so that it has no time to end after the first.
+    let mut twice = started();
+    for name in ["STOP", "INT", "TERM", "CONT"] {
+        signal(name, twice.id());
+    }
+    let code = twice.wait().unwrap().code();
+    assert!([Some(128 + 2), Some(128 + 15)].contains(&code), "{code:?}");
+}
+
+#[test]
 fn a_program_is_run_again_if_a_huge_file_or_a_link_in_its_folder_has_changed() {
     let class = class(&[("ada", "echo run >> ../../runs; cp ../../right.obj \"$3\"")]);
     let runs = || class.read("runs").len() / "run\n".len();

@@ -98,3 +98,20 @@ fn only_the_folder_of_a_finished_report_is_left_out_and_that_is_reported() {
     let told = "class/report: left out, since it is a report\n";
     assert!(ran.err.starts_with(told), "{}", ran.err);
 }
+
+#[test]
+#[cfg(unix)]
+fn a_submission_that_is_a_link_to_another_one_is_left_out_and_that_is_reported() {
+    let class = class();
+    std::os::unix::fs::symlink("bob", class.path().join("class/copy")).unwrap();
+    let ran = class.run("class --tests tests.json -o report");
+    let told = "class/copy: left out, since it is a symbolic link\n";
+    assert!(
+        ran.code == Some(0) && ran.err.starts_with(told),
+        "{}",
+        ran.err
+    );
+    let report = json(&class, "report/grade.json");
+    let submissions = report["submissions"].as_array().unwrap();
+    assert!(submissions.iter().all(|one| one["name"] != "copy"));
+}

@@ -87,6 +87,25 @@ fn what_is_graded_is_not_graded_again_unless_it_has_changed() {
 }
 
 #[test]
+fn what_another_build_of_the_program_graded_is_graded_anew() {
+    let class = class();
+    let line = "class --tests tests.json -o report";
+    run(&class, line);
+    let kept = "report/kept/submissions/bob.json";
+    let mut results: serde_json::Value = serde_json::from_slice(&class.read(kept)).unwrap();
+    let key = results["robot-1"]["key"].as_str().unwrap().to_owned();
+    // The key begins with the size of the program.
+    let program = fs::metadata(env!("CARGO_BIN_EXE_editor")).unwrap().len();
+    let rest = key
+        .strip_prefix(&program.to_string())
+        .expect("the program's size");
+    results["robot-1"]["key"] = format!("{}{rest}", program + 1).into();
+    class.write(kept, results.to_string());
+    assert!(run(&class, line).contains("5 of them before"));
+    assert!(run(&class, line).contains("6 of them before"));
+}
+
+#[test]
 fn parts_of_other_tests_or_with_other_results_do_not_fit() {
     let class = class();
     run(&class, "class --tests tests.json --part 1/2 -o a");

@@ -149,3 +149,23 @@ fn points_that_are_given_to_nobody_are_told() {
         ]
     );
 }
+
+#[test]
+fn a_section_of_the_rubric_in_which_nobody_gets_points_is_told() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&[]), |number| number.to_string());
+    let mut tests = class.tests_file();
+    tests["rubric"] = json!({
+        "sections": {"4.2": {"points": 40}, "42": {"points": 5}, "artifact": {"points": 10}},
+        "given": {"eve": {"artifact": 9}},
+    });
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o report");
+    assert_eq!(ran.code, Some(0));
+    let mut told = ran
+        .err
+        .lines()
+        .filter(|line| line.starts_with("tests.json"));
+    let warning = "tests.json: no test has points for 42, and nobody is given any by hand";
+    assert_eq!((told.next(), told.next()), (Some(warning), None));
+}

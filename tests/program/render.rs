@@ -36,6 +36,33 @@ fn a_character_is_drawn_posed_and_fills_the_picture() {
 }
 
 #[test]
+fn a_picture_shows_the_method_of_skinning_that_is_asked_for() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("twist.json"),
+        "{\"joints\": {\"Upper\": [0, 150, 0]}}",
+    )
+    .unwrap();
+    let seen = |method: &[&str]| {
+        let arguments = ["render", "builtin:column", "--pose", "twist.json"];
+        let arguments = [&arguments[..], &["-o", "out.png"], method].concat();
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(0), "{arguments:?}: {}", ran.err);
+        picture(folder.path(), "out.png")
+    };
+    let (own, linear) = (seen(&[]), seen(&["--skinning-method", "lbs"]));
+    let dual = seen(&["--skinning-method", "dqs"]);
+    assert_eq!(own, linear);
+    // Linear blending pinches what is twisted, so that fewer pixels are covered.
+    assert!(
+        drawn(&dual) > drawn(&linear) + 500,
+        "{} {}",
+        drawn(&dual),
+        drawn(&linear)
+    );
+}
+
+#[test]
 fn egl_and_osmesa_draw_the_same_picture_and_so_does_every_run() {
     let folder = folder();
     let mut files = Vec::new();

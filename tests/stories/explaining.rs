@@ -1,10 +1,12 @@
 //! View ▸ Explain Skinning: the formula of a vertex, mistakes on purpose, the matrix stack.
 
 use super::{Story, differing};
+use crate::host::MemoryHost;
 use editor_core::io::image::{self, PictureFormat};
 use egui::accesskit::{Action, ActionRequest, TreeId};
 use egui::{Event, Key, Pos2, vec2};
 use glam::Vec3;
+use std::path::PathBuf;
 
 /// The strip with its elbow bent by 90°, and the panel.
 fn bent() -> Story {
@@ -72,6 +74,38 @@ fn a_click_on_the_mesh_shows_the_formula_of_the_nearest_vertex_in_numbers() {
     assert!(story.has("Sum (-1.000, 1.200, 0.000)"));
     assert_eq!(story.session().document(), document);
     assert_eq!(story.shape().name, "Strip");
+}
+
+#[test]
+fn a_tiny_character_has_its_numbers_in_a_power_of_ten() {
+    let host = MemoryHost {
+        stored: [super::started_before()].into(),
+        files: [
+            (
+                "tiny.obj",
+                "v -2e-4 0 0\nv 2e-4 0 0\nv 2e-4 1e-3 0\nv -2e-4 1e-3 0\n\
+                 v 2e-4 2e-3 0\nv -2e-4 2e-3 0\nf 1 2 3\nf 1 3 4\nf 4 3 5\nf 4 5 6\n",
+            ),
+            (
+                "tiny.skel",
+                "0 0 0 -1 # Root\n0 0 0 0 # Hip\n0 1e-3 0 1 # Elbow\n",
+            ),
+            ("tiny.attach", "1 0\n1 0\n0.5 0.5\n0.5 0.5\n0 1\n0 1\n"),
+        ]
+        .map(|(path, text)| (PathBuf::from(path), text.into()))
+        .into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &["tiny.obj"]);
+    story.type_into("Elbow Z", "90");
+    story.click("View");
+    story.click("Explain Skinning");
+    story.type_into("Vertex", "2");
+    assert!(story.has_text("Coordinates × 1e-3"));
+    // The same numbers as those of the strip, which is a thousand times as large.
+    assert!(story.has(HIP) && story.has(ELBOW) && story.has(SUM));
+    story.click("Matrix Stack");
+    assert!(story.has_text("Coordinates × 1e-3"));
 }
 
 #[test]

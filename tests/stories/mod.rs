@@ -13,6 +13,7 @@ mod files;
 mod first_views;
 mod hosts;
 mod looking;
+mod methods;
 mod picturing;
 mod posing;
 mod several;

@@ -89,19 +89,34 @@ impl TestCommand {
             None => return Err(CommandFailure::Failed("the test is unknown".to_owned())),
         };
         let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
-        let words = self.data.run.iter().map(|word| {
-            let places = [("{character}", character), ("{pose}", pose)];
-            let places = places
-                .into_iter()
-                .map(|(name, path)| (name, path.as_path()));
-            let places = places.chain([("{output}", output), ("{test}", Path::new(&test.name))]);
-            places.fold(word.clone(), |word, (name, path)| {
-                word.replace(name, &path.to_string_lossy())
-            })
-        });
+        let [character, pose, written] =
+            [character, pose, output].map(|path| path.to_string_lossy());
+        let places = [
+            ("{character}", &*character),
+            ("{pose}", &*pose),
+            ("{output}", &*written),
+            ("{test}", &*test.name),
+        ];
+        let words = self.data.run.iter().map(|word| filled_in(word, &places));
         let words: Vec<String> = words.collect();
         execute(&self.data, &words, &folder, output, is_interrupted)
     }
+}
+
+/// `word` with the values in place of the names of `places`. What a value holds is no name again.
+fn filled_in(word: &str, places: &[(&str, &str)]) -> String {
+    let (mut filled, mut rest) = (String::new(), word);
+    while let Some(at) = rest.find('{') {
+        let (before, from) = rest.split_at(at);
+        filled.push_str(before);
+        let named = places
+            .iter()
+            .find_map(|(name, value)| Some((from.strip_prefix(name)?, *value)));
+        let (after, value) = named.unwrap_or((&from[1..], "{"));
+        filled.push_str(value);
+        rest = after;
+    }
+    filled + rest
 }
 
 #[cfg(unix)]
@@ -132,4 +147,26 @@ fn execute(
     Err(CommandFailure::Failed(
         "commands cannot be run here".to_owned(),
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_that_looks_like_a_name_is_not_replaced_again() {
+        let places = [
+            ("{character}", "a {pose}.obj"),
+            ("{pose}", "b {test}.json"),
+            ("{test}", "{character}"),
+        ];
+        for (word, expected) in [
+            ("{character}", "a {pose}.obj"),
+            ("--pose={pose},{test}", "--pose=b {test}.json,{character}"),
+            ("{{test}} {other} {", "{{character}} {other} {"),
+            ("", ""),
+        ] {
+            assert_eq!(filled_in(word, &places), expected);
+        }
+    }
 }

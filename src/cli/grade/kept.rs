@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Component, Path, PathBuf};
 
-/// Version of what is kept and of how it is graded; results of another one are graded anew.
+/// Version of the form of what is kept.
 pub(super) const VERSION: u32 = 1;
 
 /// A run as a whole.

@@ -86,7 +86,10 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
     let command = command.map(|data| TestCommand::new(data, &file.tests, path));
     let command = command.transpose()?;
     let all = submissions::of(folder)?;
-    for warning in given_to_none(&file, &all) {
+    for warning in given_to_none(&file, &all)
+        .into_iter()
+        .chain(empty_sections(&file))
+    {
         eprint_line(format_args!("{}: {warning}", path.display()));
     }
     let mine: Vec<_> = match args.part {
@@ -99,6 +102,7 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         tests: &tests,
         command,
         store: &store,
+        program: work::fingerprint_of_program(),
     };
     let graded = work.all(&mine, args.jobs)?;
     let pictures = tests
@@ -143,6 +147,23 @@ fn given_to_none(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
         }
     }
     told
+}
+
+/// Sections of the rubric in which nobody gets points, by a test or by hand.
+fn empty_sections(file: &TestsFile) -> Vec<String> {
+    let has_test = |section: &String| {
+        let mut tests = file.tests.iter();
+        tests.any(|test| test.points.contains_key(section))
+    };
+    let is_given = |section: &String| {
+        let mut given = file.rubric.given.values();
+        given.any(|given| given.contains_key(section))
+    };
+    let sections = file.rubric.sections.keys();
+    let empty = sections.filter(|section| !has_test(section) && !is_given(section));
+    empty
+        .map(|section| format!("no test has points for {section}, and nobody is given any by hand"))
+        .collect()
 }
 
 /// The test with its character and pose, whose paths start at the folder of the file of tests.

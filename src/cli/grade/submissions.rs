@@ -52,7 +52,8 @@ impl Part {
     }
 }
 
-/// The submissions in `folder` by name: its folders but for hidden ones and finished reports.
+/// The submissions in `folder` by name: its folders but for hidden ones, symbolic links and finished
+/// reports.
 ///
 /// # Errors
 /// If it cannot be read, has none, or a name is not in UTF-8.
@@ -68,6 +69,14 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
         if !path.is_dir() {
+            continue;
+        }
+        // It may be the folder of another submission.
+        if path.is_symlink() {
+            let path = path.display();
+            eprint_line(format_args!(
+                "{path}: left out, since it is a symbolic link"
+            ));
             continue;
         }
         if Store::new(&path).is_there() {

@@ -1,7 +1,7 @@
 //! Submissions, graded side by side.
 
 use super::command::{CommandFailure, TestCommand};
-use super::kept::{KeptResult, KeptResults, Store, VERSION};
+use super::kept::{KeptResult, KeptResults, Store};
 use super::submissions::Submission;
 use crate::cli::CliError;
 use crate::cli::output::{Progress, eprint_line};
@@ -25,6 +25,8 @@ pub(super) struct Work<'a> {
     pub tests: &'a [Test],
     pub command: Option<TestCommand>,
     pub store: &'a Store,
+    /// Tells this build of the program from others, which may grade otherwise.
+    pub program: String,
 }
 
 /// A submission that is done.
@@ -98,23 +100,49 @@ impl Work<'_> {
 
     fn one(&self, submission: &Submission, is_interrupted: &AtomicBool) -> Result<Done, CliError> {
         let before = self.store.results(&submission.name);
-        let (mut results, mut graded) = (KeptResults::default(), Vec::new());
+        let mut results = KeptResults::default();
+        let of_folder = |command: &TestCommand| {
+            let folder = fingerprint_of_folder(&submission.folder);
+            format!("{}-{folder}", command.fingerprint())
+        };
+        let at_first = self.command.as_ref().map(of_folder);
+        let mut has_run = false;
         for test in self.tests {
-            let name = test.data().name.clone();
-            let known = before.0.get(&name);
-            let result = match &self.command {
-                None => self.of_file(test, submission, known),
-                Some(command) => {
-                    self.of_command(test, submission, command, known, is_interrupted)?
+            let name = &test.data().name;
+            let known = before.0.get(name);
+            let result = match (&self.command, &at_first) {
+                (Some(command), Some(files)) => {
+                    let key = self.key(test, files);
+                    match known.filter(|known| known.key == key) {
+                        Some(known) => known.clone(),
+                        None => match self.make(test, submission, command, is_interrupted)? {
+                            Made::Graded(graded) => {
+                                has_run = true;
+                                KeptResult { key, graded }
+                            }
+                            Made::Interrupted => {
+                                return Err(CliError::Other("interrupted".to_owned()));
+                            }
+                        },
+                    }
                 }
+                _ => self.of_file(test, submission, known),
             };
-            let Some(result) = result else {
-                let interrupted = CliError::Other("interrupted".to_owned());
-                return Err(interrupted);
-            };
-            graded.push(result.graded.clone());
-            results.0.insert(name, result);
+            results.0.insert(name.clone(), result);
         }
+        // A command may leave files in the folder; as the last one leaves it, so the next run finds it.
+        if let Some(files) = self.command.as_ref().filter(|_| has_run).map(of_folder) {
+            for test in self.tests {
+                if let Some(result) = results.0.get_mut(&test.data().name) {
+                    result.key = self.key(test, &files);
+                }
+            }
+        }
+        let in_order = self.tests.iter().filter_map(|test| {
+            let result = results.0.get(&test.data().name)?;
+            Some(result.graded.clone())
+        });
+        let graded = in_order.collect();
         let is_kept = results == before;
         if !is_kept {
             self.store.keep(&submission.name, &results)?;
@@ -132,10 +160,10 @@ impl Work<'_> {
         test: &Test,
         submission: &Submission,
         known: Option<&KeptResult>,
-    ) -> Option<KeptResult> {
+    ) -> KeptResult {
         let name = test.file_name();
         let read = read(&submission.folder.join(&name), &name);
-        let key = key(
+        let key = self.key(
             test,
             &match &read {
                 Ok(bytes) => fingerprint(bytes),
@@ -143,35 +171,13 @@ impl Work<'_> {
             },
         );
         if let Some(known) = known.filter(|known| known.key == key) {
-            return Some(known.clone());
+            return known.clone();
         }
         let graded = read.map_or_else(|graded| graded, |bytes| test.grade(&bytes));
-        Some(KeptResult { key, graded })
+        KeptResult { key, graded }
     }
 
-    /// The result of the file that the command makes for a test; `None` if that is interrupted.
-    fn of_command(
-        &self,
-        test: &Test,
-        submission: &Submission,
-        command: &TestCommand,
-        known: Option<&KeptResult>,
-        is_interrupted: &AtomicBool,
-    ) -> Result<Option<KeptResult>, CliError> {
-        let folder = || fingerprint_of_folder(&submission.folder);
-        let key_now = || key(test, &format!("{}-{}", command.fingerprint(), folder()));
-        if let Some(known) = known.filter(|known| known.key == key_now()) {
-            return Ok(Some(known.clone()));
-        }
-        let made = self.make(test, submission, command, is_interrupted)?;
-        let Made::Graded(graded) = made else {
-            return Ok(None);
-        };
-        // A command may leave files in the folder; as it leaves the folder, so the next run finds it.
-        let key = key_now();
-        Ok(Some(KeptResult { key, graded }))
-    }
-
+    /// The file that the command makes for a test, graded.
     fn make(
         &self,
         test: &Test,
@@ -183,8 +189,11 @@ impl Work<'_> {
         let scratch = ScratchFolder::new()?;
         let output = scratch.path().join(&name);
         let ran = command.run(test.data(), &submission.folder, &output, is_interrupted);
+        let written = read(&output, &name);
+        // A second signal ends the program, and should find no folder to leave behind.
+        drop(scratch);
         let graded = match ran {
-            Ok(()) => match read(&output, &name) {
+            Ok(()) => match written {
                 Ok(bytes) => test.grade(&bytes),
                 Err(graded) if graded.outcome == Outcome::Missing => Graded::without(
                     Outcome::Missing,
@@ -198,6 +207,17 @@ impl Work<'_> {
         };
         Ok(Made::Graded(graded))
     }
+
+    /// What a result follows from.
+    fn key(&self, test: &Test, files: &str) -> String {
+        format!("{}-{:08x}-{files}", self.program, test.fingerprint())
+    }
+}
+
+/// A text that tells this build of the program from others: any of its parts may change what is graded.
+pub(super) fn fingerprint_of_program() -> String {
+    let read = std::env::current_exe().and_then(|path| fingerprint_on_disk(&path));
+    read.unwrap_or_else(|error| error.kind().to_string())
 }
 
 /// The content of the file at `path`, called `name`, or what there is in its place.
@@ -218,11 +238,6 @@ fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
         };
         Graded::without(Outcome::Unreadable, told.to_string())
     })
-}
-
-/// What a result follows from.
-fn key(test: &Test, files: &str) -> String {
-    format!("{VERSION}-{:08x}-{files}", test.fingerprint())
 }
 
 /// A text that tells `bytes` from others.
@@ -292,12 +307,16 @@ fn left(done: usize, all: usize, elapsed: Duration, name: &str) -> String {
     format!("{done} of {all} graded, {left} left, about {time}; {name} is done")
 }
 
-/// Set when the user or the system asks the program to end, so that commands end with it.
+/// Set when the user or the system asks the program to end, so that commands end with it. Asked a second
+/// time, it ends at once: a file that is being written is left whole or as it was.
 fn interruption() -> Arc<AtomicBool> {
     let flag = Arc::new(AtomicBool::new(false));
     #[cfg(unix)]
     for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        // Where it cannot be watched, it ends the program at once, and what is kept stays.
+        // Where it cannot be watched, it ends the program at once, and what is kept stays. What comes
+        // first here is done first.
+        let _ =
+            signal_hook::flag::register_conditional_shutdown(signal, 128 + signal, flag.clone());
         let _ = signal_hook::flag::register(signal, flag.clone());
     }
     flag

@@ -2,18 +2,15 @@ use super::{CompareView, masks};
 use crate::compare::Area;
 use crate::geometry::Picture;
 use crate::ui::theme::Palette;
-use crate::ui::widgets::named;
-use crate::ui::{CompareMode, CompareSettings, ScenePlaces};
+use crate::ui::{CompareMode, CompareSettings, ScenePlaces, swipe_line};
 use egui::{
-    Align, Color32, CursorIcon, Label, Layout, Pos2, Rect, Response, RichText, Sense, Stroke,
-    StrokeKind, TextureId, Ui, Vec2, pos2, vec2,
+    Align, Color32, Label, Layout, Pos2, Rect, Response, RichText, Stroke, StrokeKind, TextureId,
+    Ui, Vec2, pos2, vec2,
 };
 use std::time::Duration;
 
 /// How long one of two pictures is shown while they blink, in seconds.
 const BLINK: f64 = 0.6;
-/// How far from the line between two pictures it can be taken hold of, in points.
-const GRIP: f32 = 6.0;
 /// Height of the line of text below a picture, in points: above it, the bar of tools would hide it.
 const CAPTION: f32 = 20.0;
 /// Between two pictures, and around them where there is room, in points.
@@ -49,7 +46,7 @@ pub(in crate::ui) fn show(
         outline(ui, &places, outlined);
     }
     if compare.settings.mode == CompareMode::Swipe {
-        swipe_line(ui, places.rects[0], settings);
+        swipe_line::show(ui, places.rects[0], &mut settings.swipe);
     }
     let pixel = view.hover_pos().and_then(|position| {
         let place = places.rects[places.index_at(position)?];
@@ -100,7 +97,8 @@ fn paint(ui: &Ui, places: &[Rect], compare: &CompareView, blinked: bool) {
             }
         }
         CompareMode::Swipe => {
-            let (left, right) = place.split_left_right_at_x(swipe_x(place, compare.settings, ui));
+            let (left, right) =
+                place.split_left_right_at_x(swipe_line::x(ui, place, compare.settings.swipe));
             image(Some(reference), left, place, 1.0);
             image(live, right, place, 1.0);
         }
@@ -128,44 +126,6 @@ fn outline(ui: &Ui, places: &ScenePlaces, area: Area) {
         let dark = Stroke::new(4.0, Color32::from_black_alpha(160));
         painter.rect_stroke(rect, 2, dark, StrokeKind::Middle);
         painter.rect_stroke(rect, 2, Stroke::new(2.0, color), StrokeKind::Middle);
-    }
-}
-
-/// Where the line stands, on a whole pixel of the screen so that both parts stay sharp.
-fn swipe_x(place: Rect, settings: &CompareSettings, ui: &Ui) -> f32 {
-    let pixels_per_point = ui.ctx().pixels_per_point();
-    let x = place.left() + place.width() * settings.swipe.clamp(0.0, 1.0);
-    (x * pixels_per_point).round() / pixels_per_point
-}
-
-fn swipe_line(ui: &mut Ui, place: Rect, settings: &mut CompareSettings) {
-    let x = swipe_x(place, settings, ui);
-    let strip = Rect::from_x_y_ranges(x - GRIP..=x + GRIP, place.y_range());
-    let line = ui
-        .interact(strip, ui.id().with("swipe line"), Sense::drag())
-        .on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
-    let line = named(line, "Line between the pictures");
-    let palette = Palette::of(ui.visuals());
-    let held = line.hovered() || line.dragged();
-    let color = if held { palette.accent } else { Color32::WHITE };
-    let painter = ui.painter();
-    // White with black beside it shows on every picture.
-    painter.vline(
-        x,
-        place.y_range(),
-        Stroke::new(3.0, Color32::from_black_alpha(160)),
-    );
-    painter.vline(x, place.y_range(), Stroke::new(1.0, color));
-    painter.circle(
-        pos2(x, place.center().y),
-        5.0,
-        color,
-        Stroke::new(1.0, Color32::BLACK),
-    );
-    if line.dragged()
-        && let Some(pointer) = line.interact_pointer_pos()
-    {
-        settings.swipe = ((pointer.x - place.left()) / place.width()).clamp(0.0, 1.0);
     }
 }
 

@@ -1,5 +1,6 @@
 //! Matrices as 4 × 4 numbers.
 
+use super::digits::Digits;
 use crate::ui::theme::{Palette, number_font};
 use egui::{
     Align2, Frame, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, WidgetText, WidgetType, pos2,
@@ -10,15 +11,6 @@ use glam::DMat4;
 /// Width and height of a number, in points.
 const CELL: Vec2 = vec2(45.0, 15.0);
 
-/// A number with so many digits after the point; never minus zero.
-pub(super) fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(digits) if digits.chars().all(|c| matches!(c, '0' | '.')) => digits.to_owned(),
-        _ => text,
-    }
-}
-
 /// Shows a matrix below its title. `called` is its name for assistive technology, `stands_out` draws
 /// it before the others.
 pub(super) fn show(
@@ -26,7 +18,7 @@ pub(super) fn show(
     title: impl Into<WidgetText>,
     called: &str,
     matrix: &DMat4,
-    decimals: usize,
+    digits: Digits,
     stands_out: bool,
 ) {
     let palette = Palette::of(ui.visuals());
@@ -44,10 +36,7 @@ pub(super) fn show(
         ui.vertical(|ui| {
             ui.label(title);
             let (rect, cells) = ui.allocate_exact_size(CELL * 4.0, Sense::hover());
-            let rows = (0..4).map(|row| matrix.row(row).to_array());
-            let rows: Vec<[String; 4]> = rows
-                .map(|row| row.map(|value| number(value, decimals)))
-                .collect();
+            let rows = digits.rows(matrix);
             for (row, cells) in rows.iter().enumerate() {
                 for (column, text) in cells.iter().enumerate() {
                     paint(ui, rect, (row, column), text);

@@ -3,6 +3,7 @@
 
 mod arrows;
 mod banner;
+mod digits;
 mod matrices;
 mod mistakes;
 mod panel;
@@ -119,6 +120,11 @@ impl ExplainState {
             return was_open;
         }
         true
+    }
+
+    /// Whether a mistake is made on purpose.
+    pub(super) fn makes_mistake(&self) -> bool {
+        self.made.is_some()
     }
 
     /// Joint that is lit in the view and in the list of joints.

@@ -1,5 +1,6 @@
 //! The panel below the view.
 
+use super::digits::Digits;
 use super::{ExplainState, Topic, mistakes, stack, table, words};
 use crate::editor::Session;
 use crate::scene::SkinningMethod;
@@ -146,8 +147,11 @@ fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             .decimals(0..=0)
             .range(0.0..=last as f64);
         chosen = field.show(ui, vec2(72.0, ui.spacing().interact_size.y));
-        let rest = table::point(told.vertex.rest, told.decimals);
+        let rest = table::point(told.vertex.rest, told.digits);
         ui.label(format!("at rest v = {rest}"));
+        if let Some(note) = told.digits.note() {
+            ui.label(note);
+        }
         let hint = "Click another on the mesh, or a row for its matrices.";
         let color = Palette::of(ui.visuals()).weak;
         ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
@@ -162,10 +166,14 @@ fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
 }
 
 fn steps(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
-    let decimals = state.told.as_ref().map_or(3, |told| told.decimals);
+    let told = state.told.as_ref();
+    let digits = told.map_or(Digits::of_size(0.0), |told| told.digits);
     let Some(explained) = state.explained(session) else {
         ui.label(NOBODY);
         return;
     };
-    stack::show(ui, &explained, &mut state.stepper, decimals);
+    if let Some(note) = digits.note() {
+        ui.label(note);
+    }
+    stack::show(ui, &explained, &mut state.stepper, digits);
 }

@@ -1,5 +1,6 @@
 //! The matrix stack step by step: buttons, the tree of the joints, and the stack beside it.
 
+use super::digits::Digits;
 use super::steps::{StackStep, Stepper, stack_after, steps_of};
 use super::{Explained, matrices};
 use crate::ui::theme::Palette;
@@ -17,7 +18,7 @@ const ROW: f32 = 18.0;
 const INDENT: f32 = 12.0;
 
 /// Shows the stack after the steps that are done.
-pub(super) fn show(ui: &mut Ui, explained: &Explained, stepper: &mut Stepper, decimals: usize) {
+pub(super) fn show(ui: &mut Ui, explained: &Explained, stepper: &mut Stepper, digits: Digits) {
     let skeleton = explained.shape.character.skeleton();
     let steps = steps_of(skeleton);
     buttons(ui, stepper, steps.len());
@@ -54,7 +55,7 @@ pub(super) fn show(ui: &mut Ui, explained: &Explained, stepper: &mut Stepper, de
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         let area = ScrollArea::both().id_salt("stack").auto_shrink(false);
         area.stick_to_right(true).show(ui, |ui| {
-            ui.horizontal_top(|ui| entries(ui, explained, done, decimals));
+            ui.horizontal_top(|ui| entries(ui, explained, done, digits));
         });
     });
 }
@@ -143,7 +144,7 @@ fn tree(ui: &mut Ui, explained: &Explained, done: &[StackStep], moved: bool) {
 
 /// The stack from the bottom at the left to the top at the right. After a push the joint's own
 /// transform stands before the product.
-fn entries(ui: &mut Ui, explained: &Explained, done: &[StackStep], decimals: usize) {
+fn entries(ui: &mut Ui, explained: &Explained, done: &[StackStep], digits: Digits) {
     let (skeleton, pose) = (explained.shape.character.skeleton(), explained.shape.pose());
     let stack = stack_after(done, skeleton, pose);
     let weak = Palette::of(ui.visuals()).weak;
@@ -162,7 +163,7 @@ fn entries(ui: &mut Ui, explained: &Explained, done: &[StackStep], decimals: usi
                 RichText::new(format!("{name}, own")).small(),
                 &called,
                 &own,
-                decimals,
+                digits,
                 false,
             );
             ui.label(RichText::new("=").heading());
@@ -177,7 +178,7 @@ fn entries(ui: &mut Ui, explained: &Explained, done: &[StackStep], decimals: usi
             RichText::new(title).small(),
             &called,
             &matrix.as_dmat4(),
-            decimals,
+            digits,
             is_top,
         );
     }

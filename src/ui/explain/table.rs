@@ -2,7 +2,8 @@
 
 use super::Explained;
 use super::arrows::color;
-use super::matrices::{self, number};
+use super::digits::{Digits, number};
+use super::matrices;
 use super::vertex::Told;
 use super::words::{Line, product};
 use crate::diagnose::{Factor, Factors, Step, Term};
@@ -83,7 +84,7 @@ pub(super) fn show(
 ) -> Option<usize> {
     let palette = Palette::of(ui.visuals());
     let columns = Columns::new(told.formula.factors, ui.available_width());
-    let (formula, decimals) = (&told.vertex, told.decimals);
+    let (formula, digits) = (&told.vertex, told.digits);
     ui.spacing_mut().item_spacing.y = 0.0;
     titles(ui, &columns);
     let name = |joint: usize| &*explained.shape.character.skeleton().joints()[joint].name;
@@ -105,7 +106,7 @@ pub(super) fn show(
             color: palette.text,
             is_struck: false,
         };
-        let mut response = row.show(ui, &columns, decimals, &spoken(told, term, &own));
+        let mut response = row.show(ui, &columns, digits, &spoken(told, term, &own));
         if term.joint != term.weight_of {
             response = response.on_hover_text(&own);
         }
@@ -116,7 +117,7 @@ pub(super) fn show(
             unfolded.insert(term.weight_of);
         }
         if is_unfolded {
-            unfold(ui, term, &own, decimals);
+            unfold(ui, term, &own, digits);
         }
     }
     for &(joint, weight) in &formula.left_out {
@@ -125,12 +126,7 @@ pub(super) fn show(
             is_struck: true,
             ..Row::plain(name(joint), Vec::new(), palette.weak)
         };
-        row.show(
-            ui,
-            &columns,
-            decimals,
-            &format!("{}: left out", name(joint)),
-        );
+        row.show(ui, &columns, digits, &format!("{}: left out", name(joint)));
     }
     sums(ui, &columns, told);
     hovered
@@ -139,7 +135,7 @@ pub(super) fn show(
 /// The sum, and what it should be where a mistake is made.
 fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
     let palette = Palette::of(ui.visuals());
-    let (formula, decimals) = (&told.vertex, told.decimals);
+    let (formula, digits) = (&told.vertex, told.digits);
     let line = ui.cursor().min + vec2(0.0, 1.0);
     ui.painter().hline(
         ui.max_rect().x_range(),
@@ -151,12 +147,12 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
         weight: (!formula.terms.is_empty()).then_some(weights),
         ..Row::plain("v', the sum", vec![formula.sum], palette.strong)
     };
-    sum.show(ui, columns, decimals, "Sum");
+    sum.show(ui, columns, digits, "Sum");
     if formula.sum != told.exact.sum {
-        let off = number(formula.sum.distance(told.exact.sum), decimals);
+        let off = digits.length(formula.sum.distance(told.exact.sum));
         let name = format!("v' should be here, {off} away");
         let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
-        exact.show(ui, columns, decimals, "Right");
+        exact.show(ui, columns, digits, "Right");
     }
     if formula.terms.is_empty() {
         let why = if told.exact.terms.is_empty() {
@@ -200,20 +196,20 @@ fn spoken(told: &Told, term: &Term, name: &str) -> String {
     let title = |count: usize| product(&factors[..count]).times_vertex();
     let mut text = format!("{name}: w {}", number(term.weight, 3));
     for (count, step) in (1..).zip(&term.steps) {
-        let at = point(step.at, told.decimals);
+        let at = point(step.at, told.digits);
         text += &format!(", {} {at}", title(count).spoken());
     }
     let title = title(factors.len()).after("w ·").spoken();
-    text + &format!(", {title} {}", point(term.weighted, told.decimals))
+    text + &format!(", {title} {}", point(term.weighted, told.digits))
 }
 
-pub(super) fn point(at: DVec3, decimals: usize) -> String {
-    let [x, y, z] = at.to_array().map(|value| number(value, decimals));
+pub(super) fn point(at: DVec3, digits: Digits) -> String {
+    let [x, y, z] = at.to_array().map(|value| digits.length(value));
     format!("({x}, {y}, {z})")
 }
 
 /// The matrices of a term, in the order of the product, and the product.
-fn unfold(ui: &mut Ui, term: &Term, name: &str, decimals: usize) {
+fn unfold(ui: &mut Ui, term: &Term, name: &str, digits: Digits) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = vec2(6.0, 4.0);
         ui.add_space(INDENT);
@@ -222,7 +218,7 @@ fn unfold(ui: &mut Ui, term: &Term, name: &str, decimals: usize) {
             let title = product(factors);
             let called = format!("{} of {name}", title.spoken());
             let title = title.laid_out(ui, 12.0, text);
-            matrices::show(ui, title, &called, matrix, decimals, is_product);
+            matrices::show(ui, title, &called, matrix, digits, is_product);
         };
         for step in term.steps.iter().rev() {
             show(&[step.factor], &step.matrix, false);
@@ -250,7 +246,7 @@ impl<'a> Row<'a> {
     }
 
     /// Shows the row, called `called` with its points where these are not in the name already.
-    fn show(&self, ui: &mut Ui, columns: &Columns, decimals: usize, called: &str) -> Response {
+    fn show(&self, ui: &mut Ui, columns: &Columns, digits: Digits, called: &str) -> Response {
         let sense = if self.unfolded.is_some() {
             Sense::click()
         } else {
@@ -300,11 +296,11 @@ impl<'a> Row<'a> {
             for (axis, value) in at.to_array().into_iter().enumerate() {
                 text(
                     columns.right(rect, first + index, axis),
-                    number(value, decimals),
+                    digits.length(value),
                 );
             }
         }
-        let points: Vec<String> = self.points.iter().map(|at| point(*at, decimals)).collect();
+        let points: Vec<String> = self.points.iter().map(|at| point(*at, digits)).collect();
         let called = match self.unfolded {
             Some(_) => called.to_owned(),
             None => format!("{called} {}", points.join(" ")),

@@ -1,5 +1,6 @@
 //! The vertex that is explained: which it is, and its formula in numbers.
 
+use super::digits::Digits;
 use super::shown::Made;
 use super::{ExplainState, Explained, Topic};
 use crate::diagnose::{Formula, VertexFormula};
@@ -27,8 +28,8 @@ pub(super) struct Told {
     pub exact: VertexFormula,
     /// Number of vertices.
     pub count: usize,
-    /// Digits after the point that are worth showing of a coordinate.
-    pub decimals: usize,
+    /// How coordinates are written.
+    pub digits: Digits,
 }
 
 impl Told {
@@ -46,11 +47,7 @@ impl Told {
             exact: told(&Formula::default())?,
             formula,
             count: positions.len(),
-            decimals: match size {
-                0.0..20.0 => 3,
-                20.0..200.0 => 2,
-                _ => 1,
-            },
+            digits: Digits::of_size(f64::from(size)),
         })
     }
 
