@@ -5,6 +5,7 @@ mod frames;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
+mod import;
 mod picking;
 mod report;
 mod skinning;
@@ -20,6 +21,7 @@ fn main() {
     let mut report = Report::new(filter);
     frames::run(&mut report);
     picking::run(&mut report);
+    import::run(&mut report);
     skinning::run(&mut report);
     report.finish();
 }
