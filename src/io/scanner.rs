@@ -440,7 +440,7 @@ mod tests {
 
     #[test]
     fn numbers_between_two_neighbors_are_rounded_as_the_standard_library_does() {
-        // 2^24 + 1 and 3 lie in the middle; a digit far behind the point decides.
+        // 2^24 + 1 and 3 lie in the middle. Those of 16 digits are in an `f64` as if they did.
         for word in [
             "16777217",
             "16777219",
@@ -450,6 +450,13 @@ mod tests {
             "1.000000059604644775390625",
             "1.00000005960464477",
             "9007199254740993",
+            "0.5254458487033844",
+            "0.0898476280272007",
+            "0.08984762802720070",
+            "0.6343642175197601",
+            "0.7099548280239105",
+            "0.4406021088361740",
+            "0.5000000298023224",
             "0.1000000014901161",
         ] {
             for word in [word.to_owned(), format!("-{word}")] {
