@@ -6,6 +6,9 @@ use egui::{Key, Pos2};
 
 const ROUNDS: usize = 7;
 
+/// Name of the scene that is opened.
+pub const SCENE: &str = "bench.scene";
+
 pub fn run(report: &mut Report) {
     report.ratio("Selected against deselected, Studio", 1.1, || {
         let mut selected = Drag::of_camera(1, "studio", true);
@@ -46,7 +49,7 @@ struct Drag {
 
 impl Drag {
     fn of_bone(count: usize, look: &str) -> Self {
-        let mut window = Window::start(&scene(count, look));
+        let mut window = Window::start(SCENE, &scene(count, look));
         window.key(Key::B);
         let from = window.end_of_bone("Left elbow");
         window.press(from);
@@ -64,7 +67,7 @@ impl Drag {
     }
 
     fn of_camera(count: usize, look: &str, selected: bool) -> Self {
-        let mut window = Window::start(&scene(count, look));
+        let mut window = Window::start(SCENE, &scene(count, look));
         let from = window.empty_place();
         if !selected {
             window.key(Key::Escape);
@@ -90,7 +93,7 @@ fn against(one: &mut Drag, other: &mut Drag) -> (f64, f64) {
 }
 
 /// An adult, selected, before rows of others, ten in each.
-fn scene(count: usize, look: &str) -> String {
+pub fn scene(count: usize, look: &str) -> String {
     let behind = (1..count).rev().map(|index| {
         let (row, column) = (index / 10 + 1, index % 10);
         (column as f64 - 4.5, -(row as f64))

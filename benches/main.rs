@@ -1,11 +1,16 @@
 //! `make bench`: what things cost, as ratios within one run next to their targets. Times are CPU times of
 //! the whole process, threads of the graphics driver included, the least of interleaved rounds.
 
+#[path = "../tests/window/desktop.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
+mod desktop;
+mod earlier;
 mod frames;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
 mod import;
+mod moving;
 mod picking;
 mod report;
 mod skinning;
@@ -19,7 +24,9 @@ fn main() {
         .skip(1)
         .find(|argument| !argument.starts_with('-'));
     let mut report = Report::new(filter);
+    earlier::run(&mut report);
     frames::run(&mut report);
+    moving::run(&mut report);
     picking::run(&mut report);
     import::run(&mut report);
     skinning::run(&mut report);

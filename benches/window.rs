@@ -26,8 +26,9 @@ pub struct Window {
 }
 
 impl Window {
-    /// The program with a scene, as it is after its first frames.
-    pub fn start(scene: &str) -> Self {
+    /// The program with `file`, a scene of the text `scene` unless it is built in, as it is after its
+    /// first frames.
+    pub fn start(file: &str, scene: &str) -> Self {
         let headless = HeadlessContext::new(Backend::Auto).expect("a context without a display");
         let graphics = Graphics::new(headless.gl()).expect("the program's graphics");
         let preferences = br#"{"started_before": true}"#.to_vec();
@@ -35,7 +36,7 @@ impl Window {
             stored: [(StorageKey::Preferences, preferences)].into(),
             ..MemoryHost::default()
         };
-        let path = PathBuf::from("bench.scene");
+        let path = PathBuf::from(file);
         host.files.insert(path.clone(), scene.as_bytes().to_vec());
         let options = Options {
             files: vec![path],

@@ -244,8 +244,9 @@ impl Host for MemoryHost {
         self.stored.get(&key).cloned()
     }
 
-    fn stored_since(&self, key: StorageKey) -> Option<Duration> {
-        self.stored_since.filter(|_| self.stored.contains_key(&key))
+    fn unsaved_work_since(&self) -> Option<Duration> {
+        let is_stored = self.stored.contains_key(&StorageKey::Autosave);
+        self.stored_since.filter(|_| is_stored)
     }
 
     fn pass_unsaved_work(&mut self) {
@@ -259,8 +260,8 @@ impl Host for MemoryHost {
         self.stored.insert(key, bytes);
     }
 
-    fn remove(&mut self, key: StorageKey) {
-        self.stored.remove(&key);
+    fn remove_unsaved_work(&mut self) {
+        self.stored.remove(&StorageKey::Autosave);
     }
 
     fn start_job(&mut self, job: Job) {

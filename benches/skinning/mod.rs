@@ -5,6 +5,7 @@ mod course;
 
 use crate::report::Report;
 use bucketed::Bucketed;
+pub use course::Course;
 use cpu_time::ProcessTime;
 use editor_core::character::{Attachments, Character, Influence, Pose, Skinned, SkinningBlocks};
 use editor_core::disk::Disk;
@@ -47,7 +48,7 @@ pub fn run(report: &mut Report) {
         "Skinning by blocks against the course's loop",
         1.0 / 30.0,
         || {
-            let course = course::Course::new(&one.attachments, one.palette.len());
+            let course = Course::new(&one.attachments, one.palette.len());
             let blocks = one.blocks(Level::new());
             let (mut skinned, mut out) = (Skinned::default(), Vec::new());
             one.least(

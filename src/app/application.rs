@@ -128,7 +128,8 @@ impl Running {
         let now = self.program.is_modified().then_some(document);
         if self.remembered != now {
             self.remembered = now;
-            rescue::remember(self.program.unsaved().zip(self.host.autosave_path()));
+            let unsaved = self.program.unsaved();
+            rescue::remember(unsaved.map(|unsaved| (unsaved, self.host.autosave_paths())));
         }
     }
 
@@ -231,12 +232,9 @@ impl ApplicationHandler<Wake> for Application {
                 running.program.prepare_to_end();
                 let _ = running.redraw();
                 running.program.end(&mut running.host);
-                if let Some(error) = running.host.finish_storing() {
+                if let Some(failure) = running.host.finish_storing() {
                     // Whoever does not listen need not be told.
-                    let _ = writeln!(
-                        std::io::stderr(),
-                        "error: unsaved work could not be kept: {error}"
-                    );
+                    let _ = writeln!(std::io::stderr(), "{}", failure.at_end());
                 }
                 return self.finish(event_loop, Ok(()));
             }

@@ -1,3 +1,4 @@
+use super::dialog_files::DialogFiles;
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
@@ -8,6 +9,7 @@ use egui::{
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Size in windows that have room for it, in points.
 const SIZE: Vec2 = vec2(640.0, 440.0);
@@ -85,6 +87,9 @@ impl WindowFileDialog {
         let OpenDialog {
             request, recent, ..
         } = self.open.take()?;
+        if let Some(found) = request.purpose.found(&Disk, &path) {
+            return Some((request, found));
+        }
         match request.purpose.completed(&path) {
             None => Some((request, path)),
             Some(complete) if !complete.exists() => Some((request, complete)),
@@ -210,7 +215,7 @@ fn select_all(context: &Context, field: Id) {
 
 fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
     let filter = Filter::new(move |path: &Path| purpose.offers(&Disk, path));
-    let mut dialog = FileDialog::new()
+    let mut dialog = FileDialog::with_file_system(Arc::new(DialogFiles(purpose)))
         .title(purpose.title())
         .id("file dialog")
         .add_file_filter(purpose.filter(), filter)

@@ -2,8 +2,11 @@
 //! the disk. Nothing is drawn while nothing changes.
 
 mod application;
+mod dialog_files;
 mod file_dialog;
+mod own_folders;
 mod rescue;
+mod slot;
 mod storage;
 mod watcher;
 mod window_host;

@@ -1,18 +1,19 @@
 //! Unsaved work when the program ends against its will: by a signal, or by a fault of its own.
 
+use super::slot;
 use super::window_host::Wake;
-use crate::disk;
 use crate::program::Unsaved;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::{Mutex, Once};
 use winit::event_loop::EventLoopProxy;
 
-/// Unsaved work as of the last frame, and where it is written to by the panic hook.
-static LATEST: Mutex<Option<(Unsaved, PathBuf)>> = Mutex::new(None);
+/// Unsaved work as of the last frame, and the places of which the panic hook writes it to the first
+/// that it can.
+static LATEST: Mutex<Option<(Unsaved, Vec<PathBuf>)>> = Mutex::new(None);
 
 /// Remembers unsaved work for the panic hook; none if `latest` is `None`.
-pub(super) fn remember(latest: Option<(Unsaved, PathBuf)>) {
+pub(super) fn remember(latest: Option<(Unsaved, Vec<PathBuf>)>) {
     if let Ok(mut place) = LATEST.lock() {
         *place = latest;
     }
@@ -35,13 +36,20 @@ pub(super) fn write_on_panic() {
 fn write_latest() -> String {
     // Whoever holds the lock, or left it poisoned, is the one that panics.
     let latest = LATEST.try_lock().ok().and_then(|latest| latest.clone());
-    let Some((unsaved, path)) = latest else {
+    let Some((unsaved, paths)) = latest else {
         return "The editor ended because of a fault of its own. Nothing was unsaved.".to_owned();
     };
-    let bytes = unsaved.to_bytes().map_err(|error| error.to_string());
-    let write = |bytes: Vec<u8>| disk::write_whole(&path, &bytes).map_err(|e| e.to_string());
-    match bytes.and_then(write) {
-        Ok(()) => format!(
+    let write = |bytes: Vec<u8>| match (slot::write_to_first(&paths, &bytes), paths.first()) {
+        (Ok(()), Some(path)) => Ok(path.clone()),
+        (Ok(()), None) => Err("there is no place for it".to_owned()),
+        (Err(failure), _) => failure.kept_in.ok_or_else(|| failure.error.to_string()),
+    };
+    match unsaved
+        .to_bytes()
+        .map_err(|e| e.to_string())
+        .and_then(write)
+    {
+        Ok(path) => format!(
             "The editor ended because of a fault of its own. Unsaved work is in {} and will be \
              offered at the next start.",
             path.display()
@@ -98,7 +106,11 @@ mod tests {
         let cube = NewShape::new("My cube", ShapeKind::Cube);
         let edit = Edit::Insert(vec![cube]);
         program.session_mut().edit(edit).unwrap();
-        remember(program.unsaved().map(|unsaved| (unsaved, path.clone())));
+        remember(
+            program
+                .unsaved()
+                .map(|unsaved| (unsaved, vec![path.clone()])),
+        );
         let told = write_latest();
         assert!(told.contains(&path.display().to_string()), "{told}");
         let written = std::fs::read_to_string(&path).unwrap();
@@ -107,7 +119,7 @@ mod tests {
         remember(
             program
                 .unsaved()
-                .map(|unsaved| (unsaved, folder.join("no/where"))),
+                .map(|unsaved| (unsaved, vec![folder.join("no/where")])),
         );
         assert!(write_latest().contains("could not be kept"));
         remember(None);

@@ -1,73 +1,64 @@
+//! What is kept from one run to the next.
+
+use super::own_folders;
+use super::slot::{MOST_STORED, NotStored, Slot, write_to_first};
 use crate::disk;
 use crate::io::Diagnostic;
 use crate::program::{StorageKey, globals};
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// Size of the largest file of the program's own that is read, in bytes.
-const MOST_STORED: u64 = 256 << 20;
-
-/// Number of files with unsaved work that was not wanted, for each slot.
-const MOST_ASIDE: usize = 20;
-
-/// Number of programs that can keep unsaved work at the same time.
-const SLOTS: usize = 64;
-
-/// The user's folder of configuration, where preferences and unsaved work are kept.
-///
-/// Each running program has a file of its own for unsaved work, and a lock on it that the system
-/// releases however the program ends: a file whose lock is free was left by one that has ended.
+/// The user's folder of configuration, where preferences and unsaved work are kept. Unsaved work that
+/// does not fit there is kept in a spare folder.
 pub(super) struct Storage {
-    folder: Option<PathBuf>,
+    preferences: Option<PathBuf>,
+    /// Folders for unsaved work, in the order of preference.
+    folders: Vec<PathBuf>,
     autosave: Option<Slot>,
-    writing: Option<JoinHandle<Result<(), Diagnostic>>>,
-    /// Why unsaved work could not be kept last, until somebody asks.
-    failure: Option<Diagnostic>,
-}
-
-struct Slot {
-    path: PathBuf,
-    _lock: File,
+    writing: Option<JoinHandle<Result<(), NotStored>>>,
+    /// Why unsaved work is not where it should be, until somebody asks.
+    failure: Option<NotStored>,
 }
 
 impl Storage {
     pub fn new() -> Self {
-        let folder = directories::ProjectDirs::from("", "", globals::SETTINGS_FOLDER)
-            .map(|folders| folders.config_dir().to_owned())
-            .filter(|folder| std::fs::create_dir_all(folder).is_ok());
-        Self::at(folder)
+        let configuration = own_folders::configuration();
+        let folders = configuration.into_iter().chain(own_folders::spare());
+        Self::at(folders.collect())
     }
 
-    /// What is kept in `folder`; nothing if there is none.
-    fn at(folder: Option<PathBuf>) -> Self {
-        let autosave = folder.as_ref().and_then(|folder| {
-            // One that was left comes before one that is free.
-            let left = slots(folder).filter(|path| path.exists());
-            left.chain(slots(folder)).find_map(Slot::take)
-        });
+    /// What is kept in `folders`: preferences in the first.
+    fn at(folders: Vec<PathBuf>) -> Self {
+        let in_folder = |folder: &PathBuf| folder.join(StorageKey::Preferences.name());
         Self {
-            folder,
-            autosave,
+            preferences: folders.first().map(in_folder),
+            autosave: Slot::take(&folders, None),
+            folders,
             writing: None,
             failure: None,
         }
     }
 
-    /// Where unsaved work is kept; `None` if it cannot be.
-    pub fn autosave_path(&self) -> Option<PathBuf> {
-        self.autosave.as_ref().map(|slot| slot.path.clone())
+    /// Where unsaved work is kept, in the order of preference; empty if it cannot be.
+    pub fn autosave_paths(&self) -> Vec<PathBuf> {
+        let slot = self.autosave.as_ref();
+        slot.map_or_else(Vec::new, |slot| slot.paths().to_vec())
     }
 
     pub fn load(&self, key: StorageKey) -> Option<Vec<u8>> {
-        disk::read_at_most(&self.path(key)?, MOST_STORED).ok()
+        match key {
+            StorageKey::Preferences => {
+                disk::read_at_most(self.preferences.as_ref()?, MOST_STORED).ok()
+            }
+            StorageKey::Autosave => self.autosave.as_ref()?.load(),
+        }
     }
 
-    /// Time since an entry was written.
-    pub fn stored_since(&self, key: StorageKey) -> Option<Duration> {
-        let written = self.path(key)?.metadata().ok()?.modified().ok()?;
+    /// Time since unsaved work was stored.
+    pub fn unsaved_work_since(&self) -> Option<Duration> {
+        let (_, written) = self.autosave.as_ref()?.newest()?;
         written.elapsed().ok()
     }
 
@@ -75,75 +66,62 @@ impl Storage {
     /// slot that is free.
     pub fn pass_unsaved_work(&mut self) {
         self.wait();
-        let Some(folder) = &self.folder else {
-            return;
-        };
-        let at = self.autosave_path();
-        let others = slots(folder).skip_while(|path| at.as_ref().is_some_and(|at| path != at));
-        let left = others.skip(1).filter(|path| path.exists());
-        let free = slots(folder).filter(|path| !path.exists());
-        self.autosave = left.chain(free).find_map(Slot::take);
+        self.autosave = Slot::take(&self.folders, self.autosave.as_ref());
     }
 
     /// Stores `bytes`, unsaved work in the background.
     pub fn store(&mut self, key: StorageKey, bytes: Vec<u8>) {
-        match (key, self.path(key)) {
-            (StorageKey::Preferences, Some(path)) => {
-                // Nothing that the user made is lost.
-                let _ = disk::write_whole(&path, &bytes);
+        match key {
+            StorageKey::Preferences => {
+                if let Some(path) = &self.preferences {
+                    // Nothing that the user made is lost.
+                    let _ = disk::write_whole(path, &bytes);
+                }
             }
-            (StorageKey::Preferences, None) => {}
-            (StorageKey::Autosave, Some(path)) => self.keep(path, Arc::new(bytes)),
-            (StorageKey::Autosave, None) => {
-                let folder = self.folder.clone();
+            StorageKey::Autosave if self.autosave.is_some() => self.keep(Arc::new(bytes)),
+            StorageKey::Autosave => {
+                let folder = self.folders.first().cloned();
                 let folder = folder.unwrap_or_else(|| PathBuf::from(globals::SETTINGS_FOLDER));
-                self.failure = Some(Diagnostic::new(
-                    &folder,
-                    "expected a folder of the program's own that can be written to",
-                ));
+                let message = "expected a folder of the program's own that can be written to";
+                self.failure = Some(NotStored {
+                    error: Diagnostic::new(&folder, message),
+                    kept_in: None,
+                });
             }
         }
     }
 
     /// Writes unsaved work in the background, or at once if there is no thread to spare.
-    fn keep(&mut self, path: PathBuf, bytes: Arc<Vec<u8>>) {
+    fn keep(&mut self, bytes: Arc<Vec<u8>>) {
         self.wait();
-        let (there, copy) = (path.clone(), Arc::clone(&bytes));
-        let write = move || disk::write_whole(&there, &copy);
+        let paths = self.autosave_paths();
+        let (there, copy) = (paths.clone(), Arc::clone(&bytes));
+        let write = move || write_to_first(&there, &copy);
         let thread = std::thread::Builder::new().name("autosave".to_owned());
         match thread.spawn(write) {
             Ok(writing) => self.writing = Some(writing),
-            Err(_) => self.failure = disk::write_whole(&path, &bytes).err(),
+            Err(_) => self.failure = write_to_first(&paths, &bytes).err(),
         }
     }
 
-    /// Removes an entry.
-    pub fn remove(&mut self, key: StorageKey) {
+    /// Removes this run's unsaved work.
+    pub fn remove_unsaved_work(&mut self) {
         self.wait();
-        if let Some(path) = self.path(key) {
-            // What does not exist need not be removed.
-            let _ = std::fs::remove_file(path);
+        if let Some(slot) = &self.autosave {
+            slot.clear();
         }
     }
 
-    /// Gives an entry another name, so that who discarded it by mistake can still find it. Returns
-    /// the name, if there was such an entry.
-    pub fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
+    /// Gives unsaved work another name, so that who discarded it by mistake can still find it.
+    /// Returns the name, if there is any.
+    pub fn put_unsaved_work_aside(&mut self) -> Option<PathBuf> {
         self.wait();
-        let path = self.path(key)?;
-        // What was put aside before is worth as much; of too many the one without a number gives way.
-        let mut names = (0..MOST_ASIDE).map(|number| match number {
-            0 => path.with_extension("json~"),
-            number => path.with_extension(format!("json~{number}")),
-        });
-        let free = names.find(|name| !name.exists());
-        let aside = free.unwrap_or_else(|| path.with_extension("json~"));
-        std::fs::rename(&path, &aside).ok()?;
-        Some(aside)
+        self.autosave.as_ref()?.put_aside()
     }
 
-    /// The outcome of the last writing in the background, once, if it failed.
-    pub fn failure(&mut self) -> Option<Diagnostic> {
+    /// The outcome of the last writing in the background, once, if unsaved work is not where it
+    /// should be.
+    pub fn failure(&mut self) -> Option<NotStored> {
         if self.writing.as_ref().is_some_and(JoinHandle::is_finished) {
             self.wait();
         }
@@ -157,33 +135,11 @@ impl Storage {
             self.failure = writing.join().ok().and_then(Result::err);
         }
     }
-
-    fn path(&self, key: StorageKey) -> Option<PathBuf> {
-        match key {
-            StorageKey::Preferences => Some(self.folder.as_ref()?.join(key.name())),
-            StorageKey::Autosave => self.autosave_path(),
-        }
-    }
-}
-
-/// Files of all slots for unsaved work.
-fn slots(folder: &Path) -> impl Iterator<Item = PathBuf> {
-    (0..SLOTS).map(|slot| folder.join(format!("autosave-{slot}.json")))
 }
 
 impl Drop for Storage {
     fn drop(&mut self) {
         self.wait();
-    }
-}
-
-impl Slot {
-    /// Takes the slot of `path`, unless a running program has it.
-    fn take(path: PathBuf) -> Option<Self> {
-        let options = File::options().create(true).append(true).clone();
-        let lock = options.open(path.with_extension("lock")).ok()?;
-        lock.try_lock().ok()?;
-        Some(Self { path, _lock: lock })
     }
 }
 
@@ -197,27 +153,76 @@ mod tests {
     fn the_work_of_each_run_that_has_ended_is_passed_once_and_that_of_a_running_one_never() {
         let folder = tempfile::tempdir().unwrap();
         let folder = folder.path();
-        for (slot, path) in slots(folder).take(4).enumerate() {
-            std::fs::write(path, slot.to_string()).unwrap();
+        let folders = vec![folder.to_owned()];
+        let entry = |slot: usize| folder.join(format!("autosave-{slot}.json"));
+        std::fs::write(entry(1), "1").unwrap();
+        let running = Slot::take(&folders, None).unwrap();
+        for slot in [0, 2, 3] {
+            std::fs::write(entry(slot), slot.to_string()).unwrap();
         }
-        let running = Slot::take(folder.join("autosave-1.json")).unwrap();
-        let mut storage = Storage::at(Some(folder.to_owned()));
+        let mut storage = Storage::at(folders);
         let mut left = Vec::new();
         while let Some(bytes) = storage.load(AUTOSAVE) {
             left.push(String::from_utf8(bytes).unwrap());
             if left.len() == 2 {
-                storage.put_aside(AUTOSAVE).unwrap();
+                storage.put_unsaved_work_aside().unwrap();
             }
             storage.pass_unsaved_work();
         }
         assert_eq!(left, ["0", "2", "3"]);
         storage.store(AUTOSAVE, b"own".to_vec());
         storage.wait();
-        let there = |slot| std::fs::read_to_string(folder.join(format!("autosave-{slot}.json")));
+        let there = |slot| std::fs::read_to_string(entry(slot));
         assert_eq!(there(0).unwrap(), "0");
         assert_eq!(there(1).unwrap(), "1");
         // The place of what was put aside is free again.
         assert_eq!(there(2).unwrap(), "own");
         drop(running);
+    }
+
+    #[test]
+    fn work_that_does_not_fit_is_kept_in_the_spare_folder_and_the_newest_counts() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, spare] = ["first", "spare"].map(|name| folder.path().join(name));
+        std::fs::create_dir(&spare).unwrap();
+        let folders = vec![first.clone(), spare.clone()];
+        let mut storage = Storage::at(folders.clone());
+        storage.store(AUTOSAVE, b"old".to_vec());
+        storage.wait();
+        let failure = storage.failure().expect("there is no first folder");
+        assert_eq!(failure.kept_in, Some(spare.join("autosave-0.json")));
+        assert!(failure.error.to_string().contains("first"));
+        assert!(storage.failure().is_none(), "told once");
+        // Another program that runs has another place, where only one folder has a lock, too.
+        std::fs::create_dir(&first).unwrap();
+        let mut other = Storage::at(folders.clone());
+        assert_eq!(other.load(AUTOSAVE), None);
+        drop(storage);
+
+        other.pass_unsaved_work();
+        assert_eq!(other.load(AUTOSAVE), None, "none after its own");
+        // From before the disk was full.
+        let older = first.join("autosave-0.json");
+        std::fs::write(&older, b"older").unwrap();
+        let hour_ago = std::time::SystemTime::now() - Duration::from_secs(3600);
+        let file = std::fs::File::options().write(true).open(&older).unwrap();
+        file.set_modified(hour_ago).unwrap();
+        let mut storage = Storage::at(folders);
+        assert_eq!(storage.load(AUTOSAVE), Some(b"old".to_vec()));
+        storage.store(AUTOSAVE, b"new".to_vec());
+        storage.wait();
+        assert!(storage.failure().is_none());
+        assert_eq!(storage.load(AUTOSAVE), Some(b"new".to_vec()));
+        assert!(!spare.join("autosave-0.json").exists(), "it is out of date");
+        storage.remove_unsaved_work();
+        assert_eq!(storage.load(AUTOSAVE), None);
+    }
+
+    #[test]
+    fn without_any_folder_the_work_is_not_kept_and_that_is_said() {
+        let mut storage = Storage::at(Vec::new());
+        storage.store(AUTOSAVE, b"work".to_vec());
+        let failure = storage.failure().expect("a failure");
+        assert_eq!(failure.kept_in, None);
     }
 }

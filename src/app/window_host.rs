@@ -1,4 +1,5 @@
 use super::file_dialog::WindowFileDialog;
+use super::slot::NotStored;
 use super::storage::Storage;
 use super::watcher::Watcher;
 use crate::disk;
@@ -92,9 +93,9 @@ impl WindowHost {
         &self.window
     }
 
-    /// Where unsaved work is kept; `None` if it cannot be.
-    pub fn autosave_path(&self) -> Option<PathBuf> {
-        self.storage.autosave_path()
+    /// Where unsaved work is kept, in the order of preference; empty if it cannot be.
+    pub fn autosave_paths(&self) -> Vec<PathBuf> {
+        self.storage.autosave_paths()
     }
 
     /// Whether the program wants to end.
@@ -164,8 +165,8 @@ impl WindowHost {
         Ok(())
     }
 
-    /// Waits until everything is stored; why unsaved work is not, if so.
-    pub fn finish_storing(&mut self) -> Option<Diagnostic> {
+    /// Waits until everything is stored; why unsaved work is not where it should be, if so.
+    pub fn finish_storing(&mut self) -> Option<NotStored> {
         self.storage.wait();
         self.storage.failure()
     }
@@ -230,8 +231,8 @@ impl Host for WindowHost {
         self.storage.load(key)
     }
 
-    fn stored_since(&self, key: StorageKey) -> Option<Duration> {
-        self.storage.stored_since(key)
+    fn unsaved_work_since(&self) -> Option<Duration> {
+        self.storage.unsaved_work_since()
     }
 
     fn pass_unsaved_work(&mut self) {
@@ -242,12 +243,12 @@ impl Host for WindowHost {
         self.storage.store(key, bytes);
     }
 
-    fn remove(&mut self, key: StorageKey) {
-        self.storage.remove(key);
+    fn remove_unsaved_work(&mut self) {
+        self.storage.remove_unsaved_work();
     }
 
-    fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
-        self.storage.put_aside(key)
+    fn put_unsaved_work_aside(&mut self) -> Option<PathBuf> {
+        self.storage.put_unsaved_work_aside()
     }
 
     fn start_job(&mut self, job: Job) {
@@ -281,6 +282,6 @@ impl Host for WindowHost {
     fn next_event(&mut self) -> Option<HostEvent> {
         let finished = || self.finished.try_recv().ok().map(HostEvent::Finished);
         let event = self.events.pop_front().or_else(finished);
-        event.or_else(|| self.storage.failure().map(HostEvent::StoreFailed))
+        event.or_else(|| self.storage.failure().map(HostEvent::from))
     }
 }

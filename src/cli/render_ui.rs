@@ -242,7 +242,7 @@ impl Host for StillHost {
 
     fn store(&mut self, _: StorageKey, _: Vec<u8>) {}
 
-    fn remove(&mut self, _: StorageKey) {}
+    fn remove_unsaved_work(&mut self) {}
 
     fn start_job(&mut self, _: Job) {}
 

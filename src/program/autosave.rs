@@ -178,7 +178,7 @@ impl Program {
     /// Removes what was stored by this run, if anything.
     pub(super) fn forget_autosave(&mut self, host: &mut dyn Host) {
         if self.autosave.stored.take().is_some() {
-            host.remove(StorageKey::Autosave);
+            host.remove_unsaved_work();
         }
     }
 
@@ -189,15 +189,27 @@ impl Program {
         self.autosave.stored = Some((self.session.document(), host.now()));
         match unsaved.to_bytes() {
             Ok(bytes) => host.store(StorageKey::Autosave, bytes),
-            Err(error) => self.tell_store_failure(&error.to_string(), host.now()),
+            Err(error) => self.tell_store_failure(&error.to_string(), None, host.now()),
         }
     }
 
-    /// Says once that unsaved work cannot be stored; it is tried again later.
-    pub(super) fn tell_store_failure(&mut self, error: &str, now: Duration) {
+    /// Says once that unsaved work cannot be stored where it should be; it is tried again later.
+    pub(super) fn tell_store_failure(
+        &mut self,
+        error: &str,
+        kept_in: Option<&Path>,
+        now: Duration,
+    ) {
         self.autosave.stored = Some((Revision::new(), now));
         if !std::mem::replace(&mut self.autosave.failure_told, true) {
-            let text = format!("Unsaved work cannot be kept for the case of a crash: {error}");
+            let text = match kept_in {
+                Some(place) => format!(
+                    "Unsaved work is kept for the case of a crash in {} only, which may be cleared \
+                     when the computer shuts down: {error}",
+                    place.display()
+                ),
+                None => format!("Unsaved work cannot be kept for the case of a crash: {error}"),
+            };
             self.tell(Severity::Warning, text);
         }
     }
@@ -209,7 +221,7 @@ impl Program {
         };
         match serde_json::from_slice(&bytes) {
             Ok(kept) => {
-                let since = host.stored_since(StorageKey::Autosave);
+                let since = host.unsaved_work_since();
                 self.asked = Some(Asked::Restore(kept, since));
             }
             Err(error) => {
@@ -228,7 +240,7 @@ impl Program {
     /// Says why what an earlier run left cannot be restored, and puts it out of the way of what this
     /// one stores.
     fn give_up_restoring(&mut self, error: &str, host: &mut dyn Host) {
-        let place = host.put_aside(StorageKey::Autosave);
+        let place = host.put_unsaved_work_aside();
         let place = place.map_or_else(String::new, |path| {
             format!(". They are in {}", path.display())
         });

@@ -4,7 +4,7 @@ use super::awaited::Awaited;
 use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
 use super::questions::Asked;
 use super::running::Program;
-use super::{FileRequest, Host, Previous, Purpose, StorageKey, Suggested};
+use super::{FileRequest, Host, Previous, Purpose, Suggested};
 use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files, Loaded, Missing};
 use crate::scene::{ShapeId, Source, ViewSettings};
@@ -322,7 +322,7 @@ impl Program {
             }
             (Some(Asked::Restore(kept, _)), Answer::Restore) => self.restore(&kept, host),
             (Some(Asked::Restore(..)), Answer::Forget) => {
-                if let Some(path) = host.put_aside(StorageKey::Autosave) {
+                if let Some(path) = host.put_unsaved_work_aside() {
                     let text = format!("What was discarded is in {}", path.display());
                     self.tell(Severity::Info, text);
                 }

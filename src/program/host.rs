@@ -73,8 +73,8 @@ pub trait Host {
     /// Bytes that an earlier run stored under `key`, if it did.
     fn load(&self, key: StorageKey) -> Option<Vec<u8>>;
 
-    /// Time since what is stored under `key` was stored, if the host knows it.
-    fn stored_since(&self, _key: StorageKey) -> Option<Duration> {
+    /// Time since unsaved work was stored, if there is any and the host knows it.
+    fn unsaved_work_since(&self) -> Option<Duration> {
         None
     }
 
@@ -85,13 +85,13 @@ pub trait Host {
     /// Stores `bytes` for later runs. May end in [`HostEvent::StoreFailed`].
     fn store(&mut self, key: StorageKey, bytes: Vec<u8>);
 
-    /// Removes what is stored under `key`, if anything.
-    fn remove(&mut self, key: StorageKey);
+    /// Removes stored unsaved work, if there is any.
+    fn remove_unsaved_work(&mut self);
 
-    /// Puts what is stored under `key` out of the way, where the user can still find it. Returns that
-    /// place, if there is one.
-    fn put_aside(&mut self, key: StorageKey) -> Option<PathBuf> {
-        self.remove(key);
+    /// Puts stored unsaved work out of the way, where the user can still find it. Returns that place,
+    /// if there is one.
+    fn put_unsaved_work_aside(&mut self) -> Option<PathBuf> {
+        self.remove_unsaved_work();
         None
     }
 
@@ -152,8 +152,13 @@ pub enum HostEvent {
     Brought(Result<(), Diagnostic>),
     /// A watched file has changed, appeared or gone.
     Changed(PathBuf),
-    /// Unsaved work could not be stored.
-    StoreFailed(Diagnostic),
+    /// Unsaved work could not be stored where it should be.
+    StoreFailed {
+        /// What went wrong.
+        error: Diagnostic,
+        /// Where it is kept for now instead; `None` if nowhere.
+        kept_in: Option<PathBuf>,
+    },
     /// The user closes the window.
     CloseRequested,
     /// The text on the clipboard; empty if there is none.

@@ -300,11 +300,28 @@ impl Program {
         }
     }
 
-    /// Keeps the comparison with a mesh up to date; it ends when its character is gone.
+    /// Keeps the comparison with a mesh up to date; it ends when its character is gone or is skinned in
+    /// another way.
     pub(super) fn update_mesh_comparison(&mut self, now: Duration) {
         let session = &self.session;
-        self.mesh_comparison
+        let ended = self
+            .mesh_comparison
             .take_if(|comparison| !comparison.update(session, now));
+        let Some(ended) = ended else {
+            return;
+        };
+        let character = session.scene().character(ended.shape);
+        let is_there = session.opened() == ended.opened;
+        if let Some(character) = character.filter(|_| is_there)
+            && character.skinning_method() != SkinningMethod::LinearBlend
+        {
+            let text = format!(
+                "The comparison with {} is closed: it is about linear blending. Choose that again, and \
+                 View ⏵ Compare with Mesh…",
+                ended.name
+            );
+            self.tell(Severity::Info, text);
+        }
     }
 
     /// The character that a dropped mesh is for: that of the comparison under way, unless the mesh is a

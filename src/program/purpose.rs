@@ -7,6 +7,11 @@ use crate::ui::Screenshot;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+/// Extensions of all files that can be read.
+const READ: [&str; 9] = [
+    "scene", "zip", "obj", "dae", "swp", "json", "png", "jpg", "gif",
+];
+
 /// Places and a name that a host suggests to whoever chooses a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Suggested {
@@ -234,6 +239,24 @@ impl Purpose {
         Some(path.with_file_name(name))
     }
 
+    /// `path` as it was meant, if the file is to be read and is not there: with the extension of the one
+    /// file of its formats that is, since dialogs let a path be typed without.
+    pub fn found(self, files: &dyn Files, path: &Path) -> Option<PathBuf> {
+        if !self.written().is_empty() || files.exists(path) {
+            return None;
+        }
+        let name = path.file_name()?;
+        let with = |extension: &&str| {
+            let mut name = name.to_owned();
+            name.push(".");
+            name.push(extension);
+            path.with_file_name(name)
+        };
+        let is_there = |path: &PathBuf| files.exists(path) && self.offers(files, path);
+        let mut found = READ.iter().map(with).filter(is_there);
+        found.next().filter(|_| found.next().is_none())
+    }
+
     /// Whether files with this extension may be written.
     fn writes(self, extension: &OsStr) -> bool {
         let extension = extension.to_string_lossy().to_lowercase();
@@ -335,6 +358,32 @@ mod tests {
             offered(Purpose::SaveComparison),
             ["a.png", "a.JPG", "a.gif"]
         );
+    }
+
+    #[test]
+    fn a_file_to_read_is_found_without_its_extension_where_only_one_is_meant() {
+        let names = ["a/man.obj", "a/man.skel", "a/man.json", "a/v1.2.dae", "a/b"];
+        let names = names.into_iter().chain(["a/two.obj", "a/two.dae"]);
+        let files: HashMap<PathBuf, Vec<u8>> =
+            names.map(|name| (name.into(), Vec::new())).collect();
+        let found = |purpose: Purpose, name| {
+            let path = purpose.found(&files, Path::new(name))?;
+            Some(path.display().to_string())
+        };
+        let pose = Purpose::LoadPose(ShapeId(1));
+        assert_eq!(found(Purpose::Open, "a/man").unwrap(), "a/man.obj");
+        assert_eq!(found(pose, "a/man").unwrap(), "a/man.json");
+        assert_eq!(found(Purpose::Open, "a/v1.2").unwrap(), "a/v1.2.dae");
+        for (purpose, name) in [
+            (Purpose::Open, "a/man.obj"),
+            (Purpose::Open, "a/b"),
+            (Purpose::Open, "a/two"),
+            (Purpose::Open, "a/none"),
+            (Purpose::ImportCurve, "a/man"),
+            (Purpose::ExportGeometry, "a/man"),
+        ] {
+            assert_eq!(found(purpose, name), None, "{name}");
+        }
     }
 
     #[test]

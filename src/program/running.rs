@@ -326,8 +326,9 @@ impl Program {
                     self.tell(Severity::Warning, text);
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
-                HostEvent::StoreFailed(error) => {
-                    self.tell_store_failure(&error.to_string(), host.now());
+                HostEvent::StoreFailed { error, kept_in } => {
+                    let error = error.to_string();
+                    self.tell_store_failure(&error, kept_in.as_deref(), host.now());
                 }
                 HostEvent::Unreadable(error) => self.tell(Severity::Error, error.to_string()),
                 HostEvent::Brought(result) => self.take_brought(result, host),

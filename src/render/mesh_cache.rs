@@ -86,13 +86,15 @@ impl MeshCache {
         self.meshes.get(id)
     }
 
-    /// Height of the ground in the world: the lowest point of the visible meshes, but not above the
-    /// origin. At rest, and no lower than each was inserted, so that the ground stays where it is while a
+    /// Height of the ground in the world: the lowest point of the visible meshes and curves, but not
+    /// above the origin. At rest, and no lower than each was inserted, so that the ground stays where it is while a
     /// character is posed or a shape is moved below it.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
         let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
         let lowest = visible.filter_map(|shape| {
-            let bounds = self.get(shape.id)?.rest_bounds;
+            let mesh = self.get(shape.id)?.rest_bounds;
+            let curves = shape.geometry.curves.as_ref();
+            let bounds = curves.map_or(mesh, |_| shape.geometry.bounds());
             let world = bounds.transformed(shape.world_from_model);
             (!bounds.is_empty()).then_some(world.min.y + shape.sunk)
         });

@@ -125,9 +125,9 @@ fn name(entry: &Entry, session: &Session, state: &UiState) -> String {
 /// Commands whose label or tooltip have all the words, in any order; those whose label has them
 /// come first.
 fn found(words: &str) -> Vec<&'static Entry> {
-    let words = words.to_lowercase();
+    let words = plain(words);
     let all_in = |text: &str| {
-        let text = text.to_lowercase();
+        let text = plain(text);
         words.split_whitespace().all(|word| text.contains(word))
     };
     let labeled = |entry: &&Entry| all_in(&in_words(entry));
@@ -135,6 +135,11 @@ fn found(words: &str) -> Vec<&'static Entry> {
     let (first, rest): (Vec<&Entry>, Vec<&Entry>) =
         COMMANDS.iter().filter(explained).partition(labeled);
     [first, rest].concat()
+}
+
+/// In small letters and without accents, which not every keyboard has: Bézier's is the only one.
+fn plain(text: &str) -> String {
+    text.to_lowercase().replace('é', "e")
 }
 
 #[cfg(test)]
@@ -150,6 +155,8 @@ mod tests {
         assert_eq!(found("pose mirror"), ["Mirror Pose"]);
         assert_eq!(found("ICOSA"), ["Icosahedron"]);
         assert_eq!(found("utah"), ["Teapot"]);
+        assert_eq!(found("bezier")[0], "Bézier Curve");
+        assert_eq!(found("BÉZIER"), found("bezier"));
         assert_eq!(found("pose")[0], "Reset View and Pose", "labels come first");
         assert!(found("pose").contains(&"Copy"), "tooltips after them");
         assert_eq!(found("").len(), COMMANDS.len());

@@ -287,13 +287,14 @@ impl Host for PageHost {
                 Path::new(key.name()),
                 "the browser has no room for it, or keeps nothing for this page",
             );
-            self.events.push(HostEvent::StoreFailed(error));
+            let kept_in = None;
+            (self.events).push(HostEvent::StoreFailed { error, kept_in });
         }
     }
 
-    fn remove(&mut self, key: StorageKey) {
+    fn remove_unsaved_work(&mut self) {
         if !self.forgets {
-            browser::remove(&self.entry(key));
+            browser::remove(&self.entry(StorageKey::Autosave));
         }
     }
 

@@ -1,8 +1,9 @@
 //! Shadows on the Studio look's ground.
 
+use editor_core::geometry::Basis;
 use editor_core::gpu::Gl;
 use editor_core::render::{Marks, Renderer};
-use editor_core::scene::NewShape;
+use editor_core::scene::{CurveSet, CurveShape, Evaluator, NewShape};
 use editor_core::scene::{Look, Scene, ShapeColor, ShapeKind, Skinning, ViewSettings};
 use glam::{Vec2, Vec3};
 
@@ -113,6 +114,30 @@ fn the_ground_lies_under_the_lowest_shape() {
             .zip(&other.rgba)
             .filter(|(a, b)| a.abs_diff(**b) > 2);
         assert!(apart.count() < 40);
+    });
+}
+
+#[test]
+fn the_ground_lies_under_a_curve_that_has_no_surface() {
+    on_each_backend(|gl| {
+        let mut scene = Scene::new();
+        let curve = CurveShape::new(CurveSet::start_spline(Basis::Bezier));
+        let id = scene.add(NewShape::new("Curve", ShapeKind::Curve(curve)));
+        let bounds = Evaluator::new().evaluate(&scene, 0.0).shapes[0].world_bounds();
+        assert!(bounds.min.y < -0.5, "{bounds:?}");
+        let is_line = |pixel: [u8; 4]| pixel[..3].iter().all(|&channel| channel > 220);
+        let lines = |scene: &Scene| {
+            let view = studio();
+            draw(gl, scene, &view, Skinning::Cpu).count(is_line)
+        };
+        let at_origin = lines(&scene);
+        let placement = &mut scene.shape_mut(id).expect("the curve").placement;
+        placement.transform.position.y = 2.0;
+        let above = lines(&scene);
+        assert!(
+            above > 60 && at_origin * 10 > above * 9,
+            "{at_origin}, {above}"
+        );
     });
 }
 

@@ -6,7 +6,7 @@ use editor_core::editor::Severity;
 use editor_core::io::Diagnostic;
 use editor_core::program::{HostEvent, StorageKey};
 use egui::{Key, Modifiers, vec2};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 const AUTOSAVE: StorageKey = StorageKey::Autosave;
@@ -230,12 +230,31 @@ fn a_signal_keeps_unsaved_work_and_ends_the_program() {
     assert!(saved.host.quits && stored(&saved).is_none());
 }
 
+fn not_stored(kept_in: Option<&str>) -> HostEvent {
+    HostEvent::StoreFailed {
+        error: Diagnostic::new(Path::new("autosave.json"), "the disk is full"),
+        kept_in: kept_in.map(PathBuf::from),
+    }
+}
+
+#[test]
+fn what_is_kept_in_another_place_is_said_with_the_place() {
+    let mut story = with_bent_elbow();
+    let spare = Some("/run/autosave.json");
+    story.host.events.push_back(not_stored(spare));
+    story.settle();
+    let [(Severity::Warning, text)] = story.messages()[..] else {
+        panic!("{:?}", story.messages());
+    };
+    assert!(text.contains("in /run/autosave.json only"), "{text}");
+    assert!(text.ends_with("autosave.json: the disk is full"), "{text}");
+}
+
 #[test]
 fn what_cannot_be_kept_is_said_once() {
     let mut story = with_bent_elbow();
     for _ in 0..2 {
-        let full = Diagnostic::new(Path::new("autosave.json"), "the disk is full");
-        story.host.events.push_back(HostEvent::StoreFailed(full));
+        story.host.events.push_back(not_stored(None));
         story.settle();
     }
     let text = "Unsaved work cannot be kept for the case of a crash: \
@@ -248,8 +267,7 @@ fn what_could_not_be_kept_is_tried_again() {
     let mut story = with_bent_elbow();
     story.wait(1.0);
     story.host.stored.remove(&AUTOSAVE);
-    let full = Diagnostic::new(Path::new("autosave.json"), "the disk is full");
-    story.host.events.push_back(HostEvent::StoreFailed(full));
+    story.host.events.push_back(not_stored(None));
     story.settle();
     assert!(stored(&story).is_none(), "not at once");
     story.wait(11.0);

@@ -315,6 +315,9 @@ fn a_comparison_is_with_linear_blending_alone() {
     story.program.session_mut().edit(edit).expect("a method");
     story.settle();
     assert!(!story.has("Stop comparing with the mesh"), "it has ended");
+    let (severity, text) = story.messages()[0];
+    assert_eq!(severity, Severity::Info);
+    assert!(text.contains("it is about linear blending"), "{text}");
     story.key_with(Modifiers::SHIFT, Key::F8);
     story.choose("mine.obj");
     assert!(!story.has("Stop comparing with the mesh"));

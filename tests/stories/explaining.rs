@@ -249,8 +249,11 @@ fn another_document_has_no_mistake_and_a_scene_without_characters_nothing_to_exp
     let mut story = bent();
     make(&mut story, NO_INVERSE);
     assert!(story.has("Back to Right"));
+    let top = story.place("Close Explain");
     story.click("Delete");
     assert!(!story.has("Back to Right"));
+    story.settle();
+    assert_eq!(story.place("Close Explain"), top, "as high as before");
     assert!(story.has_text("There is no character to explain. Insert one."));
     story.click("Close Explain");
     story.key(Key::K);

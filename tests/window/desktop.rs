@@ -1,10 +1,13 @@
 //! A screen without a monitor, the program in it, and hands: Xvfb and xdotool.
 
 use std::io::{BufRead, BufReader, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
+
+/// The program that is tested.
+const PROGRAM: &str = env!("CARGO_BIN_EXE_editor");
 
 /// How long something may take before it is taken to hang. A busy machine needs a part of it.
 const PATIENCE: Duration = Duration::from_secs(120);
@@ -84,7 +87,12 @@ pub struct Program<'a> {
 impl<'a> Program<'a> {
     /// Starts it with `home` as the user's folder and waits for its window.
     pub fn start(desktop: &'a Desktop, home: &Path, arguments: &[&str]) -> Self {
-        let child = command(home)
+        Self::start_at(Path::new(PROGRAM), desktop, home, arguments)
+    }
+
+    /// Does so with the program at a path.
+    pub fn start_at(program: &Path, desktop: &'a Desktop, home: &Path, arguments: &[&str]) -> Self {
+        let child = command_at(program, home)
             .args(arguments)
             .env("DISPLAY", &desktop.display)
             .spawn()
@@ -147,8 +155,7 @@ impl<'a> Program<'a> {
     pub fn drag(&self, button: &str, from: (f32, f32), to: (f32, f32)) {
         const STEPS: i32 = 10;
         self.point(from);
-        self.desktop.xdotool(&["mousedown", button]);
-        pause();
+        self.press(button);
         for step in 1..=STEPS {
             let along = step as f32 / STEPS as f32;
             self.point((
@@ -156,6 +163,16 @@ impl<'a> Program<'a> {
                 from.1 + (to.1 - from.1) * along,
             ));
         }
+        self.release(button);
+    }
+
+    /// Presses a button and holds it.
+    pub fn press(&self, button: &str) {
+        self.desktop.xdotool(&["mousedown", button]);
+        pause();
+    }
+
+    pub fn release(&self, button: &str) {
         self.desktop.xdotool(&["mouseup", button]);
         pause();
     }
@@ -316,12 +333,24 @@ impl Drop for Program<'_> {
     }
 }
 
+/// The folder of the user's session, made if need be.
+pub fn session_folder(home: &Path) -> PathBuf {
+    let folder = home.join("session");
+    std::fs::create_dir_all(&folder).expect("the session's folder");
+    folder
+}
+
 /// The program with nothing of this machine's user in its surroundings.
 pub fn command(home: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_editor"));
+    command_at(Path::new(PROGRAM), home)
+}
+
+fn command_at(program: &Path, home: &Path) -> Command {
+    let mut command = Command::new(program);
     command
         .current_dir(home)
         .env("HOME", home)
+        .env("XDG_RUNTIME_DIR", home.join("session"))
         .env_remove("XDG_CONFIG_HOME")
         .env_remove("WAYLAND_DISPLAY")
         .env_remove("DISPLAY")

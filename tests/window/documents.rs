@@ -1,6 +1,6 @@
 //! Documents of the real window: saved, reopened, and kept through a kill.
 
-use super::desktop::{Desktop, Program};
+use super::desktop::{Desktop, Program, session_folder};
 use super::home_with_character;
 use std::path::Path;
 
@@ -9,13 +9,44 @@ fn a_program_that_is_ended_says_what_it_could_not_keep() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
     std::fs::write(home.path().join(".config"), "no folder").expect("a file in its place");
-    let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
+    let spare = session_folder(home.path());
+    std::fs::remove_dir(&spare).expect("an empty folder");
+    std::fs::write(&spare, "no folder").expect("a file in its place, too");
+    let (status, told) = with_a_cube(&desktop, home.path()).terminate();
+    assert!(status.success(), "{status}: {told}");
+    assert!(told.contains("unsaved work could not be kept"), "{told}");
+}
+
+#[test]
+fn a_program_that_is_ended_keeps_what_does_not_fit_at_home_in_the_session_s_folder() {
+    let desktop = Desktop::start();
+    let home = tempfile::tempdir().expect("a folder");
+    let spare = session_folder(home.path());
+    let config = home.path().join(".config");
+    std::fs::write(&config, "no folder").expect("a file in its place");
+    let (status, told) = with_a_cube(&desktop, home.path()).terminate();
+    assert!(status.success(), "{status}: {told}");
+    let told_place = format!("unsaved work is in {}", spare.display());
+    assert!(told.contains(&told_place), "{told}");
+
+    // There is room again.
+    std::fs::remove_file(&config).expect("the file");
+    let mut program = Program::start(&desktop, home.path(), &[]);
+    program.keys(&["Return"]);
+    title_is(&mut program, "*Untitled — Editor");
+    let (status, told) = program.terminate();
+    assert!(status.success() && told.is_empty(), "{status}: {told}");
+    let kept = autosave(home.path()).expect("unsaved work");
+    assert!(kept.contains("cube"), "{kept}");
+}
+
+/// The program with work that is not saved.
+fn with_a_cube<'a>(desktop: &'a Desktop, home: &Path) -> Program<'a> {
+    let program = Program::start(desktop, home, &["builtin:robot"]);
     let before = program.picture();
     program.keys(&["shift+c"]);
     assert!(program.picture() != before, "no cube was inserted");
-    let (status, told) = program.terminate();
-    assert!(status.success(), "{status}: {told}");
-    assert!(told.contains("unsaved work could not be kept"), "{told}");
+    program
 }
 
 fn title_is(program: &mut Program, expected: &str) {

@@ -77,7 +77,7 @@ impl fmt::Display for Finding {
             }
             Self::Axes { only_in } => write!(
                 f,
-                "the axes are drawn only in {only_in}: apart from them nothing differs (View ▸ Toggle Axis, or --axis)"
+                "the axes are drawn only in {only_in}: apart from them nothing differs (View ⏵ Toggle Axis, or --axis)"
             ),
             Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
             Self::Brightness { factors } => fmt_brightness(f, *factors),

@@ -24,7 +24,7 @@ struct Parts<'a> {
 
 /// What a student forgets first.
 const AT_REST: &str = "The character is at rest. Load the pose that their mesh was made in: \
-                       Pose ▸ Load Pose…";
+                       Pose ⏵ Load Pose…";
 
 /// The panel. A vertex that is chosen in it is `marked`, and the camera goes there.
 pub(in crate::ui) fn show(

@@ -35,6 +35,8 @@ pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainS
         .show(root, |ui| {
             header(ui, session, state);
             ui.separator();
+            // Where there is nothing to explain, the panel would shrink, and stay small afterwards.
+            ui.take_available_height();
             state.update(session);
             match state.topic {
                 Topic::Formula => formula(ui, session, state),
