@@ -104,7 +104,7 @@ fn write_grid(file: &PathBuf, bytes: usize, corners: Corners) {
         let place = Vec3::new(u - 0.5, (9.0 * u).sin() * (7.0 * v).cos() / 3.0, 1.5 - v);
         let _ = writeln!(text, "v {:.6} {:.6} {:.6}", place.x, place.y, place.z);
         if let Corners::All = corners {
-            let normal = (place + Vec3::Y).normalize();
+            let normal = (place + Vec3::Y).normalize_or_zero();
             let _ = writeln!(text, "vt {u:.6} {v:.6}");
             let _ = writeln!(text, "vn {:.4} {:.4} {:.4}", normal.x, normal.y, normal.z);
         }
