@@ -9,6 +9,7 @@ mod frames;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
+mod import;
 mod moving;
 mod picking;
 mod report;
@@ -27,6 +28,7 @@ fn main() {
     frames::run(&mut report);
     moving::run(&mut report);
     picking::run(&mut report);
+    import::run(&mut report);
     skinning::run(&mut report);
     report.finish();
 }

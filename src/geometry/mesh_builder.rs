@@ -21,20 +21,23 @@ pub struct Corner {
 #[derive(Clone, Debug, Default)]
 pub struct MeshBuilder {
     positions: Vec<Vec3>,
-    triangles: Vec<[Corner; 3]>,
+    triangles: Vec<[u32; 3]>,
+    vertices: Vertices,
     groups: Vec<MaterialGroup>,
 }
-
-/// Number of vertices at one position that are compared with a new one. More do not occur in
-/// practice, and a file made to have them must not take time that grows with the square of its
-/// size.
-const MOST_COMPARED: usize = 64;
-const NONE: u32 = u32::MAX;
 
 impl MeshBuilder {
     /// An empty builder.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// A builder with `positions`, in model space.
+    pub fn over(positions: Vec<Vec3>) -> Self {
+        Self {
+            positions,
+            ..Self::default()
+        }
     }
 
     /// The positions so far, in model space.
@@ -56,8 +59,38 @@ impl MeshBuilder {
     /// position which does not exist yet is left out.
     pub fn push_triangle(&mut self, corners: [Corner; 3]) {
         let known = |corner: &Corner| (corner.position as usize) < self.positions.len();
-        if corners.iter().all(known) {
-            self.triangles.push(corners);
+        if !corners.iter().all(known) {
+            return;
+        }
+        let has_normals = corners.iter().any(|corner| corner.normal.is_some());
+        let has_texture = corners.iter().any(|corner| corner.texture.is_some());
+        let so_far = &self.vertices;
+        if has_normals && !so_far.has_normals || has_texture && !so_far.has_texture {
+            self.begin(has_normals, has_texture);
+        }
+        self.vertices
+            .push(corners, &self.positions, &self.triangles);
+        self.triangles.push(corners.map(|corner| corner.position));
+    }
+
+    /// Numbers the vertices of all triangles anew: the next is the first with normals or texture
+    /// coordinates.
+    fn begin(&mut self, has_normals: bool, has_texture: bool) {
+        let before = std::mem::take(&mut self.vertices);
+        self.vertices.has_normals = before.has_normals || has_normals;
+        self.vertices.has_texture = before.has_texture || has_texture;
+        for (at, &positions) in self.triangles.iter().enumerate() {
+            let vertices = before.triangles.get(at).unwrap_or(&positions);
+            let corners = [0, 1, 2].map(|corner| {
+                let (attributes, vertex) = before.attributes(vertices[corner]);
+                Corner {
+                    position: positions[corner],
+                    normal: attributes.normals.get(vertex).copied(),
+                    texture: attributes.texture.get(vertex).copied(),
+                }
+            });
+            self.vertices
+                .push(corners, &self.positions, &self.triangles[..at]);
         }
     }
 
@@ -71,103 +104,161 @@ impl MeshBuilder {
     /// The mesh. If no corner has a normal it is flat, if some have, the others take that of their
     /// triangle; texture coordinates that are missing beside others are (0, 0).
     pub fn build(self) -> Mesh {
-        let corners = || self.triangles.iter().flatten();
-        let has_normals = corners().any(|corner| corner.normal.is_some());
-        let has_texture = corners().any(|corner| corner.texture.is_some());
-        let mut vertices = Vertices::new(self.positions.len());
-        let triangles = self
-            .triangles
-            .iter()
-            .map(|corners| {
-                let positions = corners.map(|corner| self.positions[corner.position as usize]);
-                let flat = if has_normals {
-                    face_normal(positions)
-                } else {
-                    Vec3::ZERO
-                };
-                corners.map(|corner| {
-                    let normal = corner.normal.unwrap_or(flat);
-                    let normal = if has_normals { normal } else { Vec3::ZERO };
-                    vertices.find_or_add(
-                        corner.position,
-                        normal,
-                        corner.texture.unwrap_or_default(),
-                    )
-                })
-            })
-            .collect();
-        let seams = (!vertices.copies.is_empty()).then_some(Seams {
-            copies: vertices.copies,
-            triangles,
-        });
+        let mut vertices = self.vertices;
+        let count = self.positions.len();
+        vertices.reach(count);
+        for vertex in vertices.triangles.iter_mut().flatten() {
+            if *vertex & COPY != 0 {
+                *vertex = count as u32 + (*vertex & !COPY);
+            }
+        }
+        let Attributes {
+            mut normals,
+            mut texture,
+            ..
+        } = vertices.first;
+        normals.append(&mut vertices.copies.normals);
+        texture.append(&mut vertices.copies.texture);
         Mesh {
-            triangles: self
-                .triangles
-                .iter()
-                .map(|corners| corners.map(|corner| corner.position))
-                .collect(),
             positions: self.positions,
-            normals: if has_normals {
-                Normals::PerVertex(vertices.normals)
+            triangles: self.triangles,
+            normals: if vertices.has_normals {
+                Normals::PerVertex(normals)
             } else {
                 Normals::Flat
             },
-            seams,
-            texture_coordinates: if has_texture {
-                vertices.texture
-            } else {
-                Vec::new()
-            },
+            seams: (!vertices.copied.is_empty()).then_some(Seams {
+                copies: vertices.copied,
+                triangles: vertices.triangles,
+            }),
+            texture_coordinates: texture,
             groups: self.groups,
         }
     }
 }
 
-/// Vertices by position: the first at a position has its index, the others follow in a chain.
+/// Vertices by position: the first at a position has its index, copies follow in a chain. Those of
+/// a mesh without normals and texture coordinates are its positions, and nothing is kept of them.
+#[derive(Clone, Debug, Default)]
 struct Vertices {
-    used: Vec<bool>,
-    next: Vec<u32>,
-    normals: Vec<Vec3>,
-    texture: Vec<Vec2>,
-    copies: Vec<u32>,
+    has_normals: bool,
+    has_texture: bool,
+    first: Attributes,
+    copies: Attributes,
+    /// Position of each copy.
+    copied: Vec<u32>,
+    /// The triangles once more, as vertices; empty as long as there are no copies.
+    triangles: Vec<[u32; 3]>,
 }
 
+/// What vertices have beside their positions; the lists of what none of them has are empty.
+#[derive(Clone, Debug, Default)]
+struct Attributes {
+    normals: Vec<Vec3>,
+    texture: Vec<Vec2>,
+    /// Next vertex at the same position, [`LAST`], or [`UNUSED`].
+    next: Vec<u32>,
+}
+
+/// Number of vertices at one position that are compared with a new one. More do not occur in
+/// practice, and a file made to have them must not take time that grows with the square of its
+/// size.
+const MOST_COMPARED: usize = 64;
+/// The bit of a vertex that is a copy, as long as more positions may come before copies.
+const COPY: u32 = 1 << 31;
+const LAST: u32 = u32::MAX;
+const UNUSED: u32 = u32::MAX - 1;
+
 impl Vertices {
-    fn new(positions: usize) -> Self {
-        Self {
-            used: vec![false; positions],
-            next: vec![NONE; positions],
-            normals: vec![Vec3::ZERO; positions],
-            texture: vec![Vec2::ZERO; positions],
-            copies: Vec::new(),
+    /// Finds or adds the vertices of one more triangle after `triangles`.
+    fn push(&mut self, corners: [Corner; 3], positions: &[Vec3], triangles: &[[u32; 3]]) {
+        if !self.has_normals && !self.has_texture {
+            return;
+        }
+        self.reach(positions.len());
+        let flat = if self.has_normals && corners.iter().any(|corner| corner.normal.is_none()) {
+            face_normal(corners.map(|corner| positions[corner.position as usize]))
+        } else {
+            Vec3::ZERO
+        };
+        let vertices = corners.map(|corner| {
+            self.find_or_add(
+                corner.position,
+                corner.normal.unwrap_or(flat),
+                corner.texture.unwrap_or_default(),
+            )
+        });
+        if self.triangles.is_empty() && !self.copied.is_empty() {
+            self.triangles = triangles.to_vec();
+        }
+        if !self.copied.is_empty() {
+            self.triangles.push(vertices);
+        }
+    }
+
+    /// Makes room for the first vertices of so many positions.
+    fn reach(&mut self, positions: usize) {
+        let first = &mut self.first;
+        if self.has_normals {
+            first.normals.resize(positions, Vec3::ZERO);
+        }
+        if self.has_texture {
+            first.texture.resize(positions, Vec2::ZERO);
+        }
+        first.next.resize(positions, UNUSED);
+    }
+
+    /// The attributes of `vertex`: which, and where in them.
+    fn attributes(&self, vertex: u32) -> (&Attributes, usize) {
+        if vertex & COPY == 0 {
+            (&self.first, vertex as usize)
+        } else {
+            (&self.copies, (vertex & !COPY) as usize)
         }
     }
 
     fn find_or_add(&mut self, position: u32, normal: Vec3, texture: Vec2) -> u32 {
         let first = position as usize;
-        if !std::mem::replace(&mut self.used[first], true) {
-            self.normals[first] = normal;
-            self.texture[first] = texture;
+        if self.first.next[first] == UNUSED {
+            self.first.next[first] = LAST;
+            if self.has_normals {
+                self.first.normals[first] = normal;
+            }
+            if self.has_texture {
+                self.first.texture[first] = texture;
+            }
             return position;
         }
         let mut at = position;
         for _ in 0..MOST_COMPARED {
-            let vertex = at as usize;
-            if self.normals[vertex] == normal && self.texture[vertex] == texture {
+            let (attributes, vertex) = self.attributes(at);
+            let is_normal = |&of: &Vec3| of == normal;
+            let is_texture = |&of: &Vec2| of == texture;
+            if attributes.normals.get(vertex).is_none_or(is_normal)
+                && attributes.texture.get(vertex).is_none_or(is_texture)
+            {
                 return at;
             }
-            if self.next[vertex] == NONE {
+            if attributes.next[vertex] == LAST {
                 break;
             }
-            at = self.next[vertex];
+            at = attributes.next[vertex];
         }
-        let added = self.next.len() as u32;
+        let added = COPY | self.copied.len() as u32;
         // After the last that was compared; what followed it is not looked at again.
-        self.next[at as usize] = added;
-        self.next.push(NONE);
-        self.normals.push(normal);
-        self.texture.push(texture);
-        self.copies.push(position);
+        if at & COPY == 0 {
+            self.first.next[at as usize] = added;
+        } else {
+            self.copies.next[(at & !COPY) as usize] = added;
+        }
+        self.copies.next.push(LAST);
+        if self.has_normals {
+            self.copies.normals.push(normal);
+        }
+        if self.has_texture {
+            self.copies.texture.push(texture);
+        }
+        self.copied.push(position);
         added
     }
 }
@@ -175,6 +266,7 @@ impl Vertices {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     const SQUARE: [Vec3; 4] = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
 
@@ -241,6 +333,52 @@ mod tests {
             for &vertex in corners {
                 assert_eq!(mesh.texture_coordinates[vertex as usize].x, i as f32);
             }
+        }
+    }
+
+    /// Positions, normals and texture coordinates of which there are few, so that many agree.
+    fn few() -> impl Strategy<Value = Parts> {
+        let normal = prop::option::of((0..3_usize).prop_map(|i| Vec3::AXES[i]));
+        let texture = prop::option::of((0..3_u8).prop_map(|u| Vec2::splat(u.into())));
+        (0..4_u32, normal, texture)
+    }
+
+    proptest! {
+        #[test]
+        fn every_corner_has_what_was_given_and_corners_that_agree_are_one_vertex(
+            bare in prop::collection::vec(prop::array::uniform3(0..4_u32), 0..6),
+            triangles in prop::collection::vec([few(), few(), few()], 0..20),
+        ) {
+            // Those without anything come first: what begins late holds for them, too.
+            let bare = bare.iter().map(|t| t.map(|position| (position, None, None)));
+            let triangles: Vec<_> = bare.chain(triangles).collect();
+            let mesh = mesh(&triangles);
+            let corners = || triangles.iter().flatten();
+            let has_normals = corners().any(|corner| corner.1.is_some());
+            let has_texture = corners().any(|corner| corner.2.is_some());
+            prop_assert_eq!(has_normals, mesh.normals != Normals::Flat);
+            prop_assert_eq!(has_texture, !mesh.texture_coordinates.is_empty());
+            let positions = mesh.at_vertices(&mesh.positions);
+            let mut numbers = std::collections::HashMap::new();
+            for (at, triangle) in triangles.iter().enumerate() {
+                let flat = face_normal(triangle.map(|corner| SQUARE[corner.0 as usize]));
+                for (&(position, normal, texture), vertex) in triangle.iter().zip(mesh.vertex_triangles()[at]) {
+                    let vertex = vertex as usize;
+                    prop_assert_eq!(positions[vertex], SQUARE[position as usize]);
+                    let normal = has_normals.then_some(normal.unwrap_or(flat));
+                    if let Normals::PerVertex(normals) = &mesh.normals {
+                        prop_assert_eq!(Some(normals[vertex]), normal);
+                    }
+                    let texture = has_texture.then_some(texture.unwrap_or_default());
+                    prop_assert_eq!(mesh.texture_coordinates.get(vertex).copied(), texture);
+                    let bits = (position, normal.map(|n| n.to_array().map(f32::to_bits)), texture.map(|t| t.to_array().map(f32::to_bits)));
+                    prop_assert_eq!(*numbers.entry(bits).or_insert(vertex), vertex);
+                }
+            }
+            // A copy that nothing uses would be drawn from, and uploaded, for nothing.
+            let used: std::collections::HashSet<_> = mesh.vertex_triangles().iter().flatten().collect();
+            let copies = 4..mesh.vertex_count() as u32;
+            prop_assert!(copies.clone().all(|copy| used.contains(&copy)));
         }
     }
 }

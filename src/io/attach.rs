@@ -69,29 +69,34 @@ fn read_row(
     let mut read = 0;
     loop {
         read += scanner.skip_zeros(columns - read);
-        let word = scanner.word();
-        let wrong_count = |scanner: &Scanner| {
-            scanner.expected(
-                &format!("{columns} weights, one for each joint but the root"),
-                word,
-            )
-        };
-        match word {
-            None if read == 0 => return Ok(false),
-            None if read == columns => return Ok(true),
-            None => return Err(wrong_count(scanner)),
-            Some(_) if read == columns => return Err(wrong_count(scanner)),
-            Some(word) => {
-                let weight =
-                    finite(word.text).ok_or_else(|| scanner.expected("a weight", Some(word)))?;
-                read += 1;
-                if weight != 0.0 {
-                    row.push(Influence {
-                        joint: read as u32,
-                        weight,
-                    });
+        let plain = (read < columns).then(|| scanner.plain_number()).flatten();
+        let weight = match plain {
+            Some(weight) => weight,
+            None => {
+                let word = scanner.word();
+                let wrong_count = |scanner: &Scanner| {
+                    scanner.expected(
+                        &format!("{columns} weights, one for each joint but the root"),
+                        word,
+                    )
+                };
+                match word {
+                    None if read == 0 => return Ok(false),
+                    None if read == columns => return Ok(true),
+                    None => return Err(wrong_count(scanner)),
+                    Some(_) if read == columns => return Err(wrong_count(scanner)),
+                    Some(word) => {
+                        finite(word.text).ok_or_else(|| scanner.expected("a weight", Some(word)))?
+                    }
                 }
             }
+        };
+        read += 1;
+        if weight != 0.0 {
+            row.push(Influence {
+                joint: read as u32,
+                weight,
+            });
         }
     }
 }

@@ -130,7 +130,7 @@ pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
-            let mesh = read_shape_obj(&recorder, &file, &recorder.read(&file)?)?;
+            let mesh = read_shape_obj(&recorder, &file, recorder.read(&file)?)?;
             let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
             Ok(mesh.map(|mesh| vec![new_shape(source, kind(mesh))]))

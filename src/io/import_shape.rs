@@ -20,26 +20,32 @@ use std::path::Path;
 pub fn read_shape_obj(
     files: &dyn Files,
     path: &Path,
-    bytes: &[u8],
+    bytes: impl AsRef<[u8]>,
 ) -> Result<Imported<Mesh>, Diagnostic> {
     let mut reader = ShapeReader {
         files,
         folder: path.parent().unwrap_or(Path::new("")),
-        scanner: Scanner::new(path, bytes)?,
+        scanner: Scanner::new(path, bytes.as_ref())?,
         data: Data::default(),
         faces: FaceReader::default(),
         libraries: Libraries::default(),
         materials_missing: false,
         uses: Vec::new(),
+        names: Vec::new(),
+        known: HashMap::new(),
         warnings: Warnings::default(),
     };
+    reader.make_room();
     loop {
         reader.line()?;
         if !reader.scanner.next_line() {
             break;
         }
     }
-    reader.finish()
+    let shape = reader.finish()?;
+    // The mesh takes its place in memory.
+    drop(bytes);
+    Ok(shape.mesh(files, path))
 }
 
 struct ShapeReader<'a> {
@@ -50,20 +56,48 @@ struct ShapeReader<'a> {
     faces: FaceReader,
     libraries: Libraries,
     materials_missing: bool,
-    uses: Vec<Use<'a>>,
+    uses: Vec<Use>,
+    names: Vec<Name>,
+    /// Which of `names` each name is.
+    known: HashMap<&'a str, usize>,
     warnings: Warnings,
 }
 
 /// A `usemtl` line.
-struct Use<'a> {
-    name: &'a str,
+struct Use {
+    /// Index of the material's name.
+    name: usize,
     /// How many faces come before it.
     faces_before: usize,
-    /// Where the name stands.
+}
+
+/// Name of a material.
+struct Name {
+    text: String,
+    /// Where it stands first.
     at: Position,
 }
 
 impl<'a> ShapeReader<'a> {
+    /// Makes room for as much as the file has: lists that grow leave gaps in memory, a quarter of all
+    /// that a large file takes.
+    fn make_room(&mut self) {
+        let [mut positions, mut texture, mut normals, mut faces] = [0; 4];
+        for line in self.scanner.text().lines() {
+            match line.as_bytes() {
+                [b'v', b' ', ..] => positions += 1,
+                [b'v', b't', ..] => texture += 1,
+                [b'v', b'n', ..] => normals += 1,
+                [b'f', b' ', ..] => faces += 1,
+                _ => {}
+            }
+        }
+        self.data.positions.reserve_exact(positions);
+        self.data.texture.reserve_exact(texture);
+        self.data.normals.reserve_exact(normals);
+        self.faces.make_room(faces);
+    }
+
     fn line(&mut self) -> Result<(), Diagnostic> {
         match self.scanner.word().map(|word| word.text) {
             Some("v") => {
@@ -82,7 +116,7 @@ impl<'a> ShapeReader<'a> {
             }
             Some("vn") => {
                 let normal = obj::read_vec3(&mut self.scanner)?;
-                self.data.normals.push(normal.try_normalize());
+                self.data.normals.push(normal.normalize_or_zero());
                 self.faces.counts[2] += 1;
             }
             Some("f") => self.faces.read(&mut self.scanner)?,
@@ -118,43 +152,70 @@ impl<'a> ShapeReader<'a> {
     fn use_material(&mut self) -> Result<(), Diagnostic> {
         let name: Option<Word<'a>> = self.scanner.rest();
         let word = name.ok_or_else(|| self.scanner.expected("the name of a material", None))?;
-        let at = self.scanner.position(name);
+        let name = *self.known.entry(word.text).or_insert_with(|| {
+            self.names.push(Name {
+                text: word.text.to_owned(),
+                at: self.scanner.position(name),
+            });
+            self.names.len() - 1
+        });
         self.uses.push(Use {
-            name: word.text,
+            name,
             faces_before: self.faces.face_count(),
-            at,
         });
         Ok(())
     }
 
-    fn finish(mut self) -> Result<Imported<Mesh>, Diagnostic> {
+    fn finish(self) -> Result<Shape, Diagnostic> {
         let (faces, face_warnings) = self.faces.finish(&self.scanner)?;
-        let (materials, material_warnings) = mtl::with_pictures(
-            self.files,
-            self.scanner.path(),
-            self.libraries.into_materials(),
-        );
-        let mesh = self.data.mesh(&faces, &self.uses, &materials);
+        Ok(Shape {
+            data: self.data,
+            faces,
+            libraries: self.libraries,
+            materials_missing: self.materials_missing,
+            uses: self.uses,
+            names: self.names,
+            warnings: self.warnings,
+            face_warnings,
+        })
+    }
+}
+
+/// All that a file says.
+struct Shape {
+    data: Data,
+    faces: Faces,
+    libraries: Libraries,
+    materials_missing: bool,
+    uses: Vec<Use>,
+    names: Vec<Name>,
+    warnings: Warnings,
+    face_warnings: Warnings,
+}
+
+impl Shape {
+    fn mesh(self, files: &dyn Files, path: &Path) -> Imported<Mesh> {
+        let mut warnings = self.warnings;
+        let (materials, material_warnings) =
+            mtl::with_pictures(files, path, self.libraries.into_materials());
+        let of_names = self.names.iter().map(|name| materials.get(&name.text));
+        let of_names: Vec<Option<&Material>> = of_names.collect();
+        let mesh = self.data.mesh(self.faces, &self.uses, &of_names);
         // If a library is missing, which has a warning of its own, so may the material be.
         if !self.materials_missing {
-            let mut unknown = BTreeMap::new();
-            for Use { name, at, .. } in &self.uses {
-                if !materials.contains_key(*name) {
-                    unknown.entry(*name).or_insert(*at);
-                }
-            }
-            let scanner = &self.scanner;
-            for (name, at) in unknown {
-                self.warnings
-                    .push_with(|| scanner.error(at, mtl::unknown(name)));
+            let unknown = self.names.iter().zip(&of_names);
+            let unknown = unknown.filter(|(_, material)| material.is_none());
+            let unknown: BTreeMap<_, _> = unknown.map(|(name, _)| (&name.text, name.at)).collect();
+            for (name, Position { line, column }) in unknown {
+                warnings.push_with(|| Diagnostic::at(path, line, column, mtl::unknown(name)));
             }
         }
-        self.warnings.append(face_warnings);
-        self.warnings.append(material_warnings);
-        Ok(Imported {
+        warnings.append(self.face_warnings);
+        warnings.append(material_warnings);
+        Imported {
             value: mesh,
-            warnings: self.warnings.into_vec(self.scanner.path()),
-        })
+            warnings: warnings.into_vec(path),
+        }
     }
 }
 
@@ -163,21 +224,23 @@ impl<'a> ShapeReader<'a> {
 struct Data {
     positions: Vec<Vec3>,
     texture: Vec<Vec2>,
-    /// Of unit length; none for one without a direction.
-    normals: Vec<Option<Vec3>>,
+    /// Of unit length; zero for one without a direction.
+    normals: Vec<Vec3>,
 }
 
 impl Data {
-    fn mesh(&self, faces: &Faces, uses: &[Use], materials: &HashMap<String, Material>) -> Mesh {
-        let mut builder = MeshBuilder::new();
-        let of_position = self.add_used_positions(faces, &mut builder);
+    /// The mesh of `faces`; `materials` are those that `uses` name.
+    fn mesh(mut self, mut faces: Faces, uses: &[Use], materials: &[Option<&Material>]) -> Mesh {
+        faces.keep_used(&mut self.positions);
+        let mut builder = MeshBuilder::over(std::mem::take(&mut self.positions));
         let mut cutter = Triangulator::default();
         let mut uses = uses.iter().peekable();
         let mut group: Option<MaterialGroup> = None;
+        let mut triangles = Vec::new();
         for (index, face) in faces.iter().enumerate() {
             let mut latest = None;
             while let Some(next) = uses.next_if(|next| next.faces_before <= index) {
-                latest = Some(materials.get(next.name));
+                latest = Some(materials[next.name]);
             }
             if let Some(material) = latest {
                 let known = group.as_ref().map(|group| &group.material.name);
@@ -190,8 +253,11 @@ impl Data {
                     });
                 }
             }
-            for triangle in obj::triangles(face, &self.positions, &mut cutter) {
-                let corners = triangle.map(|corner| self.corner(&face[corner], &of_position));
+            faces.cut(face, builder.positions(), &mut cutter, |corners| {
+                triangles.push(corners);
+            });
+            for corners in triangles.drain(..) {
+                let corners = corners.map(|corner| self.corner(corner));
                 let has_normals = corners.iter().all(|corner| corner.normal.is_some());
                 builder.push_triangle(corners.map(|corner| geometry::Corner {
                     normal: corner.normal.filter(|_| has_normals),
@@ -203,28 +269,11 @@ impl Data {
         builder.build()
     }
 
-    /// Adds the positions that faces use, and returns the index that each has in the mesh.
-    fn add_used_positions(&self, faces: &Faces, builder: &mut MeshBuilder) -> Vec<u32> {
-        let mut used = vec![false; self.positions.len()];
-        for corner in faces.iter().flatten() {
-            used[corner.position as usize] = true;
-        }
-        let mut next = 0;
-        let numbered = used.iter().map(|&used| {
-            let index = next;
-            next += u32::from(used);
-            index
-        });
-        let numbered = numbered.collect();
-        let positions = self.positions.iter().zip(&used);
-        builder.extend_positions(positions.filter(|(_, used)| **used).map(|(&p, _)| p));
-        numbered
-    }
-
-    fn corner(&self, corner: &Corner, of_position: &[u32]) -> geometry::Corner {
+    fn corner(&self, corner: Corner) -> geometry::Corner {
+        let normal = corner.normal.map(|at| self.normals[at as usize]);
         geometry::Corner {
-            position: of_position[corner.position as usize],
-            normal: corner.normal.and_then(|at| self.normals[at as usize]),
+            position: corner.position,
+            normal: normal.filter(|&normal| normal != Vec3::ZERO),
             texture: corner.texture.map(|at| self.texture[at as usize]),
         }
     }
@@ -279,6 +328,21 @@ mod tests {
         let of_second = mesh.vertex_triangles()[1].map(|i| mesh.texture_coordinates[i as usize]);
         let half = Vec2::new(0.5, 1.0);
         assert_eq!(of_second, [half, half, Vec2::ZERO]);
+    }
+
+    #[test]
+    fn polygons_and_texture_coordinates_may_begin_anywhere_among_triangles_without() {
+        let obj = format!("{SQUARE}vt 0.5 1\nf 1 2 3\nf 2/1 3/1 4/1 1/1\nf 1 2\nf 3 4 1\n");
+        let mesh = read(&obj).unwrap().value;
+        assert_eq!(mesh.triangles, [[0, 1, 2], [1, 2, 3], [1, 3, 0], [2, 3, 0]]);
+        let texture = mesh.vertex_triangles().iter().map(|triangle| {
+            let [a, b, c] = triangle.map(|corner| mesh.texture_coordinates[corner as usize]);
+            assert!(a == b && b == c);
+            a
+        });
+        let half = Vec2::new(0.5, 1.0);
+        let expected = [Vec2::ZERO, half, half, Vec2::ZERO];
+        assert_eq!(texture.collect::<Vec<_>>(), expected);
     }
 
     #[test]

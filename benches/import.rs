@@ -1,0 +1,162 @@
+//! Reading files, beside `tobj`, which only reads numbers and indices of `.obj` files.
+
+use crate::report::Report;
+use cpu_time::ProcessTime;
+use editor_core::disk::Disk;
+use editor_core::geometry::Mesh;
+use editor_core::io::{import_character, import_shape};
+use editor_core::scene::{NewShape, ShapeKind};
+use glam::Vec3;
+use std::fmt::Write;
+use std::hint::black_box;
+use std::path::{Path, PathBuf};
+
+/// Size of the large files, in bytes.
+const LARGE: usize = 100_000_000;
+
+pub fn run(report: &mut Report) {
+    let folder = tempfile::tempdir().expect("a folder for files to read");
+    let adult = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/characters/adult.obj");
+    report.ratio(
+        "Importing a character of three files against tobj reading its .obj alone",
+        0.6,
+        || least(40, || drop(ours_character(&adult)), || tobj(&adult)),
+    );
+    report.ratio(
+        "Importing a character of three files against 3 ms",
+        1.0,
+        || (least(40, || drop(ours_character(&adult)), || ()).0, 3.0),
+    );
+    for (corners, name) in [
+        (Corners::Positions, "positions alone"),
+        (Corners::All, "normals and texture coordinates"),
+    ] {
+        let file = folder.path().join(format!("{name}.obj"));
+        report.ratio(
+            &format!("Importing an .obj of 100 MB with {name} against tobj"),
+            0.5,
+            || {
+                write_grid(&file, LARGE, corners);
+                least(3, || drop(ours(&file)), || tobj(&file))
+            },
+        );
+        let what = format!(
+            "Peak memory of importing an .obj of 100 MB with {name} against the file and twice the mesh, in MB"
+        );
+        report.ratio(&what, 1.0, || {
+            write_grid(&file, LARGE, corners);
+            let (peak, shapes) = peak_of(|| ours(&file));
+            let ShapeKind::Mesh(mesh) = &shapes[0].kind else {
+                panic!("{name}.obj is a mesh");
+            };
+            (
+                peak,
+                (file_size(&file) + 2 * Mesh::memory(mesh)) as f64 / 1e6,
+            )
+        });
+        let what = format!("Importing an .obj of 100 MB with {name} against two of 50 MB");
+        report.ratio(&what, 1.05, || {
+            write_grid(&file, LARGE, corners);
+            let small = folder.path().join(format!("{name}, half.obj"));
+            write_grid(&small, LARGE / 2, corners);
+            let twice = || (0..2).for_each(|_| drop(ours(&small)));
+            least(3, || drop(ours(&file)), twice)
+        });
+        // The next one needs the space.
+        let _ = std::fs::remove_file(&file);
+    }
+}
+
+fn ours(file: &Path) -> Vec<NewShape> {
+    black_box(import_shape(&Disk, file).expect("a shape").value)
+}
+
+fn ours_character(file: &Path) -> Vec<NewShape> {
+    black_box(import_character(&Disk, file).expect("a character").value)
+}
+
+/// As it reads with the least work: neither triangulated nor indexed anew.
+fn tobj(file: &Path) {
+    let options = tobj::LoadOptions::default();
+    let _ = black_box(tobj::load_obj(file, &options).expect("a mesh"));
+}
+
+#[derive(Clone, Copy)]
+enum Corners {
+    Positions,
+    All,
+}
+
+/// Writes a bent grid with two triangles a square as an `.obj` of about so many bytes.
+fn write_grid(file: &PathBuf, bytes: usize, corners: Corners) {
+    if file.exists() {
+        return;
+    }
+    let of_square = match corners {
+        Corners::Positions => 77,
+        Corners::All => 187,
+    };
+    let side = (bytes / of_square).isqrt();
+    let mut text = String::with_capacity(bytes * 5 / 4);
+    // Writing to a string cannot fail.
+    for at in 0..side * side {
+        let [u, v] = [at % side, at / side].map(|i| i as f32 / side as f32);
+        let place = Vec3::new(u - 0.5, (9.0 * u).sin() * (7.0 * v).cos() / 3.0, 1.5 - v);
+        let _ = writeln!(text, "v {:.6} {:.6} {:.6}", place.x, place.y, place.z);
+        if let Corners::All = corners {
+            let normal = (place + Vec3::Y).normalize_or_zero();
+            let _ = writeln!(text, "vt {u:.6} {v:.6}");
+            let _ = writeln!(text, "vn {:.4} {:.4} {:.4}", normal.x, normal.y, normal.z);
+        }
+    }
+    let corner = |at: usize| match corners {
+        Corners::Positions => format!("{}", at + 1),
+        Corners::All => format!("{0}/{0}/{0}", at + 1),
+    };
+    for row in 0..side - 1 {
+        for at in row * side..row * side + side - 1 {
+            let [a, b, c, d] = [at, at + 1, at + side + 1, at + side].map(corner);
+            let _ = writeln!(text, "f {a} {b} {c}\nf {a} {c} {d}");
+        }
+    }
+    std::fs::write(file, text).expect("a file is written");
+}
+
+fn file_size(file: &Path) -> usize {
+    let size = std::fs::metadata(file).expect("a file").len();
+    size.try_into().expect("a size in memory")
+}
+
+/// By how many megabytes the memory of this process grows at most while `work` is done, and what
+/// that returns; not a number where the system does not say.
+fn peak_of<T>(work: impl FnOnce() -> T) -> (f64, T) {
+    let megabytes = |name: &str| {
+        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix(name));
+        let kib = line.and_then(|line| line.trim().strip_suffix(" kB")?.parse::<f64>().ok());
+        kib.map_or(f64::NAN, |kib| kib * 1024.0 / 1e6)
+    };
+    // The greatest so far counts from here (proc(5)).
+    let reset = std::fs::write("/proc/self/clear_refs", "5");
+    let before = megabytes("VmRSS:");
+    let done = work();
+    let peak = if reset.is_ok() {
+        megabytes("VmHWM:")
+    } else {
+        f64::NAN
+    };
+    (peak - before, done)
+}
+
+/// Milliseconds of the processor of both: the least of interleaved rounds.
+fn least(rounds: usize, mut one: impl FnMut(), mut other: impl FnMut()) -> (f64, f64) {
+    let timed = |work: &mut dyn FnMut()| {
+        let start = ProcessTime::now();
+        work();
+        start.elapsed().as_secs_f64() * 1e3
+    };
+    let rounds = (0..rounds).map(|_| (timed(&mut one), timed(&mut other)));
+    rounds.fold((f64::INFINITY, f64::INFINITY), |least, round| {
+        (least.0.min(round.0), least.1.min(round.1))
+    })
+}
