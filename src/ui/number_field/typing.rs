@@ -132,7 +132,7 @@ const DEEPEST: usize = 32;
 
 /// Value of an arithmetic expression typed into a number field: `45/2`, `-(3 + 4) * 1.5`, `90°`.
 ///
-/// Accepts + − * /, parentheses and signs, the typographic × · ÷ −, a trailing degree sign, and a
+/// Accepts + − * /, parentheses and signs, exponents, the typographic × · ÷ −, a trailing degree sign, and a
 /// comma as a decimal point. `None` for anything else, and for values that are not finite.
 pub fn evaluate(text: &str) -> Option<f64> {
     let plain: Vec<char> = text
@@ -226,9 +226,24 @@ impl Reader<'_> {
             .iter()
             .take_while(|c| c.is_ascii_digit() || **c == '.')
             .count();
+        let length = length + exponent(&self.rest[length..]);
         let (digits, rest) = self.rest.split_at(length);
         self.rest = rest;
         digits.iter().collect::<String>().parse().ok()
+    }
+}
+
+/// Length of an exponent at the beginning of `text`, such as `e5` and `E-7`; 0 if there is none.
+fn exponent(text: &[char]) -> usize {
+    let sign = match text {
+        ['e' | 'E', '+' | '-', ..] => 2,
+        ['e' | 'E', ..] => 1,
+        _ => return 0,
+    };
+    let digits = text[sign..].iter().take_while(|c| c.is_ascii_digit());
+    match digits.count() {
+        0 => 0,
+        digits => sign + digits,
     }
 }
 
@@ -249,6 +264,8 @@ mod tests {
             ("1,5", 1.5),
             ("−30°", -30.0),
             ("3×4÷6", 2.0),
+            ("1e5", 1e5),
+            ("2E-3*1e+3", 2.0),
         ] {
             assert_eq!(evaluate(text), Some(value), "{text}");
         }
@@ -257,7 +274,8 @@ mod tests {
     #[test]
     fn anything_else_is_no_number() {
         for text in [
-            "", "-", "1+", "(1", "1)", "1..2", "a", "1 a", "1/0", "inf", "()", "1e5",
+            "", "-", "1+", "(1", "1)", "1..2", "a", "1 a", "1/0", "inf", "()", "1e", "e5", "1e+",
+            "1e999",
         ] {
             assert_eq!(evaluate(text), None, "{text}");
         }
