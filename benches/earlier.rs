@@ -29,7 +29,10 @@ pub fn run(report: &mut Report) {
             "Dragging a bone of builtin:adult in the window against f712158",
             "builtin:adult",
         ),
-        ("The same, both in the Course look", SCENE),
+        (
+            "Dragging a bone of builtin:adult against f712158, both in the Course look",
+            SCENE,
+        ),
     ] {
         report.ratio(what, 1.0 / 3.0, || {
             let earlier = Dragged {

@@ -19,6 +19,9 @@ mod window;
 use report::Report;
 
 fn main() {
+    if import::import_alone() {
+        return;
+    }
     // Cargo passes options of its own test harness.
     let filter = std::env::args()
         .skip(1)

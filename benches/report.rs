@@ -28,6 +28,17 @@ impl Report {
     /// Measures `one` against `other` if it is wanted, and reports the ratio of their costs in
     /// milliseconds.
     pub fn ratio(&mut self, what: &str, most: f64, measure: impl FnOnce() -> (f64, f64)) {
+        self.ratio_in("ms", what, most, measure);
+    }
+
+    /// Does so with costs in another unit.
+    pub fn ratio_in(
+        &mut self,
+        unit: &str,
+        what: &str,
+        most: f64,
+        measure: impl FnOnce() -> (f64, f64),
+    ) {
         let is_wanted = self
             .filter
             .as_ref()
@@ -40,7 +51,7 @@ impl Report {
             what: what.to_owned(),
             found: one / other,
             most,
-            costs: format!("{} ms to {} ms", in_digits(one), in_digits(other)),
+            costs: format!("{} {unit} to {} {unit}", in_digits(one), in_digits(other)),
         };
         println!(
             "{what}: {} (at most {}; {})",
