@@ -4,7 +4,8 @@ use super::window_host::{Wake, WindowHost};
 use crate::gpu::{ContextError, GpuError, Rect, WindowContext};
 use crate::io::builtin;
 use crate::program::{
-    FrameInput, Graphics, Options, Program, ProgramError, StorageKey, globals, last_window_size,
+    FrameInput, Graphics, NotStored, Options, Program, ProgramError, StorageKey, globals,
+    last_window_size,
 };
 use crate::revision::Revision;
 use crate::ui;
@@ -234,7 +235,7 @@ impl ApplicationHandler<Wake> for Application {
                 running.program.end(&mut running.host);
                 if let Some(failure) = running.host.finish_storing() {
                     // Whoever does not listen need not be told.
-                    let _ = writeln!(std::io::stderr(), "{}", failure.at_end());
+                    let _ = writeln!(std::io::stderr(), "{}", at_end(&failure));
                 }
                 return self.finish(event_loop, Ok(()));
             }
@@ -255,5 +256,16 @@ impl ApplicationHandler<Wake> for Application {
             None => ControlFlow::Wait,
         };
         event_loop.set_control_flow(flow);
+    }
+}
+
+/// What to tell the user of unsaved work at the end of the program.
+fn at_end(NotStored { error, kept_in }: &NotStored) -> String {
+    match kept_in {
+        Some(place) => format!(
+            "warning: unsaved work is in {}, which may be cleared when the computer shuts down: {error}",
+            place.display()
+        ),
+        None => format!("error: unsaved work could not be kept: {error}"),
     }
 }

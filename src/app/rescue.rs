@@ -39,10 +39,9 @@ fn write_latest() -> String {
     let Some((unsaved, paths)) = latest else {
         return "The editor ended because of a fault of its own. Nothing was unsaved.".to_owned();
     };
-    let write = |bytes: Vec<u8>| match (slot::write_to_first(&paths, &bytes), paths.first()) {
-        (Ok(()), Some(path)) => Ok(path.clone()),
-        (Ok(()), None) => Err("there is no place for it".to_owned()),
-        (Err(failure), _) => failure.kept_in.ok_or_else(|| failure.error.to_string()),
+    let write = |bytes: Vec<u8>| match slot::write_to_first(&paths, &bytes) {
+        Ok(place) => Ok(place.to_owned()),
+        Err(failure) => failure.kept_in.ok_or_else(|| failure.error.to_string()),
     };
     match unsaved
         .to_bytes()

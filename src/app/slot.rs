@@ -2,7 +2,7 @@
 
 use crate::disk;
 use crate::io::Diagnostic;
-use crate::program::HostEvent;
+use crate::program::{NotStored, globals};
 use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -102,40 +102,24 @@ impl Slot {
     }
 }
 
-/// Why unsaved work is not where it should be.
-pub(super) struct NotStored {
-    /// What went wrong there.
-    pub error: Diagnostic,
-    /// Where it is instead; `None` if it is nowhere.
-    pub kept_in: Option<PathBuf>,
-}
-
-impl NotStored {
-    /// What to tell the user whose program ends.
-    pub fn at_end(&self) -> String {
-        let error = &self.error;
-        match &self.kept_in {
-            Some(place) => format!(
-                "warning: unsaved work is in {}, which may be cleared when the computer shuts down: \
-                 {error}",
-                place.display()
-            ),
-            None => format!("error: unsaved work could not be kept: {error}"),
-        }
+/// What to say where there is no folder at all, the first that was tried being `folder`.
+pub(super) fn without_folder(folder: Option<&PathBuf>) -> NotStored {
+    let folder = folder.map_or(Path::new(globals::SETTINGS_FOLDER), PathBuf::as_path);
+    let message = "expected a folder of the program's own that can be written to";
+    NotStored {
+        error: Diagnostic::new(folder, message),
+        kept_in: None,
     }
 }
 
-impl From<NotStored> for HostEvent {
-    fn from(NotStored { error, kept_in }: NotStored) -> Self {
-        Self::StoreFailed { error, kept_in }
-    }
-}
-
-/// Writes `bytes` to the first of `paths` that can be written to.
+/// Writes `bytes` to the first of `paths`, or else to the next that can be written to. Returns the first.
 ///
 /// # Errors
-/// If that is not the first.
-pub(super) fn write_to_first(paths: &[PathBuf], bytes: &[u8]) -> Result<(), NotStored> {
+/// If that is not the first, or there is none.
+pub(super) fn write_to_first<'a>(
+    paths: &'a [PathBuf],
+    bytes: &[u8],
+) -> Result<&'a Path, NotStored> {
     let mut failure = None;
     for (at, path) in paths.iter().enumerate() {
         match disk::write_whole(path, bytes) {
@@ -145,17 +129,18 @@ pub(super) fn write_to_first(paths: &[PathBuf], bytes: &[u8]) -> Result<(), NotS
                     let _ = std::fs::remove_file(other);
                 }
                 let kept_in = Some(path.clone());
-                return failure.map_or(Ok(()), |error| Err(NotStored { error, kept_in }));
+                return failure.map_or(Ok(path), |error| Err(NotStored { error, kept_in }));
             }
             Err(error) => failure = failure.or(Some(error)),
         }
     }
-    failure.map_or(Ok(()), |error| {
-        Err(NotStored {
+    Err(failure.map_or_else(
+        || without_folder(None),
+        |error| NotStored {
             error,
             kept_in: None,
-        })
-    })
+        },
+    ))
 }
 
 /// Files of a slot, one in each folder.

@@ -1,10 +1,9 @@
 //! What is kept from one run to the next.
 
 use super::own_folders;
-use super::slot::{MOST_STORED, NotStored, Slot, write_to_first};
+use super::slot::{MOST_STORED, Slot, without_folder, write_to_first};
 use crate::disk;
-use crate::io::Diagnostic;
-use crate::program::{StorageKey, globals};
+use crate::program::{NotStored, StorageKey};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::JoinHandle;
@@ -79,15 +78,7 @@ impl Storage {
                 }
             }
             StorageKey::Autosave if self.autosave.is_some() => self.keep(Arc::new(bytes)),
-            StorageKey::Autosave => {
-                let folder = self.folders.first().cloned();
-                let folder = folder.unwrap_or_else(|| PathBuf::from(globals::SETTINGS_FOLDER));
-                let message = "expected a folder of the program's own that can be written to";
-                self.failure = Some(NotStored {
-                    error: Diagnostic::new(&folder, message),
-                    kept_in: None,
-                });
-            }
+            StorageKey::Autosave => self.failure = Some(without_folder(self.folders.first())),
         }
     }
 
@@ -96,7 +87,7 @@ impl Storage {
         self.wait();
         let paths = self.autosave_paths();
         let (there, copy) = (paths.clone(), Arc::clone(&bytes));
-        let write = move || write_to_first(&there, &copy);
+        let write = move || write_to_first(&there, &copy).map(drop);
         let thread = std::thread::Builder::new().name("autosave".to_owned());
         match thread.spawn(write) {
             Ok(writing) => self.writing = Some(writing),

@@ -1,12 +1,11 @@
 use super::file_dialog::WindowFileDialog;
-use super::slot::NotStored;
 use super::storage::Storage;
 use super::watcher::Watcher;
 use crate::disk;
 use crate::gpu::WindowContext;
 use crate::io::{Diagnostic, Files};
 use crate::program::{
-    FileRequest, Host, HostEvent, Job, JobResult, Previous, StorageKey, Suggested,
+    FileRequest, Host, HostEvent, Job, JobResult, NotStored, Previous, StorageKey, Suggested,
 };
 use egui_winit::accesskit_winit;
 use std::collections::{HashMap, VecDeque};
@@ -282,6 +281,6 @@ impl Host for WindowHost {
     fn next_event(&mut self) -> Option<HostEvent> {
         let finished = || self.finished.try_recv().ok().map(HostEvent::Finished);
         let event = self.events.pop_front().or_else(finished);
-        event.or_else(|| self.storage.failure().map(HostEvent::from))
+        event.or_else(|| self.storage.failure().map(HostEvent::StoreFailed))
     }
 }

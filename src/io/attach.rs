@@ -1,4 +1,5 @@
-use super::scanner::{Scanner, finite};
+use super::numbers::finite;
+use super::scanner::Scanner;
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
 use std::path::Path;

@@ -1,4 +1,5 @@
-use super::scanner::{Scanner, Word, finite, quoted};
+use super::numbers::finite;
+use super::scanner::{Scanner, Word, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
 use glam::Vec3;

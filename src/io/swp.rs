@@ -1,7 +1,8 @@
 //! Curves and surfaces as `.swp` files, read and written.
 
 use super::diagnostic::Warnings;
-use super::scanner::{finite, quoted, utf8};
+use super::numbers::finite;
+use super::scanner::{quoted, utf8};
 use super::{Diagnostic, Imported, Position};
 use crate::geometry::{Basis, Curve, CurveForm, MAX_CURVE_POINTS, MAX_STEPS};
 use crate::scene::{CurveItemKind, CurveSet};

@@ -121,6 +121,15 @@ pub enum Previous {
     KeepForeign,
 }
 
+/// Why unsaved work is not where it should be.
+#[derive(Debug)]
+pub struct NotStored {
+    /// What went wrong there.
+    pub error: Diagnostic,
+    /// Where it is kept for now instead; `None` if nowhere.
+    pub kept_in: Option<PathBuf>,
+}
+
 /// Event of a host: the answer to a call, or something that happened there.
 pub enum HostEvent {
     /// A file was chosen.
@@ -153,12 +162,7 @@ pub enum HostEvent {
     /// A watched file has changed, appeared or gone.
     Changed(PathBuf),
     /// Unsaved work could not be stored where it should be.
-    StoreFailed {
-        /// What went wrong.
-        error: Diagnostic,
-        /// Where it is kept for now instead; `None` if nowhere.
-        kept_in: Option<PathBuf>,
-    },
+    StoreFailed(NotStored),
     /// The user closes the window.
     CloseRequested,
     /// The text on the clipboard; empty if there is none.

@@ -38,7 +38,7 @@ mod start_pictures;
 pub use autosave::Unsaved;
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
-pub use host::{Host, HostEvent, Previous, StorageKey};
+pub use host::{Host, HostEvent, NotStored, Previous, StorageKey};
 pub use input_parts::input_parts;
 pub use job::{Job, JobResult, RunningJob};
 pub use preferences::last_window_size;

@@ -7,11 +7,6 @@ use crate::ui::Screenshot;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-/// Extensions of all files that can be read.
-const READ: [&str; 9] = [
-    "scene", "zip", "obj", "dae", "swp", "json", "png", "jpg", "gif",
-];
-
 /// Places and a name that a host suggests to whoever chooses a file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Suggested {
@@ -253,7 +248,7 @@ impl Purpose {
             path.with_file_name(name)
         };
         let is_there = |path: &PathBuf| files.exists(path) && self.offers(files, path);
-        let mut found = READ.iter().map(with).filter(is_there);
+        let mut found = self.offered().iter().map(with).filter(is_there);
         found.next().filter(|_| found.next().is_none())
     }
 
@@ -280,23 +275,24 @@ impl Purpose {
             .to_string_lossy()
             .to_lowercase();
         let has = |other: &str| files.exists(&path.with_extension(other));
+        let is_character = extension != "obj" || has("skel") || has("attach");
+        self.offered().contains(&&*extension) && (self != Self::ImportCharacter || is_character)
+    }
+
+    /// Extensions of the files that a dialog offers.
+    fn offered(self) -> &'static [&'static str] {
         match self {
-            Self::Open => ["scene", "zip", "obj", "dae", "swp"].contains(&&*extension),
-            Self::SaveWithFiles => ["zip", "scene"].contains(&&*extension),
-            Self::FindSource(_) => ["obj", "dae", "swp"].contains(&&*extension),
-            Self::SaveScene => extension == "scene",
-            Self::ImportShape => extension == "obj" || extension == "dae",
-            Self::ImportCharacter => {
-                extension == "dae" || extension == "obj" && (has("skel") || has("attach"))
-            }
-            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => {
-                extension == "obj"
-            }
-            Self::ExportCharacter(_) => extension == "skel",
-            Self::SavePose(..) | Self::LoadPose(_) => extension == "json",
-            Self::ImportCurve | Self::ExportCurve(_) => extension == "swp",
+            Self::Open => &["scene", "zip", "obj", "dae", "swp"],
+            Self::SaveWithFiles => &["zip", "scene"],
+            Self::FindSource(_) => &["obj", "dae", "swp"],
+            Self::SaveScene => &["scene"],
+            Self::ImportShape | Self::ImportCharacter => &["obj", "dae"],
+            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => &["obj"],
+            Self::ExportCharacter(_) => &["skel"],
+            Self::SavePose(..) | Self::LoadPose(_) => &["json"],
+            Self::ImportCurve | Self::ExportCurve(_) => &["swp"],
             Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => {
-                ["png", "jpg", "jpeg", "gif"].contains(&&*extension)
+                &["png", "jpg", "jpeg", "gif"]
             }
         }
     }

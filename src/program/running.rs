@@ -12,7 +12,7 @@ use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::questions::Asked;
 use super::start_pictures::StartPictures;
-use super::{Host, HostEvent, globals};
+use super::{Host, HostEvent, NotStored, globals};
 use crate::editor::{Session, Severity, View};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
@@ -326,7 +326,7 @@ impl Program {
                     self.tell(Severity::Warning, text);
                 }
                 HostEvent::Dropped { path, files } => self.use_dropped(&path, files, host),
-                HostEvent::StoreFailed { error, kept_in } => {
+                HostEvent::StoreFailed(NotStored { error, kept_in }) => {
                     let error = error.to_string();
                     self.tell_store_failure(&error, kept_in.as_deref(), host.now());
                 }

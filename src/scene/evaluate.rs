@@ -1,6 +1,7 @@
+use super::deformation::Deformation;
 use super::evaluate_curves::{EvaluatedCurves, evaluate_curves};
-use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind, SkinningMethod};
-use crate::character::{Character, Skinned, StickFigure};
+use super::{CharacterShape, Placement, Scene, Shape, ShapeId, ShapeKind};
+use crate::character::{Skinned, StickFigure};
 use crate::geometry::{Normals, SharedMesh, TriangleBoxes, enclosed_volume};
 use crate::math::{Aabb, Ray, TriangleHit};
 use crate::revision::Revision;
@@ -76,11 +77,7 @@ impl EvaluatedGeometry {
     pub fn with_vertices(&self, positions: Vec<Vec3>, normals: Option<Vec<Vec3>>) -> Option<Self> {
         let deformation = self.deformation.as_ref()?;
         Some(Self {
-            deformation: Some(Deformation {
-                skinned: Skinned { positions, normals }.into(),
-                is_exact: false,
-                ..deformation.clone()
-            }),
+            deformation: Some(deformation.with_vertices(Skinned { positions, normals })),
             revision: Revision::new(),
             bounds: OnceLock::new(),
             boxes: OnceLock::new(),
@@ -271,97 +268,11 @@ fn evaluate_character(shape: &CharacterShape, time: f64) -> EvaluatedGeometry {
     }
 }
 
-/// Deformation of a character's mesh by a pose: frames of its joints, and the vertices that follow.
-///
-/// Vertices are computed on demand and then kept: where the graphics card deforms the mesh for
-/// drawing, only picking, export and the like need them.
-#[derive(Clone, Debug)]
-pub struct Deformation {
-    character: Arc<Character>,
-    model_from_joint: Vec<Mat4>,
-    skinned: OnceLock<Skinned>,
-    /// Way in which the vertices follow from the frames.
-    method: SkinningMethod,
-    /// Whether the vertices follow from the frames by the exact formula of linear blending.
-    is_exact: bool,
-}
-
-impl Deformation {
-    /// Deformation of `character` by `method` with the joints' frames at `model_from_joint`, one per
-    /// joint.
-    fn new(character: Arc<Character>, model_from_joint: Vec<Mat4>, method: SkinningMethod) -> Self {
-        Self {
-            character,
-            model_from_joint,
-            skinned: OnceLock::new(),
-            method,
-            is_exact: method == SkinningMethod::LinearBlend,
-        }
-    }
-
-    /// Whether the vertices follow from the frames by the exact formula of linear blending, as a
-    /// vertex shader computes it; not so with dual quaternions, nor after [`EvaluatedGeometry::with_vertices`].
-    pub fn is_exact(&self) -> bool {
-        self.is_exact
-    }
-
-    /// Character that is deformed.
-    pub fn character(&self) -> &Arc<Character> {
-        &self.character
-    }
-
-    /// Matrices from each joint's frame to model space.
-    pub fn model_from_joint(&self) -> &[Mat4] {
-        &self.model_from_joint
-    }
-
-    /// `T · B⁻¹` of every joint: from the bind pose to the current pose, both in model space.
-    pub fn palette(&self) -> Vec<Mat4> {
-        self.character.skeleton().palette(&self.model_from_joint)
-    }
-
-    fn skinned(&self) -> &Skinned {
-        self.skinned.get_or_init(|| match self.method {
-            SkinningMethod::LinearBlend => self.character.skin(&self.model_from_joint),
-            SkinningMethod::DualQuaternion => {
-                (self.character).skin_by_dual_quaternions(&self.model_from_joint)
-            }
-        })
-    }
-
-    /// Deformed positions, as many as the mesh has, in model space.
-    pub fn positions(&self) -> &[Vec3] {
-        &self.skinned().positions
-    }
-
-    /// Deformed normals, one per vertex of the mesh; `None` if its triangles are flat.
-    pub fn normals(&self) -> Option<&[Vec3]> {
-        self.skinned().normals.as_deref()
-    }
-
-    /// Box that contains the mesh, in model space, found without skinning a vertex where
-    /// they are blended linearly. With dual quaternions vertices bulge out of that box, and count.
-    pub fn conservative_bounds(&self) -> Aabb {
-        match self.method {
-            SkinningMethod::LinearBlend => {
-                self.character.conservative_bounds(&self.model_from_joint)
-            }
-            SkinningMethod::DualQuaternion => Aabb::from_points(self.positions().iter().copied()),
-        }
-    }
-
-    /// Whether the positions have been computed.
-    pub fn is_worked_out(&self) -> bool {
-        self.skinned.get().is_some()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
     use crate::geometry::Mesh;
-    use crate::math::Euler;
     use crate::scene::NewShape;
 
     #[test]
@@ -388,42 +299,6 @@ mod tests {
         assert!(deformation.is_worked_out());
         // The joint has moved to (0, 1, 0), and belongs to what is seen.
         assert_eq!(geometry.bounds().min, Vec3::new(0.0, 1.0, 0.0));
-    }
-
-    #[test]
-    fn bounds_hold_what_bulges_by_dual_quaternions() {
-        // A joint at rest and its child, which turns by 170°, share a vertex at distance 1: it
-        // keeps that distance, while the box of where either joint carries it is flat.
-        let child = Joint {
-            parent: Some(0),
-            ..Joint::default()
-        };
-        let skeleton = SkeletalModel::new(vec![Joint::default(), child]).unwrap();
-        let mut attachments = Attachments::new();
-        attachments.push_vertex([0, 1].map(|joint| Influence { joint, weight: 0.5 }));
-        let mesh = Mesh::new(vec![Vec3::X], Vec::new());
-        let character = Character::new(skeleton, attachments, mesh).unwrap();
-        let mut shape = CharacterShape::new(Arc::new(character));
-        let mut pose = Pose::new();
-        pose.set_joint_transform(1, Euler::from_degrees(Vec3::Z * 170.0));
-        shape.set_pose(pose);
-        for (method, highest) in [
-            (SkinningMethod::LinearBlend, 170_f32.to_radians().sin()),
-            (SkinningMethod::DualQuaternion, 85_f32.to_radians().sin()),
-        ] {
-            shape.set_skinning_method(method);
-            let mut scene = Scene::new();
-            scene.add(NewShape::new("Dot", ShapeKind::Character(shape.clone())));
-            let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-            let deformation = evaluated.shapes[0].geometry.deformation.as_ref().unwrap();
-            let bounds = deformation.conservative_bounds();
-            assert!(
-                (bounds.max.y - highest).abs() < 1e-5,
-                "{method:?}: {bounds:?}"
-            );
-            let at = deformation.positions()[0];
-            assert!(at.y <= bounds.max.y + 1e-6, "{method:?}: {at}");
-        }
     }
 
     #[test]

@@ -8,6 +8,7 @@ mod color_presets;
 mod color_scale;
 mod curve_shape;
 pub mod custom;
+mod deformation;
 mod evaluate;
 mod evaluate_curves;
 mod ik_settings;
@@ -30,7 +31,8 @@ pub use character_shape::{
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
 pub use color_scale::{SCALE_GRAY, scale_color};
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};
-pub use evaluate::{Deformation, Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
+pub use deformation::Deformation;
+pub use evaluate::{Evaluated, EvaluatedGeometry, EvaluatedShape, Evaluator};
 pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use ik_settings::{IkPole, IkSettings};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};

@@ -5,6 +5,7 @@
 
 mod action;
 mod axis_ball;
+mod below_view;
 mod box_select;
 mod character_panel;
 mod command_search;

@@ -8,7 +8,7 @@ use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
 use crate::program::{
-    FileRequest, Host, HostEvent, Job, Previous, RunningJob, StorageKey, Suggested,
+    FileRequest, Host, HostEvent, Job, NotStored, Previous, RunningJob, StorageKey, Suggested,
 };
 use egui::Context;
 use std::cell::RefCell;
@@ -288,7 +288,8 @@ impl Host for PageHost {
                 "the browser has no room for it, or keeps nothing for this page",
             );
             let kept_in = None;
-            (self.events).push(HostEvent::StoreFailed { error, kept_in });
+            let failure = NotStored { error, kept_in };
+            self.events.push(HostEvent::StoreFailed(failure));
         }
     }
 

@@ -4,7 +4,7 @@ use super::Story;
 use crate::host::MemoryHost;
 use editor_core::editor::Severity;
 use editor_core::io::Diagnostic;
-use editor_core::program::{HostEvent, StorageKey};
+use editor_core::program::{HostEvent, NotStored, StorageKey};
 use egui::{Key, Modifiers, vec2};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -231,10 +231,10 @@ fn a_signal_keeps_unsaved_work_and_ends_the_program() {
 }
 
 fn not_stored(kept_in: Option<&str>) -> HostEvent {
-    HostEvent::StoreFailed {
+    HostEvent::StoreFailed(NotStored {
         error: Diagnostic::new(Path::new("autosave.json"), "the disk is full"),
         kept_in: kept_in.map(PathBuf::from),
-    }
+    })
 }
 
 #[test]

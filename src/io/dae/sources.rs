@@ -4,7 +4,7 @@
 use super::document::{Dae, Impact, Node, child, children};
 use super::{label, quoted};
 use crate::io::Diagnostic;
-use crate::io::scanner::finite;
+use crate::io::numbers::finite;
 use glam::DMat4;
 use roxmltree::NodeId;
 use std::collections::HashMap;

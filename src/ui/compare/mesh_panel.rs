@@ -1,17 +1,18 @@
 //! The panel below the view while a character is compared with a mesh.
 
-use super::below::{below_the_view, columns, has_room_for_columns, scrolled};
 use super::panel::{line, of_which, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
 use crate::diagnose::{Diagnosis, MeshMeasure, Verdict, of_size};
 use crate::editor::{Session, View};
 use crate::scene::FitArea;
+use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
 
 const HEIGHT: f32 = 168.0;
+const LOWEST: f32 = 64.0;
 
 /// Everything that the parts of the panel need.
 struct Parts<'a> {
@@ -42,7 +43,7 @@ pub(in crate::ui) fn show(
         marked,
         actions,
     };
-    below_the_view(root, "compare with a mesh", HEIGHT, |ui| {
+    below_the_view(root, "compare with a mesh", (LOWEST, HEIGHT), |ui| {
         parts.header(ui);
         scrolled(ui, |ui| {
             if has_room_for_columns(ui) {

@@ -3,7 +3,6 @@
 //!
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
-mod below;
 mod masks;
 mod mesh_marker;
 mod mesh_panel;

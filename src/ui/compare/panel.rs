@@ -1,10 +1,10 @@
-use super::below::{below_the_view, columns, has_room_for_columns, scrolled};
 use super::outlined::Outlined;
 use super::place::place;
 use super::{CompareReport, CompareView, masks};
 use crate::compare::{Area, Differences, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
+use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
@@ -13,6 +13,7 @@ use egui::{Align, Button, Color32, Grid, Label, Layout, RichText, Slider, Ui, ve
 
 /// At this height the course's 800×600 pixels fit above it in the window's first size.
 const HEIGHT: f32 = 128.0;
+const LOWEST: f32 = 64.0;
 /// Shown for what is not known yet.
 const UNKNOWN: &str = "…";
 
@@ -26,7 +27,7 @@ pub(in crate::ui) fn show(
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
-    below_the_view(root, "compare", HEIGHT, |ui| {
+    below_the_view(root, "compare", (LOWEST, HEIGHT), |ui| {
         header(ui, compare, changed, actions);
         scrolled(ui, |ui| {
             if has_room_for_columns(ui) {

@@ -4,18 +4,15 @@ use super::digits::Digits;
 use super::{ExplainState, Topic, mistakes, stack, table, words};
 use crate::editor::Session;
 use crate::scene::SkinningMethod;
+use crate::ui::below_view::{below_the_view, has_room_for_columns};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
-use egui::{
-    Align, Button, Frame, Label, Layout, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder, vec2,
-};
+use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
 /// Height in points.
 const HEIGHT: f32 = 280.0;
 const LOWEST: f32 = 96.0;
-/// Narrower panels show mistakes below the formula.
-const ROOM_FOR_COLUMNS: f32 = 760.0;
 /// Width of the list of mistakes beside the formula, in points.
 const MISTAKES: f32 = 320.0;
 /// Size of the formula's letters, in points.
@@ -26,24 +23,15 @@ pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainS
     if !state.is_open {
         return;
     }
-    let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = (root.available_height() * 0.6).max(LOWEST);
-    Panel::bottom("explain")
-        .frame(frame)
-        .resizable(true)
-        .default_size(HEIGHT.min(highest))
-        .size_range(LOWEST..=highest)
-        .show(root, |ui| {
-            header(ui, session, state);
-            ui.separator();
-            // Where there is nothing to explain, the panel would shrink, and stay small afterwards.
-            ui.take_available_height();
-            state.update(session);
-            match state.topic {
-                Topic::Formula => formula(ui, session, state),
-                Topic::Stack => steps(ui, session, state),
-            }
-        });
+    below_the_view(root, "explain", (LOWEST, HEIGHT), |ui| {
+        header(ui, session, state);
+        ui.separator();
+        state.update(session);
+        match state.topic {
+            Topic::Formula => formula(ui, session, state),
+            Topic::Stack => steps(ui, session, state),
+        }
+    });
 }
 
 fn header(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
@@ -90,8 +78,7 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
         ui.label(NOBODY);
         return;
     }
-    let room = ui.available_rect_before_wrap();
-    if room.width() < ROOM_FOR_COLUMNS {
+    if !has_room_for_columns(ui) {
         ScrollArea::vertical()
             .id_salt("formula")
             .auto_shrink(false)
@@ -102,6 +89,7 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             });
         return;
     }
+    let room = ui.available_rect_before_wrap();
     let (left, right) = room.split_left_right_at_x(room.right() - MISTAKES);
     let right = right.with_min_x(right.left() + 16.0);
     let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);

@@ -1,42 +1,43 @@
-//! What the panels of comparisons have in common: their place below the view, and columns where there is
-//! room for some.
+//! What panels below the view have in common: their place, and columns where there is room for some.
 
 use egui::{Frame, Margin, Panel, ScrollArea, Ui};
 
-/// Least height of a panel, in points.
-const LOWEST: f32 = 64.0;
 /// Width, in points, below which a panel shows its parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
 
-/// A panel below the view, at first of `height`.
-pub(super) fn below_the_view(
+/// A panel below the view, at first of `height`, and never lower than `lowest`, both in points.
+pub(in crate::ui) fn below_the_view(
     root: &mut Ui,
     id: &'static str,
-    height: f32,
+    (lowest, height): (f32, f32),
     contents: impl FnOnce(&mut Ui),
 ) {
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = (root.available_height() * 0.6).max(LOWEST);
+    let highest = (root.available_height() * 0.6).max(lowest);
     Panel::bottom(id)
         .frame(frame)
         .resizable(true)
         .default_size(height)
-        .size_range(LOWEST..=highest)
-        .show(root, contents);
+        .size_range(lowest..=highest)
+        .show(root, |ui| {
+            // Where there is nothing to show, the panel would shrink, and stay small afterwards.
+            ui.take_available_height();
+            contents(ui);
+        });
 }
 
 /// What is below the header, which scrolls.
-pub(super) fn scrolled(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
+pub(in crate::ui) fn scrolled(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
     ui.add_space(2.0);
     ScrollArea::vertical().auto_shrink(false).show(ui, contents);
 }
 
-pub(super) fn has_room_for_columns(ui: &Ui) -> bool {
+pub(in crate::ui) fn has_room_for_columns(ui: &Ui) -> bool {
     ui.available_width() >= ROOM_FOR_COLUMNS
 }
 
 /// Three columns, wider apart than the widgets in them.
-pub(super) fn columns(ui: &mut Ui, contents: impl FnOnce(&mut [Ui; 3])) {
+pub(in crate::ui) fn columns(ui: &mut Ui, contents: impl FnOnce(&mut [Ui; 3])) {
     let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
     ui.columns_const(|columns: &mut [Ui; 3]| {
         for column in &mut *columns {
