@@ -182,6 +182,8 @@ pub enum View {
     /// Fits the selected shapes, or everything visible if no visible shape is selected, into the
     /// picture.
     Fit(FitArea),
+    /// Fits everything visible into the picture.
+    FitAll(FitArea),
     /// Sets the camera, and makes it the one with which the document was opened.
     BeginAt(Camera),
     /// Shows or hides the axes.

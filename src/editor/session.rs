@@ -238,6 +238,10 @@ impl Session {
                     camera.fit_shapes(visible, area);
                 }
             }
+            View::FitAll(area) => {
+                let visible = self.evaluated.shapes.iter().filter(|shape| shape.visible);
+                self.view.camera.fit_shapes(visible, area);
+            }
             View::BeginAt(camera) => {
                 self.view.camera = camera;
                 self.start_camera = camera;

@@ -175,5 +175,15 @@ pub(super) fn press(
         Command::Delete if joint_at_hand => Command::ResetJoint,
         command => command,
     };
-    actions.extend(commands::run(command, session, state, aspect));
+    match commands::why_disabled(command, session, state) {
+        Some(why) => actions.extend(tell_once(why, session)),
+        None => actions.extend(commands::run(command, session, state, aspect)),
+    }
+}
+
+/// Tells why a key does nothing, unless that is what was told last and still stands there.
+fn tell_once(why: &'static str, session: &Session) -> Option<Action> {
+    let last = session.messages.fresh().last();
+    let stands = last.is_some_and(|message| message.text == why);
+    (!stands).then_some(Action::View(View::Tell(why)))
 }

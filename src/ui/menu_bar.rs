@@ -6,9 +6,10 @@ use super::widgets::{named, tip_beside};
 use super::{Action, Ask, ViewInput, commands};
 use crate::editor::Session;
 use crate::scene::{Source, name_of_import};
-use egui::containers::menu::{MenuBar, MenuConfig};
+use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
 use egui::{
-    Button, Frame, Label, Layout, Margin, Panel, PopupCloseBehavior, RichText, ScrollArea, Ui,
+    Button, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor, PopupCloseBehavior,
+    PopupKind, RichText, ScrollArea, SetOpenCommand, Ui,
 };
 
 /// Height of the bar and of a menu's margins, in points.
@@ -55,6 +56,24 @@ pub(super) fn show(
             title(ui, items.input.title);
         });
     });
+    insert_at_pointer(root, &mut items);
+}
+
+/// The menu Insert where the pointer was when the command asked for it, while it is open.
+fn insert_at_pointer(root: &Ui, items: &mut Items) {
+    let opens = std::mem::take(&mut items.state.opens_insert_menu);
+    let ctx = root.ctx().clone();
+    Popup::new(
+        Id::new("insert at pointer"),
+        ctx,
+        PopupAnchor::PointerFixed,
+        root.layer_id(),
+    )
+    .kind(PopupKind::Menu)
+    .layout(Layout::top_down_justified(egui::Align::Min))
+    .style(menu_style)
+    .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
+    .show(|ui| scrolled(ui, |ui| items.insert(ui)));
 }
 
 fn title(ui: &mut Ui, title: &str) {

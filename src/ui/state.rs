@@ -61,6 +61,8 @@ pub struct UiState {
     pub(super) waiting: Option<Command>,
     /// Whether what is being typed is to be taken over in the next frame.
     pub(super) gives_up_typing: bool,
+    /// Whether the menu Insert opens at the pointer in the next frame.
+    pub(super) opens_insert_menu: bool,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -115,6 +117,7 @@ impl Default for UiState {
             pose_name: String::new(),
             waiting: None,
             gives_up_typing: false,
+            opens_insert_menu: false,
             search: None,
             renaming: None,
             curves: CurveState::default(),

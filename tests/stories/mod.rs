@@ -12,6 +12,7 @@ mod fetching;
 mod files;
 mod first_views;
 mod hosts;
+mod keys;
 mod looking;
 mod methods;
 mod picturing;

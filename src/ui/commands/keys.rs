@@ -1,7 +1,8 @@
 //! Keyboard shortcuts of the commands, and the list of mouse gestures.
 
-use super::table::{CTRL, NONE, SHIFT, entry_of};
+use super::table::{ALT, CTRL, NONE, SHIFT, entry_of};
 use super::{COMMANDS, Command, Entry};
+use crate::editor::Tool;
 use crate::ui::Navigation;
 use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
@@ -68,9 +69,18 @@ pub const GESTURES: &[Gesture] = &[
 /// Shortcuts that Blender's navigation adds, because its users' hands know them.
 const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::SelectAll, KeyboardShortcut::new(NONE, Key::A)),
+    (Command::SelectNone, KeyboardShortcut::new(ALT, Key::A)),
     (Command::Delete, KeyboardShortcut::new(NONE, Key::X)),
     (Command::Duplicate, KeyboardShortcut::new(SHIFT, Key::D)),
     (Command::Rename, KeyboardShortcut::new(NONE, Key::F2)),
+    (Command::FindCommand, KeyboardShortcut::new(NONE, Key::F3)),
+    (Command::Screenshot, KeyboardShortcut::new(NONE, Key::F12)),
+    (Command::FitAll, KeyboardShortcut::new(NONE, Key::Home)),
+    (Command::Fit, KeyboardShortcut::new(NONE, Key::Period)),
+    (
+        Command::SetTool(Tool::Pose),
+        KeyboardShortcut::new(CTRL, Key::Tab),
+    ),
 ];
 
 impl Entry {
@@ -229,7 +239,6 @@ fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::Tool;
     use crate::ui::commands::{Menu, Primitive};
 
     #[test]
@@ -288,6 +297,11 @@ mod tests {
         assert_eq!(command(NONE, Key::A), Some(Command::SelectAll));
         assert_eq!(command(NONE, Key::X), Some(Command::Delete));
         assert_eq!(command(SHIFT, Key::D), Some(Command::Duplicate));
+        assert_eq!(command(ALT, Key::A), Some(Command::SelectNone));
+        assert_eq!(command(NONE, Key::Home), Some(Command::FitAll));
+        assert_eq!(command(NONE, Key::Period), Some(Command::Fit));
+        assert_eq!(command(NONE, Key::F3), Some(Command::FindCommand));
+        assert_eq!(command(CTRL, Key::Tab), Some(Command::SetTool(Tool::Pose)));
         assert_eq!(command_of(NONE, Key::X, Navigation::Course), None);
         let quit = entry_of(Command::Quit).unwrap();
         let keys = |navigation| quit.keys(&Context::default(), navigation);

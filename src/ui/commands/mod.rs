@@ -71,10 +71,14 @@ pub enum Command {
     Duplicate,
     /// Selects all shapes.
     SelectAll,
+    /// Selects nothing.
+    SelectNone,
     /// Lets the next drag in the view draw a box, which selects the shapes in it.
     BoxSelect,
     /// Inserts a shape.
     Insert(Primitive),
+    /// Opens the menu Insert at the pointer.
+    InsertMenu,
     /// Imports a shape.
     ImportShape,
     /// Imports curves.
@@ -93,6 +97,8 @@ pub enum Command {
     Rename,
     /// Hides the selected shape in the view, or shows it.
     ToggleVisible,
+    /// Shows every shape that is hidden.
+    ShowAll,
     /// Locks the selected shape in the view, or unlocks it.
     ToggleLocked,
     /// One of the six views.
@@ -101,6 +107,8 @@ pub enum Command {
     ResetCamera,
     /// Fits the selected shape, or everything, to the view.
     Fit,
+    /// Fits everything to the view, whatever is selected.
+    FitAll,
     /// Shows or hides the axes.
     ToggleAxis,
     /// Shows or hides the grid on the ground.

@@ -121,6 +121,8 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::BoxSelect => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
+        Command::SelectNone => return Some(Action::View(View::Select(None))),
+        Command::InsertMenu => state.opens_insert_menu = true,
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
         Command::Copy => {
             let posed = posed_character(session, state);
@@ -132,11 +134,16 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             state.renaming = shape.map(Renaming::of);
         }
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
+        Command::ShowAll => return Some(show_all(session)),
         Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit => {
             let area = view_overlay::fit_area(state, aspect);
             return Some(Action::View(View::Fit(area)));
+        }
+        Command::FitAll => {
+            let area = view_overlay::fit_area(state, aspect);
+            return Some(Action::View(View::FitAll(area)));
         }
         Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
         Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
@@ -162,6 +169,17 @@ fn toggle(command: Command, session: &Session) -> Option<Action> {
         _ => Edit::SetLocked(shape.id, !shape.locked),
     };
     Some(Action::Edit(for_all_selected(session, edit)))
+}
+
+/// Shows the shapes that are hidden.
+fn show_all(session: &Session) -> Action {
+    let show = hidden(session).map(|shape| Edit::SetVisible(shape.id, true));
+    Action::Edit(Edit::Together(show.collect()))
+}
+
+fn hidden(session: &Session) -> impl Iterator<Item = &Shape> {
+    let shapes = session.scene().shapes().iter();
+    shapes.filter(|shape| !shape.visible)
 }
 
 /// Does something to every selected shape.
@@ -279,7 +297,11 @@ pub(in crate::ui) fn why_disabled(
             why_no_curves(command, session)
         }
         _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
-        Command::Fit if !session.scene().shapes().iter().any(|shape| shape.visible) => {
+        Command::ShowAll if hidden(session).next().is_none() => Some("No shape is hidden"),
+        Command::SelectNone if session.selected().is_none() => Some("No shape is selected"),
+        Command::Fit | Command::FitAll
+            if !session.scene().shapes().iter().any(|shape| shape.visible) =>
+        {
             Some("There is nothing to fit")
         }
         _ => None,

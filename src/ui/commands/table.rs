@@ -109,7 +109,7 @@ const fn key(modifiers: Modifiers, key: Key) -> KeyboardShortcut {
 
 pub(super) const NONE: Modifiers = Modifiers::NONE;
 pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
-const ALT: Modifiers = Modifiers::ALT;
+pub(super) const ALT: Modifiers = Modifiers::ALT;
 pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
 
 const fn entry(
@@ -175,6 +175,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Paste, Menu::Clipboard, "Paste", "Add the shapes on the clipboard, or apply the pose on it to the selected character", &[key(CTRL, Key::V)]),
     entry(Command::Duplicate, Menu::Clipboard, "Duplicate", "Add copies of the selected shapes beside them", &[key(CTRL, Key::D)]),
     entry(Command::SelectAll, Menu::Clipboard, "Select All", "Select every shape; Ctrl and Shift with a click select several", &[key(CTRL, Key::A)]),
+    entry(Command::SelectNone, Menu::Clipboard, "Select None", "Deselect every shape", &[key(CTRL.plus(SHIFT), Key::A)]),
     entry(Command::BoxSelect, Menu::Clipboard, "Box Select", "Draw a box with the next left drag in the view: shapes of which any part is in it are selected; Shift adds them, Ctrl takes them out", &[key(NONE, Key::Q)]),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]),
@@ -183,6 +184,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::Teapot), Menu::Insert, "Teapot", "Add the Utah teapot at the origin", &[key(SHIFT, Key::T)]),
     entry(Command::Insert(Primitive::Icosahedron), Menu::Insert, "Icosahedron", "Add an icosahedron at the origin", &[key(SHIFT, Key::I)]),
     entry(Command::Insert(Primitive::Custom), Menu::Insert, "Custom Shape", "Add the shape that custom.rs makes", &[key(SHIFT, Key::U)]),
+    entry(Command::InsertMenu, Menu::Insert, "Insert Menu at Pointer", "Open this menu where the pointer is", &[key(SHIFT, Key::A)]),
     entry(Command::Insert(Primitive::BezierCurve), Menu::Curves, "Bézier Curve", "Add a Bézier curve of four control points to drag into shape", &[key(SHIFT, Key::B)]),
     entry(Command::Insert(Primitive::BSplineCurve), Menu::Curves, "B-Spline Curve", "Add a B-spline of four control points to drag into shape", &[key(SHIFT, Key::N)]),
     entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]),
@@ -199,6 +201,7 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Rotate), Menu::Shape, "Rotate with Pointer", "Turn what is selected with the pointer until a click or Enter; X, Y, Z and degrees can be typed, Esc puts it back", &[key(NONE, Key::R)])),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Scale), Menu::Shape, "Scale with Pointer", "Scale what is selected with the pointer until a click or Enter; X, Y, Z and a factor can be typed, Esc puts it back", &[key(NONE, Key::S)])),
     entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]),
+    entry(Command::ShowAll, Menu::Shape, "Show All", "Show every shape that is hidden", &[key(ALT, Key::H)]),
     entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or unlock it", &[key(SHIFT, Key::L)]),
 
     entry(Command::ViewFrom(ViewDirection::PlusX), Menu::View, "View from +X", "Look at the origin from +X", &[key(NONE, Key::Num3)]),
@@ -210,6 +213,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]),
     only_in(Navigation::Mannequin, entry(Command::ResetViewAndPose, Menu::View, "Reset View and Pose", "Put the camera back to where it started, and every character to rest", &[key(NONE, Key::R)])),
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]),
+    entry(Command::FitAll, Menu::View, "Fit All to View", "Fill the view with everything, whatever is selected", &[key(SHIFT, Key::F)]),
     entry(Command::ToggleAxis, Menu::View, "Toggle Axis", "Show or hide the lines of X (red), Y (green) and Z (blue)", &[key(NONE, Key::T)]),
     entry(Command::Compare, Menu::Compare, "Compare with Picture…", "Show a picture, such as the sample solution's, beside the view and measure the differences; the key pressed again ends that", &[key(NONE, Key::F8)]),
     entry(Command::Explain, Menu::Explain, "Explain Skinning", "The formula at work on a vertex, mistakes made on purpose, and the matrix stack step by step", &[key(NONE, Key::K)]),

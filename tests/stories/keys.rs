@@ -1,0 +1,80 @@
+//! What keys do that a person knows from elsewhere, and what they say where they can do nothing.
+
+use super::Story;
+use editor_core::editor::{Severity, View};
+use editor_core::ui::{Action, Navigation};
+use egui::{Key, Modifiers};
+
+const CTRL: Modifiers = Modifiers::COMMAND;
+const SHIFT: Modifiers = Modifiers::SHIFT;
+const ALT: Modifiers = Modifiers::ALT;
+
+#[test]
+fn a_key_that_can_do_nothing_says_why_once() {
+    let mut story = Story::start(&[]);
+    for _ in 0..3 {
+        story.key(Key::Delete);
+    }
+    let told: Vec<_> = story.messages();
+    assert_eq!(told, [(Severity::Warning, "No shape is selected")]);
+    story.key_with(CTRL, Key::Z);
+    let last = story.messages().last().copied();
+    assert_eq!(last, Some((Severity::Warning, "There is nothing to undo")));
+}
+
+#[test]
+fn all_that_is_hidden_is_shown_in_one_step() {
+    let mut story = Story::start(&[]);
+    story.key_with(SHIFT, Key::C);
+    story.key_with(SHIFT, Key::S);
+    story.key_with(CTRL, Key::A);
+    story.key(Key::H);
+    let hidden = |story: &Story| {
+        let shapes = story.session().scene().shapes().iter();
+        shapes.filter(|shape| !shape.visible).count()
+    };
+    assert_eq!(hidden(&story), 2);
+    story.key_with(ALT, Key::H);
+    assert_eq!(hidden(&story), 0);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(hidden(&story), 2, "it was one step");
+}
+
+#[test]
+fn everything_is_fitted_whatever_is_selected_and_by_home_in_blenders_navigation() {
+    let mut story = Story::start(&[]);
+    story.key_with(SHIFT, Key::C);
+    story.type_into("Position X", "20");
+    story.key_with(SHIFT, Key::S);
+    story.key_with(SHIFT | CTRL, Key::A);
+    assert_eq!(story.session().selected(), None, "Select None");
+    story.key(Key::F);
+    let all = story.session().view().camera;
+    story.key_with(CTRL, Key::A);
+    let sphere = story.session().scene().shapes()[1].id;
+    let select = Action::View(View::Select(Some(sphere)));
+    story.program.carry_out(vec![select], &mut story.host);
+    story.key(Key::F);
+    assert_ne!(story.session().view().camera, all, "the sphere alone");
+    story.key_with(SHIFT, Key::F);
+    assert_eq!(story.session().view().camera, all);
+
+    story.key(Key::F);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::Home);
+    assert_eq!(story.session().view().camera, all);
+}
+
+#[test]
+fn shift_a_inserts_where_the_pointer_is() {
+    let mut story = Story::start(&[]);
+    story.point(egui::pos2(300.0, 200.0));
+    story.key_with(SHIFT, Key::A);
+    let item = story.place("Sphere");
+    assert!(
+        (item - egui::pos2(300.0, 200.0)).length() < 150.0,
+        "{item:?}"
+    );
+    story.click("Sphere");
+    assert_eq!(story.names(), ["Sphere"]);
+}
