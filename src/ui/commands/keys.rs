@@ -74,7 +74,6 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::Duplicate, KeyboardShortcut::new(SHIFT, Key::D)),
     (Command::Rename, KeyboardShortcut::new(NONE, Key::F2)),
     (Command::FindCommand, KeyboardShortcut::new(NONE, Key::F3)),
-    (Command::Screenshot, KeyboardShortcut::new(NONE, Key::F12)),
     (Command::FitAll, KeyboardShortcut::new(NONE, Key::Home)),
     (Command::Fit, KeyboardShortcut::new(NONE, Key::Period)),
     (
