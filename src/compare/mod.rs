@@ -24,6 +24,7 @@ pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
 pub use flip::{Flip, PIXELS_PER_DEGREE};
+pub(crate) use mesh::nearest_rotation;
 pub use mesh::{
     MESH_TOLERANCE, MeshComparison, MeshFinding, MeshOptions, MeshParts, MeshPlace, WorstVertex,
     compare_meshes, permutation,

@@ -1,11 +1,16 @@
 //! What is found out about a mesh, as data and in words.
 
+use super::other_pose::OtherPose;
 use super::search::Made;
 use serde::Serialize;
 use std::fmt;
 
 /// Regions that are told in words; the others are counted.
 const TOLD: usize = 5;
+
+/// What to look at where a mesh is right in another pose.
+const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
+                            its angles";
 
 /// What a mesh is, held against the exact one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -44,7 +49,10 @@ pub struct Diagnosis {
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.
     pub regions: Vec<Region>,
-    /// The mistake that comes nearest, if it explains at least half of what is off.
+    /// The pose of which it is the exact mesh, if there is one.
+    pub other_pose: Option<OtherPose>,
+    /// The mistake that comes nearest, if it explains at least half of what is off and no other pose all of
+    /// it.
     pub nearest: Option<Nearest>,
     /// What else is known of the whole mesh, in sentences.
     pub findings: Vec<String>,
@@ -253,11 +261,14 @@ impl Diagnosis {
 
     fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let error = of_size(self.error);
-        write!(
-            f,
-            "unexplained: {error} away from the exact result, and no known mistake gives this mesh, \
-             nor do two of them"
-        )?;
+        match &self.other_pose {
+            Some(other) => fmt_other_pose(f, other, &error)?,
+            None => write!(
+                f,
+                "unexplained: {error} away from the exact result in this pose, and no known mistake \
+                 gives this mesh, nor do two of them"
+            )?,
+        }
         for finding in &self.findings {
             write!(f, "\n  found    {finding}")?;
         }
@@ -277,6 +288,23 @@ impl Diagnosis {
             more => write!(f, "\n  off      and at {more} more joints"),
         }
     }
+}
+
+/// What is told of a mesh that is right in another pose, and `error` away from the one that was expected.
+fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) -> fmt::Result {
+    write!(
+        f,
+        "another pose: this is the exact result, but of a pose that is not the given one, in which it is \
+         {error} away"
+    )?;
+    let (told, more) = other.told();
+    for joint in told {
+        write!(f, "\n  turned   {joint}")?;
+    }
+    if more > 0 {
+        write!(f, "\n  turned   and {more} more joints")?;
+    }
+    write!(f, "\n  look at  {LOOK_AT_POSE}")
 }
 
 impl ToldMistake {

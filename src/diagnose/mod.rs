@@ -9,6 +9,7 @@ mod measure;
 mod mistaken;
 mod mistakes;
 mod model;
+mod other_pose;
 mod picture;
 mod precision;
 mod regions;
@@ -26,6 +27,7 @@ pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};
 
@@ -146,7 +148,14 @@ async fn diagnose_by(
         pace.after(exact.len()).await;
         found.regions = findings.regions();
         found.findings = findings.of_the_whole(theirs);
-        found.nearest = nearest(&search, &model, pose, order, &alone);
+        if found.findings.is_empty() {
+            let limits = (tolerance, size);
+            found.other_pose = other_pose::find(&model, pose, order, &points, limits, &pace).await;
+        }
+        // What is explained whole has nothing that is only near it.
+        if found.other_pose.is_none() {
+            found.nearest = nearest(&search, &model, pose, order, &alone);
+        }
         return Ok(found);
     }
     Ok(findings.explained(&explanations))
@@ -214,6 +223,7 @@ impl Findings<'_> {
             same_as: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
             regions: Vec::new(),
+            other_pose: None,
             nearest: None,
             findings: Vec::new(),
         }

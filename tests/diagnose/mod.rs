@@ -6,6 +6,7 @@ mod documents;
 mod explained;
 pub mod figures;
 mod mistaken;
+mod other_poses;
 mod pairs;
 mod pictures;
 mod program;

@@ -301,10 +301,58 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     assert!(!is_told(&story), "it is right");
     story.click("Reset all");
     diagnose(&mut story);
+    assert!(
+        !is_told(&story) && story.has("Take Their Pose"),
+        "their pose is known"
+    );
+
+    let mut story = comparing(&off_by_one());
+    story.click("Reset all");
+    diagnose(&mut story);
     assert!(is_told(&story));
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn a_mesh_of_another_pose_is_said_to_be_one_and_its_pose_taken_by_one_click() {
+    let mut story = comparing(&RIGHT);
+    let id = story.session().scene().shapes()[0].id;
+    let other = Figure::builtin("dog", turned(3)).pose();
+    let edit = Edit::SetPose(id, other);
+    story.program.session_mut().edit(edit).expect("a pose");
+    story.settle();
+    diagnose(&mut story);
+    text(&story, "This is the exact result, but of another pose.");
+    text(
+        &story,
+        "If that is the pose that theirs was made in, load it",
+    );
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.starts_with("No known mistake"))
+    );
+    story.click("Take Their Pose");
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    assert!(!story.has("Take Their Pose"));
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    diagnose(&mut story);
+    assert!(story.has("Take Their Pose"));
+}
+
+#[test]
+fn where_no_mistake_is_found_the_pose_is_to_be_checked() {
+    let bent = Student {
+        write: |at| at + Vec3::Y * 0.02 * (at.x * 40.0).sin(),
+        ..RIGHT
+    };
+    let mut story = comparing(&bent);
+    diagnose(&mut story);
+    text(&story, "No known mistake gives this mesh in this pose");
+    text(&story, "Is this the pose that their mesh was made in?");
 }
 
 #[test]

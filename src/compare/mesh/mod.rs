@@ -7,6 +7,7 @@ mod placement;
 
 pub use finding::MeshFinding;
 pub use place::{MeshParts, MeshPlace};
+pub(crate) use placement::nearest_rotation;
 
 use super::rules::Beside::{self, Everything, Only};
 use super::rules::{Rule, found_by, with_messages, without_names};

@@ -212,6 +212,17 @@ fn mirrored_along_one_axis(rotation: DQuat) -> (&'static str, DQuat) {
     less(less(("x", x), ("y", y)), ("z", z))
 }
 
+/// The rotation that takes `a` nearest to `b`, as seen from their centers; `None` where the points do not
+/// spread, or are no numbers.
+pub(crate) fn nearest_rotation(a: &[DVec3], b: &[DVec3]) -> Option<DQuat> {
+    let points = Points {
+        a,
+        b,
+        tolerance: 0.0,
+    };
+    rotations(a, b, points.means()).map(|[turned, _]| turned)
+}
+
 /// The rotation that takes `a` nearest to `b`, as seen from their centers, and the one that takes
 /// the mirror image of `a` through its center there. `None` where the points do not spread, or
 /// are no numbers.

@@ -2,8 +2,8 @@
 
 use super::panel::{line, of_which, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
-use crate::diagnose::{Diagnosis, MeshMeasure, Verdict, of_size};
-use crate::editor::{Session, View};
+use crate::diagnose::{Diagnosis, MeshMeasure, OtherPose, Verdict, of_size};
+use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
 use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::theme::Palette;
@@ -27,6 +27,13 @@ struct Parts<'a> {
 const AT_REST: &str = "The character is at rest. Load the pose that their mesh was made in: \
                        Pose ⏵ Load Pose…";
 
+/// What to check where no mistake is found.
+const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, load that one: \
+                          Pose ⏵ Load Pose…";
+/// What to do where theirs is right in another pose.
+const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it (Pose ⏵ Load Pose…) or take it \
+                         here. If not, their program turns joints otherwise than the pose says:";
+
 /// The panel. A vertex that is chosen in it is `marked`, and the camera goes there.
 pub(in crate::ui) fn show(
     root: &mut Ui,
@@ -43,23 +50,28 @@ pub(in crate::ui) fn show(
         marked,
         actions,
     };
-    below_the_view(root, "compare with a mesh", (LOWEST, HEIGHT), |ui| {
-        parts.header(ui);
-        scrolled(ui, |ui| {
-            if has_room_for_columns(ui) {
-                columns(ui, |[left, middle, right]| {
-                    // Columns would stretch what is in them.
-                    left.vertical(|ui| parts.numbers(ui));
-                    middle.vertical(|ui| parts.diagnosis(ui));
-                    right.vertical(|ui| parts.regions(ui));
-                });
-            } else {
-                parts.diagnosis(ui);
-                parts.numbers(ui);
-                parts.regions(ui);
-            }
-        });
-    });
+    below_the_view(
+        root,
+        "compare with a mesh",
+        (LOWEST, HEIGHT),
+        |ui| {
+            parts.header(ui);
+            scrolled(ui, |ui| {
+                if has_room_for_columns(ui) {
+                    columns(ui, |[left, middle, right]| {
+                        // Columns would stretch what is in them.
+                        left.vertical(|ui| parts.numbers(ui));
+                        middle.vertical(|ui| parts.diagnosis(ui));
+                        right.vertical(|ui| parts.regions(ui));
+                    });
+                } else {
+                    parts.diagnosis(ui);
+                    parts.numbers(ui);
+                    parts.regions(ui);
+                }
+            });
+        },
+    );
 }
 
 impl Parts<'_> {
@@ -159,7 +171,8 @@ impl Parts<'_> {
         let off = of_size(diagnosis.error);
         let character = self.session.scene().character(self.compare.shape);
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
-        if is_at_rest && diagnosis.verdict != Verdict::Right {
+        let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
+        if is_at_rest && !is_of_pose {
             say(ui, AT_REST, palette.warning);
         }
         match diagnosis.verdict {
@@ -177,8 +190,17 @@ impl Parts<'_> {
                 say(ui, &text, palette.weak);
             }
             Verdict::Unexplained => {
-                let text = "No known mistake gives this mesh, nor do two of them.";
-                say(ui, text, palette.strong);
+                match &diagnosis.other_pose {
+                    Some(other) => self.other_pose(ui, other),
+                    None => {
+                        let text =
+                            "No known mistake gives this mesh in this pose, nor do two of them.";
+                        say(ui, text, palette.strong);
+                        if !is_at_rest {
+                            say(ui, CHECK_POSE, palette.text);
+                        }
+                    }
+                }
                 for finding in &diagnosis.findings {
                     say(ui, finding, palette.text);
                 }
@@ -216,6 +238,27 @@ impl Parts<'_> {
             .clicked()
         {
             self.go_to(first.vertex);
+        }
+    }
+
+    /// In which pose theirs is right, and how to take it.
+    fn other_pose(&mut self, ui: &mut Ui, other: &OtherPose) {
+        let palette = Palette::of(ui.visuals());
+        let text = "This is the exact result, but of another pose.";
+        say(ui, text, palette.strong);
+        say(ui, TAKE_POSE, palette.text);
+        let button = ui.button("Take Their Pose");
+        let tip = "Give the character the angles that theirs shows; Undo takes them back";
+        if button.on_hover_text(tip).clicked() {
+            let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
+            self.actions.push(Action::Edit(edit));
+        }
+        let (told, more) = other.told();
+        for joint in told {
+            say(ui, &joint.to_string(), palette.text);
+        }
+        if more > 0 {
+            say(ui, &format!("… and {more} more joints"), palette.weak);
         }
     }
 

@@ -1,0 +1,142 @@
+//! Meshes of another pose: whether there is one in which the exact formula gives the mesh.
+
+mod fit;
+mod solve;
+
+use super::model::Model;
+use super::skin::Skinner;
+use super::{Formula, VertexOrder};
+use crate::character::Pose;
+use crate::compare::Pace;
+use crate::math::Euler;
+use fit::{Fit, Posed};
+use glam::DVec3;
+use serde::Serialize;
+use std::fmt;
+
+/// Angle between two rotations of a joint that are told apart, in degrees.
+const TOLD_APART: f32 = 0.1;
+/// Joints that are told in words; the others are counted.
+const TOLD: usize = 5;
+
+/// A pose in which the exact formula gives the mesh, other than the one that it was held against.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OtherPose {
+    /// The pose. Joints that move no vertex are as in the one that was expected.
+    #[serde(skip)]
+    pub pose: Pose,
+    /// The joints that differ, from the root on; never empty.
+    pub joints: Vec<TurnedJoint>,
+    /// How far the mesh is from the exact one in that pose, at most and by the size.
+    pub error: f64,
+}
+
+/// A joint that is in another place of its range than expected.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TurnedJoint {
+    /// Its name.
+    pub joint: String,
+    /// Its index.
+    pub joint_index: usize,
+    /// The angles that the mesh shows, in degrees about X, Y and Z; of all that give the same rotation
+    /// those nearest to the expected ones.
+    pub degrees: [f32; 3],
+    /// The angles that were expected.
+    pub expected: [f32; 3],
+    /// Of a root, how far it is moved otherwise than expected, in model space; `None` if it is not.
+    pub moved: Option<[f32; 3]>,
+}
+
+impl fmt::Display for TurnedJoint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [degrees, expected] = [self.degrees, self.expected].map(angles);
+        write!(f, "{} {degrees}", self.joint)?;
+        if degrees != expected {
+            write!(f, " instead of {expected}")?;
+        }
+        match self.moved {
+            Some([x, y, z]) => write!(f, ", moved by ({x:.4}, {y:.4}, {z:.4})"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Angles in words: whole degrees where they are whole, and a zero without a sign.
+fn angles(of: [f32; 3]) -> String {
+    let [x, y, z] = of.map(|degrees| {
+        let tenths = (degrees * 10.0).round() / 10.0;
+        (tenths + 0.0).to_string()
+    });
+    format!("({x}°, {y}°, {z}°)")
+}
+
+impl OtherPose {
+    /// The joints that are told in words, and how many others there are.
+    pub fn told(&self) -> (&[TurnedJoint], usize) {
+        let told = self.joints.len().min(TOLD);
+        (&self.joints[..told], self.joints.len() - told)
+    }
+}
+
+/// The pose in which the exact formula gives the vertices `theirs`, if there is one that differs from
+/// `expected`.
+pub(super) async fn find(
+    model: &Model<'_>,
+    expected: &Pose,
+    order: VertexOrder,
+    theirs: &[DVec3],
+    (tolerance, size): (f64, f64),
+    pace: &Pace,
+) -> Option<OtherPose> {
+    let fit = Fit::new(model, expected, order, theirs)?;
+    let Posed { rotations, offsets } = fit.improve(tolerance, pace).await;
+    let mut pose = expected.clone();
+    let mut joints = Vec::new();
+    for &joint in &model.by_depth {
+        let before = expected.rotation(joint);
+        let turn = before.to_dmat3().transpose() * rotations[joint];
+        let cosine = ((turn.x_axis.x + turn.y_axis.y + turn.z_axis.z - 1.0) / 2.0).clamp(-1.0, 1.0);
+        let is_turned = cosine.acos().to_degrees() as f32 > TOLD_APART;
+        let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
+        let is_moved = moved.length() > tolerance;
+        let after = Euler::nearest(rotations[joint].as_mat3(), before);
+        if is_turned {
+            pose.set_joint_transform(joint, after);
+        }
+        if is_moved {
+            pose.set_root_offset(joint, offsets[joint].as_vec3());
+        }
+        if is_turned || is_moved {
+            let of_pose = pose.rotation(joint);
+            joints.push(TurnedJoint {
+                joint: model.skeleton().joints()[joint].name.clone(),
+                joint_index: joint,
+                degrees: of_pose.degrees().to_array(),
+                expected: before.degrees().to_array(),
+                moved: is_moved.then(|| moved.as_vec3().to_array()),
+            });
+        }
+    }
+    if joints.is_empty() {
+        return None;
+    }
+    let error = largest_error(model, &pose, order, theirs);
+    (error <= tolerance).then_some(OtherPose {
+        pose,
+        joints,
+        error: error / size,
+    })
+}
+
+/// The largest distance of `theirs` from the exact mesh in `pose`.
+fn largest_error(model: &Model, pose: &Pose, order: VertexOrder, theirs: &[DVec3]) -> f64 {
+    let exact = Formula {
+        vertex_order: order,
+        ..Formula::default()
+    };
+    let mut skinner = Skinner::new(model, pose, &exact);
+    let distances = theirs.iter().enumerate();
+    distances
+        .map(|(index, &theirs)| skinner.place(index).distance(theirs))
+        .fold(0.0, f64::max)
+}

@@ -1,0 +1,124 @@
+//! Meshes that are right, but of another pose than the one that they are held against.
+
+use crate::diagnose::figures::{Figure, turned, written};
+use crate::diagnose::student::{RIGHT, with};
+use editor_core::character::Pose;
+use editor_core::diagnose::{Diagnosis, Verdict, diagnose};
+use editor_core::math::Euler;
+use glam::Vec3;
+
+/// What is found out about the right mesh of `figure` where `expected` is the pose that is asked for.
+fn held_against(figure: &Figure, expected: &Pose) -> Diagnosis {
+    diagnose(&figure.character, expected, &RIGHT.skin(figure)).unwrap()
+}
+
+#[test]
+fn a_right_mesh_of_another_pose_is_told_with_the_pose_that_gives_it() {
+    for name in ["adult", "dog", "robot"] {
+        for (theirs, ours) in [(1, 2), (3, 4)] {
+            let figure = Figure::builtin(name, turned(theirs));
+            let expected = Figure::builtin(name, turned(ours)).pose();
+            let found = held_against(&figure, &expected);
+            assert_eq!(found.verdict, Verdict::Unexplained, "{name}: {found}");
+            let told = found.to_string();
+            assert!(told.starts_with("another pose: "), "{name}: {told}");
+            let other = found.other_pose.expect("a pose");
+            assert!(
+                found.nearest.is_none(),
+                "{name}: nothing is left to be near to"
+            );
+            // In that pose it is right.
+            let found = held_against(&figure, &other.pose);
+            assert_eq!(found.verdict, Verdict::Right, "{name}: {found}");
+        }
+    }
+}
+
+#[test]
+fn a_mesh_that_is_held_against_the_character_at_rest_shows_its_pose() {
+    let figure = Figure::builtin("adult", turned(5));
+    let by = Vec3::new(0.3, -0.2, 0.5);
+    let theirs: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at + by).collect();
+    let found = diagnose(&figure.character, &Pose::new(), &theirs).unwrap();
+    let other = found.other_pose.expect("a pose");
+    assert!(other.joints.len() > 10, "{:?}", other.joints);
+    let root = &other.joints[0];
+    let moved = Vec3::from(root.moved.expect("the root is moved"));
+    assert!(moved.abs_diff_eq(by, 1e-4), "{moved}");
+}
+
+#[test]
+fn of_two_joints_that_are_turned_otherwise_these_two_are_told_with_their_angles() {
+    let figure = Figure::builtin("adult", turned(21));
+    let mut expected = figure.pose();
+    let joints = figure.character.skeleton().joints();
+    let index = |name: &str| joints.iter().position(|joint| joint.name == name).unwrap();
+    let (elbow, knee) = (index("Right elbow"), index("Left knee"));
+    expected.set_joint_transform(elbow, Euler::from_degrees(Vec3::new(5.0, -10.0, 20.0)));
+    expected.set_joint_transform(knee, Euler::ZERO);
+    let other = held_against(&figure, &expected).other_pose.expect("a pose");
+    let mut told: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
+    told.sort_unstable();
+    let mut both = [elbow, knee];
+    both.sort_unstable();
+    assert_eq!(told, both);
+    for joint in &other.joints {
+        let (found, real) = (Vec3::from(joint.degrees), figure.degrees[joint.joint_index]);
+        let [found, real] = [found, real].map(|angles| Euler::from_degrees(angles).to_mat3());
+        assert!(found.abs_diff_eq(real, 1e-3), "{joint}");
+        assert_eq!(joint.moved, None);
+    }
+    let elbow = other.joints.iter().find(|joint| joint.joint_index == elbow);
+    assert!(
+        elbow
+            .unwrap()
+            .to_string()
+            .ends_with(" instead of (5°, -10°, 20°)")
+    );
+}
+
+#[test]
+fn numbers_of_four_digits_are_enough_to_see_another_pose() {
+    let figure = Figure::builtin("adult", turned(6));
+    let theirs = written(&RIGHT.skin(&figure), 4);
+    let expected = Figure::builtin("adult", turned(7)).pose();
+    let found = diagnose(&figure.character, &expected, &theirs).unwrap();
+    assert!(found.other_pose.is_some(), "{found}");
+}
+
+#[test]
+fn a_mesh_that_no_pose_gives_is_not_said_to_be_of_another_one() {
+    let figure = Figure::builtin("adult", turned(8));
+    let expected = Figure::builtin("adult", turned(9)).pose();
+    let right = RIGHT.skin(&figure);
+    let bent = right
+        .iter()
+        .map(|at| *at + Vec3::Y * 0.01 * (at.x * 40.0).sin());
+    let not_finite = right
+        .iter()
+        .map(|at| if *at == right[7] { Vec3::NAN } else { *at });
+    let wide = Vec3::new(1.2, 1.0, 1.0);
+    for (what, theirs) in [
+        ("bent", bent.collect()),
+        ("not finite", not_finite.collect()),
+        (
+            "with a mistake besides",
+            with(&["weights-shifted"]).skin(&figure),
+        ),
+        ("larger", right.iter().map(|at| *at * 1.1).collect()),
+        (
+            "wider",
+            right.iter().map(|at| *at * wide).collect::<Vec<_>>(),
+        ),
+    ] {
+        let found = diagnose(&figure.character, &expected, &theirs).unwrap();
+        assert_eq!(found.verdict, Verdict::Unexplained, "{what}");
+        assert_eq!(found.other_pose, None, "{what}");
+        assert!(
+            found
+                .to_string()
+                .contains("in this pose, and no known mistake"),
+            "{what}"
+        );
+    }
+}
