@@ -195,7 +195,31 @@ fn meshes(args: &Args) -> Result<(), CliError> {
         parts: parts.as_ref(),
     };
     let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
-    print_result(args, &comparison, comparison.passed)
+    let done = print_result(args, &comparison, comparison.passed);
+    if parts.is_some() && comparison.is_unexplained() && !args.json {
+        print(&format!("{}\n", how_to_diagnose(args)))?;
+    }
+    done
+}
+
+/// The command that finds mistakes in skinning, which no comparison of two meshes can.
+fn how_to_diagnose(args: &Args) -> String {
+    let model = args.character.as_ref().unwrap_or(&args.a);
+    let [theirs, model] = [&args.b, model].map(|path| shell_word(&path.to_string_lossy()));
+    format!(
+        "If {theirs} is this character in a pose, a mistake in skinning is found by\n  \
+         editor diagnose {theirs} --character {model} --pose POSE.json"
+    )
+}
+
+/// `text` as one word for a shell.
+fn shell_word(text: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "-_./:,+@%=".contains(c);
+    if !text.is_empty() && text.chars().all(is_plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', r"'\''"))
+    }
 }
 
 /// What each joint moves of the character that is named, or else of A if it is one; `None` without a
@@ -274,4 +298,23 @@ fn print_json<C: Serialize>(args: &Args, comparison: &C) -> Result<(), CliError>
 
 fn cannot_compare(error: impl Display) -> CliError {
     CliError::Other(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_word_for_a_shell_is_quoted_where_it_must_be() {
+        for (text, expected) in [
+            ("a/b-2.obj", "a/b-2.obj"),
+            ("builtin:adult", "builtin:adult"),
+            ("my mesh.obj", "'my mesh.obj'"),
+            ("it's", r"'it'\''s'"),
+            ("$HOME", "'$HOME'"),
+            ("", "''"),
+        ] {
+            assert_eq!(shell_word(text), expected);
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! `editor compare` as it is called.
 
 use crate::compare::painter::{HEIGHT, SCENE, Scene, WIDTH};
+use crate::program::editor_in;
 use editor_core::geometry::Picture;
 use editor_core::io::image::{PictureFormat, decode, encode};
 use serde_json::{Value, json};
@@ -262,6 +263,8 @@ fn meshes_are_compared_by_vertex() {
         out.contains("found: B is A moved by (0.000000, 0.000000, 3.000000)"),
         "{out}"
     );
+    let distance = "\nlargest distance    3\n  by size           1.34 of 2.24\n";
+    assert!(out.contains(distance), "{out}");
     let (_, out, _) = compare(&folder, &["a.obj", "b.obj", "--json"]);
     let json: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(
@@ -295,9 +298,22 @@ fn a_mesh_that_is_bent_at_an_elbow_is_told_by_that_joint() {
     ] {
         let (code, out, _) = compare(&folder, arguments);
         assert!(code == 1 && out.contains(told), "{out}");
+        // A comparison knows no pose; the command that does is told as it is to be typed.
+        let (_, command) = out.rsplit_once("\n  editor ").expect("a command");
+        let expected = "diagnose b.obj --character builtin:adult --pose POSE.json\n";
+        assert_eq!(command, expected);
+        let command = command.replace("POSE.json", "bent.json");
+        let diagnosed = editor_in(
+            folder.path(),
+            &command.split_whitespace().collect::<Vec<_>>(),
+        );
+        assert!(diagnosed.out.starts_with("right: "), "{}", diagnosed.out);
     }
     let (_, out, _) = compare(&folder, &["a.obj", "b.obj"]);
     assert!(out.contains("\n  toward +X of the mesh: 11 %"), "{out}");
+    assert!(!out.contains("diagnose"), "of no character: {out}");
+    let (_, out, _) = compare(&folder, &["builtin:adult", "a.obj"]);
+    assert!(!out.contains("diagnose"), "nothing is off: {out}");
     let other = ["a.obj", "b.obj", "--character", "builtin:robot"];
     let (code, _, err) = compare(&folder, &other);
     assert!(code == 1 && err.contains("found none"), "{err}");

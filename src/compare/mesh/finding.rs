@@ -77,6 +77,26 @@ pub enum MeshFinding {
     TriangleOrder,
 }
 
+/// Digits of a length in words, beginning with the first that is not zero.
+const DIGITS: usize = 3;
+
+/// A length in words, as people write numbers; tiny and huge ones in a power of ten.
+pub(super) fn length(of: f64) -> String {
+    if !of.is_finite() {
+        return "infinite".to_owned();
+    }
+    if of == 0.0 {
+        return "0".to_owned();
+    }
+    // What rounds up to the next power of ten has its digits.
+    let rounded: f64 = format!("{of:.*e}", DIGITS - 1).parse().unwrap_or(of);
+    let power = rounded.abs().log10().floor() as i32;
+    if !(-5..6).contains(&power) {
+        return format!("{rounded:e}");
+    }
+    rounded.to_string()
+}
+
 /// A place or a movement in words. What rounds to nothing has no sign.
 pub(super) fn vector(of: [f64; 3]) -> String {
     let [x, y, z] = of.map(|value| if value.abs() <= 5e-7 { 0.0 } else { value });
@@ -177,6 +197,29 @@ impl fmt::Display for MeshFinding {
                 write!(f, "{only_a} triangles are only in A, {only_b} only in B")
             }
             Self::TriangleOrder => f.write_str("the triangles are the same, in a different order"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths_are_written_as_people_do() {
+        for (of, expected) in [
+            (0.7335992, "0.734"),
+            (0.0, "0"),
+            (12.0, "12"),
+            (0.99996, "1"),
+            (1234.5, "1230"),
+            (0.00001, "0.00001"),
+            (0.000_012_345, "0.0000123"),
+            (1.2345e-7, "1.23e-7"),
+            (9.876e9, "9.88e9"),
+            (f64::INFINITY, "infinite"),
+        ] {
+            assert_eq!(length(of), expected);
         }
     }
 }

@@ -15,6 +15,7 @@ use super::steps::at_once;
 use super::{Allowance, CompareError, Which};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
+use finding::length;
 use glam::DVec3;
 use matching::{Matching, Triangles};
 use placement::Points;
@@ -314,12 +315,18 @@ fn worst(a: &Mesh, b: &Mesh, distances: &[f64], tolerance: f64) -> Vec<WorstVert
 }
 
 impl MeshComparison {
+    /// Whether vertices differ and no cause accounts for all of them.
+    pub fn is_unexplained(&self) -> bool {
+        let differing = self.differing_vertices;
+        differing > 0 && !is_explained(&self.findings, differing)
+    }
+
     /// A sentence on the vertices that differ where no cause accounts for them.
     fn unexplained(&self) -> Option<String> {
-        let differing = self.differing_vertices;
-        if differing == 0 || is_explained(&self.findings, differing) {
+        if !self.is_unexplained() {
             return None;
         }
+        let differing = self.differing_vertices;
         let agreeing = self.vertices - differing;
         let place = match self.differing_bounds {
             _ if agreeing == 0 => "no vertex agrees".to_owned(),
@@ -339,17 +346,16 @@ impl fmt::Display for MeshComparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "differing vertices  {} of {} by more than {:.6e}",
-            self.differing_vertices, self.vertices, self.tolerance
+            "differing vertices  {} of {} by more than {}",
+            self.differing_vertices,
+            self.vertices,
+            length(self.tolerance)
         )?;
-        writeln!(f, "largest distance    {:.6e}", self.max)?;
-        writeln!(
-            f,
-            "  by size           {:.6e} of {:.6}",
-            self.max_by_size, self.size
-        )?;
-        writeln!(f, "mean distance       {:.6e}", self.mean)?;
-        writeln!(f, "RMS distance        {:.6e}", self.rms)?;
+        writeln!(f, "largest distance    {}", length(self.max))?;
+        let by_size = length(self.max_by_size);
+        writeln!(f, "  by size           {by_size} of {}", length(self.size))?;
+        writeln!(f, "mean distance       {}", length(self.mean))?;
+        writeln!(f, "RMS distance        {}", length(self.rms))?;
         let triangles = if self.same_triangles {
             "the same"
         } else {
@@ -364,9 +370,9 @@ impl fmt::Display for MeshComparison {
             let place = |[x, y, z]: [f32; 3]| format!("({x}, {y}, {z})");
             writeln!(
                 f,
-                "  vertex {}: {:.6e} apart, {} in A, {} in B",
+                "  vertex {}: {} apart, {} in A, {} in B",
                 vertex.index,
-                vertex.distance,
+                length(vertex.distance),
                 place(vertex.a),
                 place(vertex.b)
             )?;

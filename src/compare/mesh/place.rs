@@ -1,5 +1,6 @@
 //! Where in a mesh vertices differ: by the parts it is made of, or else by the sides they are on.
 
+use super::finding::length;
 use super::is_apart;
 use crate::math::Aabb;
 use glam::{DVec3, Vec3};
@@ -134,8 +135,9 @@ impl fmt::Display for MeshPlace {
         let Self { place, max, .. } = self;
         write!(
             f,
-            "{place}: {share} of the vertices ({}), at most {max:.6e} apart",
-            self.vertices
+            "{place}: {share} of the vertices ({}), at most {} apart",
+            self.vertices,
+            length(*max)
         )
     }
 }
