@@ -1,10 +1,17 @@
 //! The report as text: a row a submission.
 
+use super::graded::Outcome;
 use super::report::Report;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Names of submissions that a reason has; the others are counted.
+const NAMES: usize = 8;
+/// Letters of a reason.
+const LETTERS: usize = 160;
 
 impl Report {
-    /// Lines for a terminal: a heading, a row for each submission, and mistakes that several of them
-    /// have.
+    /// Lines for a terminal: a heading, a row for each submission, mistakes that several of them have, and
+    /// why files could not be graded.
     pub fn to_lines(&self) -> Vec<String> {
         let heading = ["submission".to_owned(), "points".to_owned()].into_iter();
         let heading = heading.chain(self.sections.iter().map(|section| section.section.clone()));
@@ -49,7 +56,53 @@ impl Report {
                 names.join(", ")
             ));
         }
+        lines.extend(self.reasons());
         lines
+    }
+
+    /// Why files could not be graded, each reason once, with the submissions that it is about.
+    fn reasons(&self) -> impl Iterator<Item = String> {
+        let mut by_reason: BTreeMap<(&str, String), BTreeSet<&str>> = BTreeMap::new();
+        for submission in &self.submissions {
+            for test in &submission.tests {
+                if is_ungraded(test.outcome) {
+                    let reason = (test.outcome.word(), in_one_line(&test.text));
+                    by_reason
+                        .entry(reason)
+                        .or_default()
+                        .insert(&submission.name);
+                }
+            }
+        }
+        let all = self.submissions.len();
+        by_reason.into_iter().map(move |((word, reason), names)| {
+            let told: Vec<&str> = names.iter().copied().take(NAMES).collect();
+            let who = match names.len() {
+                count if count == all && all > 1 => format!("all {all} submissions"),
+                count if count > NAMES => {
+                    format!("{} and {} more", told.join(", "), count - NAMES)
+                }
+                _ => told.join(", "),
+            };
+            format!("{word}: {reason} ({who})")
+        })
+    }
+}
+
+/// Whether there was nothing to diagnose.
+fn is_ungraded(outcome: Outcome) -> bool {
+    match outcome {
+        Outcome::Right | Outcome::Explained | Outcome::Unexplained => false,
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => true,
+    }
+}
+
+/// The beginning of a text whose lines are joined.
+fn in_one_line(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    match line.char_indices().nth(LETTERS) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
     }
 }
 

@@ -3,6 +3,7 @@
 mod class;
 #[cfg(unix)]
 mod commands;
+mod documents;
 mod files;
 mod hostile;
 mod parts;

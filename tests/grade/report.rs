@@ -38,6 +38,8 @@ eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
 kim, lee     34/50   8/8  6/12  20/20  -/10      -/5           euler-zyx
 zoe          0/50    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
 euler-zyx in 2 submissions: eve, kim, lee
+missing: there is no dog-2.obj (zoe)
+unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)</script>\\u{1b}[0m” (zoe)
 ";
     let squeezed = |text: &str| {
         text.lines()

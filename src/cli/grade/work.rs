@@ -192,17 +192,17 @@ impl Work<'_> {
         let written = read(&output, &name);
         // A second signal ends the program, and should find no folder to leave behind.
         drop(scratch);
+        let without = |text: &str| Graded::without(Outcome::Missing, told(text, submission, &name));
         let graded = match ran {
             Ok(()) => match written {
                 Ok(bytes) => test.grade(&bytes),
-                Err(graded) if graded.outcome == Outcome::Missing => Graded::without(
-                    Outcome::Missing,
-                    "the command ended without writing its file",
-                ),
+                Err(graded) if graded.outcome == Outcome::Missing => {
+                    without("the command ended without writing its file")
+                }
                 Err(graded) => graded,
             },
             Err(CommandFailure::Interrupted) => return Ok(Made::Interrupted),
-            Err(CommandFailure::Missing(text)) => Graded::without(Outcome::Missing, text),
+            Err(CommandFailure::Missing(text)) => without(&text),
             Err(CommandFailure::Failed(text)) => Graded::without(Outcome::Failed, text),
         };
         Ok(Made::Graded(graded))
@@ -218,6 +218,15 @@ impl Work<'_> {
 pub(super) fn fingerprint_of_program() -> String {
     let read = std::env::current_exe().and_then(|path| fingerprint_on_disk(&path));
     read.unwrap_or_else(|error| error.kind().to_string())
+}
+
+/// Why a command made no file, with a word on one called `name` that the submission has nevertheless.
+fn told(text: &str, submission: &Submission, name: &str) -> String {
+    if submission.folder.join(name).exists() {
+        format!("{text}; the {name} that is there is not read, since the tests have a command")
+    } else {
+        text.to_owned()
+    }
 }
 
 /// The content of the file at `path`, called `name`, or what there is in its place.
