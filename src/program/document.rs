@@ -106,6 +106,7 @@ impl Program {
             Next::New => {
                 self.end_comparison();
                 self.session.open(Vec::new(), self.view_without_scene());
+                self.ui.suit_navigation(None);
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),

@@ -46,6 +46,7 @@ impl Program {
     ) {
         let first = view.unwrap_or_else(|| self.first_view(&mut shapes, compared));
         self.session.open(shapes, first);
+        self.ui.suit_navigation(view.map(|view| view.look));
         self.fit_due = false;
         if view.is_none() && !compared {
             self.show_whole();

@@ -21,8 +21,8 @@ pub(super) struct Preferences {
     pub theme: ThemePreference,
     /// What deforms characters; whatever suits the driver if `None`.
     pub skinning: Option<Skinning>,
-    /// How mouse and keys move the camera.
-    pub navigation: Navigation,
+    /// How mouse and keys move the camera, if it was chosen.
+    pub navigation: Option<Navigation>,
     /// Whether the shape panel is folded away.
     pub panel_folded: bool,
     /// Width of the shape panel, in points.
@@ -45,7 +45,7 @@ impl Default for Preferences {
             folders: BTreeMap::new(),
             theme: ThemePreference::System,
             skinning: None,
-            navigation: Navigation::default(),
+            navigation: None,
             panel_folded: false,
             panel_width: None,
             look: None,
@@ -124,7 +124,7 @@ impl Program {
         now.theme = self.ui.theme;
         now.panel_folded = self.ui.panel_folded;
         now.panel_width = self.ui.panel_width;
-        now.navigation = self.ui.navigation;
+        now.navigation = self.ui.chosen_navigation;
         now.look = self.ui.look_of_new;
         // One that was asked for on the command line, and left so, is for that time only.
         if self.ui.skinning != self.skinning_at_start {

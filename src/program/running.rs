@@ -166,7 +166,9 @@ impl Program {
         program.ui.look_of_new = program.preferences.look;
         program.ui.panel_folded = program.preferences.panel_folded;
         program.ui.panel_width = program.preferences.panel_width;
-        program.ui.set_navigation(program.preferences.navigation);
+        if let Some(navigation) = program.preferences.navigation {
+            program.ui.set_navigation(navigation);
+        }
         program.ui.skinning = options.skinning.or(program.preferences.skinning);
         program.skinning_at_start = program.ui.skinning;
 

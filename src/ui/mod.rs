@@ -63,7 +63,7 @@ pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Session, View};
-use crate::scene::{FitArea, ShapeId};
+use crate::scene::{FitArea, Look, ShapeId};
 use egui::{Rect, Response, Ui};
 use key_commands::{KeyPress, press, run_waiting, takes_keys};
 use std::path::PathBuf;
@@ -258,6 +258,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
                 &mut actions,
             );
             ctx.request_repaint();
+        }
+        // Once is enough while it can be read.
+        let is_told = |why: &str| session.messages.fresh().iter().any(|told| told.text == why);
+        if session.view().look == Look::Mannequin
+            && let Some(why) = state.navigation.why_nothing(&ctx)
+            && !is_told(why)
+        {
+            actions.push(Action::View(View::Tell(why)));
         }
     }
     state.keys_were_taken = takes_keys(&ctx);

@@ -172,6 +172,21 @@ const LONGEST_FRAME: f32 = 0.1;
 const DOLLY_PER_NOTCH: f32 = 0.1;
 const DOLLY_PER_PIXEL: f32 = 0.005;
 
+/// Keys that only the Virtual Mannequin's navigation has a use for.
+const OF_THE_MANNEQUIN: &[Key] = &[
+    Key::Num1,
+    Key::Num2,
+    Key::Num3,
+    Key::Num4,
+    Key::Num5,
+    Key::Num6,
+    Key::Num7,
+    Key::ArrowUp,
+    Key::ArrowDown,
+];
+const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual Mannequin's keys work in \
+                           View ⏵ Navigation ⏵ Mannequin";
+
 impl Navigation {
     /// All, in the order of the menu.
     pub const ALL: [Self; 4] = [Self::Course, Self::Orbit, Self::Mannequin, Self::Blender];
@@ -188,6 +203,23 @@ impl Navigation {
     /// Whether a key moves the camera while it is held.
     pub(super) fn walks_by(self, key: Key) -> bool {
         self == Self::Mannequin && STEPS.iter().any(|step| step.key == key)
+    }
+
+    /// Why a key of the Virtual Mannequin that was pressed in this frame, and that nothing has used, does
+    /// nothing; `None` if there is none.
+    pub(super) fn why_nothing(self, ctx: &Context) -> Option<&'static str> {
+        let is_one = |event: &Event| match event {
+            Event::Key {
+                key,
+                pressed: true,
+                repeat: false,
+                modifiers,
+                ..
+            } => modifiers.is_none() && OF_THE_MANNEQUIN.contains(key),
+            _ => false,
+        };
+        let is_pressed = || ctx.input(|input| input.events.iter().any(is_one));
+        (self != Self::Mannequin && is_pressed()).then_some(WHY_NOTHING)
     }
 
     /// Whether Esc ends the program where there is nothing else to end. In Blender it never does.

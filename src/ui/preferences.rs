@@ -1,10 +1,10 @@
 //! Edit ▸ Preferences: all that is kept from one run to the next, in one place.
 
+use super::Action;
 use super::commands::{Menu, entries, in_words, is_on, run};
 use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::named;
-use super::{Action, Navigation};
 use crate::editor::Session;
 use crate::scene::Look;
 use egui::{Button, RichText, ScrollArea, Ui};
@@ -95,7 +95,7 @@ impl UiState {
     fn reset_preferences(&mut self) {
         let first = Self::default();
         self.theme = first.theme;
-        self.set_navigation(Navigation::default());
+        self.reset_navigation();
         self.skinning = first.skinning;
         self.look_of_new = first.look_of_new;
         self.panel_folded = first.panel_folded;

@@ -26,6 +26,8 @@ pub struct UiState {
     pub theme: ThemePreference,
     /// How mouse and keys move the camera. Kept by the program, too.
     pub navigation: Navigation,
+    /// The navigation that was chosen; that of the document if `None`.
+    pub chosen_navigation: Option<Navigation>,
     /// What deforms characters; automatic if `None`. Kept by the program, too.
     pub skinning: Option<Skinning>,
     /// What characters are colored by.
@@ -99,6 +101,7 @@ impl Default for UiState {
         Self {
             theme: ThemePreference::System,
             navigation: Navigation::default(),
+            chosen_navigation: None,
             skinning: None,
             colors: MeshColors::default(),
             bind_ghost: false,
@@ -151,9 +154,36 @@ impl UiState {
         Self::default()
     }
 
-    /// Sets the navigation. That of the Virtual Mannequin also chooses the Pose tool, because there
-    /// a left drag turns bones.
+    /// Sets the navigation for all documents.
     pub fn set_navigation(&mut self, navigation: Navigation) {
+        self.chosen_navigation = Some(navigation);
+        self.navigate_by(navigation);
+    }
+
+    /// Leaves the navigation to the documents that are opened.
+    pub fn reset_navigation(&mut self) {
+        self.chosen_navigation = None;
+        self.navigate_by(Navigation::default());
+    }
+
+    /// Takes the navigation of a document that has `look` of its own, unless one was chosen: who opens a
+    /// scene of the Virtual Mannequin has its keys in the fingers.
+    pub fn suit_navigation(&mut self, look: Option<Look>) {
+        let suiting = match look {
+            Some(Look::Mannequin) => Navigation::Mannequin,
+            _ => Navigation::default(),
+        };
+        if self.chosen_navigation.is_none() && suiting != self.navigation {
+            self.navigate_by(suiting);
+            if suiting != Navigation::Mannequin {
+                self.pose.tool = Tool::default();
+            }
+        }
+    }
+
+    /// Takes a navigation. That of the Virtual Mannequin also chooses the Pose tool, because there a left
+    /// drag turns bones.
+    fn navigate_by(&mut self, navigation: Navigation) {
         self.navigation = navigation;
         if navigation == Navigation::Mannequin {
             self.pose.tool = Tool::Pose;

@@ -15,6 +15,7 @@ mod hosts;
 mod keys;
 mod looking;
 mod methods;
+mod navigating;
 mod picturing;
 mod posing;
 mod several;
