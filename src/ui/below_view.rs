@@ -1,20 +1,31 @@
 //! What panels below the view have in common: their place, and columns where there is room for some.
 
-use egui::{Frame, Margin, Panel, ScrollArea, Ui};
+use egui::{Frame, Id, Margin, Panel, ScrollArea, Ui};
 
 /// Width, in points, below which a panel shows its parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
 
-/// A panel below the view, at first of `height`, and never lower than `lowest`, both in points.
+/// Part of the window's height that a panel takes at most, alone and with another one below the view.
+const HIGHEST: f32 = 0.6;
+const HIGHEST_OF_TWO: f32 = 0.24;
+
+/// A panel below the view, at first of `height`, and never lower than `lowest`, both in points. With another
+/// one it is lower, and has a height of its own, so that the view stays of use and each panel has the
+/// height from before when the other one is closed.
 pub(in crate::ui) fn below_the_view(
     root: &mut Ui,
-    id: &'static str,
+    (id, with_another): (&'static str, bool),
     (lowest, height): (f32, f32),
     contents: impl FnOnce(&mut Ui),
 ) {
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = (root.available_height() * 0.6).max(lowest);
-    Panel::bottom(id)
+    let highest = match with_another {
+        true => root.ctx().content_rect().height() * HIGHEST_OF_TWO,
+        false => root.available_height() * HIGHEST,
+    };
+    let highest = highest.max(lowest);
+    let height = height.min(highest);
+    Panel::bottom(Id::new((id, with_another)))
         .frame(frame)
         .resizable(true)
         .default_size(height)

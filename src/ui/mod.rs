@@ -219,7 +219,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
             // One of another mesh says nothing of this one.
             let marked = state.marked_vertex.filter(|(of, _)| *of == compare.mesh);
             let mut marked = marked.map(|(_, vertex)| vertex);
-            compare::mesh_panel(root, session, compare, area, &mut marked, &mut actions);
+            let place = (area, state.explain.is_open());
+            compare::mesh_panel(root, session, compare, place, &mut marked, &mut actions);
             state.marked_vertex = marked.map(|vertex| (compare.mesh, vertex));
         }
         None => state.marked_vertex = None,

@@ -294,6 +294,24 @@ fn while_meshes_are_compared_skinning_is_explained_without_mistakes() {
 }
 
 #[test]
+fn with_skinning_explained_as_well_the_view_keeps_much_of_the_window() {
+    for (size, least) in [((1280, 800), 320.0), ((420, 700), 250.0)] {
+        let mut story = comparing(&off_by_one());
+        story.size = size;
+        story.key(Key::K);
+        assert!(story.has("v' = Σ w · T · B⁻¹ · v") && story.has("Stop comparing with the mesh"));
+        let both = story.view().height();
+        assert!(both >= least, "{size:?}: {both}");
+        // Each has the height from before when it is alone again.
+        story.click("Stop comparing with the mesh");
+        let explained = story.view().height();
+        story.click("Close Explain");
+        let lower = story.view().height() - explained;
+        assert!(lower > 250.0, "{size:?}: {lower}");
+    }
+}
+
+#[test]
 fn a_character_at_rest_is_said_to_need_the_pose_first() {
     let mut story = comparing(&RIGHT);
     diagnose(&mut story);

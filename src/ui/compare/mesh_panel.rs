@@ -34,12 +34,12 @@ const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, 
 const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it (Pose ⏵ Load Pose…) or take it \
                          here. If not, their program turns joints otherwise than the pose says:";
 
-/// The panel. A vertex that is chosen in it is `marked`, and the camera goes there.
+/// The panel, with another one below the view where that `explains`. A vertex that is chosen in it is `marked`, and the camera goes there.
 pub(in crate::ui) fn show(
     root: &mut Ui,
     session: &Session,
     compare: &CompareMeshView,
-    area: FitArea,
+    (area, explains): (FitArea, bool),
     marked: &mut Option<usize>,
     actions: &mut Vec<Action>,
 ) {
@@ -52,7 +52,7 @@ pub(in crate::ui) fn show(
     };
     below_the_view(
         root,
-        "compare with a mesh",
+        ("compare with a mesh", explains),
         (LOWEST, HEIGHT),
         |ui| {
             parts.header(ui);

@@ -27,7 +27,7 @@ pub(in crate::ui) fn show(
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
-    below_the_view(root, "compare", (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, ("compare", false), (LOWEST, HEIGHT), |ui| {
         header(ui, compare, changed, actions);
         scrolled(ui, |ui| {
             if has_room_for_columns(ui) {

@@ -23,7 +23,7 @@ pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainS
     if !state.is_open {
         return;
     }
-    below_the_view(root, "explain", (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, ("explain", state.compares), (LOWEST, HEIGHT), |ui| {
         header(ui, session, state);
         ui.separator();
         state.update(session);
