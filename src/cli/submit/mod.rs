@@ -74,7 +74,8 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     if let Some(output) = &args.output {
         format_of(output)?;
     }
-    // The picture comes first, since nothing need be asked if that is refused.
+    project::check(&args.project)?;
+    // The picture comes next, since nothing need be asked if that is refused.
     let shown = match (&args.scene, &args.picture) {
         (Some(scene), _) => picture::of_scene(scene)?,
         (_, Some(file)) => picture::of_file(file)?,

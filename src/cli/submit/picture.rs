@@ -40,8 +40,8 @@ pub(super) fn of_file(path: &Path) -> Result<Vec<Entry>, CliError> {
     }
     let shown = path.display();
     eprint_line(format_args!(
-        "note: {shown}: see to it that two posed characters are in the picture, which only a \
-         scene is checked for"
+        "note: {shown} is handed in as it is. Check that it shows two posed characters; with --scene \
+         instead of --picture, that is checked for you."
     ));
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     let name = format!("picture.{}", extension.to_lowercase());

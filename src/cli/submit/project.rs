@@ -13,19 +13,27 @@ const NEEDED: [&str; 3] = ["Cargo.toml", "Cargo.lock", "src/main.rs"];
 /// Largest sum of the sizes of all files, in bytes: what most course sites take is less.
 const LARGEST: usize = 512 << 20;
 
-/// All files of `folder`, by their paths in it and in their order, except what `.gitignore` names,
-/// what is made anew or only of use on this machine, and the files `except`.
+/// Refuses a folder that is not the project's.
 ///
 /// # Errors
-/// If it is not the project's folder, a file cannot be read, or they are too large.
+/// If it lacks a file that the project has.
+pub(super) fn check(folder: &Path) -> Result<(), Diagnostic> {
+    let Some(missing) = NEEDED.iter().find(|name| !folder.join(name).is_file()) else {
+        return Ok(());
+    };
+    let message = format!(
+        "expected the folder of the project, found no {missing} in it: go there, or name it \
+         with --project"
+    );
+    Err(Diagnostic::new(folder, message))
+}
+
+/// All files of the project in `folder`, by their paths in it and in their order, except what
+/// `.gitignore` names, what is made anew or only of use on this machine, and the files `except`.
+///
+/// # Errors
+/// If a file cannot be read, or they are too large.
 pub(super) fn files(folder: &Path, except: &[PathBuf]) -> Result<Vec<Entry>, Diagnostic> {
-    if let Some(missing) = NEEDED.iter().find(|name| !folder.join(name).is_file()) {
-        let message = format!(
-            "expected the folder of the project, found no {missing} in it: go there, or name it \
-             with --project"
-        );
-        return Err(Diagnostic::new(folder, message));
-    }
     let walk = WalkBuilder::new(folder)
         .standard_filters(false)
         .git_ignore(true)
