@@ -26,6 +26,7 @@ pub mod program;
 pub mod render;
 pub mod revision;
 pub mod scene;
+pub mod steps;
 pub mod ui;
 #[cfg(target_arch = "wasm32")]
 pub mod web;

@@ -253,15 +253,19 @@ impl Host for WindowHost {
     fn start_job(&mut self, job: Job) {
         let (finish, proxy) = (self.finish.clone(), self.proxy.clone());
         let copy = job.clone();
+        let (done, is_done) = channel();
         let work = move || {
             // A window that is gone needs neither the result nor waking.
             let _ = finish.send(copy.run());
+            let _ = done.send(());
             let _ = proxy.send_event(Wake::JobFinished);
         };
         let thread = std::thread::Builder::new().name("job".to_owned());
         if thread.spawn(work).is_err() {
             // Without a thread to spare the window has to wait for it.
             self.events.push_back(HostEvent::Finished(job.run()));
+        } else {
+            let _ = is_done.recv_timeout(job.patience());
         }
     }
 

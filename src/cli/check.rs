@@ -349,15 +349,15 @@ impl From<DaeReport> for ColladaReport {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::cell::RefCell;
+    use std::sync::Mutex;
 
     /// Files of the disk, with a record of those that were read.
     #[derive(Default)]
-    struct Counted(RefCell<Vec<PathBuf>>);
+    struct Counted(Mutex<Vec<PathBuf>>);
 
     impl Files for Counted {
         fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-            self.0.borrow_mut().push(path.to_owned());
+            self.0.lock().unwrap().push(path.to_owned());
             crate::disk::files().read(path)
         }
 
@@ -372,7 +372,7 @@ mod tests {
         let report = check(&files, Path::new("builtin:rigs/crate")).unwrap();
         assert!(!report.collada.unwrap().in_words().is_empty());
         assert_eq!(report.shapes[0].kind, "Character");
-        let read = files.0.into_inner();
+        let read = files.0.into_inner().unwrap();
         assert_eq!(read.len(), 2, "{read:?}");
     }
 

@@ -1,7 +1,7 @@
 use super::Area;
 use super::pair::{Pair, Pixel, is_drawn};
-use super::steps::{Pace, at_once};
 use crate::geometry::Picture;
+use crate::steps::{Pace, at_once};
 use serde::Serialize;
 
 /// Columns between pictures that stand side by side.

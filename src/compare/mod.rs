@@ -3,7 +3,8 @@
 //!
 //! A is the reference and B what is compared with it. [`Pair::compare`] and [`compare_meshes`] do
 //! everything at once; a [`PictureJob`] does it in two halves, the quick one first, for a view that
-//! must stay live, and each of them in small [`Steps`], for threads that must not be held up.
+//! must stay live, and each of them in small
+//! [`Steps`](crate::steps::Steps), for threads that must not be held up.
 
 mod area;
 mod diagnosis;
@@ -16,7 +17,6 @@ mod picture_comparison;
 mod place;
 mod rules;
 mod ssim;
-mod steps;
 #[cfg(test)]
 mod test_pictures;
 
@@ -34,8 +34,6 @@ pub use picture_comparison::{
     Allowance, Judgment, Measured, PictureComparison, PictureJob, PictureOptions,
 };
 pub use rules::sentence;
-pub use steps::Steps;
-pub(crate) use steps::{Pace, at_once};
 
 /// Why two things cannot be compared at all.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -1,6 +1,6 @@
-use super::steps::{Pace, at_once};
 use super::{Area, CompareError};
 use crate::geometry::Picture;
+use crate::steps::{Pace, at_once};
 use std::borrow::Cow;
 use std::collections::HashMap;
 

@@ -1,7 +1,7 @@
 use super::rules::with_messages;
-use super::steps::{Pace, Steps, at_once};
 use super::{Area, CompareError, Differences, Finding, Pair};
 use crate::geometry::Picture;
+use crate::steps::{Pace, Steps, at_once};
 use serde::Serialize;
 use std::fmt;
 use std::str::FromStr;

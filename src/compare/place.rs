@@ -2,7 +2,7 @@
 
 use super::Area;
 use super::pair::{Pair, is_drawn};
-use super::steps::{Pace, at_once};
+use crate::steps::{Pace, at_once};
 
 /// Drawn pixels in a row or column that may be no more than a line that crosses it, such as an axis.
 const LINE: u32 = 3;

@@ -86,7 +86,7 @@ pub fn sentence(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::steps::at_once;
+    use crate::steps::at_once;
 
     /// A rule that applies to numbers from `least` on.
     const fn rule(name: &'static str, beside: Beside, least: i32) -> Rule<i32> {

@@ -1,6 +1,6 @@
 use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
-use super::steps::{Pace, at_once};
+use crate::steps::{Pace, at_once};
 
 /// Side of the window in pixels.
 const WINDOW: usize = 11;

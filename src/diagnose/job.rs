@@ -1,6 +1,6 @@
 use super::{DiagnoseError, Diagnosis, diagnose_by};
 use crate::character::{Character, Pose};
-use crate::compare::Steps;
+use crate::steps::Steps;
 use glam::Vec3;
 use std::sync::Arc;
 

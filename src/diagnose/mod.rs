@@ -32,9 +32,10 @@ pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};
 
 use crate::character::{Character, Pose};
-use crate::compare::{MeshFinding, MeshOptions, Pace, at_once, compare_meshes, permutation};
+use crate::compare::{MeshFinding, MeshOptions, compare_meshes, permutation};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
+use crate::steps::{Pace, at_once};
 use glam::{DVec3, Vec3};
 use mistakes::IN_ANY_ORDER;
 use model::Model;

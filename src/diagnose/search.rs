@@ -5,7 +5,7 @@ use super::mistakes::{MISTAKES, Mistake, Reading};
 use super::model::Model;
 use super::skin::{Placed, Skinner};
 use crate::character::Pose;
-use crate::compare::Pace;
+use crate::steps::Pace;
 use glam::DVec3;
 
 /// Vertices that are looked at first are this many of those farthest off, …

@@ -1,7 +1,8 @@
 use super::numbers::finite;
-use super::scanner::Scanner;
+use super::scanner::{STRETCH, Scanner};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
+use crate::steps::{Pace, at_once};
 use std::path::Path;
 
 /// How far from 1 the weights of a vertex may sum up before a warning says so.
@@ -23,12 +24,27 @@ pub fn read_attach(
     joints: usize,
     vertices: usize,
 ) -> Result<Imported<Attachments>, Diagnostic> {
+    at_once(|pace| async move { read_attach_by(path, bytes, joints, vertices, &pace).await })
+}
+
+/// As [`read_attach`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_attach`].
+pub(super) async fn read_attach_by(
+    path: &Path,
+    bytes: &[u8],
+    joints: usize,
+    vertices: usize,
+    pace: &Pace,
+) -> Result<Imported<Attachments>, Diagnostic> {
     let mut scanner = Scanner::new(path, bytes)?;
     let columns = joints.saturating_sub(1);
     let mut attachments = Attachments::new();
     let mut oddities = Oddities::default();
     let mut row = Vec::with_capacity(columns);
     let mut end = Position { line: 1, column: 1 };
+    let mut rest_at = STRETCH;
     loop {
         row.clear();
         if columns == 0 {
@@ -45,6 +61,11 @@ pub fn read_attach(
         }
         if !scanner.next_line() {
             break;
+        }
+        if scanner.at() >= rest_at {
+            rest_at = scanner.at() + STRETCH;
+            pace.tell(scanner.part());
+            pace.after(STRETCH).await;
         }
     }
     if columns == 0 {

@@ -3,8 +3,8 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 /// Where importers get bytes from. The program hands in the disk, tests a table in memory; the
-/// importers themselves never touch the file system.
-pub trait Files {
+/// importers themselves never touch the file system. A job may take them to another thread.
+pub trait Files: Send + Sync {
     /// The whole content of `path`.
     ///
     /// # Errors

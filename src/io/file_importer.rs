@@ -2,16 +2,20 @@ use super::{
     Diagnostic, Files, Imported,
     archive::only_scene,
     builtin,
-    dae::{DaeReport, DaeScene, read_dae},
-    file_access, is_character, read_character, read_shape_obj, read_swp,
+    dae::{DaeReport, DaeScene, read_dae_by},
+    file_access,
+    import_character::read_character_by,
+    import_shape::read_shape_obj_by,
+    is_character, read_swp,
     recorder::Recorder,
-    scene::{Missing, read_scene},
+    scene::{Missing, read_scene_by},
 };
 use crate::character::Character;
 use crate::geometry::SharedMesh;
 use crate::scene::{
     CharacterShape, CurveShape, Importer, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
 };
+use crate::steps::{Pace, at_once};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,12 +30,27 @@ pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 /// If it cannot be read, is not well formed, or is of a kind that cannot be imported.
 #[doc(alias = "FileImporter")]
 pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    at_once(|pace| async move { import_any_by(files, path, &pace).await })
+}
+
+/// As [`import_any`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`import_any`].
+pub(super) async fn import_any_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
     match file_access::extension(&file).as_str() {
-        "obj" if is_character(files, &file) => import_character(files, path),
-        "obj" => import_shape(files, path),
+        "obj" if is_character(files, &file) => import_character_by(files, path, pace).await,
+        "obj" => import_shape_by(files, path, pace).await,
         "swp" => import_curve(files, path),
-        "dae" => Ok(import_collada(files, path)?.map(|(shapes, _)| shapes)),
+        "dae" => {
+            let read = import_collada_by(files, path, pace).await?;
+            Ok(read.map(|(shapes, _)| shapes))
+        }
         extension => Err(cannot_open(
             files,
             path,
@@ -42,20 +61,24 @@ pub fn import_any(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShap
     }
 }
 
-/// Imports the file at `path` with `importer`: what a [`Source`] refers to.
+/// Imports the file at `path` with `importer`: what a [`Source`] refers to, at a pace that is told of
+/// bytes.
 ///
 /// # Errors
 /// If it cannot be read, is not well formed, or is of a kind that `importer` does not read.
-pub(super) fn import_with(
+pub(super) async fn import_with(
     files: &dyn Files,
     path: &Path,
     importer: Importer,
+    pace: &Pace,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     match importer {
         // A scene's character may have become a shape since it was saved.
-        Importer::Character if file_access::extension(path) == "dae" => import_any(files, path),
-        Importer::Shape => import_shape(files, path),
-        Importer::Character => import_character(files, path),
+        Importer::Character if file_access::extension(path) == "dae" => {
+            import_any_by(files, path, pace).await
+        }
+        Importer::Shape => import_shape_by(files, path, pace).await,
+        Importer::Character => import_character_by(files, path, pace).await,
         Importer::Curve => import_curve(files, path),
     }
 }
@@ -68,8 +91,16 @@ pub fn import_collada(
     files: &dyn Files,
     path: &Path,
 ) -> Result<Imported<(Vec<NewShape>, DaeReport)>, Diagnostic> {
+    at_once(|pace| async move { import_collada_by(files, path, &pace).await })
+}
+
+async fn import_collada_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<(Vec<NewShape>, DaeReport)>, Diagnostic> {
     let files = Recorder::new(files);
-    let read = read_dae(&files, &to_open(path)?)?;
+    let read = read_dae_by(&files, &to_open(path)?, pace).await?;
     Ok(read.map(|scene| {
         let report = scene.report.clone();
         // What has no skeleton is imported as shapes.
@@ -92,17 +123,29 @@ pub fn import_character(
     files: &dyn Files,
     path: &Path,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    at_once(|pace| async move { import_character_by(files, path, &pace).await })
+}
+
+/// As [`import_character`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`import_character`].
+pub(super) async fn import_character_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
             exists(files, &file)?;
-            let character = read_character(&recorder, &file)?;
+            let character = read_character_by(&recorder, &file, pace).await?;
             let source = source(&recorder, path, Importer::Character);
             Ok(character.map(|character| vec![new_shape(source, posable(character))]))
         }
         "dae" => {
-            let read = read_dae(&recorder, &file)?;
+            let read = read_dae_by(&recorder, &file, pace).await?;
             if read.value.characters.is_empty() {
                 let message = "expected a character, found only shapes: import it as a shape";
                 return Err(Diagnostic::new(path, message));
@@ -126,16 +169,30 @@ pub fn import_character(
 /// # Errors
 /// If it cannot be read or is not well formed.
 pub fn import_shape(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    at_once(|pace| async move { import_shape_by(files, path, &pace).await })
+}
+
+/// As [`import_shape`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`import_shape`].
+pub(super) async fn import_shape_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
     let file = to_open(path)?;
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
-            let mesh = read_shape_obj(&recorder, &file, recorder.read(&file)?)?;
+            let bytes = recorder.read(&file)?;
+            pace.after(bytes.len() / 8).await;
+            let mesh = read_shape_obj_by(&recorder, &file, bytes, pace).await?;
             let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));
             Ok(mesh.map(|mesh| vec![new_shape(source, kind(mesh))]))
         }
-        "dae" => Ok(read_dae(&recorder, &file)?.map(|scene| {
+        "dae" => Ok(read_dae_by(&recorder, &file, pace).await?.map(|scene| {
             let shapes = shapes_of(source(&recorder, path, Importer::Shape), scene);
             let rigid = shapes.into_iter().map(|shape| {
                 let rigid = NewShape::new(shape.name, ShapeKind::Mesh(shape.kind.mesh()));
@@ -190,10 +247,26 @@ impl Loaded {
     /// # Errors
     /// If it cannot be read or is not well formed; then nothing is added.
     pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
+        at_once(|pace| async move { self.add_by(files, path, &pace).await })
+    }
+
+    /// As [`Loaded::add`], at a pace that is told of bytes.
+    ///
+    /// # Errors
+    /// As [`Loaded::add`].
+    pub(super) async fn add_by(
+        &mut self,
+        files: &dyn Files,
+        path: &Path,
+        pace: &Pace,
+    ) -> Result<(), Diagnostic> {
         let file = to_open(path)?;
         match file_access::extension(&file).as_str() {
-            "scene" => self.add_scene(files, &file)?,
-            "zip" => self.add_scene(files, &only_scene(files, &file)?)?,
+            "scene" => self.add_scene(files, &file, pace).await?,
+            "zip" => {
+                let scene = only_scene(files, &file)?;
+                self.add_scene(files, &scene, pace).await?;
+            }
             extension if !IMPORTABLE.contains(&extension) => {
                 let openable = [&["scene", "zip"], IMPORTABLE].concat();
                 return Err(cannot_open(
@@ -204,13 +277,18 @@ impl Loaded {
                     &openable,
                 ));
             }
-            _ => self.add_imported(import_any(files, path)?),
+            _ => self.add_imported(import_any_by(files, path, pace).await?),
         }
         Ok(())
     }
 
-    fn add_scene(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
-        let read = read_scene(files, path, self.missing)?;
+    async fn add_scene(
+        &mut self,
+        files: &dyn Files,
+        path: &Path,
+        pace: &Pace,
+    ) -> Result<(), Diagnostic> {
+        let read = read_scene_by(files, path, self.missing, pace).await?;
         self.warnings.extend(read.warnings);
         self.view = Some(read.value.view);
         self.shapes.extend(read.value.shapes);

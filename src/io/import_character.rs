@@ -1,5 +1,8 @@
-use super::{Diagnostic, Files, Imported, read_attach, read_character_obj, read_skel};
+use super::attach::read_attach_by;
+use super::obj::read_character_obj_by;
+use super::{Diagnostic, Files, Imported, read_skel};
 use crate::character::Character;
+use crate::steps::{Pace, at_once};
 use std::path::{Path, PathBuf};
 
 /// The three files of a character, which differ in their extension only.
@@ -30,6 +33,18 @@ pub fn is_character(files: &dyn Files, path: &Path) -> bool {
 /// If one of the three is missing or wrong, or they do not fit each other.
 #[doc(alias = "ImportCharacter")]
 pub fn read_character(files: &dyn Files, path: &Path) -> Result<Imported<Character>, Diagnostic> {
+    at_once(|pace| async move { read_character_by(files, path, &pace).await })
+}
+
+/// As [`read_character`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_character`].
+pub(super) async fn read_character_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<Character>, Diagnostic> {
     let parts = Parts::beside(path);
     let name = |path: &Path| match path.file_name() {
         Some(name) => name.to_string_lossy().into_owned(),
@@ -56,14 +71,16 @@ pub fn read_character(files: &dyn Files, path: &Path) -> Result<Imported<Charact
     if let Some(missing) = missing {
         return Err(Diagnostic::new(path, missing));
     }
-    let mesh = read_character_obj(path, &files.read(path)?)?;
+    let obj = files.read(path)?;
+    pace.after(obj.len() / 8).await;
+    let mesh = pace
+        .within(0.0..0.5, read_character_obj_by(path, &obj, pace))
+        .await?;
     let skeleton = read_skel(&parts.skel, &files.read(&parts.skel)?)?;
-    let attachments = read_attach(
-        &parts.attach,
-        &files.read(&parts.attach)?,
-        skeleton.value.joints().len(),
-        mesh.value.positions.len(),
-    )?;
+    let attach = files.read(&parts.attach)?;
+    let (joints, vertices) = (skeleton.value.joints().len(), mesh.value.positions.len());
+    let attachments = read_attach_by(&parts.attach, &attach, joints, vertices, pace);
+    let attachments = pace.within(0.5..1.0, attachments).await?;
     let warnings = [mesh.warnings, skeleton.warnings, attachments.warnings].concat();
     let character = Character::new(skeleton.value, attachments.value, mesh.value)
         .map_err(|error| Diagnostic::new(&parts.attach, error.to_string()))?;

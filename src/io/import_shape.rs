@@ -3,9 +3,10 @@ use super::mtl::{self, Libraries};
 use super::numbers::finite;
 use super::obj::{self, FaceReader};
 use super::obj_shape::{Data, Name, Shape, Use};
-use super::scanner::{Scanner, Word};
+use super::scanner::{STRETCH, Scanner, Word};
 use super::{Diagnostic, Files, Imported};
 use crate::geometry::Mesh;
+use crate::steps::{Pace, at_once};
 use glam::Vec2;
 use std::collections::HashMap;
 use std::path::Path;
@@ -24,6 +25,19 @@ pub fn read_shape_obj(
     path: &Path,
     bytes: impl AsRef<[u8]>,
 ) -> Result<Imported<Mesh>, Diagnostic> {
+    at_once(|pace| async move { read_shape_obj_by(files, path, bytes, &pace).await })
+}
+
+/// As [`read_shape_obj`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_shape_obj`].
+pub(super) async fn read_shape_obj_by(
+    files: &dyn Files,
+    path: &Path,
+    bytes: impl AsRef<[u8]>,
+    pace: &Pace,
+) -> Result<Imported<Mesh>, Diagnostic> {
     let mut reader = ShapeReader {
         files,
         folder: path.parent().unwrap_or(Path::new("")),
@@ -37,18 +51,22 @@ pub fn read_shape_obj(
         known: HashMap::new(),
         warnings: Warnings::default(),
     };
-    reader.make_room();
-    loop {
-        reader.line()?;
-        if !reader.scanner.next_line() {
-            break;
-        }
+    pace.begin(0.0..0.1);
+    reader.make_room(pace).await;
+    pace.begin(0.1..0.7);
+    while reader.lines()? {
+        pace.tell(reader.scanner.part());
+        pace.after(STRETCH).await;
     }
     let shape = reader.finish()?;
     // The mesh takes its place in memory.
     drop(bytes);
-    Ok(shape.mesh(files, path))
+    pace.begin(0.7..1.0);
+    Ok(shape.mesh(files, path, pace).await)
 }
+
+/// Bytes whose lines are counted in the time that it takes to read [`STRETCH`] of them.
+const QUICK_STRETCH: usize = 8 * STRETCH;
 
 struct ShapeReader<'a> {
     files: &'a dyn Files,
@@ -68,8 +86,9 @@ struct ShapeReader<'a> {
 impl<'a> ShapeReader<'a> {
     /// Makes room for as much as the file has: lists that grow leave gaps in memory, a quarter of all
     /// that a large file takes.
-    fn make_room(&mut self) {
+    async fn make_room(&mut self, pace: &Pace) {
         let [mut positions, mut texture, mut normals, mut faces] = [0; 4];
+        let mut since = 0;
         for line in self.scanner.text().lines() {
             match line.as_bytes() {
                 [b'v', b' ', ..] => positions += 1,
@@ -78,11 +97,30 @@ impl<'a> ShapeReader<'a> {
                 [b'f', b' ', ..] => faces += 1,
                 _ => {}
             }
+            since += line.len();
+            if since >= QUICK_STRETCH {
+                since = 0;
+                pace.after(STRETCH).await;
+            }
         }
         self.data.positions.reserve_exact(positions);
         self.data.texture.reserve_exact(texture);
         self.data.normals.reserve_exact(normals);
         self.faces.make_room(faces);
+    }
+
+    /// Reads some lines; whether there are more.
+    fn lines(&mut self) -> Result<bool, Diagnostic> {
+        let end = self.scanner.at() + STRETCH;
+        loop {
+            self.line()?;
+            if !self.scanner.next_line() {
+                return Ok(false);
+            }
+            if self.scanner.at() >= end {
+                return Ok(true);
+            }
+        }
     }
 
     fn line(&mut self) -> Result<(), Diagnostic> {
@@ -294,11 +332,11 @@ mod tests {
     }
 
     /// Files in memory, with a record of those that were read.
-    struct Counted(HashMap<PathBuf, Vec<u8>>, std::cell::RefCell<Vec<PathBuf>>);
+    struct Counted(HashMap<PathBuf, Vec<u8>>, std::sync::Mutex<Vec<PathBuf>>);
 
     impl Files for Counted {
         fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-            self.1.borrow_mut().push(path.to_owned());
+            self.1.lock().unwrap().push(path.to_owned());
             self.0.read(path)
         }
 
@@ -315,7 +353,7 @@ mod tests {
         let obj = libraries.concat() + SQUARE + "usemtl red\nf 1 2 3\n";
         let read = read_shape_obj(&files, Path::new("a.obj"), obj.as_bytes()).unwrap();
         assert_eq!(
-            files.1.into_inner(),
+            files.1.into_inner().unwrap(),
             ["a.mtl", "gone.mtl"].map(PathBuf::from)
         );
         assert_eq!(read.value.groups[0].material.color, Vec3::X);

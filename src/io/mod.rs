@@ -27,6 +27,7 @@ mod obj_shape;
 mod pictures;
 mod pose_data;
 mod pose_file;
+mod read_job;
 mod recorder;
 mod rubric_data;
 mod scanner;
@@ -52,6 +53,7 @@ pub use import_shape::read_shape_obj;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
+pub use read_job::{ReadFiles, ReadJob, Wanted};
 pub use rubric_data::{Points, RubricData, SectionData, Share};
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, needed_files, normal, package, read_scene,

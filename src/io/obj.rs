@@ -3,9 +3,10 @@
 use super::diagnostic::Warnings;
 use super::numbers::finite;
 use super::obj_faces::{Corner, Faces};
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{STRETCH, Scanner, Word, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::geometry::{Mesh, Triangulator};
+use crate::steps::{Pace, at_once};
 use glam::Vec3;
 use std::path::Path;
 
@@ -17,28 +18,35 @@ use std::path::Path;
 /// At the first line that is not well formed or names a vertex that does not exist, and if there
 /// are no vertices or no faces.
 pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, Diagnostic> {
+    at_once(|pace| async move { read_character_obj_by(path, bytes, &pace).await })
+}
+
+/// As [`read_character_obj`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_character_obj`].
+pub(super) async fn read_character_obj_by(
+    path: &Path,
+    bytes: &[u8],
+    pace: &Pace,
+) -> Result<Imported<Mesh>, Diagnostic> {
     let mut scanner = Scanner::new(path, bytes)?;
     let mut positions = Vec::new();
     let mut faces = FaceReader::default();
-    loop {
-        match scanner.word().map(|word| word.text) {
-            Some("v") => {
-                positions.push(read_position(&mut scanner)?);
-                faces.counts[0] += 1;
-            }
-            Some("vt") => faces.counts[1] += 1,
-            Some("vn") => faces.counts[2] += 1,
-            Some("f") => faces.read(&mut scanner)?,
-            _ => {}
-        }
-        if !scanner.next_line() {
-            break;
-        }
+    pace.begin(0.0..0.9);
+    while read_lines(&mut scanner, &mut positions, &mut faces)? {
+        pace.tell(scanner.part());
+        pace.after(STRETCH).await;
     }
     let (faces, warnings) = faces.finish(&scanner)?;
     let mut cutter = Triangulator::default();
     let mut triangles = Vec::with_capacity(faces.count());
-    for face in faces.iter() {
+    pace.begin(0.9..1.0);
+    for (index, face) in faces.iter().enumerate() {
+        if index > 0 && index.is_multiple_of(FACES) {
+            pace.tell(index as f32 / faces.count() as f32);
+            pace.after(STRETCH).await;
+        }
         faces.cut(face, &positions, &mut cutter, |corners| {
             triangles.push(corners.map(|corner| corner.position));
         });
@@ -47,6 +55,33 @@ pub fn read_character_obj(path: &Path, bytes: &[u8]) -> Result<Imported<Mesh>, D
         value: Mesh::new(positions, triangles),
         warnings: warnings.into_vec(path),
     })
+}
+
+/// Reads some lines of a character; whether there are more.
+fn read_lines(
+    scanner: &mut Scanner,
+    positions: &mut Vec<Vec3>,
+    faces: &mut FaceReader,
+) -> Result<bool, Diagnostic> {
+    let end = scanner.at() + STRETCH;
+    loop {
+        match scanner.word().map(|word| word.text) {
+            Some("v") => {
+                positions.push(read_position(scanner)?);
+                faces.counts[0] += 1;
+            }
+            Some("vt") => faces.counts[1] += 1,
+            Some("vn") => faces.counts[2] += 1,
+            Some("f") => faces.read(scanner)?,
+            _ => {}
+        }
+        if !scanner.next_line() {
+            return Ok(false);
+        }
+        if scanner.at() >= end {
+            return Ok(true);
+        }
+    }
 }
 
 /// Reads the rest of a `v` line: three coordinates, then either nothing, or a weight that
@@ -75,6 +110,9 @@ pub(super) fn read_vec3(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
         scanner.number("a number for z")?,
     ))
 }
+
+/// Faces that take about as long to be made triangles as [`STRETCH`] bytes to be read.
+pub(super) const FACES: usize = 1 << 11;
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 

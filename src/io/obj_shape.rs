@@ -2,9 +2,12 @@
 
 use super::diagnostic::Warnings;
 use super::mtl::{self, Libraries};
+use super::obj::FACES;
 use super::obj_faces::{Corner, Faces};
+use super::scanner::STRETCH;
 use super::{Diagnostic, Files, Imported, Position};
 use crate::geometry::{self, Material, MaterialGroup, Mesh, MeshBuilder, Triangulator};
+use crate::steps::Pace;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -23,13 +26,16 @@ pub(super) struct Shape {
 
 impl Shape {
     /// The mesh, with the materials of the libraries.
-    pub fn mesh(self, files: &dyn Files, path: &Path) -> Imported<Mesh> {
+    pub async fn mesh(self, files: &dyn Files, path: &Path, pace: &Pace) -> Imported<Mesh> {
         let mut warnings = self.warnings;
         let (materials, material_warnings) =
             mtl::with_pictures(files, path, self.libraries.into_materials());
         let of_names = self.names.iter().map(|name| materials.get(&name.text));
         let of_names: Vec<Option<&Material>> = of_names.collect();
-        let mesh = self.data.mesh(self.faces, &self.uses, &of_names);
+        let mesh = self
+            .data
+            .mesh(self.faces, &self.uses, &of_names, pace)
+            .await;
         // If a library is missing, which has a warning of its own, so may the material be.
         if !self.materials_missing {
             let unknown = self.names.iter().zip(&of_names);
@@ -74,14 +80,25 @@ pub(super) struct Data {
 
 impl Data {
     /// The mesh of `faces`; `materials` are those that `uses` name.
-    fn mesh(mut self, mut faces: Faces, uses: &[Use], materials: &[Option<&Material>]) -> Mesh {
+    async fn mesh(
+        mut self,
+        mut faces: Faces,
+        uses: &[Use],
+        materials: &[Option<&Material>],
+        pace: &Pace,
+    ) -> Mesh {
         faces.keep_used(&mut self.positions);
+        pace.after(STRETCH).await;
         let mut builder = MeshBuilder::over(std::mem::take(&mut self.positions));
         let mut cutter = Triangulator::default();
         let mut uses = uses.iter().peekable();
         let mut group: Option<MaterialGroup> = None;
         let mut triangles = Vec::new();
         for (index, face) in faces.iter().enumerate() {
+            if index > 0 && index.is_multiple_of(FACES) {
+                pace.tell(index as f32 / faces.count() as f32);
+                pace.after(STRETCH).await;
+            }
             let mut latest = None;
             while let Some(next) = uses.next_if(|next| next.faces_before <= index) {
                 latest = Some(materials[next.name]);

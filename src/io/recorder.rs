@@ -1,15 +1,20 @@
 use super::{Diagnostic, Files};
-use std::cell::RefCell;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// Files that keep a record of what is read through them: of each file its path and the CRC-32 of
 /// its bytes.
 pub(super) struct Recorder<'a> {
     files: &'a dyn Files,
+    record: Mutex<Record>,
+}
+
+#[derive(Default)]
+struct Record {
     /// Paths with their CRC-32, in the order in which they were first read.
-    read: RefCell<Vec<(PathBuf, u32)>>,
-    known: RefCell<HashSet<PathBuf>>,
+    read: Vec<(PathBuf, u32)>,
+    known: HashSet<PathBuf>,
 }
 
 impl<'a> Recorder<'a> {
@@ -17,16 +22,19 @@ impl<'a> Recorder<'a> {
     pub fn new(files: &'a dyn Files) -> Self {
         Self {
             files,
-            read: RefCell::default(),
-            known: RefCell::default(),
+            record: Mutex::default(),
         }
+    }
+
+    fn record(&self) -> MutexGuard<'_, Record> {
+        self.record.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Fingerprint of all files that were read so far: a CRC-32 that differs, but for chance, if
     /// one of them does.
     pub fn fingerprint(&self) -> u32 {
         let mut all = crc32fast::Hasher::new();
-        for (_, one) in self.read.borrow().iter() {
+        for (_, one) in &self.record().read {
             all.update(&one.to_le_bytes());
         }
         all.finalize()
@@ -34,17 +42,19 @@ impl<'a> Recorder<'a> {
 
     /// Paths of all files that were read so far, in the order in which they were first read.
     pub fn into_paths(self) -> Vec<PathBuf> {
-        let read = self.read.into_inner();
-        read.into_iter().map(|(path, _)| path).collect()
+        let record = self.record.into_inner();
+        let record = record.unwrap_or_else(PoisonError::into_inner);
+        record.read.into_iter().map(|(path, _)| path).collect()
     }
 }
 
 impl Files for Recorder<'_> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let bytes = self.files.read(path)?;
-        if self.known.borrow_mut().insert(path.to_owned()) {
+        let mut record = self.record();
+        if record.known.insert(path.to_owned()) {
             let one = (path.to_owned(), crc32fast::hash(&bytes));
-            self.read.borrow_mut().push(one);
+            record.read.push(one);
         }
         Ok(bytes)
     }

@@ -23,6 +23,9 @@ pub(super) struct Word<'a> {
     start: usize,
 }
 
+/// Bytes of a text that are read between two opportunities to rest.
+pub(super) const STRETCH: usize = 1 << 15;
+
 /// How much of a wrong word an error repeats, in characters.
 const SHOWN: usize = 40;
 
@@ -45,6 +48,16 @@ impl<'a> Scanner<'a> {
     /// All lines.
     pub fn text(&self) -> &'a str {
         self.text
+    }
+
+    /// The byte of the text that is read next.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Part of the text that was read, from 0 to 1.
+    pub fn part(&self) -> f32 {
+        self.at as f32 / self.text.len().max(1) as f32
     }
 
     /// The next word of this line.

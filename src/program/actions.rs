@@ -102,9 +102,10 @@ impl Program {
                 };
                 self.choose_file(Purpose::SaveScreenshot(shot), &name, host);
             }
-            Ask::CancelPictures => {
+            Ask::CancelWork => {
                 self.cancel_pictures();
                 self.stop_waiting(host);
+                self.cancel_reading(host);
             }
             Ask::ExportMaterials => {
                 let name = format!("{}.obj", self.document_stem());

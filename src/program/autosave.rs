@@ -3,10 +3,11 @@
 use super::awaited::Awaited;
 use super::document_file::DocumentFile;
 use super::questions::Asked;
+use super::reading::Use;
 use super::running::Program;
 use super::{Host, StorageKey};
 use crate::editor::Severity;
-use crate::io::{self, Diagnostic, Files, Loaded, Missing, SceneError};
+use crate::io::{self, Diagnostic, Files, Loaded, Missing, ReadJob, SceneError, Wanted};
 use crate::revision::Revision;
 use crate::scene::{Scene, ViewSettings};
 use std::path::{Path, PathBuf};
@@ -79,13 +80,13 @@ impl Kept {
 }
 
 /// Files with one more.
-pub(super) struct WithText<'a> {
-    pub path: &'a Path,
-    pub text: &'a str,
+pub(super) struct WithText {
+    pub path: PathBuf,
+    pub text: String,
     pub rest: Arc<dyn Files>,
 }
 
-impl Files for WithText<'_> {
+impl Files for WithText {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         if path == self.path {
             Ok(self.text.as_bytes().to_vec())
@@ -239,7 +240,7 @@ impl Program {
 
     /// Says why what an earlier run left cannot be restored, and puts it out of the way of what this
     /// one stores.
-    fn give_up_restoring(&mut self, error: &str, host: &mut dyn Host) {
+    pub(super) fn give_up_restoring(&mut self, error: &str, host: &mut dyn Host) {
         let place = host.put_unsaved_work_aside();
         let place = place.map_or_else(String::new, |path| {
             format!(". They are in {}", path.display())
@@ -253,25 +254,27 @@ impl Program {
         if self.has_to_wait(&Awaited::Restore(Box::new(kept.clone())), host) {
             return;
         }
-        let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE));
+        self.cancel_reading(host);
+        let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE)).to_owned();
         let files = WithText {
-            path,
-            text: &kept.scene,
+            path: path.clone(),
+            text: kept.scene.clone(),
             rest: host.files(),
         };
-        let mut loaded = Loaded {
-            missing: Missing::StandIn,
-            ..Loaded::default()
+        let job = ReadJob {
+            files: Arc::new(files),
+            paths: vec![path],
+            wanted: Wanted::Document(Missing::StandIn),
         };
-        match loaded.add(&files, path) {
-            Ok(()) => {
-                self.session
-                    .open(loaded.shapes, loaded.view.unwrap_or_default());
-                self.document = DocumentFile::restored(kept.path.clone(), kept.digest);
-                self.autosave.stored = Some((self.session.document(), host.now()));
-                self.tell_all(Severity::Warning, loaded.warnings);
-            }
-            Err(error) => self.give_up_restoring(&error.to_string(), host),
-        }
+        self.read(job, Use::Restore(Box::new(kept.clone())), host);
+    }
+
+    /// Shows what an earlier run left, once it has been read.
+    pub(super) fn show_restored(&mut self, kept: &Kept, loaded: Loaded, host: &dyn Host) {
+        self.session
+            .open(loaded.shapes, loaded.view.unwrap_or_default());
+        self.document = DocumentFile::restored(kept.path.clone(), kept.digest);
+        self.autosave.stored = Some((self.session.document(), host.now()));
+        self.tell_all(Severity::Warning, loaded.warnings);
     }
 }

@@ -4,6 +4,7 @@
 use super::Host;
 use super::autosave::Kept;
 use super::document::Next;
+use super::reading::Use;
 use super::running::Program;
 use crate::editor::Severity;
 use crate::io::{Diagnostic, Files, builtin};
@@ -33,7 +34,8 @@ impl Awaited {
             Self::Next(Next::OpenBuiltin(name)) => {
                 builtin::absent(files, Path::new(&format!("{}{name}", builtin::PREFIX)))
             }
-            Self::Next(Next::New | Next::Open | Next::Quit) | Self::StartPicture => Vec::new(),
+            Self::Next(Next::New | Next::Open | Next::Show(_) | Next::Quit)
+            | Self::StartPicture => Vec::new(),
             Self::Paste(text) => builtin::absent_in(files, text),
             Self::Restore(kept) => builtin::absent_in(files, &kept.scene),
         }
@@ -82,10 +84,11 @@ impl Program {
         }
     }
 
-    /// Whether work of an earlier run waits for its files.
+    /// Whether work of an earlier run waits for its files, or is being read.
     pub(super) fn is_restoring(&self) -> bool {
         let restores = |work: &Awaited| matches!(work, Awaited::Restore(_));
-        self.awaited.iter().any(restores)
+        let is_read = self.is_reading(|becomes| matches!(becomes, Use::Restore(_)));
+        is_read || self.awaited.iter().any(restores)
     }
 
     /// Goes on with what waited for files that the host has brought. Says why others could not be had,

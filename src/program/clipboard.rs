@@ -5,10 +5,12 @@ use super::Host;
 use super::autosave::WithText;
 use super::awaited::Awaited;
 use super::files::CLIPBOARD;
+use super::reading::Use;
 use super::running::Program;
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
-use crate::io::{self, Missing};
-use std::path::Path;
+use crate::io::{self, Loaded, Missing, ReadJob, Wanted};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Name under which the text on the clipboard is read as a scene.
 const AS_SCENE: &str = "clipboard.scene";
@@ -73,20 +75,25 @@ impl Program {
         if self.has_to_wait(&Awaited::Paste(text.to_owned()), host) {
             return;
         }
-        let path = Path::new(AS_SCENE);
+        let path = PathBuf::from(AS_SCENE);
         let files = WithText {
-            path,
-            text,
+            path: path.clone(),
+            text: text.to_owned(),
             rest: host.files(),
         };
-        match io::read_scene(&files, path, Missing::StandIn) {
-            Ok(read) => {
-                let mut shapes = read.value.shapes;
-                set_apart(&self.session, &mut shapes);
-                self.edit(Edit::Insert(shapes));
-                self.tell_all(Severity::Warning, read.warnings);
-            }
-            Err(error) => self.tell(Severity::Error, error.to_string()),
-        }
+        let job = ReadJob {
+            files: Arc::new(files),
+            paths: vec![path],
+            wanted: Wanted::Document(Missing::StandIn),
+        };
+        self.read(job, Use::Paste, host);
+    }
+
+    /// Adds shapes that were on the clipboard.
+    pub(super) fn insert_pasted(&mut self, loaded: Loaded) {
+        let mut shapes = loaded.shapes;
+        set_apart(&self.session, &mut shapes);
+        self.edit(Edit::Insert(shapes));
+        self.tell_all(Severity::Warning, loaded.warnings);
     }
 }

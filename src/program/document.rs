@@ -3,10 +3,11 @@
 use super::awaited::Awaited;
 use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
 use super::questions::Asked;
+use super::reading::{Opened, Use};
 use super::running::Program;
 use super::{FileRequest, Host, Previous, Purpose, Suggested};
 use crate::editor::{Edit, Severity};
-use crate::io::{self, Diagnostic, Files, Loaded, Missing};
+use crate::io::{self, Diagnostic, Files, Missing, ReadJob, Wanted};
 use crate::scene::{ShapeId, Source, ViewSettings};
 use crate::ui::Answer;
 use std::path::{Path, PathBuf};
@@ -28,6 +29,8 @@ pub(super) enum Next {
     OpenBuiltin(&'static str),
     /// Open the document's own file again, as it is now.
     Revert(PathBuf, Arc<dyn Files>),
+    /// Show a document that was read.
+    Show(Box<Opened>),
     Quit,
 }
 
@@ -104,19 +107,21 @@ impl Program {
         }
         match next {
             Next::New => {
+                self.cancel_reading(host);
                 self.end_comparison();
                 self.session.open(Vec::new(), self.view_without_scene());
                 self.ui.suit_navigation(None);
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
-            Next::OpenFile(path, files) => self.open(&path, &*files, Missing::StandIn),
+            Next::OpenFile(path, files) => self.open(path, files, Missing::StandIn, host),
             // What is in memory must not become a box because a file is gone.
-            Next::Revert(path, files) => self.open(&path, &*files, Missing::Refuse),
+            Next::Revert(path, files) => self.open(path, files, Missing::Refuse, host),
             Next::OpenBuiltin(name) => {
                 let path = PathBuf::from(format!("builtin:{name}"));
-                self.open(&path, &*host.files(), Missing::Refuse);
+                self.open(path, host.files(), Missing::Refuse, host);
             }
+            Next::Show(opened) => self.show_document(*opened),
             Next::Quit if self.has_pictures_under_way() => {
                 // What is done meanwhile is asked about then; what is not wanted now is not.
                 self.document.discarded = Some(self.session.document());
@@ -125,6 +130,7 @@ impl Program {
                 self.tell(Severity::Info, text);
             }
             Next::Quit => {
+                self.drop_reading();
                 // What is not saved by now is not wanted.
                 self.document.saved = self.session.document();
                 self.forget_autosave(host);
@@ -134,26 +140,45 @@ impl Program {
         }
     }
 
-    /// Opens the scene or the model at `path` in the place of the document; one that cannot be read
-    /// leaves it untouched.
-    fn open(&mut self, path: &Path, files: &dyn Files, missing: Missing) {
-        let mut loaded = Loaded {
-            missing,
-            ..Loaded::default()
+    /// Opens the scene or the model at `path` in the place of the document, once it has been read; one
+    /// that cannot be leaves it untouched. What is read for the document before is not wanted any more.
+    fn open(
+        &mut self,
+        path: PathBuf,
+        files: Arc<dyn Files>,
+        missing: Missing,
+        host: &mut dyn Host,
+    ) {
+        self.cancel_reading(host);
+        // What is done meanwhile is asked about then; what is not wanted now is not.
+        self.document.discarded = Some(self.session.document());
+        let job = ReadJob {
+            files,
+            paths: vec![path],
+            wanted: Wanted::Document(missing),
         };
-        match loaded.add(files, path) {
-            Ok(()) => {
-                let compared = self.comparison.is_some();
-                self.show_opened(loaded.shapes, loaded.view, compared);
-                self.document = self.file_of(path, files);
-                self.remember_recent(path);
-                self.tell_all(Severity::Warning, loaded.warnings);
-            }
-            Err(error) => {
-                self.preferences.recent.retain(|recent| recent != path);
-                self.tell(Severity::Error, error.to_string());
-            }
-        }
+        self.read(job, Use::Open, host);
+    }
+
+    /// Shows a document that was read.
+    fn show_document(&mut self, opened: Opened) {
+        let Opened {
+            path,
+            files,
+            loaded,
+        } = opened;
+        let compared = self.comparison.is_some();
+        self.show_opened(loaded.shapes, loaded.view, compared);
+        self.document = self.file_of(&path, &*files);
+        self.remember_recent(&path);
+        self.tell_all(Severity::Warning, loaded.warnings);
+    }
+
+    /// Says why the file at `path` is not opened.
+    pub(super) fn tell_not_opened(&mut self, path: &Path, error: &Diagnostic) {
+        self.document.discarded = None;
+        self.preferences.recent.retain(|recent| recent != path);
+        self.tell(Severity::Error, error.to_string());
     }
 
     /// What is known of the file at `path`, from which the document has just been opened. Only

@@ -4,14 +4,15 @@ use super::awaited::Awaited;
 use super::comparison::Comparison;
 use super::document::{Next, is_scene};
 use super::document_file::DocumentFile;
+use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous, Purpose};
 use crate::character::Pose;
-use crate::editor::{Edit, Severity};
+use crate::editor::{Edit, Severity, View};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
-use crate::io::{self, Diagnostic, Files, Imported, Loaded, Missing, PoseData, PoseFile};
-use crate::scene::{NewShape, ShapeId};
+use crate::io::{self, Diagnostic, Files, Loaded, Missing, PoseData, PoseFile, ReadJob, Wanted};
+use crate::scene::ShapeId;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -23,26 +24,53 @@ impl Program {
     /// opened becomes a message; the others are there.
     pub(super) fn open_at_start(&mut self, paths: &[PathBuf], host: &mut dyn Host) {
         let files = host.files();
-        let mut loaded = Loaded {
-            missing: Missing::StandIn,
-            ..Loaded::default()
-        };
-        let mut failed = Vec::new();
-        let (pictures, paths): (Vec<_>, Vec<_>) = paths.iter().partition(|path| is_picture(path));
-        for path in &paths {
-            if let Err(error) = loaded.add(&*files, path) {
-                failed.push(error);
-            }
+        let (pictures, paths): (Vec<PathBuf>, Vec<_>) =
+            paths.iter().cloned().partition(|path| is_picture(path));
+        let picture = pictures.into_iter().next_back();
+        if paths.is_empty() {
+            let nothing = Loaded::default();
+            return self.begin_with(nothing, &paths, &*files, Vec::new(), picture.as_deref());
         }
-        self.show_opened(loaded.shapes, loaded.view, !pictures.is_empty());
-        self.document = match *paths {
-            [path] if failed.is_empty() => self.file_of(path, &*files),
-            _ => DocumentFile::untitled(self.session.document()),
+        let wanted = Wanted::Document(Missing::StandIn);
+        let job = ReadJob {
+            files,
+            paths,
+            wanted,
         };
-        self.tell_all(Severity::Warning, loaded.warnings);
+        self.read(job, Use::Start(picture), host);
+    }
+
+    /// Shows what the program was started with: what was `loaded` from `paths`, compared with a
+    /// picture if there is one. What could not be opened becomes a message. Whoever has begun
+    /// something else meanwhile has the shapes added to that.
+    pub(super) fn begin_with(
+        &mut self,
+        mut loaded: Loaded,
+        paths: &[PathBuf],
+        files: &dyn Files,
+        failed: Vec<Diagnostic>,
+        picture: Option<&Path>,
+    ) {
+        if self.is_modified() {
+            self.insert(loaded);
+        } else {
+            self.show_opened(
+                std::mem::take(&mut loaded.shapes),
+                loaded.view,
+                picture.is_some(),
+            );
+            self.document = match paths {
+                [path] if failed.is_empty() => self.file_of(path, files),
+                _ => DocumentFile::untitled(self.session.document()),
+            };
+            self.tell_all(Severity::Warning, loaded.warnings);
+        }
         self.tell_all(Severity::Error, failed);
-        if let Some(picture) = pictures.last() {
-            self.compare_with(picture, &*files);
+        if let Some(picture) = picture {
+            self.compare_with(picture, files);
+        }
+        if self.is_viewer {
+            self.session.look(View::Select(None));
         }
     }
 
@@ -80,9 +108,9 @@ impl Program {
             Purpose::SaveScene => self.save_to(path, host),
             Purpose::SaveWithFiles => self.save_with_files(&path, host),
             Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
-            Purpose::ImportShape => self.insert(io::import_shape(reader, &path)),
-            Purpose::ImportCurve => self.insert(io::import_curve(reader, &path)),
-            Purpose::ImportCharacter => self.insert(io::import_character(reader, &path)),
+            Purpose::ImportShape => self.import(path, files, Wanted::Shape, host),
+            Purpose::ImportCurve => self.import(path, files, Wanted::Curve, host),
+            Purpose::ImportCharacter => self.import(path, files, Wanted::Character, host),
             Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
             Purpose::Compare => self.compare_with(&path, reader),
             Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),
@@ -113,27 +141,39 @@ impl Program {
     pub(super) fn import_any(&mut self, path: &Path, files: &Arc<dyn Files>, host: &mut dyn Host) {
         let work = Awaited::Import(path.to_owned(), Arc::clone(files));
         if !self.has_to_wait(&work, host) {
-            self.insert(io::import_any(&**files, path));
+            self.import(path.to_owned(), Arc::clone(files), Wanted::Any, host);
         }
     }
 
-    fn insert(&mut self, imported: Result<Imported<Vec<NewShape>>, Diagnostic>) {
-        match imported {
-            Ok(imported) => {
-                let mut shapes = imported.value;
-                let first = self.view_of_import(&mut shapes);
-                match self.session.edit(Edit::Insert(shapes)) {
-                    Ok(change) => self.show_import(&change.added, first),
-                    Err(refused) => self.tell(Severity::Error, refused.to_string()),
-                }
-                self.tell_all(Severity::Warning, imported.warnings);
-            }
-            Err(error) => self.tell(Severity::Error, error.to_string()),
+    fn import(
+        &mut self,
+        path: PathBuf,
+        files: Arc<dyn Files>,
+        wanted: Wanted,
+        host: &mut dyn Host,
+    ) {
+        let paths = vec![path];
+        let job = ReadJob {
+            files,
+            paths,
+            wanted,
+        };
+        self.read(job, Use::Import, host);
+    }
+
+    /// Adds the shapes that were `loaded` to the document.
+    pub(super) fn insert(&mut self, loaded: Loaded) {
+        let mut shapes = loaded.shapes;
+        let first = self.view_of_import(&mut shapes);
+        match self.session.edit(Edit::Insert(shapes)) {
+            Ok(change) => self.show_import(&change.added, first),
+            Err(refused) => self.tell(Severity::Error, refused.to_string()),
         }
+        self.tell_all(Severity::Warning, loaded.warnings);
     }
 
     /// Compares the view with the picture at `path` from now on, with what was chosen before.
-    fn compare_with(&mut self, path: &Path, files: &dyn Files) {
+    pub(super) fn compare_with(&mut self, path: &Path, files: &dyn Files) {
         match self.reference_picture(path, files) {
             Ok((name, picture)) => self.begin_comparison(name, picture),
             Err(error) => self.tell(Severity::Error, error.to_string()),

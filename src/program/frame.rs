@@ -147,7 +147,7 @@ impl Program {
         let has_start_picture = self.draw_start_picture(graphics, host);
         self.keep_preferences(host);
         self.show_title(host);
-        let wait = self.autosave(host);
+        let wait = self.autosave(host).min(self.reading_wait(host.now()));
         self.watch_files(host);
         let pictures_due = !self.pending_pictures.is_empty() && !host.is_dialog_open();
         if answered || pictures_due || more_pictures || has_start_picture {

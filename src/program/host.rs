@@ -95,7 +95,8 @@ pub trait Host {
         None
     }
 
-    /// Runs `job` beside the program. Always answered by [`HostEvent::Finished`].
+    /// Runs `job` beside the program, once it has taken longer than its [`Job::patience`]. Always
+    /// answered by [`HostEvent::Finished`].
     fn start_job(&mut self, job: Job);
 
     /// Names the window.

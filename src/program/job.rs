@@ -1,11 +1,14 @@
-use crate::compare::{CompareError, Judgment, Measured, PictureJob, Steps};
+use crate::compare::{CompareError, Judgment, Measured, PictureJob};
 use crate::diagnose::{DiagnoseError, Diagnosis, MeshJob};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
+use crate::io::{ReadFiles, ReadJob};
 use crate::revision::Revision;
+use crate::steps::Steps;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::Duration;
 
 /// Work that a host does beside the program: on a thread, or step by step between its frames.
 #[derive(Clone, Debug)]
@@ -43,6 +46,14 @@ pub(super) enum Work {
         of: Revision,
         mesh: MeshJob,
     },
+    /// Reads files.
+    Read {
+        /// Request that this answers.
+        of: Revision,
+        job: ReadJob,
+        /// Time for which the program would rather wait.
+        patience: Duration,
+    },
     /// Makes a picture the content of the file at `path`.
     Encode {
         path: PathBuf,
@@ -79,6 +90,10 @@ pub struct JobResult(pub(super) Finished);
 pub(super) enum Finished {
     Compared(Compared),
     Diagnosed(Box<MeshDiagnosed>),
+    Read {
+        of: Revision,
+        read: ReadFiles,
+    },
     Encoded {
         path: PathBuf,
         bytes: Result<Vec<u8>, String>,
@@ -119,6 +134,15 @@ impl Job {
     /// The program's end of it.
     pub(super) fn handle(&self) -> JobHandle {
         JobHandle(Arc::clone(&self.told))
+    }
+
+    /// Time for which a host may keep everything else waiting for it: what is done by then is there in
+    /// the frame that asked for it.
+    pub fn patience(&self) -> Duration {
+        match self.work {
+            Work::Read { patience, .. } => patience,
+            Work::Compare(_) | Work::Diagnose { .. } | Work::Encode { .. } => Duration::ZERO,
+        }
     }
 
     /// Begins the work, of which nothing is done yet.
@@ -174,6 +198,9 @@ impl Work {
             Self::Diagnose { of, mesh } => mesh.diagnose().map(move |outcome| {
                 JobResult(Finished::Diagnosed(Box::new(MeshDiagnosed { of, outcome })))
             }),
+            Self::Read { of, job, .. } => job
+                .read()
+                .map(move |read| JobResult(Finished::Read { of, read })),
             Self::Encode {
                 path,
                 picture,

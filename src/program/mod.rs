@@ -29,6 +29,7 @@ mod picture_work;
 mod preferences;
 mod purpose;
 mod questions;
+mod reading;
 mod running;
 mod scene_link;
 mod sources;

@@ -11,9 +11,10 @@ use super::mesh_marks::MeshMarks;
 use super::picture_work::PictureWork;
 use super::preferences::Preferences;
 use super::questions::Asked;
+use super::reading::Readings;
 use super::start_pictures::StartPictures;
 use super::{Host, HostEvent, NotStored, globals};
-use crate::editor::{Session, Severity, View};
+use crate::editor::{Session, Severity};
 use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
 use crate::revision::Revision;
@@ -83,7 +84,7 @@ pub struct Program {
     pub(super) document: DocumentFile,
     pub(super) autosave: Autosave,
     /// Whether there is only the scene, without panels.
-    is_viewer: bool,
+    pub(super) is_viewer: bool,
     /// Width and height of the window, in points.
     pub(super) window_size: Option<(f32, f32)>,
     /// Document and file whose files are watched.
@@ -98,6 +99,8 @@ pub struct Program {
     pub(super) asked: Option<Asked>,
     /// What waits for files that the host brings.
     pub(super) awaited: Vec<Awaited>,
+    /// Files that are read beside the program.
+    pub(super) readings: Readings,
     builtin_characters: Vec<&'static str>,
     builtin_curves: Vec<&'static str>,
     builtin_poses: Vec<&'static str>,
@@ -145,6 +148,7 @@ impl Program {
             exporting: None,
             asked: None,
             awaited: Vec::new(),
+            readings: Readings::default(),
             builtin_characters: builtins(BuiltinKind::Character),
             builtin_curves: builtins(BuiltinKind::Curve),
             builtin_poses: builtins(BuiltinKind::Pose),
@@ -179,9 +183,7 @@ impl Program {
             program.ui.become_viewer();
         }
         program.open_at_start(&options.files_at_start(host), host);
-        if options.is_viewer {
-            program.session.look(View::Select(None));
-        }
+        program.take_events(host);
         program.preferences.started_before = true;
         program.keep_preferences(host);
         program.offer_restoring(host);
@@ -239,7 +241,7 @@ impl Program {
         self.update_mesh_comparison(host.now());
         let compare_mesh = self.mesh_comparison.as_ref().map(MeshComparison::view);
         let compare = self.comparison.as_ref().and_then(Comparison::view);
-        let is_busy = compare.is_some() || self.asked.is_some();
+        let is_busy = compare.is_some() || self.asked.is_some() || self.is_starting();
         let is_start_page = ui::has_start_page(&self.session, is_busy);
         let drawn_with = (self.backdrop, self.ui.look_of_new);
         self.start_pictures
@@ -249,6 +251,7 @@ impl Program {
         let title = self.title();
         let progress = self
             .picture_progress()
+            .or_else(|| self.reading_progress(host.now()))
             .or_else(|| self.awaited_progress(host));
         let input = ui::ViewInput {
             title: &title,
@@ -256,6 +259,7 @@ impl Program {
             is_viewer: self.is_viewer,
             recent: &self.preferences.recent,
             question: question.as_ref(),
+            is_starting: self.is_starting(),
             builtin_characters: &self.builtin_characters,
             builtin_curves: &self.builtin_curves,
             builtin_poses: &self.builtin_poses,
@@ -306,6 +310,17 @@ impl Program {
     /// Takes in the events of the host; whether there were any.
     pub(super) fn take_events(&mut self, host: &mut dyn Host) -> bool {
         let mut any = false;
+        loop {
+            any |= self.take_waiting_events(host);
+            if !self.use_read(host) {
+                return any;
+            }
+            any = true;
+        }
+    }
+
+    fn take_waiting_events(&mut self, host: &mut dyn Host) -> bool {
+        let mut any = false;
         while let Some(event) = host.next_event() {
             any = true;
             match event {
@@ -349,6 +364,7 @@ impl Program {
                             comparison.take_result(*result);
                         }
                     }
+                    Finished::Read { of, read } => self.take_read(of, read),
                     Finished::Encoded { path, bytes } => self.take_encoded(&path, bytes, host),
                     Finished::GivenUp => {}
                 },

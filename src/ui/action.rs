@@ -85,8 +85,8 @@ pub enum Ask {
     ExportCharacter(ShapeId),
     /// Choose a file, and save a picture of the view to it.
     Screenshot(Screenshot),
-    /// Give up the pictures that are being drawn.
-    CancelPictures,
+    /// Give up the work whose progress is shown: pictures, files that are fetched or read.
+    CancelWork,
     /// Copy the selected shapes to the clipboard, and delete them.
     CutShapes,
     /// Copy the selected shapes to the clipboard.

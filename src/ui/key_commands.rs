@@ -109,7 +109,8 @@ pub(super) struct KeyPress {
     pub at: f64,
 }
 
-/// Runs the command of a key. Esc closes the window opened last, or else ends a comparison with a picture,
+/// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
+/// is shown, ends a comparison with a picture,
 /// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
 /// joint, deselects the shape, or ends the program. While the screenshot dialog is open, no other key
 /// works.
@@ -124,6 +125,11 @@ pub(super) fn press(
 ) {
     let is_esc = pressed.key == egui::Key::Escape;
     if is_esc && state.windows.close_last() {
+        return;
+    }
+    if is_esc && input.progress.is_some() {
+        state.busy_at = pressed.at;
+        actions.push(Action::Ask(Ask::CancelWork));
         return;
     }
     if (is_esc || command == Command::Compare) && input.compare.is_some() {

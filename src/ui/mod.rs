@@ -82,6 +82,8 @@ pub struct ViewInput<'a> {
     pub recent: &'a [PathBuf],
     /// Question that has to be answered before anything else.
     pub question: Option<&'a Question>,
+    /// Whether the first document is still being read.
+    pub is_starting: bool,
     /// Names for Insert ▸ Built-in Character; if empty, there is no such menu.
     pub builtin_characters: &'a [&'static str],
     /// Names for Insert ▸ Built-in Curve; if empty, there is no such menu.

@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, (text, part): (&str, f32), actions: 
             ui.add(Label::new(text).truncate());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 if ui.add(Button::new("Cancel").small()).clicked() {
-                    actions.push(Action::Ask(Ask::CancelPictures));
+                    actions.push(Action::Ask(Ask::CancelWork));
                 }
                 let bar = ui.add(ProgressBar::new(part).show_percentage());
                 bar.widget_info(|| WidgetInfo::labeled(WidgetType::ProgressIndicator, true, text));

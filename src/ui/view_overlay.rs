@@ -83,7 +83,7 @@ pub(super) fn show(
     if input.compare.is_none() {
         axis_ball::show(&mut over, rect, &session.view().camera, actions);
     }
-    let is_busy = input.compare.is_some() || input.question.is_some();
+    let is_busy = input.compare.is_some() || input.question.is_some() || input.is_starting;
     if start_page::has_start_page(session, is_busy) {
         // It takes the place of the switch, which has nothing to show here.
         start_page::show(&mut over, rect, input, actions);

@@ -89,7 +89,9 @@ impl eframe::App for Application {
         self.context.gl().bind_window();
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
-        if !std::mem::replace(&mut self.is_shown, true) {
+        let is_first = !program.is_starting() && !self.is_shown;
+        self.is_shown |= is_first;
+        if is_first {
             let context = context.clone();
             browser::after(Duration::ZERO, move || {
                 browser::tell_shown();

@@ -8,7 +8,8 @@ use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
 use crate::io::{Diagnostic, Files, WithArchives, to_zip};
 use crate::program::{
-    FileRequest, Host, HostEvent, Job, NotStored, Previous, RunningJob, StorageKey, Suggested,
+    FileRequest, Host, HostEvent, Job, JobResult, NotStored, Previous, RunningJob, StorageKey,
+    Suggested,
 };
 use egui::Context;
 use std::cell::RefCell;
@@ -301,7 +302,12 @@ impl Host for PageHost {
 
     fn start_job(&mut self, job: Job) {
         browser::begin_measure(JOB);
-        go_on(job.begin(), self.events.clone());
+        let patience = job.patience();
+        let mut job = job.begin();
+        match slice(&mut job, patience) {
+            Some(result) => self.events.push(HostEvent::Finished(result)),
+            None => go_on(job, self.events.clone()),
+        }
     }
 
     fn set_title(&mut self, title: &str) {
@@ -323,16 +329,22 @@ impl Host for PageHost {
 
 /// Does `job` a slice of time after the other, between which the browser gets its turn.
 fn go_on(mut job: RunningJob, events: Events) {
-    browser::after(Duration::ZERO, move || {
-        let begun = browser::now();
-        while browser::now().saturating_sub(begun) < SLICE {
-            if let Some(result) = job.step() {
-                browser::end_measure(JOB);
-                return events.push(HostEvent::Finished(result));
-            }
-        }
-        go_on(job, events);
+    browser::after(Duration::ZERO, move || match slice(&mut job, SLICE) {
+        Some(result) => events.push(HostEvent::Finished(result)),
+        None => go_on(job, events),
     });
+}
+
+/// Goes on with `job` for that long, unless it is done before: then its result.
+fn slice(job: &mut RunningJob, length: Duration) -> Option<JobResult> {
+    let begun = browser::now();
+    while browser::now().saturating_sub(begun) < length {
+        if let Some(result) = job.step() {
+            browser::end_measure(JOB);
+            return Some(result);
+        }
+    }
+    None
 }
 
 fn download(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {

@@ -2,8 +2,9 @@
 
 use crate::compare::painter::{HEIGHT, SCENE, Scene, WIDTH};
 use crate::work::work;
-use editor_core::compare::{PictureJob, Steps};
+use editor_core::compare::PictureJob;
 use editor_core::geometry::Picture;
+use editor_core::steps::Steps;
 use std::sync::Arc;
 use std::time::Duration;
 

@@ -106,11 +106,11 @@ fn every_line_of_a_scene_of_version_2_is_read_and_written_again() {
 #[test]
 fn a_file_is_read_once_however_many_shapes_name_it() {
     use editor_core::io::{Diagnostic, Files};
-    use std::cell::RefCell;
-    struct Counted(Table, RefCell<Vec<PathBuf>>);
+    use std::sync::Mutex;
+    struct Counted(Table, Mutex<Vec<PathBuf>>);
     impl Files for Counted {
         fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-            self.1.borrow_mut().push(path.to_owned());
+            self.1.lock().unwrap().push(path.to_owned());
             self.0.read(path)
         }
 
@@ -124,7 +124,7 @@ fn a_file_is_read_once_however_many_shapes_name_it() {
         r#"{{"format": "editor-scene", "version": 2, "shapes": [{shape}, {shape}, {shape}]}}"#
     );
     files.0.insert(PathBuf::from(SCENE), text.into_bytes());
-    let files = Counted(files, RefCell::default());
+    let files = Counted(files, Mutex::default());
     let (scene, ..) = read(&files, SCENE, Missing::Refuse).unwrap();
     assert_eq!(scene.shapes().len(), 3);
     assert!(
@@ -133,6 +133,6 @@ fn a_file_is_read_once_however_many_shapes_name_it() {
             .iter()
             .all(|shape| shape.kind.label() == "Shape")
     );
-    let read = files.1.into_inner();
+    let read = files.1.into_inner().unwrap();
     assert_eq!(read, [SCENE, "/home/ada/rigs/pair.dae"].map(PathBuf::from));
 }

@@ -13,6 +13,7 @@ mod files;
 mod first_views;
 mod hosts;
 mod keys;
+mod long_imports;
 mod looking;
 mod methods;
 mod navigating;

@@ -3,7 +3,7 @@ use super::{Finding, Which};
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::{Pixel, is_drawn};
-use crate::compare::steps::Pace;
+use crate::steps::Pace;
 
 /// Factors nearer to one than this are not worth mentioning.
 const LEAST_CHANGE: f64 = 0.03;
@@ -271,8 +271,8 @@ fn encode(linear: u8) -> u8 {
 mod tests {
     use super::*;
     use crate::compare::diagnosis::evidence::{drawn_in_both, drawn_in_either};
-    use crate::compare::steps::at_once;
     use crate::compare::test_pictures::{filled, noise};
+    use crate::steps::at_once;
 
     #[test]
     fn an_early_end_and_sums_of_blocks_change_no_answer() {

@@ -3,7 +3,7 @@ use super::evidence::{Evidence, FEWEST_PIXELS, OTHER_COLOR, ROUNDING, count, dra
 use crate::compare::Pair;
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
-use crate::compare::steps::Pace;
+use crate::steps::Pace;
 
 /// Pixels that differ by more than rounding are no more than one in this many of the drawn.
 const OTHERS_ONE_IN: u64 = 200;
@@ -204,8 +204,8 @@ async fn blocks(pair: &Pair<'_>, pace: &Pace) -> Vec<Block> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::compare::steps::at_once;
     use crate::compare::test_pictures::noise;
+    use crate::steps::at_once;
 
     #[test]
     fn a_pixel_fits_among_those_around_it_as_each_alone_says() {

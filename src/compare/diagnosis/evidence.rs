@@ -1,7 +1,7 @@
 use crate::compare::Area;
 use crate::compare::differences::difference;
 use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
-use crate::compare::steps::Pace;
+use crate::steps::Pace;
 use std::cell::OnceCell;
 use std::ops::Range;
 

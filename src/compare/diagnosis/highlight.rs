@@ -3,7 +3,7 @@ use super::{Finding, HighlightChange, Which};
 use crate::compare::differences::difference;
 use crate::compare::pair::Pixel;
 use crate::compare::ssim::luma;
-use crate::compare::steps::Pace;
+use crate::steps::Pace;
 
 /// A highlight covers no more than one in this many drawn pixels.
 const ONE_IN: u64 = 3;

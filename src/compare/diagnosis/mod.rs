@@ -16,7 +16,7 @@ pub use finding::{Finding, HighlightChange, Which};
 use super::Pair;
 use super::rules::Beside::{self, Nothing, Only};
 use super::rules::{Rule, found_by, without_names};
-use super::steps::{Pace, at_once};
+use crate::steps::{Pace, at_once};
 use evidence::Evidence;
 use std::future::ready;
 use std::pin::Pin;

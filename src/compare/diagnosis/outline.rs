@@ -298,8 +298,8 @@ mod tests {
     use super::*;
     use crate::compare::diagnosis::evidence::OTHER_COLOR;
     use crate::compare::differences::difference;
-    use crate::compare::steps::{Pace, at_once};
     use crate::compare::test_pictures::noise;
+    use crate::steps::{Pace, at_once};
 
     /// The same pixel by pixel, without an early end.
     fn pixel_by_pixel(

@@ -2,8 +2,8 @@
 
 use super::Finding;
 use super::evidence::{Evidence, FEWEST_PIXELS, count};
-use crate::compare::steps::Pace;
 use crate::compare::{Area, Pair};
+use crate::steps::Pace;
 use glam::DVec2;
 
 /// Outlines agree if no more than this share of what is drawn does not.

@@ -8,7 +8,7 @@ mod color;
 
 use super::filters::{Plane, Tile, gaussian, normalized};
 use super::pair::{Pair, Pixel};
-use super::steps::{Pace, at_once};
+use crate::steps::{Pace, at_once};
 use color::{COMPRESSION, ColorSpaces, hyab, linear, spread};
 use glam::Vec3;
 use std::f32::consts::{FRAC_1_SQRT_2, PI};

@@ -11,10 +11,10 @@ pub(crate) use placement::nearest_rotation;
 
 use super::rules::Beside::{self, Everything, Only};
 use super::rules::{Rule, found_by, with_messages, without_names};
-use super::steps::at_once;
 use super::{Allowance, CompareError, Which};
 use crate::geometry::Mesh;
 use crate::math::Aabb;
+use crate::steps::at_once;
 use finding::length;
 use glam::DVec3;
 use matching::{Matching, Triangles};

@@ -2,9 +2,10 @@
 
 use super::solve::Equations;
 use crate::character::Pose;
-use crate::compare::{Pace, nearest_rotation};
+use crate::compare::nearest_rotation;
 use crate::diagnose::VertexOrder;
 use crate::diagnose::model::Model;
+use crate::steps::Pace;
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 /// Vertices of each joint that the fit is made with.

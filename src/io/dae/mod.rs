@@ -24,6 +24,7 @@ use super::scanner::quoted;
 use super::{Diagnostic, Files, Imported};
 use crate::character::{Character, Joint, SkeletalModel};
 use crate::geometry::Mesh;
+use crate::steps::{Pace, at_once};
 use assemble::{Assembler, Part, Placement};
 use document::{Dae, FARTHEST, Impact, label, parse_xml};
 use instances::{Instance, collect};
@@ -72,8 +73,22 @@ pub struct DaeMesh {
 /// If the file cannot be read, is no Collada, exceeds the reader's limits, or shows nothing; then
 /// the error is the first thing that went wrong, where something did.
 pub fn read_dae(files: &dyn Files, path: &Path) -> Result<Imported<DaeScene>, Diagnostic> {
+    at_once(|pace| async move { read_dae_by(files, path, &pace).await })
+}
+
+/// As [`read_dae`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_dae`].
+pub(super) async fn read_dae_by(
+    files: &dyn Files,
+    path: &Path,
+    pace: &Pace,
+) -> Result<Imported<DaeScene>, Diagnostic> {
     let bytes = files.read(path)?;
+    pace.after(bytes.len() / 8).await;
     let text = document_text(&bytes);
+    pace.after(bytes.len() / 8).await;
     let xml = parse_xml(path, &text)?;
     let dae = Dae::new(path, &text, &xml)?;
     let mut scene = read_scene(&dae, files)?;

@@ -19,6 +19,7 @@ pub use text::{SceneError, scene_text};
 use super::json::Json;
 use super::{Diagnostic, Files, Imported};
 use crate::scene::{NewShape, ViewSettings};
+use crate::steps::{Pace, at_once};
 use data::{Head, Version};
 use reading::Reading;
 use std::path::Path;
@@ -64,6 +65,19 @@ pub fn read_scene(
     path: &Path,
     missing: Missing,
 ) -> Result<Imported<SceneFile>, Diagnostic> {
+    at_once(|pace| async move { read_scene_by(files, path, missing, &pace).await })
+}
+
+/// As [`read_scene`], at a pace that is told of bytes.
+///
+/// # Errors
+/// As [`read_scene`].
+pub(super) async fn read_scene_by(
+    files: &dyn Files,
+    path: &Path,
+    missing: Missing,
+    pace: &Pace,
+) -> Result<Imported<SceneFile>, Diagnostic> {
     let bytes = files.read(path)?;
     let json = Json::parse(path, &bytes)?;
     let head: Head = json.read()?;
@@ -75,8 +89,8 @@ pub fn read_scene(
         warnings: Vec::new(),
     };
     let value = match head.version {
-        Version::One => version_1::read(&json, &mut reading)?,
-        Version::Two => version_2::read(&json, &mut reading)?,
+        Version::One => version_1::read(&json, &mut reading, pace).await?,
+        Version::Two => version_2::read(&json, &mut reading, pace).await?,
     };
     Ok(Imported {
         value,

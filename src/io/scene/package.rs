@@ -6,6 +6,7 @@ use crate::io::file_importer::import_with;
 use crate::io::recorder::Recorder;
 use crate::io::{Diagnostic, Files};
 use crate::scene::{Importer, Scene, ShapeKind, Source, ViewSettings};
+use crate::steps::at_once;
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Component, Path, PathBuf};
 
@@ -122,7 +123,11 @@ fn folders(files: &dyn Files, scene: &Scene) -> Result<Folders, Diagnostic> {
 /// all of them could be.
 fn files_of(files: &dyn Files, source: &Source) -> (Vec<PathBuf>, Result<(), Diagnostic>) {
     let recorder = Recorder::new(files);
-    let imported = import_with(&recorder, Path::new(&source.file), source.importer);
+    let path = Path::new(&source.file);
+    let imported = at_once(|pace| {
+        let recorder = &recorder;
+        async move { import_with(recorder, path, source.importer, &pace).await }
+    });
     (recorder.into_paths(), imported.map(drop))
 }
 

@@ -1,6 +1,7 @@
 use super::Missing;
 use crate::io::{Diagnostic, Files, Position};
 use crate::scene::{MissingShape, ShapeKind};
+use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -22,6 +23,12 @@ pub(super) struct Entry {
     pub number: usize,
     /// The byte of the text where it starts.
     pub at: usize,
+}
+
+/// The share that the shape at `index` has in reading `count` of them.
+pub(super) fn share_of(index: usize, count: usize) -> Range<f32> {
+    let at = |index: usize| index as f32 / count as f32;
+    at(index)..at(index + 1)
 }
 
 impl Reading<'_> {

@@ -9,6 +9,7 @@ use crate::io::file_importer::import_with;
 use crate::io::json::Json;
 use crate::io::{Diagnostic, Files, Imported};
 use crate::scene::{Scene, Shape, ShapeId, ShapeKind, Source};
+use crate::steps::at_once;
 use serde::de::DeserializeOwned;
 use std::path::Path;
 
@@ -42,7 +43,8 @@ pub fn reimport(
         return Err(Diagnostic::new(Path::new(name), message));
     };
     let path = at.unwrap_or(Path::new(&source.file));
-    let read = import_with(files, path, source.importer)?;
+    let read =
+        at_once(|pace| async move { import_with(files, path, source.importer, &pace).await })?;
     let found = part_of(&read.value, source.part, path)?.clone();
     let mut kind = found.kind;
     let mut warnings = read.warnings;

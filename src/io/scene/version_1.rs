@@ -3,16 +3,18 @@
 use super::SceneFile;
 use super::character_data::CharacterData;
 use super::data::{ColorData, CurveDisplayData, KindData, SceneData, set_display, vector};
-use super::reading::{Entry, Reading};
+use super::reading::{Entry, Reading, share_of};
 use crate::character::{Pose, SkeletalModel};
 use crate::io::angle::Degrees;
+use crate::io::file_importer::import_any_by;
 use crate::io::json::{self, Json};
 use crate::io::pose_file::Misfit;
-use crate::io::{Diagnostic, PoseData, PoseFile, builtin, import_any, is_character};
+use crate::io::{Diagnostic, PoseData, PoseFile, builtin, is_character};
 use crate::math::{Euler, Transform};
 use crate::scene::{
     CharacterDisplay, Importer, NewShape, Placement, ShapeColor, ShapeKind, Source,
 };
+use crate::steps::Pace;
 use glam::Vec3;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -25,7 +27,11 @@ use std::path::{Path, PathBuf};
 ///
 /// # Errors
 /// At the first thing that is not so, in this file or in one that it names.
-pub(super) fn read(json: &Json, reading: &mut Reading) -> Result<SceneFile, Diagnostic> {
+pub(super) async fn read(
+    json: &Json<'_>,
+    reading: &mut Reading<'_>,
+    pace: &Pace,
+) -> Result<SceneFile, Diagnostic> {
     let data: SceneData<ShapeData, Degrees> = json.read()?;
     let mut reader = Reader {
         reading,
@@ -37,7 +43,9 @@ pub(super) fn read(json: &Json, reading: &mut Reading) -> Result<SceneFile, Diag
             number: index + 1,
             at: shape.span().start,
         };
-        shapes.extend(reader.shape(entry, shape.get_ref())?);
+        let share = share_of(index, data.shapes.len());
+        let shape = reader.shape(entry, shape.get_ref(), pace);
+        shapes.extend(pace.within(share, shape).await?);
     }
     Ok(SceneFile {
         view: data.view.settings(),
@@ -150,8 +158,13 @@ struct Reader<'r, 'a> {
 }
 
 impl Reader<'_, '_> {
-    fn shape(&mut self, entry: Entry, data: &ShapeData) -> Result<Vec<NewShape>, Diagnostic> {
-        let new = self.new_shapes(entry, data)?;
+    async fn shape(
+        &mut self,
+        entry: Entry,
+        data: &ShapeData,
+        pace: &Pace,
+    ) -> Result<Vec<NewShape>, Diagnostic> {
+        let new = self.new_shapes(entry, data, pace).await?;
         if let [(ShapeKind::Missing(_), ..)] = new.as_slice() {
             return Ok(new.into_iter().map(|named| data.placed(named)).collect());
         }
@@ -194,7 +207,12 @@ impl Reader<'_, '_> {
     }
 
     /// The shapes that an entry stands for, with their names: of its kind, or those of its file.
-    fn new_shapes(&mut self, entry: Entry, data: &ShapeData) -> Result<Vec<Named>, Diagnostic> {
+    async fn new_shapes(
+        &mut self,
+        entry: Entry,
+        data: &ShapeData,
+        pace: &Pace,
+    ) -> Result<Vec<Named>, Diagnostic> {
         match (&data.kind, &data.source) {
             (Some(kind), None) => {
                 let kind = kind.kind();
@@ -204,7 +222,7 @@ impl Reader<'_, '_> {
             (None, Some(source)) if source.is_empty() => Err(self
                 .reading
                 .wrong(entry, "expected the name of a file, found an empty one")),
-            (None, Some(source)) => match self.import(source) {
+            (None, Some(source)) => match self.import(source, pace).await {
                 Ok(imported) => {
                     let named = |new: NewShape| (new.kind, new.name, new.source);
                     Ok(imported.into_iter().map(named).collect())
@@ -220,12 +238,12 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn import(&mut self, source: &str) -> Result<Vec<NewShape>, Diagnostic> {
+    async fn import(&mut self, source: &str, pace: &Pace) -> Result<Vec<NewShape>, Diagnostic> {
         let path = self.beside(source);
         if let Some(known) = self.imported.get(&path) {
             return Ok(known.clone());
         }
-        let read = import_any(self.reading.files, &path)?;
+        let read = import_any_by(self.reading.files, &path, pace).await?;
         self.reading.warnings.extend(read.warnings);
         self.imported.insert(path, read.value.clone());
         Ok(read.value)

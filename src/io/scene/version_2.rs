@@ -3,7 +3,7 @@
 use super::character_data::CharacterData;
 use super::curves::{self, CurvesData};
 use super::data::{ColorData, KindData, SceneData, vector};
-use super::reading::{Entry, Reading};
+use super::reading::{Entry, Reading, share_of};
 use super::{Missing, SceneFile, paths};
 use crate::io::angle::{self, ExactDegrees};
 use crate::io::file_importer::import_with;
@@ -13,11 +13,12 @@ use crate::io::pose_file::Misfit;
 use crate::io::{Diagnostic, scanner};
 use crate::math::Transform;
 use crate::scene::{CurveShape, Importer, NewShape, Placement, ShapeColor, ShapeKind, Source};
+use crate::steps::Pace;
 use glam::Vec3;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error};
 use serde_spanned::Spanned;
-use std::collections::{HashMap, HashSet};
+use std::collections::{HashMap, HashSet, hash_map};
 use std::path::{Path, PathBuf};
 
 /// One shape.
@@ -122,7 +123,11 @@ impl PlacementData {
 ///
 /// # Errors
 /// At the first thing that is not so, in this file or in one that it names.
-pub(super) fn read(json: &Json, reading: &mut Reading) -> Result<SceneFile, Diagnostic> {
+pub(super) async fn read(
+    json: &Json<'_>,
+    reading: &mut Reading<'_>,
+    pace: &Pace,
+) -> Result<SceneFile, Diagnostic> {
     let data: SceneData<ShapeData, ExactDegrees> = json.read()?;
     let mut reader = Reader {
         reading,
@@ -131,12 +136,14 @@ pub(super) fn read(json: &Json, reading: &mut Reading) -> Result<SceneFile, Diag
     };
     let mut shapes = Vec::new();
     let view = data.view.settings();
+    let count = data.shapes.len();
     for (index, shape) in data.shapes.into_iter().enumerate() {
         let entry = Entry {
             number: index + 1,
             at: shape.span().start,
         };
-        shapes.push(reader.shape(entry, shape.into_inner())?);
+        let shape = reader.shape(entry, shape.into_inner(), pace);
+        shapes.push(pace.within(share_of(index, count), shape).await?);
     }
     Ok(SceneFile { view, shapes })
 }
@@ -151,12 +158,22 @@ struct Reader<'r, 'a> {
 }
 
 impl Reader<'_, '_> {
-    fn shape(&mut self, entry: Entry, mut data: ShapeData) -> Result<NewShape, Diagnostic> {
+    async fn shape(
+        &mut self,
+        entry: Entry,
+        mut data: ShapeData,
+        pace: &Pace,
+    ) -> Result<NewShape, Diagnostic> {
         let curves = data.curves.take();
         let (mut kind, source) = match (data.kind, &data.source, curves) {
             (Some(kind), None, None) => (kind.kind(), None),
-            (None, source, Some(curves)) => self.curves(entry, source.as_ref(), curves)?,
-            (None, Some(source), None) => self.imported(entry, source, data.character.as_ref())?,
+            (None, source, Some(curves)) => {
+                self.curves(entry, source.as_ref(), curves, pace).await?
+            }
+            (None, Some(source), None) => {
+                let character = data.character.as_ref();
+                self.imported(entry, source, character, pace).await?
+            }
             (Some(_), ..) => {
                 let message = "expected a kind alone, found a source or curves too";
                 return Err(self.reading.wrong(entry, message));
@@ -183,11 +200,12 @@ impl Reader<'_, '_> {
     }
 
     /// The curves that are in the scene, or else those of their file.
-    fn curves(
+    async fn curves(
         &mut self,
         entry: Entry,
         source: Option<&SourceData>,
         curves: Spanned<CurvesData>,
+        pace: &Pace,
     ) -> Result<(ShapeKind, Option<Source>), Diagnostic> {
         let text = self.reading.text[curves.span()].to_owned();
         let at = curves.span().start;
@@ -200,7 +218,10 @@ impl Reader<'_, '_> {
                 let source = source.map(|source| self.source(source));
                 (ShapeKind::Curve(CurveShape::new(set)), source)
             }
-            (None, Some(source)) => self.import(entry, source, Some(("curves", text)))?,
+            (None, Some(source)) => {
+                let kept = Some(("curves", text));
+                self.import(entry, source, kept, pace).await?
+            }
             (None, None) => {
                 let message = "expected `items` or a source, found neither";
                 return Err(self.reading.wrong_at(at, entry, message));
@@ -217,26 +238,29 @@ impl Reader<'_, '_> {
         Ok((kind, source))
     }
 
-    fn imported(
+    async fn imported(
         &mut self,
         entry: Entry,
         source: &SourceData,
         character: Option<&Spanned<CharacterData>>,
+        pace: &Pace,
     ) -> Result<(ShapeKind, Option<Source>), Diagnostic> {
         let text = character.map(|data| self.reading.text[data.span()].to_owned());
-        self.import(entry, source, text.map(|text| ("character", text)))
+        let kept = text.map(|text| ("character", text));
+        self.import(entry, source, kept, pace).await
     }
 
     /// The shape that `source` means, or a stand-in that keeps `kept`.
-    fn import(
+    async fn import(
         &mut self,
         entry: Entry,
         source: &SourceData,
         kept: Option<(&str, String)>,
+        pace: &Pace,
     ) -> Result<(ShapeKind, Option<Source>), Diagnostic> {
         let path = self.path(source);
         let recorded = self.source(source);
-        match self.part(&path, source) {
+        match self.part(&path, source, pace).await {
             Ok(shape) => {
                 let was = recorded.fingerprint;
                 let now = shape.source.as_ref().and_then(|source| source.fingerprint);
@@ -251,16 +275,23 @@ impl Reader<'_, '_> {
     }
 
     /// The shape of the file at `path` that `source` means.
-    fn part(&mut self, path: &Path, source: &SourceData) -> Result<NewShape, Diagnostic> {
+    async fn part(
+        &mut self,
+        path: &Path,
+        source: &SourceData,
+        pace: &Pace,
+    ) -> Result<NewShape, Diagnostic> {
         let key = (path.to_owned(), source.importer);
-        let files = self.reading.files;
-        let warnings = &mut self.reading.warnings;
-        let read = || {
-            let read = import_with(files, path, source.importer)?;
-            warnings.extend(read.warnings);
-            Ok(read.value)
+        let known = match self.imported.entry(key) {
+            hash_map::Entry::Occupied(known) => known.into_mut(),
+            hash_map::Entry::Vacant(new) => {
+                let read = import_with(self.reading.files, path, source.importer, pace).await;
+                new.insert(read.map(|read| {
+                    self.reading.warnings.extend(read.warnings);
+                    read.value
+                }))
+            }
         };
-        let known = self.imported.entry(key).or_insert_with(read);
         let shapes = known.as_ref().map_err(Clone::clone)?;
         part_of(shapes, source.part as usize, path).cloned()
     }

@@ -2,7 +2,8 @@
 //!
 //! The work is written as asynchronous functions, which the compiler makes into what can be left and
 //! taken up again; none of them waits for anything but its next step. The order of the work, and so
-//! every bit of its result, is the same whatever the steps.
+//! every bit of its result, is the same whatever the steps. How much work is done is told in units of
+//! the work's own: pixels, vertices or bytes, each worked on once.
 
 use std::cell::Cell;
 use std::future::{Future, poll_fn};
@@ -11,7 +12,7 @@ use std::pin::Pin;
 use std::rc::Rc;
 use std::task::{Context, Poll, Waker};
 
-/// Pixels that a pass over a picture works on between two opportunities to rest.
+/// Units that a pass over a list works on between two opportunities to rest.
 const BAND: usize = 1 << 14;
 
 /// Work under way, with a result of type `T`.
@@ -21,13 +22,12 @@ pub struct Steps<'a, T> {
 }
 
 impl<'a, T> Steps<'a, T> {
-    /// The work of what `begin` returns, in steps of at least so many `pixels`, each worked on once. None
-    /// of it is done yet.
+    /// The work of what `begin` returns, in steps of at least so many `units`. None of it is done yet.
     pub(crate) fn new<F: Future<Output = T> + 'a>(
-        pixels: usize,
+        units: usize,
         begin: impl FnOnce(Rc<Pace>) -> F,
     ) -> Self {
-        let pace = Rc::new(Pace::new(pixels));
+        let pace = Rc::new(Pace::new(units));
         let work = Box::pin(begin(Rc::clone(&pace)));
         Self { work, pace }
     }
@@ -86,29 +86,32 @@ pub(crate) fn at_once<'a, T, F: Future<Output = T> + 'a>(begin: impl FnOnce(Rc<P
 
 /// How work goes on: it is told what was done, and ends a step when that is enough.
 pub(crate) struct Pace {
-    /// Pixels a step.
+    /// Units a step.
     step: usize,
-    /// Pixels since the last rest.
+    /// Units since the last rest.
     since: Cell<usize>,
+    /// First and last part of the whole that [`Pace::begin`] is about.
+    scope: Cell<(f32, f32)>,
     /// First and last part of the whole that [`Pace::tell`] is about.
     share: Cell<(f32, f32)>,
     part: Cell<f32>,
 }
 
 impl Pace {
-    /// Steps of at least so many pixels.
+    /// Steps of at least so many units.
     pub fn new(step: usize) -> Self {
         Self {
             step,
             since: Cell::default(),
+            scope: Cell::new((0.0, 1.0)),
             share: Cell::new((0.0, 1.0)),
             part: Cell::default(),
         }
     }
 
-    /// Takes note that so many pixels were worked on, and ends the step if it has had enough of them.
-    pub async fn after(&self, pixels: usize) {
-        let since = self.since.get().saturating_add(pixels);
+    /// Takes note that so many units were worked on, and ends the step if it has had enough of them.
+    pub async fn after(&self, units: usize) {
+        let since = self.since.get().saturating_add(units);
         if since < self.step {
             self.since.set(since);
             return;
@@ -126,16 +129,28 @@ impl Pace {
     pub async fn bands(&self, length: usize, mut work: impl FnMut(Range<usize>)) {
         for start in (0..length).step_by(BAND) {
             let band = start..(start + BAND).min(length);
-            let pixels = band.len();
+            let units = band.len();
             work(band);
-            self.after(pixels).await;
+            self.after(units).await;
         }
     }
 
-    /// What is told from now on is about this share of the whole.
+    /// What is told from now on is about this share of the whole, or of the part that
+    /// [`Pace::within`] leaves.
     pub fn begin(&self, share: Range<f32>) {
-        self.share.set((share.start, share.end));
+        self.share.set(part_of(self.scope.get(), share));
         self.tell(0.0);
+    }
+
+    /// Does `work`, whose whole is only this share of the whole here.
+    pub async fn within<T>(&self, share: Range<f32>, work: impl Future<Output = T>) -> T {
+        let before = self.scope.get();
+        self.scope.set(part_of(before, share));
+        self.begin(0.0..1.0);
+        let result = work.await;
+        self.tell(1.0);
+        self.scope.set(before);
+        result
     }
 
     /// Takes note of the part that is done, from 0 to 1.
@@ -143,6 +158,12 @@ impl Pace {
         let (first, last) = self.share.get();
         self.part.set(first + part * (last - first));
     }
+}
+
+/// The `share` of a part that has its own first and last part.
+fn part_of((first, last): (f32, f32), share: Range<f32>) -> (f32, f32) {
+    let at = |part: f32| first + part * (last - first);
+    (at(share.start), at(share.end))
 }
 
 #[cfg(test)]
@@ -166,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn work_rests_after_so_many_pixels_and_its_result_is_the_same() {
+    fn work_rests_after_so_many_units_and_its_result_is_the_same() {
         let length = 4 * BAND + 1;
         let whole: usize = (0..length).sum();
         assert_eq!(sum(length, usize::MAX), (whole, 1));
@@ -190,5 +211,28 @@ mod tests {
         }
         told.push(steps.part());
         assert_eq!(told, [0.0, 0.25, 1.0]);
+    }
+    #[test]
+    fn work_within_a_share_tells_of_its_own_whole_and_leaves_the_rest_to_others() {
+        let mut steps = Steps::new(1, |pace| async move {
+            pace.begin(0.0..0.2);
+            pace.after(1).await;
+            let part = async {
+                pace.begin(0.5..1.0);
+                pace.after(1).await;
+                pace.tell(0.5);
+                pace.after(1).await;
+            };
+            pace.within(0.2..0.6, part).await;
+            pace.after(1).await;
+            pace.begin(0.6..1.0);
+            pace.tell(0.5);
+            pace.after(1).await;
+        });
+        let mut told = Vec::new();
+        while steps.step().is_none() {
+            told.push((10.0 * steps.part()).round());
+        }
+        assert_eq!(told, [0.0, 4.0, 5.0, 6.0, 8.0]);
     }
 }
