@@ -170,6 +170,7 @@ pub struct SharedMesh {
     mesh: Arc<Mesh>,
     revision: Revision,
     triangle_order: Arc<OnceLock<TriangleOrder>>,
+    bounds: Arc<OnceLock<Aabb>>,
 }
 
 impl SharedMesh {
@@ -188,6 +189,7 @@ impl SharedMesh {
             mesh: Arc::new(mesh),
             revision: Revision::new(),
             triangle_order: Arc::default(),
+            bounds: Arc::default(),
         }
     }
 
@@ -195,6 +197,11 @@ impl SharedMesh {
     pub fn triangle_order(&self) -> &TriangleOrder {
         let new = || TriangleOrder::new(&self.positions, &self.triangles);
         self.triangle_order.get_or_init(new)
+    }
+
+    /// [`Mesh::bounds`], worked out when they are first asked for.
+    pub fn bounds(&self) -> Aabb {
+        *self.bounds.get_or_init(|| self.mesh.bounds())
     }
 
     /// The revision, the same for all copies.

@@ -27,6 +27,8 @@ pub struct Info {
     pub max_vertex_attributes: u32,
     /// Longest side of a framebuffer, in pixels.
     pub max_framebuffer_size: u32,
+    /// Corners of triangles are moved to the nearest of two to the power of so many places along a pixel.
+    pub subpixel_bits: u32,
     /// Largest point, in pixels.
     pub max_point_size: f32,
     /// Widest line that the driver itself draws, in pixels.
@@ -100,6 +102,7 @@ pub(in crate::gpu) unsafe fn read_info(glow: &glow::Context) -> Info {
         max_framebuffer_size: number(glow::MAX_RENDERBUFFER_SIZE)
             .min(number(glow::MAX_TEXTURE_SIZE))
             .min(largest_viewport),
+        subpixel_bits: number(glow::SUBPIXEL_BITS),
         max_point_size: largest(point_sizes),
         max_line_width: largest(glow::ALIASED_LINE_WIDTH_RANGE),
     }

@@ -291,6 +291,23 @@ impl VertexArray {
         }
     }
 
+    /// The same attributes, from the same buffers, with indices of their own.
+    ///
+    /// # Errors
+    /// When the indices are of another context, or the driver makes no vertex array.
+    pub fn with_indices(&self, indices: &IndexBuffer) -> Result<Self, GpuError> {
+        let sources = self.sources.iter().map(|source| Source {
+            storage: Rc::clone(&source.storage),
+            ..*source
+        });
+        let builder = VertexArrayBuilder {
+            gl: self.gl.clone(),
+            sources: sources.collect(),
+            indices: None,
+        };
+        builder.indices(indices).build()
+    }
+
     /// Number of vertices in the buffers; `u32::MAX` if no attribute advances by vertex.
     #[must_use]
     pub fn vertex_count(&self) -> u32 {

@@ -1,20 +1,23 @@
 //! The mesh of one shape in the memory of the graphics card.
 
+use super::coverage::Raster;
 use super::mesh_cache::TextureCache;
 use super::mesh_numbers::MeshNumbers;
+use super::samples::Samples;
+use super::shown_triangles::{Purpose, Shown, ShownTriangles};
 use super::skinning_tables::{Palettes, Run, Skin};
 use crate::character::Character;
 use crate::geometry::{Facets, Mesh, Normals, face_normals, smooth_normals};
 use crate::gpu::{
-    Attribute, Buffer, Gl, GpuError, IndexBuffer, Program, Texture, Usage, VertexArray,
+    Attribute, Buffer, Gl, GpuError, IndexBuffer, Primitive, Program, Texture, Usage, VertexArray,
     VertexArrayBuilder,
 };
-use crate::math::Aabb;
 use crate::revision::Revision;
 use crate::scene::{Deformation, EvaluatedGeometry, Shading, ShapeId, Skinning, VertexNumbers};
 use bytemuck::Pod;
 use glam::{Vec2, Vec3};
 use std::borrow::Cow;
+use std::ops::Range;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -41,8 +44,8 @@ pub(super) struct CachedMesh {
     pub skin: Option<Skin>,
     /// The texture of each material group of the mesh, where it has one.
     pub textures: Vec<Option<Rc<Texture>>>,
-    /// Around the mesh at rest, in model space.
-    pub rest_bounds: Aabb,
+    /// What of it is drawn.
+    pub shown: ShownTriangles,
     /// Rearrangement of the mesh for facetted drawing; `None` if it is drawn smooth.
     facets: Option<Facets>,
     /// The buffers that are written anew when the positions change; `None` for a skinned mesh.
@@ -149,7 +152,7 @@ impl CachedMesh {
             vertex_array: builder.builder.build()?,
             skin,
             textures: Vec::new(),
-            rest_bounds: mesh.bounds(),
+            shown: ShownTriangles::default(),
             facets,
             moving,
             numbers,
@@ -172,6 +175,46 @@ impl CachedMesh {
     /// Whether each triangle has one normal, which its last corner carries.
     pub fn is_flat(&self) -> bool {
         self.facets.is_some()
+    }
+
+    /// Draws the triangles of `range`, as far as they are shown.
+    pub fn draw(&self, program: &Program, purpose: Purpose, range: Range<u32>) {
+        let all = || Some((&self.vertex_array, range.clone()));
+        let shown = match self.shown.of(purpose) {
+            Shown::All => all(),
+            Shown::None => None,
+            Shown::Some(kept) => kept.within(&range).or_else(all),
+        };
+        if let Some((vertex_array, triangles)) = shown {
+            let indices = triangles.start * 3..triangles.end * 3;
+            vertex_array.draw_indexed(program, Primitive::Triangles, indices);
+        }
+    }
+
+    /// Draws all triangles, as far as they are shown.
+    pub fn draw_whole(&self, program: &Program, purpose: Purpose) {
+        self.draw(program, purpose, 0..self.vertex_array.index_count() / 3);
+    }
+
+    /// Leaves out the triangles without a sample; all are drawn if the vertex shader moves them.
+    ///
+    /// # Errors
+    /// If the driver cannot take a list of the others.
+    pub fn leave_out_uncovered(
+        &mut self,
+        gl: &Gl,
+        purpose: Purpose,
+        geometry: &EvaluatedGeometry,
+        raster: Raster,
+        samples: &Samples,
+    ) -> Result<(), GpuError> {
+        if self.skin.is_some() {
+            return Ok(());
+        }
+        let triangles = geometry.mesh.vertex_triangles();
+        let drawn = self.facets.as_ref().map_or(triangles, |f| &f.triangles);
+        let drawn = (drawn, &self.vertex_array);
+        (self.shown).set_covering(gl, purpose, geometry, drawn, raster, samples)
     }
 
     /// Kind of vertex shader that draws it.

@@ -6,6 +6,7 @@ use super::frame::{Background, Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::rows::Rows;
+use super::shown_triangles::Purpose;
 use super::surface_pass::surfaces;
 use crate::gpu::{
     Attribute, Blend, Buffer, DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program,
@@ -69,22 +70,22 @@ impl ShadowPass {
             let Some(cached) = meshes.get(shape.id) else {
                 continue;
             };
+            if !cached.shown.is_any(Purpose::Shadow) {
+                continue;
+            }
             let program = self.programs.of(cached);
             meshes.bind_skin(program, shape.id);
             program.set_mat4("clip_from_world", clip_from_world);
             program.set_mat4("world_from_model", evaluated.world_from_model);
             program.set_f32("ground", context.ground);
-            let indices = 0..cached.vertex_array.index_count();
-            cached
-                .vertex_array
-                .draw_indexed(program, Primitive::Triangles, indices);
+            cached.draw_whole(program, Purpose::Shadow);
         }
         Ok(shadows)
     }
 }
 
 /// Moves every point along the light onto the plane y = `ground`.
-fn ground_from_world(ground: f32) -> Mat4 {
+pub(super) fn ground_from_world(ground: f32) -> Mat4 {
     let along = LIGHT / LIGHT.y;
     let mut flattened = Mat4::IDENTITY;
     flattened.y_axis = Vec4::new(-along.x, 0.0, -along.z, 0.0);
@@ -245,6 +246,7 @@ pub(super) fn hides_below(context: &PassContext, camera: &Camera) -> bool {
 mod tests {
     use super::*;
     use crate::gpu::{Backend, HeadlessContext};
+    use crate::render::sight::Sight;
     use crate::render::tile::Tile;
     use crate::render::{Backdrop, Marks};
     use crate::scene::{Evaluator, Look, NewShape, Scene, ShapeKind, Skinning, ViewSettings};
@@ -312,7 +314,8 @@ mod tests {
                 colors: Backdrop::default().colors(Look::Studio),
             };
             let mut meshes = MeshCache::new(gl.info().max_texture_size);
-            meshes.update(gl, &frame, Skinning::Cpu).unwrap();
+            let sight = Sight::new(&context, &frame);
+            meshes.update(gl, &frame, &sight, Skinning::Cpu).unwrap();
             let mut pass = ShadowPass::new(gl).unwrap();
             let ground = GroundPass::new(gl).unwrap();
             let picture = pass.draw(gl, &context, &frame, &meshes, None).unwrap();

@@ -1,12 +1,17 @@
 //! The meshes and textures of a scene in the memory of the graphics card.
 
 use super::cached_mesh::{CachedMesh, MeshKey};
+use super::coverage::Raster;
 use super::frame::Frame;
+use super::samples::Samples;
+use super::shown_triangles::Purpose;
+use super::sight::{Sight, may_be_seen};
 use super::skinning_tables::Palettes;
 use super::upload_cache::UploadCache;
 use crate::geometry::Picture;
 use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture, Wrap};
-use crate::scene::{Evaluated, ShapeId, Skinning};
+use crate::scene::{Evaluated, EvaluatedShape, ShapeId, Skinning};
+use std::collections::HashSet;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -32,18 +37,25 @@ impl MeshCache {
         }
     }
 
-    /// Uploads all shapes that have changed and drops those that are gone. The processor does what
+    /// Uploads the shapes in `sight` that have changed and drops those that are gone. The processor does what
     /// a shader cannot do for a mesh, whatever `skinning` says: smooth normals of a mesh that has
     /// none are sums over the moved triangles round each vertex.
     ///
     /// # Errors
     /// When the graphics card cannot skin. Other meshes that the driver cannot take are left out,
     /// see [`MeshCache::left_out`].
-    pub fn update(&mut self, gl: &Gl, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
+    pub fn update(
+        &mut self,
+        gl: &Gl,
+        frame: &Frame,
+        sight: &Sight,
+        skinning: Skinning,
+    ) -> Result<(), GpuError> {
         let (evaluated, shading) = (frame.evaluated, frame.view.shading);
         self.meshes.forget_deleted(evaluated);
         let (most_rows, textures) = (self.most_rows, &mut self.textures);
-        for shape in &evaluated.shapes {
+        let in_sight = |shape: &&EvaluatedShape| shape.visible && sight.has(shape);
+        for shape in evaluated.shapes.iter().filter(in_sight) {
             let geometry = &shape.geometry;
             let numbers = frame.marks.numbers_of(shape.id);
             let has_numbers = numbers.is_some();
@@ -70,7 +82,7 @@ impl MeshCache {
         self.textures.forget_unused();
         let meshes = &self.meshes;
         let is_skinned = |id: ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
-        let skinned = evaluated.shapes.iter().filter(|s| is_skinned(s.id));
+        let skinned = (evaluated.shapes.iter()).filter(|s| is_skinned(s.id) && in_sight(s));
         self.palettes.update(gl, skinned, self.most_rows)
     }
 
@@ -86,15 +98,74 @@ impl MeshCache {
         self.meshes.get(id)
     }
 
+    /// Chooses the triangles of each mesh that a picture of `size` pixels needs: none of those that are
+    /// out of `sight`, and only those in which there may be one of the samples, if they are given: those
+    /// of surfaces, and those of shadows and masks.
+    ///
+    /// # Errors
+    /// If the driver cannot take a list of them.
+    pub fn choose_triangles(
+        &mut self,
+        gl: &Gl,
+        frame: &Frame,
+        sight: &Sight,
+        size: [u32; 2],
+        (of_surfaces, of_others): (Option<&Samples>, Option<&Samples>),
+    ) -> Result<(), GpuError> {
+        let marks = &frame.marks;
+        let marked = marks.also_selected.iter().copied();
+        let marked: HashSet<ShapeId> = marked.chain(marks.selected).chain(marks.hovered).collect();
+        let visible = frame.evaluated.shapes.iter().filter(|shape| shape.visible);
+        for shape in visible {
+            let Some(cached) = self.meshes.get_mut(shape.id) else {
+                continue;
+            };
+            let around = shape.world_box();
+            let surface = sight.clip_from_world;
+            let mask = marked.contains(&shape.id).then_some(surface);
+            let purposes = [
+                (Purpose::Surface, Some(surface), of_surfaces),
+                (Purpose::Shadow, sight.clip_from_shadowed, of_others),
+                (Purpose::Mask, mask, of_others),
+            ];
+            for (purpose, clip_from_world, samples) in purposes {
+                let seen = clip_from_world.filter(|&clip| may_be_seen(clip, &around));
+                match (seen, samples) {
+                    (Some(clip_from_world), Some(samples)) => {
+                        let raster = Raster {
+                            clip_from_world,
+                            world_from_model: shape.world_from_model,
+                            size,
+                        };
+                        cached.leave_out_uncovered(
+                            gl,
+                            purpose,
+                            &shape.geometry,
+                            raster,
+                            samples,
+                        )?;
+                    }
+                    _ => cached.shown.set_seen(purpose, seen.is_some()),
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// Height of the ground in the world: the lowest point of the visible meshes and curves, but not
     /// above the origin. At rest, and no lower than each was inserted, so that the ground stays where it is while a
     /// character is posed or a shape is moved below it.
     pub fn ground_height(&self, evaluated: &Evaluated) -> f32 {
         let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
         let lowest = visible.filter_map(|shape| {
-            let mesh = self.get(shape.id)?.rest_bounds;
-            let curves = shape.geometry.curves.as_ref();
-            let bounds = curves.map_or(mesh, |_| shape.geometry.bounds());
+            if self.meshes.is_refused(shape.id) {
+                return None;
+            }
+            let geometry = &shape.geometry;
+            let bounds = match &geometry.curves {
+                Some(_) => geometry.bounds(),
+                None => geometry.mesh.bounds(),
+            };
             let world = bounds.transformed(shape.world_from_model);
             (!bounds.is_empty()).then_some(world.min.y + shape.sunk)
         });

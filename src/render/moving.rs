@@ -17,25 +17,27 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn draw_moving(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
-        self.draw_by(frame, |renderer| {
-            let tile = Tile::whole((target.width(), target.height()));
-            let context = renderer.context(frame, target, tile, Background::Look);
-            match renderer.layer.plan(frame, &context) {
-                Plan::Whole => renderer.draw_passes(frame, target, &context),
+        let tile = Tile::whole((target.width(), target.height()));
+        self.draw_by(
+            frame,
+            target,
+            (tile, Background::Look),
+            |renderer, context| match renderer.layer.plan(frame, context) {
+                Plan::Whole => renderer.draw_passes(frame, target, context),
                 Plan::Over { moving, new_layer } => {
                     let layer = new_layer.map_or(Ok(()), |still| {
-                        renderer.draw_layer(&without_marks(frame, &still), &context)
+                        renderer.draw_layer(&without_marks(frame, &still), context)
                     });
                     let moving = without_marks(frame, &moving);
                     let drawn =
-                        layer.and_then(|()| renderer.draw_over(frame, &moving, target, &context));
+                        layer.and_then(|()| renderer.draw_over(frame, &moving, target, context));
                     if drawn.is_err() {
                         renderer.layer.forget();
                     }
                     drawn
                 }
-            }
-        })
+            },
+        )
     }
 
     /// Draws the layer of what stands still.

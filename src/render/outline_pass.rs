@@ -6,8 +6,9 @@ use super::edge_pass::{Edge, EdgePass};
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
+use super::shown_triangles::Purpose;
 use super::skeleton_pass::SkeletonPass;
-use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate, Primitive};
+use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate};
 use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeId, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 
@@ -114,10 +115,9 @@ fn draw_mask(
     id: ShapeId,
     color: Vec3,
 ) -> Result<(), GpuError> {
-    let (Some(shape), Some(evaluated), Some(cached)) = (
+    let (Some(shape), Some(evaluated)) = (
         frame.scene.shape(id),
         frame.evaluated.shape(id).filter(|shape| shape.visible),
-        meshes.get(id),
     ) else {
         return Ok(());
     };
@@ -132,14 +132,14 @@ fn draw_mask(
             return Ok(());
         }
     }
+    let Some(cached) = meshes.get(id) else {
+        return Ok(());
+    };
     let program = masks.of(cached);
     meshes.bind_skin(program, id);
     program.set_mat4("clip_from_world", context.clip_from_world);
     program.set_mat4("world_from_model", evaluated.world_from_model);
     program.set_vec3("color", color);
-    let indices = cached.vertex_array.index_count();
-    cached
-        .vertex_array
-        .draw_indexed(program, Primitive::Triangles, 0..indices);
+    cached.draw_whole(program, Purpose::Mask);
     Ok(())
 }

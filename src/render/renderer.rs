@@ -8,6 +8,8 @@ use super::ghost_pass::GhostPass;
 use super::ground_pass::{GroundPass, ShadowPass, Shadows, hides_below, shadow_area};
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
+use super::samples::Samples;
+use super::sight::Sight;
 use super::skeleton_pass::{SkeletonPass, draw_mannequin_bones};
 use super::skinning_choice::SkinningChoice;
 use super::still_layer::StillLayer;
@@ -99,24 +101,33 @@ impl Renderer {
         tile: Tile,
         background: Background,
     ) -> Result<(), RenderError> {
-        self.draw_by(frame, |renderer| {
-            let context = renderer.context(frame, target, tile, background);
-            renderer.draw_passes(frame, target, &context)
+        self.draw_by(frame, target, (tile, background), |renderer, context| {
+            renderer.draw_passes(frame, target, context)
         })
     }
 
-    /// Draws a frame by `passes`, after its meshes were uploaded.
+    /// Draws a part of a frame by `passes`, after what is seen of its meshes was uploaded.
     pub(super) fn draw_by(
         &mut self,
         frame: &Frame,
-        passes: impl FnOnce(&mut Self) -> Result<(), GpuError>,
+        target: &Framebuffer,
+        (tile, background): (Tile, Background),
+        passes: impl FnOnce(&mut Self, &PassContext) -> Result<(), GpuError>,
     ) -> Result<(), RenderError> {
         // Faults that came before are not those of a mesh.
         let before = self.gl.check("what came before the scene");
         let marked = self.prepare_marks(frame);
-        let updated = self.update_meshes(frame);
+        let mut context = self.context(frame, target, tile, background);
+        let mut updated = self.update_meshes(frame, &Sight::new(&context, frame));
+        let grounded = self.context(frame, target, tile, background);
+        // Without a mesh that the driver refused the ground, and so what has its shadow there, is another.
+        if grounded.ground != context.ground {
+            context = grounded;
+            updated = updated.and(self.update_meshes(frame, &Sight::new(&context, frame)));
+        }
+        let chosen = self.choose_triangles(frame, &context, target.samples());
         self.curves.update(&self.gl, frame, &mut self.immediate);
-        let drawn = passes(self);
+        let drawn = chosen.and_then(|()| passes(self, &context));
         let after = self.gl.check("drawing the scene");
         before.and(updated).and(marked)?;
         let mut parts = self.meshes.left_out(frame);
@@ -127,7 +138,24 @@ impl Renderer {
         Ok(drawn.and(after)?)
     }
 
-    pub(super) fn context(
+    /// Leaves out what is not seen of meshes. Software OpenGL spends most of its time on triangles, also
+    /// on those in which there is no sample; a graphics card takes them as they come.
+    fn choose_triangles(
+        &mut self,
+        frame: &Frame,
+        context: &PassContext,
+        samples: u32,
+    ) -> Result<(), GpuError> {
+        let info = self.gl.info();
+        let middle = info.is_software.then(|| Samples::middle(info));
+        let of_surfaces = middle.as_ref().filter(|_| samples == 0);
+        let sight = Sight::new(context, frame);
+        let size = [context.width, context.height];
+        let samples = (of_surfaces, middle.as_ref());
+        (self.meshes).choose_triangles(&self.gl, frame, &sight, size, samples)
+    }
+
+    fn context(
         &self,
         frame: &Frame,
         target: &Framebuffer,

@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::renderer::Renderer;
+use super::sight::Sight;
 use crate::gpu::{Gl, GpuError, Info};
 use crate::scene::Skinning;
 
@@ -52,25 +53,30 @@ impl Renderer {
         self.skinning.in_use
     }
 
-    /// Uploads the meshes that have changed, skinned by the processor if the graphics card cannot.
-    pub(super) fn update_meshes(&mut self, frame: &Frame) -> Result<(), GpuError> {
+    /// Uploads the meshes in `sight` that have changed, skinned by the processor if the graphics card cannot.
+    pub(super) fn update_meshes(&mut self, frame: &Frame, sight: &Sight) -> Result<(), GpuError> {
         if self.skinning() == Skinning::Gpu
             && let Err(error) = self
                 .prepare_skinning()
-                .and_then(|()| self.update_meshes_by(frame, Skinning::Gpu))
+                .and_then(|()| self.update_meshes_by(frame, sight, Skinning::Gpu))
         {
             self.notices.push(format!(
                 "The graphics card cannot skin the characters, so the processor does: {error}"
             ));
             self.skinning.in_use = Skinning::Cpu;
         }
-        self.update_meshes_by(frame, self.skinning())?;
+        self.update_meshes_by(frame, sight, self.skinning())?;
         self.notices.extend(self.meshes.take_notices());
         Ok(())
     }
 
-    fn update_meshes_by(&mut self, frame: &Frame, skinning: Skinning) -> Result<(), GpuError> {
-        self.meshes.update(&self.gl, frame, skinning)
+    fn update_meshes_by(
+        &mut self,
+        frame: &Frame,
+        sight: &Sight,
+        skinning: Skinning,
+    ) -> Result<(), GpuError> {
+        self.meshes.update(&self.gl, frame, sight, skinning)
     }
 
     fn prepare_skinning(&mut self) -> Result<(), GpuError> {

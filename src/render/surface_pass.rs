@@ -5,8 +5,9 @@ use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
 use super::number_colors::NumberColors;
+use super::shown_triangles::Purpose;
 use crate::geometry::Mesh;
-use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Primitive, Program, Texture};
+use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Program, Texture};
 use crate::scene::{
     Camera, EvaluatedShape, Look, ModelDisplay, Shape, ShapeKind, SurfaceVisibility,
 };
@@ -100,7 +101,7 @@ impl SurfacePass {
         if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
             let program = colors.program(mesh, numbers);
             place_mesh(program, mesh, world_from_model, 1.0);
-            draw_whole(program, mesh);
+            mesh.draw_whole(program, Purpose::Surface);
         }
     }
 
@@ -122,7 +123,7 @@ impl SurfacePass {
         program.set_i32("textured", 0);
         for state in nearest_blended(context) {
             state.apply(gl);
-            draw_whole(program, mesh);
+            mesh.draw_whole(program, Purpose::Surface);
         }
     }
 
@@ -141,11 +142,14 @@ impl SurfacePass {
         let Some(cached) = meshes.get(shape.id) else {
             return;
         };
+        if !cached.shown.is_any(Purpose::Surface) {
+            return;
+        }
         if let (Some(numbers), Some(colors)) = (cached.numbers(), &self.numbers) {
             let program = colors.program(cached, numbers);
             meshes.bind_skin(program, shape.id);
             place_mesh(program, cached, evaluated.world_from_model, alpha);
-            return draw_whole(program, cached);
+            return cached.draw_whole(program, Purpose::Surface);
         }
         let program = self.programs.of(cached);
         meshes.bind_skin(program, shape.id);
@@ -157,10 +161,8 @@ impl SurfacePass {
             if let Some(texture) = part.texture {
                 texture.bind(PICTURE);
             }
-            let indices = part.triangles.start as u32 * 3..part.triangles.end as u32 * 3;
-            cached
-                .vertex_array
-                .draw_indexed(program, Primitive::Triangles, indices);
+            let triangles = part.triangles.start as u32..part.triangles.end as u32;
+            cached.draw(program, Purpose::Surface, triangles);
         }
     }
 }
@@ -171,13 +173,6 @@ fn place_mesh(program: &Program, mesh: &CachedMesh, world_from_model: Mat4, alph
     program.set_mat3("world_from_model_normal", normal_matrix(world_from_model));
     program.set_i32("flat_normals", i32::from(mesh.is_flat()));
     program.set_f32("alpha", alpha);
-}
-
-/// Draws all triangles of a mesh.
-fn draw_whole(program: &Program, mesh: &CachedMesh) {
-    let indices = 0..mesh.vertex_array.index_count();
-    mesh.vertex_array
-        .draw_indexed(program, Primitive::Triangles, indices);
 }
 
 /// The states in which a mesh is drawn twice, so that only its nearest surface is blended: first its

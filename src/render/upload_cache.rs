@@ -49,6 +49,16 @@ impl<K: PartialEq, T> UploadCache<K, T> {
         self.uploads.get(&id)?.1.as_ref().ok()
     }
 
+    /// The same, to be changed.
+    pub fn get_mut(&mut self, id: ShapeId) -> Option<&mut T> {
+        self.uploads.get_mut(&id)?.1.as_mut().ok()
+    }
+
+    /// Whether the upload of a shape was refused.
+    pub fn is_refused(&self, id: ShapeId) -> bool {
+        (self.uploads.get(&id)).is_some_and(|(_, upload)| upload.is_err())
+    }
+
     /// Why the upload of a shape was refused, if it was. It is forgotten, and so tried again.
     pub fn take_refusal(&mut self, id: ShapeId) -> Option<GpuError> {
         self.uploads.get(&id)?.1.as_ref().err()?;

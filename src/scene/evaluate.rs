@@ -49,6 +49,8 @@ pub struct EvaluatedGeometry {
     /// Bounds of all but a deformed mesh, whose bounds are computed on demand.
     pub(super) fixed_bounds: Aabb,
     pub(super) bounds: OnceLock<Aabb>,
+    /// See [`EvaluatedGeometry::conservative_bounds`].
+    pub(super) conservative_bounds: OnceLock<Aabb>,
     /// Boxes over the triangles for rays.
     pub(super) boxes: OnceLock<TriangleBoxes>,
     /// See [`EvaluatedGeometry::volume_kept`].
@@ -66,6 +68,7 @@ impl EvaluatedGeometry {
             revision,
             fixed_bounds: bounds,
             bounds: OnceLock::new(),
+            conservative_bounds: OnceLock::new(),
             boxes: OnceLock::new(),
             volume_kept: OnceLock::new(),
         }
@@ -80,6 +83,7 @@ impl EvaluatedGeometry {
             deformation: Some(deformation.with_vertices(Skinned { positions, normals })),
             revision: Revision::new(),
             bounds: OnceLock::new(),
+            conservative_bounds: OnceLock::new(),
             boxes: OnceLock::new(),
             volume_kept: OnceLock::new(),
             ..self.clone()
@@ -152,7 +156,10 @@ impl EvaluatedGeometry {
     /// that follows from the joints, without skinning a vertex.
     pub(super) fn conservative_bounds(&self) -> Aabb {
         match &self.deformation {
-            Some(deformation) if !deformation.is_worked_out() => deformation.conservative_bounds(),
+            Some(deformation) if !deformation.is_worked_out() => {
+                let without_vertices = || deformation.conservative_bounds();
+                *self.conservative_bounds.get_or_init(without_vertices)
+            }
             _ => self.bounds(),
         }
     }
