@@ -78,6 +78,27 @@ fn of_two_joints_that_are_turned_otherwise_these_two_are_told_with_their_angles(
 }
 
 #[test]
+fn joints_that_are_at_rest_in_both_poses_are_left_at_rest() {
+    let posed = |waist: Vec3, elbow: Vec3| {
+        move |joint: usize| match joint {
+            1 => waist,
+            17 => elbow,
+            _ => Vec3::ZERO,
+        }
+    };
+    let theirs = posed(Vec3::new(-2.0, 9.0, 20.0), Vec3::new(-15.0, 40.0, -2.0));
+    let ours = posed(Vec3::new(-2.0, -9.0, 20.0), Vec3::new(-15.0, -13.0, -2.0));
+    let figure = Figure::builtin("adult", theirs);
+    let found = held_against(&figure, &Figure::builtin("adult", ours).pose());
+    let other = found.other_pose.expect("a pose");
+    let told: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
+    assert_eq!(told, [1, 17]);
+    for joint in (0..figure.degrees.len()).filter(|joint| ![1, 17].contains(joint)) {
+        assert!(!other.pose.is_changed(joint), "{joint}");
+    }
+}
+
+#[test]
 fn numbers_of_four_digits_are_enough_to_see_another_pose() {
     let figure = Figure::builtin("adult", turned(6));
     let theirs = written(&RIGHT.skin(&figure), 4);

@@ -148,10 +148,9 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Improves the pose until every vertex that it is made with is within a tenth of the tolerance, or
-    /// nothing helps any more: by Levenberg's and Marquardt's method.
+    /// Improves the pose until vertices are within a hundredth of the tolerance, or nothing helps any more: by Levenberg's and Marquardt's method.
     pub(super) async fn improve(mut self, tolerance: f64, pace: &Pace) -> Posed {
-        let enough = self.vertices.len() as f64 * (0.1 * tolerance).powi(2);
+        let enough = self.vertices.len() as f64 * (0.01 * tolerance).powi(2);
         let (mut equations, mut error) = self.equations();
         let mut damping = DAMPING;
         for _ in 0..MOST_STEPS {

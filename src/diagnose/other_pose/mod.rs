@@ -10,12 +10,12 @@ use crate::character::Pose;
 use crate::math::Euler;
 use crate::steps::Pace;
 use fit::{Fit, Posed};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use serde::Serialize;
 use std::fmt;
 
 /// Angle between two rotations of a joint that are told apart, in degrees.
-const TOLD_APART: f32 = 0.1;
+const TOLD_APART: f64 = 0.1;
 /// Joints that are told in words; the others are counted.
 const TOLD: usize = 5;
 
@@ -90,28 +90,28 @@ pub(super) async fn find(
 ) -> Option<OtherPose> {
     let fit = Fit::new(model, expected, order, theirs)?;
     let Posed { rotations, offsets } = fit.improve(tolerance, pace).await;
-    let mut pose = expected.clone();
+    // Joints that differ in a hair are as expected, if the mesh agrees with that.
+    let (mut whole, mut plain) = (expected.clone(), expected.clone());
     let mut joints = Vec::new();
     for &joint in &model.by_depth {
         let before = expected.rotation(joint);
-        let turn = before.to_dmat3().transpose() * rotations[joint];
-        let cosine = ((turn.x_axis.x + turn.y_axis.y + turn.z_axis.z - 1.0) / 2.0).clamp(-1.0, 1.0);
-        let is_turned = cosine.acos().to_degrees() as f32 > TOLD_APART;
-        let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
-        let is_moved = moved.length() > tolerance;
         let after = Euler::nearest(rotations[joint].as_mat3(), before);
+        let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
+        let is_turned = degrees_between(before.to_dmat3(), rotations[joint]) > TOLD_APART;
+        let is_moved = moved.length() > tolerance;
+        whole.set_joint_transform(joint, after);
+        whole.set_root_offset(joint, offsets[joint].as_vec3());
         if is_turned {
-            pose.set_joint_transform(joint, after);
+            plain.set_joint_transform(joint, after);
         }
         if is_moved {
-            pose.set_root_offset(joint, offsets[joint].as_vec3());
+            plain.set_root_offset(joint, offsets[joint].as_vec3());
         }
         if is_turned || is_moved {
-            let of_pose = pose.rotation(joint);
             joints.push(TurnedJoint {
                 joint: model.skeleton().joints()[joint].name.clone(),
                 joint_index: joint,
-                degrees: of_pose.degrees().to_array(),
+                degrees: plain.rotation(joint).degrees().to_array(),
                 expected: before.degrees().to_array(),
                 moved: is_moved.then(|| moved.as_vec3().to_array()),
             });
@@ -120,12 +120,21 @@ pub(super) async fn find(
     if joints.is_empty() {
         return None;
     }
-    let error = largest_error(model, &pose, order, theirs);
-    (error <= tolerance).then_some(OtherPose {
+    let poses = [plain, whole].into_iter();
+    let mut errors = poses.map(|pose| (largest_error(model, &pose, order, theirs), pose));
+    let (error, pose) = errors.find(|(error, _)| *error <= tolerance)?;
+    Some(OtherPose {
         pose,
         joints,
         error: error / size,
     })
+}
+
+/// The angle between two rotations, in degrees.
+fn degrees_between(a: DMat3, b: DMat3) -> f64 {
+    let turn = a.transpose() * b;
+    let trace = turn.x_axis.x + turn.y_axis.y + turn.z_axis.z;
+    ((trace - 1.0) / 2.0).clamp(-1.0, 1.0).acos().to_degrees()
 }
 
 /// The largest distance of `theirs` from the exact mesh in `pose`.
