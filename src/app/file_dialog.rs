@@ -1,4 +1,5 @@
 use super::dialog_files::DialogFiles;
+use super::typed_path::TypedPath;
 use crate::disk::Disk;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
@@ -34,8 +35,10 @@ struct OpenDialog {
     types_name: bool,
     /// Field of that name, once it has had the keyboard.
     name_field: Option<Id>,
-    /// Whether the path has had the keyboard since Ctrl+L.
+    /// Whether the path has had the keyboard since it was asked for.
     types_path: bool,
+    /// A path that is typed where the dialog would search for it.
+    typed: TypedPath,
 }
 
 impl WindowFileDialog {
@@ -72,6 +75,7 @@ impl WindowFileDialog {
             types_name: false,
             name_field: None,
             types_path: false,
+            typed: TypedPath::default(),
         });
     }
 
@@ -121,10 +125,14 @@ impl OpenDialog {
         config.show_new_folder_button = !(is_narrow && self.request.purpose.written().is_empty());
         let popup = egui::Popup::is_any_open(context);
         let escape = !popup && context.input(|input| input.key_pressed(Key::Escape));
-        let edits_path = context.input(|input| {
-            input.key_pressed(EDIT_PATH.logical_key)
-                && input.modifiers.matches_exact(EDIT_PATH.modifiers)
-        });
+        self.typed.give(context);
+        let searches = self.request.purpose.written().is_empty() && !self.types_path;
+        let begins_path = searches && self.typed.begins(context, self.rect(context));
+        let edits_path = begins_path
+            || context.input(|input| {
+                input.key_pressed(EDIT_PATH.logical_key)
+                    && input.modifiers.matches_exact(EDIT_PATH.modifiers)
+            });
         if edits_path {
             // The dialog passes over the key while the name has the keyboard.
             surrender_focus(context);
@@ -191,7 +199,11 @@ impl OpenDialog {
         let style = context.global_style();
         let font = TextStyle::Small.resolve(&style);
         let color = style.visuals.weak_text_color();
-        let hint = format!("{}: type a path", context.format_shortcut(&EDIT_PATH));
+        let key = context.format_shortcut(&EDIT_PATH);
+        let hint = match self.request.purpose.written() {
+            [] => format!("/ or {key}: type a path"),
+            _ => format!("{key}: type a path"),
+        };
         painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
 }
@@ -250,7 +262,7 @@ fn name_among(folder: &Path, folders: &[&PathBuf]) -> String {
 }
 
 /// Key for the path.
-const EDIT_PATH: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::L);
+pub(super) const EDIT_PATH: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::L);
 
 /// The dialog's keys, with Ctrl+L for the path, as other file dialogs have it. The slash, which
 /// would open the path of the current folder and be lost, is typed like any other letter.

@@ -127,6 +127,38 @@ fn a_path_is_typed_after_ctrl_l_and_its_folder_is_kept() {
 }
 
 #[test]
+fn a_path_is_typed_at_once_where_a_name_would_be_searched_for() {
+    let desktop = Desktop::start();
+    for start in ["/", "~/", "./"] {
+        let home = tempfile::tempdir().expect("a folder");
+        let models = home_with_character(home.path());
+        let other = home.path().join("other");
+        std::fs::rename(&models, &other).expect("another folder");
+        std::fs::create_dir(&models).expect("an empty folder");
+        let program = Program::start(&desktop, home.path(), &[]);
+        press(&program, &["ctrl+shift+i"]);
+        program.write(&match start {
+            "/" => other.join("robot.obj").display().to_string(),
+            _ => format!("{start}other/robot.obj"),
+        });
+        press(&program, &["Return"]);
+        // What was imported is selected, and so has a pose to save where it came from.
+        press(&program, &["ctrl+p", "Return"]);
+        assert_eq!(poses_in(&other), ["Robot.json"], "{start}");
+        assert!(poses_in(&models).is_empty());
+    }
+    // Anything else is a search still, of which a dot may be the first letter.
+    let home = tempfile::tempdir().expect("a folder");
+    let models = home_with_character(home.path());
+    let program = Program::start(&desktop, home.path(), &[]);
+    press(&program, &["ctrl+shift+i"]);
+    program.write(".obj");
+    // The first one leaves the search.
+    press(&program, &["Return", "Return", "ctrl+p", "Return"]);
+    assert_eq!(poses_in(&models), ["Robot.json"]);
+}
+
+#[test]
 fn esc_closes_the_dialog_first_and_then_the_program() {
     let desktop = Desktop::start();
     let home = tempfile::tempdir().expect("a folder");
