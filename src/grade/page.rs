@@ -81,9 +81,18 @@ impl Page {
         if let (Some(first), false) = (report.submissions.first(), points.is_empty()) {
             let mean = points.iter().sum::<f64>() / points.len() as f64;
             let median = (points[(points.len() - 1) / 2] + points[points.len() / 2]) / 2.0;
+            let graded = || report.submissions.iter().map(Submission::graded);
+            let least = graded().fold(first.possible, f64::min);
+            let most = graded().fold(0.0, f64::max);
+            let possible = match least < most {
+                true => format!("{least} to {most}"),
+                false => most.to_string(),
+            };
+            let is_open = least < first.possible;
+            let so_far = if is_open { " graded so far" } else { "" };
             self.add(format_args!(
-                ", {all_right} right in every test. Of {} points the mean is {mean:.1}, the median {median:.1}.",
-                first.possible
+                ", {all_right} right in every test. Of {possible} points{so_far} the mean is {mean:.1}, the median \
+                 {median:.1}."
             ));
         }
         let open = report
@@ -125,7 +134,7 @@ impl Page {
             ));
             if points.is_empty() {
                 self.add(format_args!(
-                    "<td class=\"number dim\">–</td><td class=\"dim\">by hand</td></tr>\n"
+                    "<td class=\"number dim\">–</td><td class=\"dim\">by hand, not graded yet</td></tr>\n"
                 ));
             } else {
                 self.add(format_args!(
@@ -240,14 +249,15 @@ impl Page {
         self.add(format_args!("<th>Result</th></tr></thead>\n<tbody>\n"));
         for (number, submission) in report.submissions.iter().enumerate() {
             self.add(format_args!(
-                "<tr><td><a href=\"#s{number}\">{}</a></td><td class=\"number\">{}</td>",
+                "<tr><td><a href=\"#s{number}\">{}</a></td><td class=\"number\">{} <span class=\"dim\">of {}</span></td>",
                 Escaped(&submission.name),
-                submission.points
+                submission.points,
+                submission.graded()
             ));
             for points in submission.sections.values() {
                 match points {
                     Some(points) => self.add(format_args!("<td class=\"number\">{points}</td>")),
-                    None => self.add(format_args!("<td class=\"number dim\">–</td>")),
+                    None => self.add(format_args!("<td class=\"number dim\">not yet</td>")),
                 }
             }
             self.add(format_args!("<td>"));
@@ -262,9 +272,14 @@ impl Page {
 
     fn submission(&mut self, report: &Report, number: usize, submission: &Submission) {
         let name = Escaped(&submission.name);
+        let open = match submission.not_graded {
+            0.0 => String::new(),
+            open => format!("<span class=\"dim\">, {open} more not graded yet</span>"),
+        };
         self.add(format_args!(
-            "<details><summary><h3>{name}</h3><span class=\"number\">{} of {}</span><span>",
-            submission.points, submission.possible
+            "<details><summary><h3>{name}</h3><span class=\"number\">{} of {}{open}</span><span>",
+            submission.points,
+            submission.graded()
         ));
         self.chips(submission);
         // A link to what is inside of it opens it, without a script.

@@ -60,6 +60,8 @@ pub struct Submission {
     pub points: f64,
     /// Points that are possible in all, without extra ones.
     pub possible: f64,
+    /// How many of these nobody has graded yet.
+    pub not_graded: f64,
     /// Points by section; `None` where a person has not given them yet.
     pub sections: BTreeMap<String, Option<f64>>,
     /// Results in the order of the tests.
@@ -132,8 +134,12 @@ impl Report {
                 })
                 .collect();
             let by_section = points_by_section(file, &sections, &name, &tests);
+            let is_open =
+                |section: &&Section| !section.extra && by_section[&section.section].is_none();
+            let not_graded = sections.iter().filter(is_open);
             Submission {
                 points: in_cents(by_section.values().flatten().sum()),
+                not_graded: in_cents(not_graded.map(|section| section.possible).sum()),
                 possible,
                 sections: by_section,
                 tests,
@@ -193,6 +199,11 @@ impl GradedTest {
 }
 
 impl Submission {
+    /// Points that are possible in what is graded.
+    pub fn graded(&self) -> f64 {
+        in_cents(self.possible - self.not_graded)
+    }
+
     /// What is wrong, each with the tests that show it; empty if all is right.
     pub fn summaries(&self) -> Vec<(String, Vec<&str>)> {
         let mut all: Vec<(String, Vec<&str>)> = Vec::new();
@@ -372,6 +383,9 @@ mod tests {
             (Some(26.25), Some(0.5))
         );
         assert_eq!((bob.sections["artifact"], bob.points), (None, 26.75));
+        // What nobody has graded yet is not lost; extra points never are.
+        assert_eq!((ada.not_graded, bob.not_graded), (0.0, 5.0));
+        assert_eq!((ada.graded(), bob.graded()), (36.0, 31.0));
         assert_eq!(eve.points, 23.0);
     }
 

@@ -118,7 +118,11 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
         .filter(|node| node.is_text())
         .filter_map(|node| node.text())
         .collect();
+    // The artifact is still to be graded for all but one, which is no loss for the others.
     for told in [
+        "Of 40 to 50 points graded so far the mean is",
+        "34 of 40, 10 more not graded yet",
+        "45.5 of 50",
         "Assignment <1> & more",
         "Ada & <Bob>",
         "euler-zyx",

@@ -91,8 +91,13 @@ impl Work<'_> {
         let done: Vec<Done> = done.into_iter().collect::<Result<_, _>>()?;
         let kept = done.iter().filter(|one| one.is_kept).count();
         let seconds = started.elapsed().as_secs_f64();
+        let before = match kept {
+            0 => String::new(),
+            kept => format!(", {kept} of them before"),
+        };
+        let plural = if done.len() == 1 { "" } else { "s" };
         eprint_line(format_args!(
-            "graded {} submissions in {seconds:.1} s, {kept} of them before",
+            "graded {} submission{plural} in {seconds:.1} s{before}",
             done.len()
         ));
         Ok(done.into_iter().map(|one| (one.name, one.graded)).collect())
