@@ -16,6 +16,9 @@ use egui::{
 const BAR_AND_MARGINS: f32 = 48.0;
 /// Height of the tallest menu, in points.
 const HIGHEST: f32 = 480.0;
+/// Before a switch that is on, and as wide before what is not.
+const MARK: &str = "✔ ";
+const NO_MARK: &str = "     ";
 
 /// Everything that the items of the menus need.
 struct Items<'a> {
@@ -23,6 +26,8 @@ struct Items<'a> {
     state: &'a mut UiState,
     input: &'a ViewInput<'a>,
     aspect: f32,
+    /// Whether items leave room for the marks of switches beside them.
+    is_marked: bool,
     actions: &'a mut Vec<Action>,
 }
 
@@ -40,6 +45,7 @@ pub(super) fn show(
         state,
         input,
         aspect,
+        is_marked: false,
         actions,
     };
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 2));
@@ -155,19 +161,27 @@ impl Items<'_> {
     }
 
     fn view(&mut self, ui: &mut Ui) {
+        self.is_marked = true;
         self.all(ui, Menu::View);
         ui.separator();
-        submenu(ui, "Look", |ui| self.all(ui, Menu::Look));
-        submenu(ui, "Shading", |ui| self.all(ui, Menu::Shading));
-        submenu(ui, "Colors", |ui| self.all(ui, Menu::Colors));
+        self.choices(ui, "Look", Menu::Look);
+        self.choices(ui, "Shading", Menu::Shading);
+        self.choices(ui, "Colors", Menu::Colors);
         self.all(ui, Menu::Ground);
         ui.separator();
         self.all(ui, Menu::Compare);
         self.all(ui, Menu::Explain);
         ui.separator();
-        submenu(ui, "Navigation", |ui| self.all(ui, Menu::Navigation));
-        submenu(ui, "Theme", |ui| self.all(ui, Menu::Theme));
-        submenu(ui, "Skinning", |ui| self.all(ui, Menu::Skinning));
+        self.choices(ui, "Navigation", Menu::Navigation);
+        self.choices(ui, "Theme", Menu::Theme);
+        self.choices(ui, "Skinning", Menu::Skinning);
+        self.is_marked = false;
+    }
+
+    /// A submenu beside switches, in line with their words.
+    fn choices(&mut self, ui: &mut Ui, label: &str, menu: Menu) {
+        let button = ui.menu_button(format!("{NO_MARK}{label}"), |ui| self.all(ui, menu));
+        named(button.response, label);
     }
 
     fn pose(&mut self, ui: &mut Ui) {
@@ -223,9 +237,15 @@ impl Items<'_> {
         let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
-            Some(true) => format!("✔ {}", entry.label),
-            Some(false) => format!("     {}", entry.label),
-            None => full_label(entry.command, self.session, self.state),
+            Some(true) => format!("{MARK}{}", entry.label),
+            Some(false) => format!("{NO_MARK}{}", entry.label),
+            None => {
+                let room = if self.is_marked { NO_MARK } else { "" };
+                format!(
+                    "{room}{}",
+                    full_label(entry.command, self.session, self.state)
+                )
+            }
         };
         // What Undo and Redo are about is no part of what they are called; what Copy copies is.
         let name = match entry.command {

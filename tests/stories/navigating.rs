@@ -51,6 +51,15 @@ fn a_scene_of_the_mannequin_that_is_opened_by_name_has_its_bones_digits_and_arro
 }
 
 #[test]
+fn the_look_of_the_mannequin_is_in_the_switch_of_looks_while_it_is_shown() {
+    let mut story = Story::start(&["builtin:mannequin-1"]);
+    assert!(story.has("Mannequin look") && story.has("Studio look"));
+    story.click("Studio look");
+    assert_eq!(story.session().view().look, Look::Studio);
+    assert!(!story.has("Mannequin look") && story.has("Course look"));
+}
+
+#[test]
 fn a_navigation_that_was_chosen_stays_and_tells_where_the_keys_of_the_mannequin_work() {
     let stored = br#"{"started_before": true, "navigation": "orbit"}"#.to_vec();
     let host = MemoryHost {

@@ -3,6 +3,21 @@
 
 use glam::DMat4;
 
+/// Digits after the point of a weight.
+const OF_WEIGHTS: usize = 3;
+
+/// A weight, of which one that is not zero is never written as zero.
+pub(super) fn weight(value: f64) -> String {
+    let least = 10.0_f64.powi(-(OF_WEIGHTS as i32));
+    if value != 0.0 && value.abs() < least / 2.0 {
+        return match value < 0.0 {
+            true => format!(">-{least}"),
+            false => format!("<{least}"),
+        };
+    }
+    number(value, OF_WEIGHTS)
+}
+
 /// Sizes that are written as they are, without a power of ten.
 const PLAIN: std::ops::Range<f64> = 0.2..20_000.0;
 
@@ -70,6 +85,13 @@ pub(super) fn number(value: f64, decimals: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_weight_that_is_not_zero_is_not_written_as_zero() {
+        let written = [0.25, 1.0, 0.0, 0.0004, -0.0001, 0.0006].map(weight);
+        let expected = ["0.250", "1.000", "0.000", "<0.001", ">-0.001", "0.001"];
+        assert_eq!(written, expected);
+    }
     use glam::DVec3;
 
     #[test]

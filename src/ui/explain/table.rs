@@ -2,7 +2,7 @@
 
 use super::Explained;
 use super::arrows::color;
-use super::digits::{Digits, number};
+use super::digits::{Digits, weight};
 use super::matrices;
 use super::vertex::Told;
 use super::words::{Line, product};
@@ -120,9 +120,9 @@ pub(super) fn show(
             unfold(ui, term, &own, digits);
         }
     }
-    for &(joint, weight) in &formula.left_out {
+    for &(joint, unused) in &formula.left_out {
         let row = Row {
-            weight: Some(weight),
+            weight: Some(unused),
             is_struck: true,
             ..Row::plain(name(joint), Vec::new(), palette.weak)
         };
@@ -194,7 +194,7 @@ fn titles(ui: &mut Ui, columns: &Columns) {
 fn spoken(told: &Told, term: &Term, name: &str) -> String {
     let factors = told.formula.factors.in_order();
     let title = |count: usize| product(&factors[..count]).times_vertex();
-    let mut text = format!("{name}: w {}", number(term.weight, 3));
+    let mut text = format!("{name}: w {}", weight(term.weight));
     for (count, step) in (1..).zip(&term.steps) {
         let at = point(step.at, told.digits);
         text += &format!(", {} {at}", title(count).spoken());
@@ -288,8 +288,8 @@ impl<'a> Row<'a> {
                 number_font(),
             );
         };
-        if let Some(weight) = self.weight {
-            text(columns.weight(rect), number(weight, 3));
+        if let Some(of_joint) = self.weight {
+            text(columns.weight(rect), weight(of_joint));
         }
         let first = columns.count() - self.points.len().min(columns.count());
         for (index, at) in self.points.iter().enumerate() {
