@@ -43,7 +43,7 @@ struct Staged {
 impl Staged {
     fn put_in_place(self) -> Result<(), Diagnostic> {
         let persisted = self.file.persist(&self.target);
-        persisted.map_err(|error| cannot_write(&self.path, &self.target, &error.error))?;
+        persisted.map_err(|error| cannot_replace(&self.path, &error.error))?;
         Ok(())
     }
 }
@@ -101,6 +101,18 @@ fn cannot_write(path: &Path, target: &Path, error: &io::Error) -> Diagnostic {
     Diagnostic::new(path, message)
 }
 
+/// Why a file is not replaced by one that was written beside it, so that it is not the folder's fault.
+fn cannot_replace(path: &Path, error: &io::Error) -> Diagnostic {
+    let message = match error.kind() {
+        ErrorKind::PermissionDenied => {
+            "the system does not let this file be replaced: it is immutable, or somebody else's"
+                .to_owned()
+        }
+        _ => in_words(error),
+    };
+    Diagnostic::new(path, message)
+}
+
 /// Writes files as [`write_all_whole`] does, and keeps each that is replaced as `NAME~` beside the new
 /// one, in the place of an older one, but for those whose path and bytes are `dispensable`. A file that
 /// has the same bytes already is left alone, so that writing twice does not lose what was there before.
@@ -112,13 +124,18 @@ pub fn write_all_keeping(
     dispensable: &dyn Fn(&Path, &[u8]) -> bool,
 ) -> Result<(), Diagnostic> {
     let is_new = |(path, bytes): &&(PathBuf, Vec<u8>)| !holds(path, bytes);
-    let (mut written, mut kept) = (Vec::new(), Vec::new());
+    let mut all = Vec::new();
     for (path, bytes) in files.iter().filter(is_new) {
-        written.push(staged(path, bytes)?);
-        kept.extend(copy_beside(path, dispensable)?);
+        all.push((staged(path, bytes)?, copy_beside(path, dispensable)?));
     }
-    let mut all = kept.into_iter().chain(written);
-    all.try_for_each(Staged::put_in_place)
+    all.into_iter().try_for_each(replace_and_keep)
+}
+
+/// Puts a file in its place, and then what was there before: if the system refuses the first, the older
+/// version stays that is kept.
+fn replace_and_keep((written, kept): (Staged, Option<Staged>)) -> Result<(), Diagnostic> {
+    written.put_in_place()?;
+    kept.map_or(Ok(()), Staged::put_in_place)
 }
 
 /// Whether the file at `path` has just these bytes.
@@ -333,6 +350,28 @@ mod tests {
         write("three").unwrap_err();
         assert_eq!(kept().unwrap(), b"one", "nothing was replaced");
         assert_eq!(entries(folder.path()), 2);
+    }
+
+    #[test]
+    fn a_file_that_cannot_be_replaced_is_named_and_leaves_the_version_that_is_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.scene");
+        fs::write(&path, "two").unwrap();
+        fs::write(folder.path().join("a.scene~"), "one").unwrap();
+        let written = staged(&path, b"three").unwrap();
+        let kept = copy_beside(&path, &|_, _| false).unwrap();
+        // Something that no system replaces by a file.
+        fs::remove_file(&path).unwrap();
+        fs::create_dir(&path).unwrap();
+        let error = replace_and_keep((written, kept)).unwrap_err();
+        assert_eq!(error.path, path);
+        assert_eq!(fs::read(folder.path().join("a.scene~")).unwrap(), b"one");
+        assert_eq!(entries(folder.path()), 2);
+
+        let refused = io::Error::from(ErrorKind::PermissionDenied);
+        let error = cannot_replace(&path, &refused);
+        assert_eq!(error.path, path);
+        assert!(error.message.contains("this file"), "{error}");
     }
 
     #[test]
