@@ -185,8 +185,7 @@ pub(super) async fn import_shape_by(
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
         "obj" => {
-            let bytes = recorder.read(&file)?;
-            pace.after(bytes.len() / 8).await;
+            let bytes = recorder.read_by(&file, pace).await?;
             let mesh = read_shape_obj_by(&recorder, &file, bytes, pace).await?;
             let source = source(&recorder, path, Importer::Shape);
             let kind = |mesh| ShapeKind::Mesh(SharedMesh::new(mesh));

@@ -3,7 +3,7 @@ use super::mtl::{self, Libraries};
 use super::numbers::finite;
 use super::obj::{self, FaceReader};
 use super::obj_shape::{Data, Name, Shape, Use};
-use super::scanner::{STRETCH, Scanner, Word};
+use super::scanner::{QUICK_STRETCH, STRETCH, Scanner, Word};
 use super::{Diagnostic, Files, Imported};
 use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};
@@ -64,9 +64,6 @@ pub(super) async fn read_shape_obj_by(
     pace.begin(0.7..1.0);
     Ok(shape.mesh(files, path, pace).await)
 }
-
-/// Bytes whose lines are counted in the time that it takes to read [`STRETCH`] of them.
-const QUICK_STRETCH: usize = 8 * STRETCH;
 
 struct ShapeReader<'a> {
     files: &'a dyn Files,

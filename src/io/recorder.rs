@@ -1,4 +1,6 @@
+use super::scanner::{QUICK_STRETCH, STRETCH};
 use super::{Diagnostic, Files};
+use crate::steps::Pace;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -30,6 +32,29 @@ impl<'a> Recorder<'a> {
         self.record.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// As [`Files::read`], at a pace that is told of bytes.
+    ///
+    /// # Errors
+    /// As [`Files::read`].
+    pub async fn read_by(&self, path: &Path, pace: &Pace) -> Result<Vec<u8>, Diagnostic> {
+        let bytes = self.files.read(path)?;
+        let mut one = crc32fast::Hasher::new();
+        for stretch in bytes.chunks(QUICK_STRETCH) {
+            one.update(stretch);
+            pace.after(STRETCH).await;
+        }
+        self.take_note(path, || one.finalize());
+        Ok(bytes)
+    }
+
+    /// Takes note that the file at `path`, whose bytes have this CRC-32, was read.
+    fn take_note(&self, path: &Path, digest: impl FnOnce() -> u32) {
+        let mut record = self.record();
+        if record.known.insert(path.to_owned()) {
+            record.read.push((path.to_owned(), digest()));
+        }
+    }
+
     /// Fingerprint of all files that were read so far: a CRC-32 that differs, but for chance, if
     /// one of them does.
     pub fn fingerprint(&self) -> u32 {
@@ -51,11 +76,7 @@ impl<'a> Recorder<'a> {
 impl Files for Recorder<'_> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let bytes = self.files.read(path)?;
-        let mut record = self.record();
-        if record.known.insert(path.to_owned()) {
-            let one = (path.to_owned(), crc32fast::hash(&bytes));
-            record.read.push(one);
-        }
+        self.take_note(path, || crc32fast::hash(&bytes));
         Ok(bytes)
     }
 

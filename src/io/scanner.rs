@@ -25,6 +25,8 @@ pub(super) struct Word<'a> {
 
 /// Bytes of a text that are read between two opportunities to rest.
 pub(super) const STRETCH: usize = 1 << 15;
+/// Bytes that are only looked over in the time that it takes to read [`STRETCH`] of them.
+pub(super) const QUICK_STRETCH: usize = 8 * STRETCH;
 
 /// How much of a wrong word an error repeats, in characters.
 const SHOWN: usize = 40;

@@ -7,6 +7,7 @@ use super::skin::{self, Controller, Geometries, Skin};
 use super::sources::text;
 use super::visual_scene::{SceneNode, subtree};
 use crate::io::Diagnostic;
+use crate::steps::Pace;
 use roxmltree::NodeId;
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -21,7 +22,15 @@ pub(super) struct Instance<'a> {
     pub binding: Option<Binding<'a>>,
 }
 
+/// Bytes that a position with its corners takes in a file, about.
+const BYTES: usize = 64;
+
 impl Instance<'_> {
+    /// Estimate of the bytes that were read for it.
+    pub fn bytes(&self) -> usize {
+        BYTES * self.geometry.positions.len()
+    }
+
     /// How much it binds to the mesh, whose own size is counted elsewhere.
     fn bound(&self) -> usize {
         let skin = self.binding.as_ref().map(|binding| &binding.skin);
@@ -44,9 +53,10 @@ pub(super) struct Binding<'a> {
 ///
 /// # Errors
 /// If there are too many, or too much is bound by them.
-pub(super) fn collect<'a>(
+pub(super) async fn collect<'a>(
     dae: &Dae<'a>,
     nodes: &mut [SceneNode<'a>],
+    pace: &Pace,
 ) -> Result<Vec<Instance<'a>>, Diagnostic> {
     let mut reader = Reader {
         dae,
@@ -61,6 +71,8 @@ pub(super) fn collect<'a>(
             let Some(instance) = reader.instance(nodes, at, xml) else {
                 continue;
             };
+            pace.tell(at as f32 / nodes.len() as f32);
+            pace.after(instance.bytes()).await;
             bound += instance.bound();
             instances.push(instance);
             if instances.len() > MOST_INSTANCES {

@@ -90,8 +90,9 @@ pub(super) async fn read_dae_by(
     let text = document_text(&bytes);
     pace.after(bytes.len() / 8).await;
     let xml = parse_xml(path, &text)?;
+    pace.after(bytes.len()).await;
     let dae = Dae::new(path, &text, &xml)?;
-    let mut scene = read_scene(&dae, files)?;
+    let mut scene = read_scene(&dae, files, pace).await?;
     let mut empty = None;
     if scene.characters.is_empty() && scene.meshes.is_empty() {
         let message = "expected meshes or joints in the scene, found none";
@@ -119,18 +120,26 @@ fn document_text(bytes: &[u8]) -> String {
     }
 }
 
-fn read_scene<'a>(dae: &Dae<'a>, files: &'a dyn Files) -> Result<DaeScene, Diagnostic> {
+async fn read_scene<'a>(
+    dae: &Dae<'a>,
+    files: &'a dyn Files,
+    pace: &Pace,
+) -> Result<DaeScene, Diagnostic> {
     let space = FileSpace::read(dae);
     let ours_from_file = space.ours_from_file();
     let mut nodes = visual_scene::flatten(dae)?;
-    let instances = collect(dae, &mut nodes)?;
+    pace.begin(0.2..0.7);
+    let instances = collect(dae, &mut nodes, pace).await?;
     ignore_libraries(dae);
     let rigs = Rigs::new(&nodes, &instances);
     let mut assembler = Assembler::new(dae, Materials::new(files), DaeReport::new(space));
     let mut parts: Vec<Part> = rigs.rigs.iter().map(|_| Part::default()).collect();
     let mut rigid = Vec::new();
     let mut meshes = Vec::new();
-    for instance in &instances {
+    pace.begin(0.7..1.0);
+    for (index, instance) in instances.iter().enumerate() {
+        pace.tell(index as f32 / instances.len() as f32);
+        pace.after(instance.bytes()).await;
         let world = nodes[instance.node].world;
         if let Some(binding) = &instance.binding {
             assembler.report.skins += 1;

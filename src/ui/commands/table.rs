@@ -162,7 +162,7 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-5"), Menu::Scenes, "Humanoid", "A man with all his fingers", &[key(NONE, Key::Num5)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
-    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else end a comparison, else deselect the joint or the shape, else end the program; Ctrl+Q ends it at once", &[key(NONE, Key::Escape), key(CTRL, Key::Q)]),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else give up an import or other work that shows its progress, else end a comparison, else deselect the joint or the shape, else end the program; Ctrl+Q ends it at once", &[key(NONE, Key::Escape), key(CTRL, Key::Q)]),
 
     entry(Command::Undo, Menu::Edit, "Undo", "Take back the last step; in the middle of a drag, all of the drag", &[key(CTRL, Key::Z)]),
     entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]),
