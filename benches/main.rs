@@ -1,6 +1,7 @@
 //! `make bench`: what things cost, as ratios within one run next to their targets. Times are CPU times of
 //! the whole process, threads of the graphics driver included, the least of interleaved rounds.
 
+mod crowds;
 #[path = "../tests/window/desktop.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod desktop;
@@ -29,6 +30,7 @@ fn main() {
     let mut report = Report::new(filter);
     earlier::run(&mut report);
     frames::run(&mut report);
+    crowds::run(&mut report);
     moving::run(&mut report);
     picking::run(&mut report);
     import::run(&mut report);

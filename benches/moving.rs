@@ -59,7 +59,7 @@ fn cost(gl: &Gl, poses: impl Iterator<Item = Pose>, mut draw: impl FnMut(&Pose))
 }
 
 /// A pose in which every joint of the adult has turned.
-fn pose(number: usize) -> Pose {
+pub fn pose(number: usize) -> Pose {
     let mut pose = Pose::new();
     for joint in 0..18 {
         let turn = (number as f32 * 0.7 + joint as f32).sin();

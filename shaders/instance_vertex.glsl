@@ -14,6 +14,7 @@ out vec3 world_normal;
 // The same, of the triangle's last corner alone.
 flat out vec3 face_normal;
 out vec3 tint;
+flat out vec3 copy_color;
 out vec2 on_picture;
 
 void main() {
@@ -24,6 +25,7 @@ void main() {
     world_normal = transpose(inverse(mat3(world_from_unit))) * normal;
     face_normal = world_normal;
     tint = instance_color;
+    copy_color = vec3(1.0);
     on_picture = vec2(0.0);
     gl_Position = clip_from_world * world;
 }

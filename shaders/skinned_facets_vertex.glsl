@@ -11,13 +11,13 @@ layout(location = 7) in vec2 texture_coordinates;
 layout(location = 8) in float number;
 
 uniform mat4 clip_from_world;
-uniform mat4 world_from_model;
-uniform mat3 world_from_model_normal;
 
 out vec3 world_position;
 out vec3 world_normal;
 flat out vec3 face_normal;
 out vec3 tint;
+// Color of all of this copy: interpolated, it would be off by a rounding.
+flat out vec3 copy_color;
 out vec2 on_picture;
 out float shown_number;
 
@@ -25,11 +25,12 @@ void main() {
     vec3 at = moved(model_from_bind(run), position);
     vec3 first = moved(model_from_bind(first_run), first_position);
     vec3 second = moved(model_from_bind(second_run), second_position);
-    vec4 world = world_from_model * vec4(at, 1.0);
+    vec4 world = world_from_model() * vec4(at, 1.0);
     world_position = world.xyz;
-    world_normal = world_from_model_normal * unit_or(cross(second - first, at - first), vec3(0.0));
+    world_normal = world_from_model_normal() * unit_or(cross(second - first, at - first), vec3(0.0));
     face_normal = world_normal;
     tint = vec3(1.0);
+    copy_color = own_color();
     on_picture = texture_coordinates;
     shown_number = number;
     gl_Position = clip_from_world * world;

@@ -6,24 +6,25 @@ layout(location = 7) in vec2 texture_coordinates;
 layout(location = 8) in float number;
 
 uniform mat4 clip_from_world;
-uniform mat4 world_from_model;
-uniform mat3 world_from_model_normal;
 
 out vec3 world_position;
 out vec3 world_normal;
 // The same, of the triangle's last corner alone.
 flat out vec3 face_normal;
 out vec3 tint;
+// Color of all of this copy: interpolated, it would be off by a rounding.
+flat out vec3 copy_color;
 out vec2 on_picture;
 out float shown_number;
 
 void main() {
     Rows rows = model_from_bind(run);
-    vec4 world = world_from_model * vec4(moved(rows, position), 1.0);
+    vec4 world = world_from_model() * vec4(moved(rows, position), 1.0);
     world_position = world.xyz;
-    world_normal = world_from_model_normal * turned(rows, normal);
+    world_normal = world_from_model_normal() * turned(rows, normal);
     face_normal = world_normal;
     tint = vec3(1.0);
+    copy_color = own_color();
     on_picture = texture_coordinates;
     shown_number = number;
     gl_Position = clip_from_world * world;

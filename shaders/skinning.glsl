@@ -1,12 +1,13 @@
 // Skeletal subspace deformation as character/skinning does it on the processor: every influence of
 // a vertex, none dropped. Stands before the vertex shaders that move characters.
 
-// Three cells a joint: the rows of the affine model_from_bind.
+// For each character its place and color, then three cells a joint: the rows of the affine
+// model_from_bind.
 uniform sampler2D palettes;
 // Two influences a cell: joint, weight, joint, weight.
 uniform sampler2D influences;
-// Where the character's joints start in the palettes.
-uniform int first_joint;
+// Where each of the characters that are drawn at once starts in the palettes.
+uniform int instances[64];
 
 // The rows of an affine matrix.
 struct Rows {
@@ -20,8 +21,28 @@ vec4 cell(sampler2D table, int index) {
     return texelFetch(table, ivec2(index & 1023, index >> 10), 0);
 }
 
+// Cells of a character before those of its joints: four for world_from_model, three for the same of
+// normals, one for its color.
+const int PLACE = 8;
+
+mat4 world_from_model() {
+    int at = instances[gl_InstanceID];
+    return mat4(
+        cell(palettes, at), cell(palettes, at + 1), cell(palettes, at + 2), cell(palettes, at + 3)
+    );
+}
+
+mat3 world_from_model_normal() {
+    int at = instances[gl_InstanceID] + 4;
+    return mat3(cell(palettes, at).xyz, cell(palettes, at + 1).xyz, cell(palettes, at + 2).xyz);
+}
+
+vec3 own_color() {
+    return cell(palettes, instances[gl_InstanceID] + 7).rgb;
+}
+
 void add_joint(inout Rows sum, float joint, float weight) {
-    int row = 3 * (first_joint + int(joint));
+    int row = instances[gl_InstanceID] + PLACE + 3 * int(joint);
     sum.x += weight * cell(palettes, row);
     sum.y += weight * cell(palettes, row + 1);
     sum.z += weight * cell(palettes, row + 2);

@@ -3,6 +3,7 @@ in vec3 world_position;
 in vec3 world_normal;
 flat in vec3 face_normal;
 in vec3 tint;
+flat in vec3 copy_color;
 in vec2 on_picture;
 
 uniform vec3 color;
@@ -96,7 +97,7 @@ vec3 seen(vec3 surface, vec3 n) {
 
 void main() {
     vec3 n = unit(flat_normals == 1 ? face_normal : world_normal);
-    vec3 surface = color * tint;
+    vec3 surface = color * copy_color * tint;
     if (textured == 1) {
         surface *= texture(picture, on_picture).rgb;
     }

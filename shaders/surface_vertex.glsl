@@ -13,6 +13,7 @@ out vec3 world_normal;
 // The same, of the triangle's last corner alone.
 flat out vec3 face_normal;
 out vec3 tint;
+flat out vec3 copy_color;
 out vec2 on_picture;
 out float shown_number;
 
@@ -22,6 +23,7 @@ void main() {
     world_normal = world_from_model_normal * normal;
     face_normal = world_normal;
     tint = vec3(1.0);
+    copy_color = vec3(1.0);
     on_picture = texture_coordinates;
     shown_number = number;
     gl_Position = clip_from_world * world;

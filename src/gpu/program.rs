@@ -126,6 +126,14 @@ impl Program {
         });
     }
 
+    /// Sets the first elements of an array of `int`, which has at least so many.
+    pub fn set_i32s(&self, name: &str, values: &[i32]) {
+        // SAFETY: as in `set_f32`; the driver ignores elements beyond the array's end.
+        self.set(name, &[glow::INT], |gl, at| unsafe {
+            gl.uniform_1_i32_slice(Some(at), values)
+        });
+    }
+
     /// Sets a `vec2`.
     pub fn set_vec2(&self, name: &str, v: Vec2) {
         // SAFETY: as in `set_f32`.

@@ -68,6 +68,11 @@ impl TestDriver {
         STATE.with(|state| state.stray.take())
     }
 
+    /// Bytes written to buffers and textures since the last time.
+    pub(crate) fn uploaded() -> usize {
+        STATE.with(|state| state.uploaded.take())
+    }
+
     /// Number of calls of watched functions since the last time.
     pub(crate) fn calls() -> usize {
         STATE.with(|state| state.calls.take())
@@ -107,6 +112,7 @@ struct State {
     is_reset: Cell<bool>,
     most_bytes: Cell<usize>,
     calls: Cell<usize>,
+    uploaded: Cell<usize>,
     stray: RefCell<Vec<&'static str>>,
 }
 
@@ -118,6 +124,7 @@ thread_local! {
         is_reset: Cell::new(false),
         most_bytes: Cell::new(usize::MAX),
         calls: Cell::new(0),
+        uploaded: Cell::new(0),
         stray: RefCell::default(),
     };
 }
@@ -130,7 +137,14 @@ impl State {
         self.is_reset.set(false);
         self.most_bytes.set(usize::MAX);
         self.calls.set(0);
+        self.uploaded.set(0);
         self.stray.take();
+    }
+
+    /// As `call`, for one that writes so many bytes.
+    fn upload(&self, name: &'static str, bytes: usize) -> Option<*const c_void> {
+        self.uploaded.set(self.uploaded.get() + bytes);
+        self.call(name)
     }
 
     /// The real function to pass a call on to, if the context is current.
@@ -178,6 +192,9 @@ macro_rules! watched {
                             (stringify!($name), $name as *const c_void)
                         }
                     )*
+                    b"glBufferSubData" => ("glBufferSubData", buffer_sub_data as *const c_void),
+                    b"glTexImage2D" => ("glTexImage2D", tex_image as *const c_void),
+                    b"glTexSubImage2D" => ("glTexSubImage2D", tex_sub_image as *const c_void),
                     b"glBufferData" => ("glBufferData", buffer_data as *const c_void),
                     b"glGetError" => ("glGetError", get_error as *const c_void),
                     _ => return found,
@@ -224,6 +241,77 @@ extern "system" fn buffer_data(target: u32, size: isize, data: *const c_void, us
     // SAFETY: the driver's function of this name; the context is current, and the data is that of
     // the caller, or none.
     unsafe { std::mem::transmute::<*const c_void, BufferData>(real)(target, size, data, usage) }
+}
+
+extern "system" fn buffer_sub_data(target: u32, offset: isize, size: isize, data: *const c_void) {
+    type BufferSubData = unsafe extern "system" fn(u32, isize, isize, *const c_void);
+    let real = STATE.try_with(|state| state.upload("glBufferSubData", size.unsigned_abs()));
+    if let Ok(Some(real)) = real {
+        // SAFETY: the driver's function of this name; the context is current, and the data is that of
+        // the caller.
+        unsafe {
+            std::mem::transmute::<*const c_void, BufferSubData>(real)(target, offset, size, data)
+        }
+    }
+}
+
+/// Bytes of a picture; of tables four numbers a cell.
+fn picture_bytes(width: i32, height: i32, component: u32, data: *const c_void) -> usize {
+    let cells = width.unsigned_abs() as usize * height.unsigned_abs() as usize;
+    let bytes = if component == glow::FLOAT { 16 } else { 4 };
+    if data.is_null() { 0 } else { cells * bytes }
+}
+
+#[allow(clippy::too_many_arguments, reason = "OpenGL's")]
+extern "system" fn tex_image(
+    target: u32,
+    level: i32,
+    format: i32,
+    width: i32,
+    height: i32,
+    border: i32,
+    components: u32,
+    component: u32,
+    data: *const c_void,
+) {
+    type TexImage =
+        unsafe extern "system" fn(u32, i32, i32, i32, i32, i32, u32, u32, *const c_void);
+    let bytes = picture_bytes(width, height, component, data);
+    let real = STATE.try_with(|state| state.upload("glTexImage2D", bytes));
+    if let Ok(Some(real)) = real {
+        // SAFETY: as in `buffer_sub_data`.
+        unsafe {
+            std::mem::transmute::<*const c_void, TexImage>(real)(
+                target, level, format, width, height, border, components, component, data,
+            )
+        }
+    }
+}
+
+#[allow(clippy::too_many_arguments, reason = "OpenGL's")]
+extern "system" fn tex_sub_image(
+    target: u32,
+    level: i32,
+    x: i32,
+    y: i32,
+    width: i32,
+    height: i32,
+    components: u32,
+    component: u32,
+    data: *const c_void,
+) {
+    type TexSubImage =
+        unsafe extern "system" fn(u32, i32, i32, i32, i32, i32, u32, u32, *const c_void);
+    let bytes = picture_bytes(width, height, component, data);
+    let real = STATE.try_with(|state| state.upload("glTexSubImage2D", bytes));
+    if let Ok(Some(real)) = real {
+        // SAFETY: as in `buffer_sub_data`.
+        unsafe {
+            std::mem::transmute::<*const c_void, TexSubImage>(real)(
+                target, level, x, y, width, height, components, component, data,
+            )
+        }
+    }
 }
 
 extern "system" fn get_error() -> u32 {

@@ -2,6 +2,8 @@
 //!
 //! Making or updating one binds it to the [`SPARE_UNIT`], so that no unit that a draw reads changes.
 
+use std::cell::Cell;
+
 use bytemuck::cast_slice;
 use glow::HasContext as _;
 
@@ -134,6 +136,15 @@ impl FloatTexture {
         self.raw.gl.check("writing a float texture")
     }
 
+    /// Replaces whole rows from the row `first` on.
+    ///
+    /// # Errors
+    /// When they are no whole rows of the table, or a GL error occurred.
+    pub fn update_rows(&self, first: u32, cells: &[[f32; 4]]) -> Result<(), GpuError> {
+        self.raw.write_rows(first, cells)?;
+        self.raw.gl.check("writing rows of a float texture")
+    }
+
     /// Binds it to `unit`, where a `sampler2D` reads it.
     pub fn bind(&self, unit: u32) {
         let _ = self.raw.bind(unit);
@@ -143,6 +154,8 @@ impl FloatTexture {
 struct Raw {
     gl: Gl,
     raw: glow::Texture,
+    /// Width and height that were written last.
+    size: Cell<[u32; 2]>,
 }
 
 impl Raw {
@@ -157,6 +170,7 @@ impl Raw {
         Ok(Self {
             gl: gl.clone(),
             raw,
+            size: Cell::default(),
         })
     }
 
@@ -216,14 +230,11 @@ impl Raw {
         }
         let glow = self.gl.current_for("writing a texture")?;
         self.bind(SPARE_UNIT);
+        self.size.set([width, height]);
         // SAFETY: current context; the texture is bound, and the data has exactly the length that the driver will read,
         // since rows are unpacked without gaps. Sizes and formats fit i32.
         unsafe {
-            glow.bind_buffer(glow::PIXEL_UNPACK_BUFFER, None);
-            glow.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
-            glow.pixel_store_i32(glow::UNPACK_ROW_LENGTH, 0);
-            glow.pixel_store_i32(glow::UNPACK_SKIP_ROWS, 0);
-            glow.pixel_store_i32(glow::UNPACK_SKIP_PIXELS, 0);
+            unpack_without_gaps(glow);
             glow.tex_image_2d(
                 glow::TEXTURE_2D,
                 0,
@@ -237,6 +248,56 @@ impl Raw {
             );
         }
         Ok(())
+    }
+
+    /// Replaces whole rows of four `f32` a cell.
+    fn write_rows(&self, first: u32, cells: &[[f32; 4]]) -> Result<(), GpuError> {
+        let [width, height] = self.size.get();
+        let rows = (cells.len() / width.max(1) as usize) as u32;
+        let is_whole = rows as usize * width as usize == cells.len();
+        if !is_whole || u64::from(first) + u64::from(rows) > u64::from(height) {
+            return Err(GpuError::Data {
+                what: "texture",
+                problem: format!(
+                    "{} cells from row {first} on of {width}x{height}",
+                    cells.len()
+                ),
+            });
+        }
+        let glow = self.gl.current_for("writing rows of a texture")?;
+        self.bind(SPARE_UNIT);
+        // SAFETY: current context; the texture is bound and has these rows, and the data has exactly the
+        // length that the driver will read, since rows are unpacked without gaps. Sizes fit i32.
+        unsafe {
+            unpack_without_gaps(glow);
+            glow.tex_sub_image_2d(
+                glow::TEXTURE_2D,
+                0,
+                0,
+                first as i32,
+                width as i32,
+                rows as i32,
+                glow::RGBA,
+                glow::FLOAT,
+                glow::PixelUnpackData::Slice(Some(cast_slice(cells))),
+            );
+        }
+        Ok(())
+    }
+}
+
+/// Lets the driver read pictures from memory, row after row.
+///
+/// # Safety
+/// The context of `glow` is current.
+unsafe fn unpack_without_gaps(glow: &glow::Context) {
+    // SAFETY: by this function's contract.
+    unsafe {
+        glow.bind_buffer(glow::PIXEL_UNPACK_BUFFER, None);
+        glow.pixel_store_i32(glow::UNPACK_ALIGNMENT, 4);
+        glow.pixel_store_i32(glow::UNPACK_ROW_LENGTH, 0);
+        glow.pixel_store_i32(glow::UNPACK_SKIP_ROWS, 0);
+        glow.pixel_store_i32(glow::UNPACK_SKIP_PIXELS, 0);
     }
 }
 

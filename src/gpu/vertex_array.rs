@@ -291,21 +291,18 @@ impl VertexArray {
         }
     }
 
-    /// The same attributes, from the same buffers, with indices of their own.
-    ///
-    /// # Errors
-    /// When the indices are of another context, or the driver makes no vertex array.
-    pub fn with_indices(&self, indices: &IndexBuffer) -> Result<Self, GpuError> {
+    /// Starts a vertex array with the same attributes and indices, from the same buffers; others can
+    /// be added, and other indices take the place of these.
+    pub fn extended(&self) -> VertexArrayBuilder {
         let sources = self.sources.iter().map(|source| Source {
             storage: Rc::clone(&source.storage),
             ..*source
         });
-        let builder = VertexArrayBuilder {
+        VertexArrayBuilder {
             gl: self.gl.clone(),
             sources: sources.collect(),
-            indices: None,
-        };
-        builder.indices(indices).build()
+            indices: self.indices.clone(),
+        }
     }
 
     /// Number of vertices in the buffers; `u32::MAX` if no attribute advances by vertex.

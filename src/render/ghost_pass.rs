@@ -2,11 +2,13 @@
 
 use super::cached_mesh::CachedMesh;
 use super::frame::{Frame, PassContext};
+use super::mesh_upload::{MeshKey, MeshUpload};
 use super::number_marks::{Ghost, GhostPaint};
 use super::surface_pass::SurfacePass;
 use crate::gpu::{Gl, GpuError};
 use crate::scene::{EvaluatedGeometry, Shading, Skinning};
 use glam::{Mat4, Vec3};
+use std::rc::Rc;
 use std::sync::Arc;
 
 /// Opacity of a mesh that is seen through.
@@ -36,7 +38,9 @@ impl GhostPass {
             if self.upload(ghost).is_none() {
                 let (shading, skinning) = (Shading::AsAuthored, Skinning::Cpu);
                 let geometry = &ghost.geometry;
-                let upload = CachedMesh::new(gl, geometry, shading, skinning, true, most_rows)?;
+                let key = MeshKey::new(geometry, shading, skinning);
+                let upload = Rc::new(MeshUpload::new(gl, &key, geometry, most_rows)?);
+                let upload = CachedMesh::new(gl, &upload, geometry, true)?;
                 gl.check("uploading a mesh to compare")?;
                 self.uploads.push((Arc::clone(geometry), upload));
             }

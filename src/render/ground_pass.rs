@@ -2,6 +2,7 @@
 
 use super::area::Area;
 use super::backdrop_pass::set_gradient;
+use super::batches::batches;
 use super::frame::{Background, Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
@@ -66,19 +67,13 @@ impl ShadowPass {
         };
         state.apply(gl);
         let clip_from_world = context.clip_from_world * ground_from_world(context.ground);
-        for (shape, evaluated) in surfaces(frame) {
-            let Some(cached) = meshes.get(shape.id) else {
-                continue;
-            };
-            if !cached.shown.is_any(Purpose::Shadow) {
-                continue;
-            }
-            let program = self.programs.of(cached);
-            meshes.bind_skin(program, shape.id);
+        for batch in batches(surfaces(frame), meshes, Purpose::Shadow) {
+            let program = self.programs.of(batch.mesh);
+            meshes.place(program, &batch);
             program.set_mat4("clip_from_world", clip_from_world);
-            program.set_mat4("world_from_model", evaluated.world_from_model);
             program.set_f32("ground", context.ground);
-            cached.draw_whole(program, Purpose::Shadow);
+            let copies = batch.instances.len().max(1) as u32;
+            batch.mesh.draw_whole(program, Purpose::Shadow, copies);
         }
         Ok(shadows)
     }

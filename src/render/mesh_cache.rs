@@ -1,12 +1,14 @@
 //! The meshes and textures of a scene in the memory of the graphics card.
 
-use super::cached_mesh::{CachedMesh, MeshKey};
+use super::batches::Batch;
+use super::cached_mesh::CachedMesh;
 use super::coverage::Raster;
 use super::frame::Frame;
+use super::mesh_upload::{MeshKey, MeshUploads};
+use super::palettes::Palettes;
 use super::samples::Samples;
 use super::shown_triangles::Purpose;
 use super::sight::{Sight, may_be_seen};
-use super::skinning_tables::Palettes;
 use super::upload_cache::UploadCache;
 use crate::geometry::Picture;
 use crate::gpu::{Filter, Gl, GpuError, Program, Sampling, Texture, Wrap};
@@ -19,7 +21,9 @@ use std::sync::Arc;
 /// costs nothing but its draw.
 #[derive(Debug)]
 pub(super) struct MeshCache {
-    meshes: UploadCache<MeshKey, CachedMesh>,
+    /// With each, whether it has room for numbers.
+    meshes: UploadCache<(MeshKey, bool), CachedMesh>,
+    uploads: MeshUploads,
     palettes: Palettes,
     textures: TextureCache,
     /// Rows of the largest table for skinning.
@@ -31,6 +35,7 @@ impl MeshCache {
     pub fn new(most_rows: u32) -> Self {
         Self {
             meshes: UploadCache::default(),
+            uploads: MeshUploads::default(),
             palettes: Palettes::default(),
             textures: TextureCache::default(),
             most_rows,
@@ -53,13 +58,14 @@ impl MeshCache {
     ) -> Result<(), GpuError> {
         let (evaluated, shading) = (frame.evaluated, frame.view.shading);
         self.meshes.forget_deleted(evaluated);
-        let (most_rows, textures) = (self.most_rows, &mut self.textures);
+        let (uploads, textures) = (&mut self.uploads, &mut self.textures);
+        let most_rows = self.most_rows;
         let in_sight = |shape: &&EvaluatedShape| shape.visible && sight.has(shape);
         for shape in evaluated.shapes.iter().filter(in_sight) {
             let geometry = &shape.geometry;
             let numbers = frame.marks.numbers_of(shape.id);
             let has_numbers = numbers.is_some();
-            let key = MeshKey::new(geometry, shading, skinning, has_numbers);
+            let key = MeshKey::new(geometry, shading, skinning);
             let is_skinned = key.is_skinned();
             let moved = |cached: &mut CachedMesh| {
                 if cached.update_positions(geometry)? {
@@ -67,23 +73,27 @@ impl MeshCache {
                 }
                 cached.update_numbers(&geometry.mesh, numbers)
             };
-            self.meshes.update(shape.id, key, moved, || {
-                let mut cached =
-                    CachedMesh::new(gl, geometry, shading, skinning, has_numbers, most_rows)?;
-                cached.update_numbers(&geometry.mesh, numbers)?;
-                gl.check("uploading a mesh")?;
-                cached.add_textures(gl, &geometry.mesh, textures);
-                Ok(cached)
-            });
+            self.meshes
+                .update(shape.id, (key.clone(), has_numbers), moved, || {
+                    let upload = uploads.get(gl, &key, geometry, textures, most_rows)?;
+                    let mut cached = CachedMesh::new(gl, &upload, geometry, has_numbers)?;
+                    cached.update_numbers(&geometry.mesh, numbers)?;
+                    gl.check("uploading a mesh")?;
+                    Ok(cached)
+                });
             if is_skinned && let Some(why) = self.meshes.take_refusal(shape.id) {
                 return Err(why);
             }
         }
+        self.uploads.forget_unused();
         self.textures.forget_unused();
-        let meshes = &self.meshes;
-        let is_skinned = |id: ShapeId| meshes.get(id).is_some_and(|mesh| mesh.skin.is_some());
-        let skinned = (evaluated.shapes.iter()).filter(|s| is_skinned(s.id) && in_sight(s));
-        self.palettes.update(gl, skinned, self.most_rows)
+        let present = evaluated.shapes.iter().map(|shape| shape.id).collect();
+        let is_skinned = |id: ShapeId| self.meshes.get(id).is_some_and(CachedMesh::is_skinned);
+        let shapes = frame.scene.shapes().iter().zip(&evaluated.shapes);
+        let skinned = shapes
+            .filter(|(_, evaluated)| is_skinned(evaluated.id) && in_sight(evaluated))
+            .map(|(shape, evaluated)| (evaluated, shape.placement.color.rgb()));
+        self.palettes.update(gl, &present, skinned, most_rows)
     }
 
     /// The visible shapes whose meshes the driver could not take, in words for the user.
@@ -177,10 +187,17 @@ impl MeshCache {
         self.textures.take_notices()
     }
 
-    /// Sets the tables of `program`, one for the mesh's kind, for skinning the shape `id`.
-    pub fn bind_skin(&self, program: &Program, id: ShapeId) {
-        if let Some(cached) = self.get(id) {
-            cached.bind_skin(program, id, &self.palettes);
+    /// Where the shape `id`, which the graphics card skins, starts in the palettes.
+    pub fn first_cell(&self, id: ShapeId) -> Option<i32> {
+        self.palettes.first_cell(id)
+    }
+
+    /// Sets what `program`, one for the kind of mesh of a batch, needs to know of its shapes.
+    pub fn place(&self, program: &Program, batch: &Batch) {
+        if batch.mesh.is_skinned() {
+            (batch.mesh).bind_skin(program, &batch.instances, &self.palettes);
+        } else {
+            program.set_mat4("world_from_model", batch.evaluated.world_from_model);
         }
     }
 }

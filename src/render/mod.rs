@@ -5,9 +5,12 @@
 mod area;
 mod backdrop;
 mod backdrop_pass;
+mod batches;
 mod cached_mesh;
 mod compose;
 mod coverage;
+#[cfg(test)]
+mod crowd_tests;
 mod curve_pass;
 mod edge_pass;
 mod frame;
@@ -16,12 +19,14 @@ mod ground_pass;
 mod mesh_cache;
 mod mesh_numbers;
 mod mesh_programs;
+mod mesh_upload;
 mod moving;
 mod number_colors;
 mod number_marks;
 #[cfg(not(target_arch = "wasm32"))]
 mod offscreen;
 mod outline_pass;
+mod palettes;
 mod picture_parts;
 mod read_back;
 mod renderer;

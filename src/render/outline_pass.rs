@@ -1,6 +1,7 @@
 //! Outlines of marked shapes.
 
 use super::area::Area;
+use super::batches::Batch;
 use super::curve_pass::draw_curve_mask;
 use super::edge_pass::{Edge, EdgePass};
 use super::frame::{Frame, PassContext};
@@ -132,14 +133,12 @@ fn draw_mask(
             return Ok(());
         }
     }
-    let Some(cached) = meshes.get(id) else {
-        return Ok(());
-    };
-    let program = masks.of(cached);
-    meshes.bind_skin(program, id);
-    program.set_mat4("clip_from_world", context.clip_from_world);
-    program.set_mat4("world_from_model", evaluated.world_from_model);
-    program.set_vec3("color", color);
-    cached.draw_whole(program, Purpose::Mask);
+    if let Some(batch) = Batch::of(shape, evaluated, meshes, Purpose::Mask) {
+        let program = masks.of(batch.mesh);
+        meshes.place(program, &batch);
+        program.set_mat4("clip_from_world", context.clip_from_world);
+        program.set_vec3("color", color);
+        batch.mesh.draw_whole(program, Purpose::Mask, 1);
+    }
     Ok(())
 }

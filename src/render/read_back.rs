@@ -2,10 +2,13 @@
 
 use super::cached_mesh::{CachedMesh, MeshKind};
 use super::mesh_programs;
-use super::skinning_tables::Palettes;
+use super::mesh_upload::{MeshKey, MeshUpload};
+use super::palettes::Palettes;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Primitive, Program};
 use crate::scene::{EvaluatedShape, Shading, Skinning};
-use glam::{Mat3, Mat4, Vec3};
+use glam::{Mat4, Vec3};
+use std::collections::HashSet;
+use std::rc::Rc;
 
 const PIXELS_A_ROW: u32 = 1024;
 
@@ -27,7 +30,9 @@ pub fn read_back_skinning(
 ) -> Result<Option<Vec<[Vec3; 2]>>, GpuError> {
     let most_rows = gl.info().max_texture_size;
     let (geometry, skinning) = (&shape.geometry, Skinning::Gpu);
-    let mesh = CachedMesh::new(gl, geometry, shading, skinning, false, most_rows)?;
+    let key = MeshKey::new(geometry, shading, skinning);
+    let upload = Rc::new(MeshUpload::new(gl, &key, geometry, most_rows)?);
+    let mesh = CachedMesh::new(gl, &upload, geometry, false)?;
     let vertex = match mesh.kind() {
         MeshKind::Plain => return Ok(None),
         MeshKind::Skinned => mesh_programs::SMOOTH,
@@ -41,15 +46,19 @@ pub fn read_back_skinning(
         include_str!("../../shaders/read_back_fragment.glsl"),
     )?;
     let mut palettes = Palettes::default();
-    palettes.update(gl, std::iter::once(shape), most_rows)?;
-    mesh.bind_skin(&program, shape.id, &palettes);
+    let shape = EvaluatedShape {
+        world_from_model: Mat4::IDENTITY,
+        ..shape.clone()
+    };
+    let alone = std::iter::once((&shape, Vec3::ONE));
+    palettes.update(gl, &HashSet::from([shape.id]), alone, most_rows)?;
+    let instances: Vec<i32> = palettes.first_cell(shape.id).into_iter().collect();
+    mesh.bind_skin(&program, &instances, &palettes);
 
     let count = mesh.vertex_array.vertex_count();
     let rows = count.div_ceil(PIXELS_A_ROW).max(1);
     let picture = Framebuffer::new(gl, PIXELS_A_ROW, rows, 0)?;
     program.set_mat4("clip_from_world", Mat4::IDENTITY);
-    program.set_mat4("world_from_model", Mat4::IDENTITY);
-    program.set_mat3("world_from_model_normal", Mat3::IDENTITY);
     program.set_i32("pixels_a_row", PIXELS_A_ROW as i32);
     program.set_i32("rows", rows as i32);
     let mut vertices = vec![[Vec3::ZERO; 2]; count as usize];

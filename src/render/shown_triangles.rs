@@ -29,7 +29,7 @@ pub(super) enum Shown {
     All,
     /// The mesh is out of sight.
     None,
-    Some(Kept),
+    Some(Box<Kept>),
 }
 
 /// The triangles in which there may be a sample.
@@ -85,7 +85,7 @@ impl ShownTriangles {
                 *shown = Shown::Some(kept);
                 return Ok(());
             }
-            Shown::Some(Kept { list, .. }) => list,
+            Shown::Some(kept) => kept.list,
             Shown::All | Shown::None => None,
         };
         let (positions, triangles) = (geometry.positions(), &geometry.mesh.triangles);
@@ -105,7 +105,7 @@ impl ShownTriangles {
                 }
                 None => {
                     let indices = IndexBuffer::new(gl, Usage::Stream, corners)?;
-                    let vertex_array = all.with_indices(&indices)?;
+                    let vertex_array = all.extended().indices(&indices).build()?;
                     (indices, vertex_array)
                 }
             };
@@ -116,7 +116,7 @@ impl ShownTriangles {
             })
         });
         let list = list.transpose()?;
-        *shown = Shown::Some(Kept { of, list });
+        *shown = Shown::Some(Box::new(Kept { of, list }));
         Ok(())
     }
 }

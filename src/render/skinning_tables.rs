@@ -1,9 +1,7 @@
-//! Tables that the vertex shaders skin with: influences of vertices and transforms of joints.
+//! Tables that the vertex shaders skin with, and the influences of vertices in one.
 
 use crate::character::{Attachments, Character};
 use crate::gpu::{FloatTexture, Gl, GpuError};
-use crate::revision::Revision;
-use crate::scene::{Deformation, EvaluatedShape, ShapeId};
 
 /// Influences of a vertex in the table: the first cell, and the number of cells.
 pub(super) type Run = [u32; 2];
@@ -54,65 +52,14 @@ fn pairs(attachments: &Attachments) -> (Vec<[f32; 4]>, Vec<Run>) {
     (cells, runs)
 }
 
-/// The joints' transforms of all characters that the graphics card skins, one after the other in
-/// one table. Written when one of them has a new pose: some kilobytes, and no vertices.
-#[derive(Debug, Default)]
-pub(super) struct Palettes {
-    table: Option<Table>,
-    /// Shape and revision of the transforms in the table, and their first joint in it.
-    held: Vec<(ShapeId, Revision, u32)>,
-}
-
-impl Palettes {
-    /// Updates the table for `shapes`, without those that nothing deforms.
-    pub fn update<'a>(
-        &mut self,
-        gl: &Gl,
-        shapes: impl Iterator<Item = &'a EvaluatedShape>,
-        most_rows: u32,
-    ) -> Result<(), GpuError> {
-        let deformed: Vec<(&EvaluatedShape, &Deformation)> = shapes
-            .filter_map(|shape| Some((shape, shape.geometry.deformation.as_ref()?)))
-            .collect();
-        let is_held = |(held, (shape, _)): (&(ShapeId, Revision, u32), &(&EvaluatedShape, _))| {
-            (held.0, held.1) == (shape.id, shape.geometry.revision)
-        };
-        if self.held.len() == deformed.len() && self.held.iter().zip(&deformed).all(is_held) {
-            return Ok(());
-        }
-        self.held.clear();
-        let mut cells = Vec::new();
-        let mut held = Vec::with_capacity(deformed.len());
-        for (shape, deformation) in deformed {
-            held.push((shape.id, shape.geometry.revision, (cells.len() / 3) as u32));
-            for model_from_bind in deformation.palette() {
-                let rows = model_from_bind.transpose();
-                cells.extend([rows.x_axis, rows.y_axis, rows.z_axis].map(|row| row.to_array()));
-            }
-        }
-        match &self.table {
-            Some(table) => table.update(cells, most_rows)?,
-            None => self.table = Some(Table::new(gl, cells, most_rows)?),
-        }
-        self.held = held;
-        Ok(())
-    }
-
-    /// Binds the table to a texture unit; the first joint of the shape `id` in it.
-    pub fn bind(&self, unit: u32, id: ShapeId) -> Option<u32> {
-        let &(_, _, first_joint) = self.held.iter().find(|held| held.0 == id)?;
-        self.table.as_ref()?.bind(unit);
-        Some(first_joint)
-    }
-}
-
 /// Cells in a row: as many as every driver can hold. `shaders/skinning.glsl` depends on it.
-const WIDTH: u32 = 1024;
+pub(super) const WIDTH: u32 = 1024;
 
 /// A float texture of any number of cells, four numbers a cell, in rows of one width.
 #[derive(Debug)]
 pub(super) struct Table {
     texture: FloatTexture,
+    rows: u32,
 }
 
 impl Table {
@@ -123,16 +70,20 @@ impl Table {
     pub fn new(gl: &Gl, cells: Vec<[f32; 4]>, most_rows: u32) -> Result<Self, GpuError> {
         let (rows, cells) = rows(cells, most_rows)?;
         let texture = FloatTexture::new(gl, WIDTH, rows, &cells)?;
-        Ok(Self { texture })
+        Ok(Self { texture, rows })
     }
 
-    /// Replaces the cells.
+    /// Replaces whole rows of cells from the row `first` on.
     ///
     /// # Errors
-    /// As [`Table::new`].
-    pub fn update(&self, cells: Vec<[f32; 4]>, most_rows: u32) -> Result<(), GpuError> {
-        let (rows, cells) = rows(cells, most_rows)?;
-        self.texture.update(WIDTH, rows, &cells)
+    /// When the table has no such rows.
+    pub fn update_rows(&self, first: u32, cells: &[[f32; 4]]) -> Result<(), GpuError> {
+        self.texture.update_rows(first, cells)
+    }
+
+    /// Number of its rows.
+    pub fn rows(&self) -> usize {
+        self.rows as usize
     }
 
     /// Binds it to a texture unit.

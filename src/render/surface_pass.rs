@@ -1,5 +1,6 @@
 //! The surfaces of shapes, and the lights that they are drawn with.
 
+use super::batches::{Batch, batches};
 use super::cached_mesh::CachedMesh;
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
@@ -57,15 +58,13 @@ impl SurfacePass {
     pub fn draw_opaque(&self, gl: &Gl, context: &PassContext, frame: &Frame, meshes: &MeshCache) {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
-        if frame.view.look == Look::Mannequin {
-            // Its bones are seen through every mesh.
-            surfaces(frame).for_each(|(shape, evaluated)| {
-                self.draw_mesh(shape, evaluated, meshes, 1.0);
-            });
-            return;
-        }
-        for (shape, evaluated) in shapes(frame, ModelDisplay::Mesh) {
-            self.draw_mesh(shape, evaluated, meshes, 1.0);
+        // The mannequin's bones are seen through every mesh.
+        let opaque: Vec<_> = match frame.view.look {
+            Look::Mannequin => surfaces(frame).collect(),
+            Look::Course | Look::Studio => shapes(frame, ModelDisplay::Mesh).collect(),
+        };
+        for batch in batches(opaque.into_iter(), meshes, Purpose::Surface) {
+            self.draw_batch(&batch, meshes, 1.0);
         }
     }
 
@@ -79,10 +78,12 @@ impl SurfacePass {
         meshes: &MeshCache,
     ) {
         self.prepare(context, frame);
-        for (shape, evaluated) in shapes(frame, ModelDisplay::Both) {
+        let shapes = shapes(frame, ModelDisplay::Both);
+        let single = |(shape, it)| Batch::of(shape, it, meshes, Purpose::Surface);
+        for batch in shapes.filter_map(single) {
             for state in nearest_blended(context) {
                 state.apply(gl);
-                self.draw_mesh(shape, evaluated, meshes, SEEN_THROUGH);
+                self.draw_batch(&batch, meshes, SEEN_THROUGH);
             }
         }
     }
@@ -100,8 +101,9 @@ impl SurfacePass {
         self.prepare(context, frame);
         if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
             let program = colors.program(mesh, numbers);
-            place_mesh(program, mesh, world_from_model, 1.0);
-            mesh.draw_whole(program, Purpose::Surface);
+            program.set_mat4("world_from_model", world_from_model);
+            prepare_mesh(program, mesh, world_from_model, 1.0);
+            mesh.draw_whole(program, Purpose::Surface, 1);
         }
     }
 
@@ -118,12 +120,13 @@ impl SurfacePass {
     ) {
         self.prepare(context, frame);
         let program = self.programs.of(mesh);
-        place_mesh(program, mesh, world_from_model, alpha);
+        program.set_mat4("world_from_model", world_from_model);
+        prepare_mesh(program, mesh, world_from_model, alpha);
         program.set_vec3("color", color);
         program.set_i32("textured", 0);
         for state in nearest_blended(context) {
             state.apply(gl);
-            mesh.draw_whole(program, Purpose::Surface);
+            mesh.draw_whole(program, Purpose::Surface, 1);
         }
     }
 
@@ -138,39 +141,41 @@ impl SurfacePass {
         }
     }
 
-    fn draw_mesh(&self, shape: &Shape, evaluated: &EvaluatedShape, meshes: &MeshCache, alpha: f32) {
-        let Some(cached) = meshes.get(shape.id) else {
-            return;
+    fn draw_batch(&self, batch: &Batch, meshes: &MeshCache, alpha: f32) {
+        let (mesh, copies) = (batch.mesh, batch.instances.len().max(1) as u32);
+        let world_from_model = batch.evaluated.world_from_model;
+        if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
+            let program = colors.program(mesh, numbers);
+            meshes.place(program, batch);
+            prepare_mesh(program, mesh, world_from_model, alpha);
+            return mesh.draw_whole(program, Purpose::Surface, copies);
+        }
+        let program = self.programs.of(mesh);
+        meshes.place(program, batch);
+        prepare_mesh(program, mesh, world_from_model, alpha);
+        // The vertex shader that skins knows the color of each copy.
+        let own = if mesh.is_skinned() {
+            Vec3::ONE
+        } else {
+            batch.shape.placement.color.rgb()
         };
-        if !cached.shown.is_any(Purpose::Surface) {
-            return;
-        }
-        if let (Some(numbers), Some(colors)) = (cached.numbers(), &self.numbers) {
-            let program = colors.program(cached, numbers);
-            meshes.bind_skin(program, shape.id);
-            place_mesh(program, cached, evaluated.world_from_model, alpha);
-            return cached.draw_whole(program, Purpose::Surface);
-        }
-        let program = self.programs.of(cached);
-        meshes.bind_skin(program, shape.id);
-        place_mesh(program, cached, evaluated.world_from_model, alpha);
-        let own = shape.placement.color.rgb();
-        for part in parts(&evaluated.geometry.mesh, cached, own) {
+        for part in parts(&batch.evaluated.geometry.mesh, mesh, own) {
             program.set_vec3("color", part.color);
             program.set_i32("textured", i32::from(part.texture.is_some()));
             if let Some(texture) = part.texture {
                 texture.bind(PICTURE);
             }
             let triangles = part.triangles.start as u32..part.triangles.end as u32;
-            cached.draw(program, Purpose::Surface, triangles);
+            mesh.draw(program, Purpose::Surface, triangles, copies);
         }
     }
 }
 
-/// Sets what all programs for meshes need to know of one.
-fn place_mesh(program: &Program, mesh: &CachedMesh, world_from_model: Mat4, alpha: f32) {
-    program.set_mat4("world_from_model", world_from_model);
-    program.set_mat3("world_from_model_normal", normal_matrix(world_from_model));
+/// Sets how a program draws a mesh, and how it turns the normals of one that it does not skin.
+fn prepare_mesh(program: &Program, mesh: &CachedMesh, world_from_model: Mat4, alpha: f32) {
+    if !mesh.is_skinned() {
+        program.set_mat3("world_from_model_normal", normal_matrix(world_from_model));
+    }
     program.set_i32("flat_normals", i32::from(mesh.is_flat()));
     program.set_f32("alpha", alpha);
 }
@@ -249,7 +254,7 @@ fn parts<'a>(mesh: &Mesh, cached: &'a CachedMesh, own: Vec3) -> Vec<Part<'a>> {
         if done < group.triangles.start {
             parts.push(plain(done..group.triangles.start));
         }
-        let texture = cached.textures.get(index).and_then(|t| t.as_deref());
+        let texture = cached.upload.textures.get(index).and_then(|t| t.as_deref());
         let material = texture.map_or(group.material.color, |_| Vec3::ONE);
         parts.push(Part {
             triangles: group.triangles.clone(),

@@ -1,0 +1,72 @@
+//! Copies of a mesh that are drawn at once.
+
+use super::cached_mesh::CachedMesh;
+use super::mesh_cache::MeshCache;
+use super::shown_triangles::Purpose;
+use crate::scene::{EvaluatedShape, Shape};
+use std::rc::Rc;
+
+/// Copies that are drawn at once. `shaders/skinning.glsl` has room for so many.
+const MOST: usize = 64;
+
+/// Consecutive shapes with the same mesh, skinned by the graphics card: one draw for all of them. Of
+/// other shapes each is a batch of its own.
+#[derive(Debug)]
+pub(super) struct Batch<'a> {
+    /// The first of the shapes.
+    pub shape: &'a Shape,
+    /// Its evaluation.
+    pub evaluated: &'a EvaluatedShape,
+    /// Its mesh.
+    pub mesh: &'a CachedMesh,
+    /// Where each of the shapes starts in the palettes; none if the graphics card does not skin it.
+    pub instances: Vec<i32>,
+}
+
+impl<'a> Batch<'a> {
+    /// A batch of one shape; `None` if nothing of it is drawn.
+    pub fn of(
+        shape: &'a Shape,
+        evaluated: &'a EvaluatedShape,
+        meshes: &'a MeshCache,
+        purpose: Purpose,
+    ) -> Option<Self> {
+        let mesh = meshes.get(shape.id)?;
+        let instance = mesh.is_skinned().then(|| meshes.first_cell(shape.id));
+        mesh.shown.is_any(purpose).then(|| Self {
+            shape,
+            evaluated,
+            mesh,
+            instances: instance.flatten().into_iter().collect(),
+        })
+    }
+
+    /// Whether the same draw can draw `other` too, after this. Meshes of several materials are drawn
+    /// one by one: of two at the same place the first is seen, which part by part would be another.
+    fn takes(&self, other: &Self, purpose: Purpose) -> bool {
+        let has_one_color = |batch: &Self| {
+            let mesh = &batch.evaluated.geometry.mesh;
+            purpose != Purpose::Surface
+                || (mesh.groups.is_empty() && batch.mesh.numbers().is_none())
+        };
+        let is_same = Rc::ptr_eq(&self.mesh.upload, &other.mesh.upload);
+        let is_room = (1..MOST).contains(&self.instances.len()) && !other.instances.is_empty();
+        is_same && is_room && has_one_color(self) && has_one_color(other)
+    }
+}
+
+/// The batches of `shapes`, in their order.
+pub(super) fn batches<'a>(
+    shapes: impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)>,
+    meshes: &'a MeshCache,
+    purpose: Purpose,
+) -> Vec<Batch<'a>> {
+    let mut batches: Vec<Batch> = Vec::new();
+    for next in shapes.filter_map(|(shape, it)| Batch::of(shape, it, meshes, purpose)) {
+        match batches.last_mut() {
+            Some(last) if last.takes(&next, purpose) => last.instances.extend(next.instances),
+            _ => batches.push(next),
+        }
+    }
+    batches
+}
