@@ -6,6 +6,7 @@ mod browser;
 mod comparing;
 mod files;
 mod graphics;
+mod importing;
 mod native;
 mod offline;
 mod picture;
