@@ -234,7 +234,7 @@ fn what_the_program_is_started_with_comes_later_if_it_is_large() {
     };
     let mut story = Story::start_at(host, &["large.obj"]);
     assert!(
-        !story.has("Showcase"),
+        !story.has("Begin: Adult"),
         "there is no start page for a moment"
     );
     story.wait(0.2);
