@@ -31,6 +31,9 @@ impl Program {
             let nothing = Loaded::default();
             return self.begin_with(nothing, &paths, &*files, Vec::new(), picture.as_deref());
         }
+        // What is seen while large files are read.
+        self.session.open(Vec::new(), self.view_without_scene());
+        self.document = DocumentFile::untitled(self.session.document());
         let wanted = Wanted::Document(Missing::StandIn);
         let job = ReadJob {
             files,

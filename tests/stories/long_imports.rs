@@ -4,7 +4,7 @@ use super::{Story, started_before};
 use crate::host::MemoryHost;
 use editor_core::editor::{Edit, Severity};
 use editor_core::program::{HostEvent, RunningJob};
-use editor_core::scene::{NewShape, ShapeKind};
+use editor_core::scene::{Look, NewShape, ShapeKind};
 use editor_core::ui::{Action, Ask};
 use egui::{Key, Modifiers};
 use std::fmt::Write;
@@ -237,6 +237,7 @@ fn what_the_program_is_started_with_comes_later_if_it_is_large() {
         !story.has("Begin: Adult"),
         "there is no start page for a moment"
     );
+    assert_eq!(story.session().view().look, Look::Studio);
     story.wait(0.2);
     assert!(story.has("Opening large.obj"));
     finish(&mut story);
