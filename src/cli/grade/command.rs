@@ -1,10 +1,10 @@
 //! The command that makes the files of a submission, within limits.
 
+use super::interruption::Interruption;
 use crate::cli::CliError;
 use crate::io::{CommandData, Diagnostic, TestData, builtin};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicBool;
 
 #[cfg(unix)]
 mod process;
@@ -76,13 +76,13 @@ impl TestCommand {
     /// Runs it in `folder` for `test`, so that it writes `output`.
     ///
     /// # Errors
-    /// If it fails or goes beyond a limit; when `is_interrupted` is set it is ended.
+    /// If it fails or goes beyond a limit; when `interruption` is set it is ended.
     pub fn run(
         &self,
         test: &TestData,
         folder: &Path,
         output: &Path,
-        is_interrupted: &AtomicBool,
+        interruption: &Interruption,
     ) -> Result<(), CommandFailure> {
         let [character, pose] = match self.given.get(&test.name) {
             Some(given) => given,
@@ -99,7 +99,7 @@ impl TestCommand {
         ];
         let words = self.data.run.iter().map(|word| filled_in(word, &places));
         let words: Vec<String> = words.collect();
-        execute(&self.data, &words, &folder, output, is_interrupted)
+        execute(&self.data, &words, &folder, output, interruption)
     }
 }
 
@@ -125,9 +125,9 @@ fn execute(
     words: &[String],
     folder: &Path,
     output: &Path,
-    is_interrupted: &AtomicBool,
+    interruption: &Interruption,
 ) -> Result<(), CommandFailure> {
-    let ran = process::run(data, words, folder, is_interrupted);
+    let ran = process::run(data, words, folder, interruption);
     // The name of a temporary file differs from run to run.
     let told = |text: String| text.replace(&*output.to_string_lossy(), "OUTPUT");
     ran.map_err(|failure| match failure {

@@ -1,6 +1,7 @@
 //! `editor grade`: a class graded by tests, with a report.
 
 mod command;
+mod interruption;
 mod kept;
 mod merge;
 mod submissions;

@@ -1,6 +1,7 @@
 //! Submissions, graded side by side.
 
 use super::command::{CommandFailure, TestCommand};
+use super::interruption::Interruption;
 use super::kept::{KeptResult, KeptResults, Store};
 use super::submissions::Submission;
 use crate::cli::CliError;
@@ -11,10 +12,10 @@ use crate::io::Diagnostic;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::num::NonZeroUsize;
-use std::path::Path;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Size of the largest file of a submission, in bytes.
 const LARGEST: u64 = 64 << 20;
@@ -55,16 +56,16 @@ impl Work<'_> {
     ) -> Result<BTreeMap<String, Vec<Graded>>, CliError> {
         let processors = || std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let jobs = jobs.unwrap_or_else(processors).get().min(submissions.len());
-        let is_interrupted = interruption();
+        let interruption = Interruption::watched();
         let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
         let (started, progress) = (Instant::now(), Progress::new());
         progress.show(format_args!("0 of {} graded", submissions.len()));
         let work = || {
             while let Some(submission) = submissions.get(next.fetch_add(1, Ordering::Relaxed)) {
-                if is_interrupted.load(Ordering::Relaxed) {
+                if interruption.is_asked() {
                     break;
                 }
-                let one = self.one(submission, &is_interrupted);
+                let one = self.one(submission, &interruption);
                 // What another thread left there is whole.
                 let mut done = done.lock().unwrap_or_else(PoisonError::into_inner);
                 done.push(one);
@@ -82,7 +83,7 @@ impl Work<'_> {
             }
         });
         drop(progress);
-        if is_interrupted.load(Ordering::Relaxed) {
+        if interruption.is_asked() {
             let message =
                 "interrupted; started again with the same report it resumes where it stopped";
             return Err(CliError::Other(message.to_owned()));
@@ -103,7 +104,7 @@ impl Work<'_> {
         Ok(done.into_iter().map(|one| (one.name, one.graded)).collect())
     }
 
-    fn one(&self, submission: &Submission, is_interrupted: &AtomicBool) -> Result<Done, CliError> {
+    fn one(&self, submission: &Submission, interruption: &Interruption) -> Result<Done, CliError> {
         let before = self.store.results(&submission.name);
         let mut results = KeptResults::default();
         let of_folder = |command: &TestCommand| {
@@ -120,7 +121,7 @@ impl Work<'_> {
                     let key = self.key(test, files);
                     match known.filter(|known| known.key == key) {
                         Some(known) => known.clone(),
-                        None => match self.make(test, submission, command, is_interrupted)? {
+                        None => match self.make(test, submission, command, interruption)? {
                             Made::Graded(graded) => {
                                 has_run = true;
                                 KeptResult { key, graded }
@@ -188,12 +189,12 @@ impl Work<'_> {
         test: &Test,
         submission: &Submission,
         command: &TestCommand,
-        is_interrupted: &AtomicBool,
+        interruption: &Interruption,
     ) -> Result<Made, CliError> {
         let name = test.file_name();
         let scratch = ScratchFolder::new()?;
         let output = scratch.path().join(&name);
-        let ran = command.run(test.data(), &submission.folder, &output, is_interrupted);
+        let ran = command.run(test.data(), &submission.folder, &output, interruption);
         let written = read(&output, &name);
         // A second signal ends the program, and should find no folder to leave behind.
         drop(scratch);
@@ -221,8 +222,18 @@ impl Work<'_> {
 
 /// A text that tells this build of the program from others: any of its parts may change what is graded.
 pub(super) fn fingerprint_of_program() -> String {
-    let read = std::env::current_exe().and_then(|path| fingerprint_on_disk(&path));
-    read.unwrap_or_else(|error| error.kind().to_string())
+    fingerprint_of_build(std::env::current_exe())
+}
+
+/// The same for the program in the file `path`. One that cannot be read may be any: it is told from all
+/// others, and from itself when it is started again.
+fn fingerprint_of_build(path: std::io::Result<PathBuf>) -> String {
+    let read = path.and_then(|path| fingerprint_on_disk(&path));
+    read.unwrap_or_else(|_| {
+        let since = SystemTime::now().duration_since(UNIX_EPOCH);
+        let since = since.unwrap_or_default().as_nanos();
+        format!("unread-{}-{since}", std::process::id())
+    })
 }
 
 /// Why a command made no file, with a word on one called `name` that the submission has nevertheless.
@@ -321,17 +332,21 @@ fn left(done: usize, all: usize, elapsed: Duration, name: &str) -> String {
     format!("{done} of {all} graded, {left} left, about {time}; {name} is done")
 }
 
-/// Set when the user or the system asks the program to end, so that commands end with it. Asked a second
-/// time, it ends at once: a file that is being written is left whole or as it was.
-fn interruption() -> Arc<AtomicBool> {
-    let flag = Arc::new(AtomicBool::new(false));
-    #[cfg(unix)]
-    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        // Where it cannot be watched, it ends the program at once, and what is kept stays. What comes
-        // first here is done first.
-        let _ =
-            signal_hook::flag::register_conditional_shutdown(signal, 128 + signal, flag.clone());
-        let _ = signal_hook::flag::register(signal, flag.clone());
+#[cfg(test)]
+mod tests {
+    use super::fingerprint_of_build;
+    use std::path::PathBuf;
+
+    #[test]
+    fn a_program_that_cannot_be_read_is_told_from_all_others_and_from_itself() {
+        let nowhere = || fingerprint_of_build(Ok(PathBuf::from("/nowhere/editor")));
+        assert_ne!(nowhere(), nowhere());
+        let unknown = || fingerprint_of_build(Err(std::io::ErrorKind::NotFound.into()));
+        assert_ne!(unknown(), unknown());
+        let folder = tempfile::tempdir().unwrap();
+        let program = folder.path().join("editor");
+        std::fs::write(&program, "program").unwrap();
+        let read = || fingerprint_of_build(Ok(program.clone()));
+        assert_eq!(read(), read());
     }
-    flag
 }

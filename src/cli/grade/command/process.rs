@@ -1,15 +1,14 @@
 //! A process and all that it starts, which are a group and end together.
 
 use super::CommandFailure;
+use crate::cli::grade::interruption::Interruption;
 use crate::disk::in_words;
 use crate::io::CommandData;
-use rustix::process::{Pid, Signal, kill_process_group};
 use signal_hook::consts;
 use std::io::{ErrorKind, Read};
-use std::os::unix::process::{CommandExt, ExitStatusExt};
+use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
@@ -26,7 +25,7 @@ pub(super) fn run(
     data: &CommandData,
     words: &[String],
     folder: &Path,
-    is_interrupted: &AtomicBool,
+    interruption: &Interruption,
 ) -> Result<(), CommandFailure> {
     let (name, arguments) = words
         .split_first()
@@ -37,21 +36,17 @@ pub(super) fn run(
     } else {
         name.into()
     };
-    let started = Command::new(&program)
-        .args(arguments)
-        .current_dir(folder)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::piped())
-        .process_group(0)
-        .spawn();
+    let mut command = Command::new(&program);
+    command.args(arguments).current_dir(folder);
+    command.stdin(Stdio::null()).stdout(Stdio::null());
+    let started = interruption.start(command.stderr(Stdio::piped()));
     let mut child = started.map_err(|error| match error.kind() {
         ErrorKind::NotFound => CommandFailure::Missing(format!("there is no program {name}")),
         _ => CommandFailure::Failed(format!("{name} cannot be started: {}", in_words(&error))),
     })?;
     let printed = read_on(child.stderr.take());
-    let ended = wait(&mut child, data, is_interrupted);
-    end_group(&child);
+    let ended = wait(&mut child, data, interruption);
+    interruption.end(&child);
     let status = match ended {
         Ok(status) => status,
         Err(failure) => {
@@ -79,7 +74,7 @@ pub(super) fn run(
 fn wait(
     child: &mut Child,
     data: &CommandData,
-    is_interrupted: &AtomicBool,
+    interruption: &Interruption,
 ) -> Result<ExitStatus, CommandFailure> {
     let (started, mut pause) = (Instant::now(), FIRST_PAUSE);
     loop {
@@ -88,7 +83,7 @@ fn wait(
             Ok(None) => {}
             Err(error) => return Err(CommandFailure::Failed(in_words(&error))),
         }
-        if is_interrupted.load(Ordering::Relaxed) {
+        if interruption.is_asked() {
             return Err(CommandFailure::Interrupted);
         }
         if started.elapsed().as_secs_f64() > f64::from(data.seconds) {
@@ -101,14 +96,6 @@ fn wait(
         }
         std::thread::sleep(pause);
         pause = (pause * 2).min(LONGEST_PAUSE);
-    }
-}
-
-/// Ends everything that the process has started and itself.
-fn end_group(child: &Child) {
-    if let Some(group) = Pid::from_raw(child.id().cast_signed()) {
-        // All of it may have ended already.
-        let _ = kill_process_group(group, Signal::KILL);
     }
 }
 
