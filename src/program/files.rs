@@ -63,7 +63,10 @@ impl Program {
                 picture.is_some(),
             );
             self.document = match paths {
-                [path] if failed.is_empty() => self.file_of(path, files),
+                [path] if failed.is_empty() => {
+                    self.remember_recent(path);
+                    self.file_of(path, files)
+                }
                 _ => DocumentFile::untitled(self.session.document()),
             };
             self.tell_all(Severity::Warning, loaded.warnings);

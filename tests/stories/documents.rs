@@ -205,6 +205,19 @@ fn a_file_that_is_gone_is_written_anew() {
 }
 
 #[test]
+fn a_document_that_the_program_is_started_with_is_a_recent_one_even_if_it_is_killed() {
+    let host = crate::host::MemoryHost {
+        files: with_saved_cube().host.files,
+        stored: [super::started_before()].into(),
+        ..Default::default()
+    };
+    let story = Story::start_at(host, &["work/a.scene"]);
+    let key = editor_core::program::StorageKey::Preferences;
+    let kept: serde_json::Value = serde_json::from_slice(&story.host.stored[&key]).unwrap();
+    assert_eq!(kept["recent"], serde_json::json!(["work/a.scene"]));
+}
+
+#[test]
 fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
     let mut story = with_saved_cube();
     story.click("File");

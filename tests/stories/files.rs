@@ -362,7 +362,7 @@ fn each_kind_of_files_has_a_folder_of_its_own_and_all_are_offered_as_recent() {
     let recent = &story.host.requests.last().expect("a request").recent;
     let recent: Vec<_> = recent.iter().map(|folder| folder.display()).collect();
     let recent: Vec<_> = recent.iter().map(ToString::to_string).collect();
-    assert_eq!(recent, ["pictures", "scenes", "poses"]);
+    assert_eq!(recent, ["pictures", "scenes", "models", "poses"]);
 
     let host = MemoryHost {
         stored: story.host.stored,
