@@ -4,7 +4,7 @@ use super::browser::{Browser, ENTER, ESC, F8, F12};
 
 /// Notes when the browser begins a frame, and each time in which it could neither draw nor take what the
 /// user does: between two tasks that follow each other as closely as it lets them.
-pub const WATCH: &str = "
+const WATCH: &str = "
     window.frames = [], window.held = [];
     const frame = (now) => { frames.push(now); requestAnimationFrame(frame); };
     requestAnimationFrame(frame);
@@ -48,7 +48,7 @@ const CHOOSING: &str = "
 
 /// The longest of the jobs after the first `before` of them: its time in milliseconds, the longest time
 /// within it for which the page stood still, and the number of frames that began within it.
-pub const LONGEST: &str = "
+const LONGEST: &str = "
     const jobs = performance.getEntriesByName('editor-job', 'measure').slice(before);
     jobs.sort((a, b) => b.duration - a.duration);
     const [begun, ended] = [jobs[0].startTime, jobs[0].startTime + jobs[0].duration];
@@ -58,7 +58,7 @@ pub const LONGEST: &str = "
     return [jobs[0].duration, longest, drawn.length];";
 
 /// Number of jobs that have ended.
-pub fn jobs(browser: &Browser) -> u64 {
+fn jobs(browser: &Browser) -> u64 {
     let ended =
         browser.script("return performance.getEntriesByName('editor-job', 'measure').length");
     ended.as_u64().unwrap()

@@ -6,7 +6,6 @@ mod browser;
 mod comparing;
 mod files;
 mod graphics;
-mod importing;
 mod native;
 mod offline;
 mod picture;
