@@ -6,7 +6,7 @@ use cpu_time::ProcessTime;
 use editor_core::gpu::{Backend, Framebuffer, HeadlessContext};
 use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
-use editor_core::render::{Backdrop, Frame, Marks, RenderError, Renderer};
+use editor_core::render::{Frame, RenderError, Renderer};
 use editor_core::scene::{Evaluator, FitArea, Scene, ShapeId, ViewSettings};
 use std::collections::HashMap;
 use std::path::Path;
@@ -134,13 +134,7 @@ impl Crowd {
         by: impl FnOnce(&mut Renderer, &Frame, &Framebuffer) -> Result<(), RenderError>,
     ) {
         let evaluated = self.evaluator.evaluate(&self.scene, 0.0);
-        let frame = Frame {
-            scene: &self.scene,
-            evaluated: &evaluated,
-            view: &self.view,
-            backdrop: Backdrop::default(),
-            marks: Marks::default(),
-        };
+        let frame = Frame::plain(&self.scene, &evaluated, &self.view);
         by(&mut self.renderer, &frame, &self.target).expect("a drawn frame");
         self.drawn += 1;
     }

@@ -12,7 +12,7 @@ use editor_core::gpu::{
 use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
 use editor_core::math::Euler;
-use editor_core::render::{Backdrop, Frame, Marks, Renderer};
+use editor_core::render::{Frame, Renderer};
 use editor_core::scene::{Evaluator, Scene, ShapeId, Skinning, ViewSettings};
 use glam::{Mat4, Vec3};
 use std::collections::HashMap;
@@ -118,13 +118,7 @@ impl Ours {
             character.set_pose(pose.clone());
         }
         let evaluated = self.evaluator.evaluate(&self.scene, 0.0);
-        let frame = Frame {
-            scene: &self.scene,
-            evaluated: &evaluated,
-            view: &self.view,
-            backdrop: Backdrop::default(),
-            marks: Marks::default(),
-        };
+        let frame = Frame::plain(&self.scene, &evaluated, &self.view);
         self.renderer
             .draw(&frame, &self.target)
             .expect("a drawn frame");

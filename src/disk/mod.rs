@@ -2,6 +2,7 @@
 //! and the commands, which pass it to the layers below as [`crate::io::Files`].
 
 mod scratch;
+mod staged;
 mod write;
 
 pub use scratch::ScratchFolder;

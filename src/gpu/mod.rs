@@ -33,6 +33,7 @@
 //! returned once by [`Gl::check`], together with what the driver reports.
 #![doc(alias = "ErrorHandling")]
 
+mod attribute;
 mod buffer;
 mod context;
 mod display_list;
@@ -55,6 +56,7 @@ pub(crate) mod test_driver;
 mod texture;
 mod vertex_array;
 
+pub use attribute::Attribute;
 pub use buffer::{Buffer, IndexBuffer, Usage};
 pub use context::Api;
 #[cfg(target_arch = "wasm32")]
@@ -71,4 +73,4 @@ pub use immediate::{Immediate, Mode, PointShape};
 pub use program::Program;
 pub use reading::Reading;
 pub use texture::{Filter, FloatTexture, Sampling, Texture, Wrap};
-pub use vertex_array::{Attribute, Primitive, VertexArray, VertexArrayBuilder};
+pub use vertex_array::{Primitive, VertexArray, VertexArrayBuilder};

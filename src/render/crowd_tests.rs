@@ -2,7 +2,7 @@
 
 use super::batches::batches;
 use super::shown_triangles::Purpose;
-use super::{Backdrop, Frame, Marks, Renderer};
+use super::{Frame, Renderer};
 use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
 use crate::geometry::{Mesh, Picture, Poles, sphere};
 use crate::gpu::test_driver::TestDriver;
@@ -74,13 +74,7 @@ fn drawn_of(
     (scene, evaluated): (&Scene, &Evaluated),
     view: &ViewSettings,
 ) -> Picture {
-    let frame = Frame {
-        scene,
-        evaluated,
-        view,
-        backdrop: Backdrop::default(),
-        marks: Marks::default(),
-    };
+    let frame = Frame::plain(scene, evaluated, view);
     let target = Framebuffer::new(gl, 200, 150, 0).unwrap();
     renderer.draw(&frame, &target).unwrap();
     read_picture(&target).unwrap()

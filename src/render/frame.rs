@@ -25,6 +25,17 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
+    /// A picture of the scene alone, without the marks of an editor, before the default backdrop.
+    pub fn plain(scene: &'a Scene, evaluated: &'a Evaluated, view: &'a ViewSettings) -> Self {
+        Self {
+            scene,
+            evaluated,
+            view,
+            backdrop: Backdrop::default(),
+            marks: Marks::default(),
+        }
+    }
+
     /// The visible shapes, but for one that another mesh takes the place of.
     pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
         let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);

@@ -241,9 +241,9 @@ pub(super) fn hides_below(context: &PassContext, camera: &Camera) -> bool {
 mod tests {
     use super::*;
     use crate::gpu::{Backend, HeadlessContext};
+    use crate::render::Backdrop;
     use crate::render::sight::Sight;
     use crate::render::tile::Tile;
-    use crate::render::{Backdrop, Marks};
     use crate::scene::{Evaluator, Look, NewShape, Scene, ShapeKind, Skinning, ViewSettings};
     use proptest::prelude::*;
 
@@ -291,13 +291,7 @@ mod tests {
             let gl = headless.gl();
             let evaluated = Evaluator::new().evaluate(&scene, 0.0);
             let view = ViewSettings { camera, look: Look::Studio, grid: true, ..ViewSettings::default() };
-            let frame = Frame {
-                scene: &scene,
-                evaluated: &evaluated,
-                view: &view,
-                backdrop: Backdrop::default(),
-                marks: Marks::default(),
-            };
+            let frame = Frame::plain(&scene, &evaluated, &view);
             let tile = Tile::whole(SIZE);
             let context = PassContext {
                 width: SIZE.0,

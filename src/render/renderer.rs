@@ -265,7 +265,7 @@ mod tests {
     use crate::geometry::{Basis, Mesh, Picture};
     use crate::gpu::test_driver::TestDriver;
     use crate::gpu::{Backend, HeadlessContext};
-    use crate::render::{Backdrop, Marks, read_picture};
+    use crate::render::read_picture;
     use crate::scene::{
         CharacterShape, CurveSet, CurveShape, Evaluator, NewShape, Scene, ShapeKind, Skinning,
         ViewSettings,
@@ -305,13 +305,8 @@ mod tests {
         scene: &Scene,
     ) -> (Result<(), RenderError>, Picture) {
         let evaluated = Evaluator::new().evaluate(scene, 0.0);
-        let frame = Frame {
-            scene,
-            evaluated: &evaluated,
-            view: &ViewSettings::default(),
-            backdrop: Backdrop::default(),
-            marks: Marks::default(),
-        };
+        let view = ViewSettings::default();
+        let frame = Frame::plain(scene, &evaluated, &view);
         let target = Framebuffer::new(gl, 64, 48, 0).unwrap();
         let result = renderer.draw(&frame, &target);
         (result, read_picture(&target).unwrap())

@@ -143,7 +143,7 @@ mod tests {
     use crate::render::sight::Sight;
     use crate::render::surface_pass::SurfacePass;
     use crate::render::tile::Tile;
-    use crate::render::{Backdrop, Background, Frame, Marks};
+    use crate::render::{Backdrop, Background, Frame};
     use crate::scene::{
         Camera, Evaluated, Evaluator, Look, NewShape, Scene, ShapeKind, Skinning, ViewSettings,
     };
@@ -203,13 +203,7 @@ mod tests {
             let gl = headless.gl();
             let evaluated = Evaluator::new().evaluate(&scene, 0.0);
             let view = ViewSettings { camera, look: Look::Studio, grid: true, ..ViewSettings::default() };
-            let frame = Frame {
-                scene: &scene,
-                evaluated: &evaluated,
-                view: &view,
-                backdrop: Backdrop::default(),
-                marks: Marks::default(),
-            };
+            let frame = Frame::plain(&scene, &evaluated, &view);
             let tile = Tile::whole(SIZE);
             let context = PassContext {
                 width: SIZE.0,
@@ -243,7 +237,6 @@ mod tests {
             let counts = [Purpose::Surface, Purpose::Shadow].map(|purpose| {
                 [&all, &some].map(|meshes| drawn(meshes, &evaluated, purpose))
             });
-            eprintln!("{counts:?}");
             prop_assert!(pictures(&all) == pictures(&some), "{counts:?}");
         }
     }

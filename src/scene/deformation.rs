@@ -4,6 +4,7 @@ use super::SkinningMethod;
 use crate::character::{Character, Skinned};
 use crate::math::Aabb;
 use glam::{Mat4, Vec3};
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// Deformation of a character's mesh by a pose: frames of its joints, and the vertices that follow.
@@ -15,10 +16,8 @@ pub struct Deformation {
     character: Arc<Character>,
     model_from_joint: Vec<Mat4>,
     skinned: OnceLock<Skinned>,
-    /// Way in which the vertices follow from the frames.
-    method: SkinningMethod,
-    /// Whether the vertices follow from the frames by the exact formula of linear blending.
-    is_exact: bool,
+    /// Way in which the vertices follow from the frames; `None` if they were put elsewhere.
+    method: Option<SkinningMethod>,
 }
 
 impl Deformation {
@@ -33,8 +32,7 @@ impl Deformation {
             character,
             model_from_joint,
             skinned: OnceLock::new(),
-            method,
-            is_exact: method == SkinningMethod::LinearBlend,
+            method: Some(method),
         }
     }
 
@@ -42,7 +40,7 @@ impl Deformation {
     pub(super) fn with_vertices(&self, vertices: Skinned) -> Self {
         Self {
             skinned: vertices.into(),
-            is_exact: false,
+            method: None,
             ..self.clone()
         }
     }
@@ -50,7 +48,7 @@ impl Deformation {
     /// Whether the vertices follow from the frames by the exact formula of linear blending, as a
     /// vertex shader computes it; not so with dual quaternions, nor after [`EvaluatedGeometry::with_vertices`](super::EvaluatedGeometry::with_vertices).
     pub fn is_exact(&self) -> bool {
-        self.is_exact
+        self.method == Some(SkinningMethod::LinearBlend)
     }
 
     /// Character that is deformed.
@@ -69,12 +67,27 @@ impl Deformation {
     }
 
     fn skinned(&self) -> &Skinned {
-        self.skinned.get_or_init(|| match self.method {
+        // Vertices that were put elsewhere are there from the start.
+        let method = self.method.unwrap_or(SkinningMethod::LinearBlend);
+        self.skinned.get_or_init(|| self.skin(method))
+    }
+
+    fn skin(&self, method: SkinningMethod) -> Skinned {
+        match method {
             SkinningMethod::LinearBlend => self.character.skin(&self.model_from_joint),
             SkinningMethod::DualQuaternion => {
                 (self.character).skin_by_dual_quaternions(&self.model_from_joint)
             }
-        })
+        }
+    }
+
+    /// The vertices as `method` has them: those that are kept, if it is the deformation's own.
+    pub(super) fn skinned_by(&self, method: SkinningMethod) -> Cow<'_, Skinned> {
+        if self.method == Some(method) {
+            Cow::Borrowed(self.skinned())
+        } else {
+            Cow::Owned(self.skin(method))
+        }
     }
 
     /// Deformed positions, as many as the mesh has, in model space.
@@ -88,13 +101,12 @@ impl Deformation {
     }
 
     /// Box that contains the mesh, in model space, found without skinning a vertex where
-    /// they are blended linearly. With dual quaternions vertices bulge out of that box, and count.
+    /// they are blended linearly. Others may lie outside of that box, and count.
     pub fn conservative_bounds(&self) -> Aabb {
-        match self.method {
-            SkinningMethod::LinearBlend => {
-                self.character.conservative_bounds(&self.model_from_joint)
-            }
-            SkinningMethod::DualQuaternion => Aabb::from_points(self.positions().iter().copied()),
+        if self.is_exact() {
+            self.character.conservative_bounds(&self.model_from_joint)
+        } else {
+            Aabb::from_points(self.positions().iter().copied())
         }
     }
 

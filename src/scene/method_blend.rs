@@ -1,6 +1,6 @@
 //! A character between both methods of skinning.
 
-use super::EvaluatedGeometry;
+use super::{EvaluatedGeometry, SkinningMethod};
 
 impl EvaluatedGeometry {
     /// The same character `share` of the way from linear blending (0) to dual quaternions (1), whatever
@@ -8,23 +8,23 @@ impl EvaluatedGeometry {
     /// joints.
     pub fn between_methods(&self, share: f32) -> Option<Self> {
         let deformation = self.deformation.as_ref()?;
-        let character = deformation.character();
-        let model_from_joint = deformation.model_from_joint();
-        let mut skinned = character.skin(model_from_joint);
-        if share > 0.0 {
-            let other = character.skin_by_dual_quaternions(model_from_joint);
-            if share < 1.0 {
-                for (from, to) in skinned.positions.iter_mut().zip(other.positions) {
-                    *from = from.lerp(to, share);
-                }
-                let normals = skinned.normals.iter_mut().flatten();
-                for (from, to) in normals.zip(other.normals.into_iter().flatten()) {
-                    *from = from.lerp(to, share).normalize_or(*from);
-                }
-            } else {
-                skinned = other;
+        let skinned_by = |method| deformation.skinned_by(method);
+        let skinned = if share <= 0.0 {
+            skinned_by(SkinningMethod::LinearBlend).into_owned()
+        } else if share >= 1.0 {
+            skinned_by(SkinningMethod::DualQuaternion).into_owned()
+        } else {
+            let mut skinned = skinned_by(SkinningMethod::LinearBlend).into_owned();
+            let other = skinned_by(SkinningMethod::DualQuaternion);
+            for (from, to) in skinned.positions.iter_mut().zip(&other.positions) {
+                *from = from.lerp(*to, share);
             }
-        }
+            let normals = skinned.normals.iter_mut().flatten();
+            for (from, to) in normals.zip(other.normals.iter().flatten()) {
+                *from = from.lerp(*to, share).normalize_or(*from);
+            }
+            skinned
+        };
         self.with_vertices(skinned.positions, skinned.normals)
     }
 }
@@ -84,5 +84,27 @@ mod tests {
                 assert!(found.abs_diff_eq(expected, 1e-6), "{found} {expected}");
             }
         }
+    }
+
+    #[test]
+    fn the_vertices_of_its_own_method_are_worked_out_once() {
+        for method in [SkinningMethod::LinearBlend, SkinningMethod::DualQuaternion] {
+            let own = twisted(method);
+            let deformation = own.deformation.as_ref().unwrap();
+            assert!(!deformation.is_worked_out());
+            own.between_methods(0.5).unwrap();
+            assert!(
+                deformation.is_worked_out(),
+                "{method:?} is worked out twice"
+            );
+        }
+    }
+
+    #[test]
+    fn vertices_that_were_put_elsewhere_are_not_taken_for_those_of_a_method() {
+        let own = twisted(SkinningMethod::DualQuaternion);
+        let elsewhere = own.with_vertices(vec![Vec3::ONE; 3], None).unwrap();
+        let dual = elsewhere.between_methods(1.0).unwrap();
+        assert_eq!(dual.positions(), own.positions());
     }
 }

@@ -4,7 +4,7 @@ use editor_core::disk::files;
 use editor_core::geometry::Picture;
 use editor_core::gpu::Backend;
 use editor_core::io::Loaded;
-use editor_core::render::{Backdrop, Background, Frame, LargePicture, Marks, Offscreen};
+use editor_core::render::{Background, Frame, LargePicture, Offscreen};
 use editor_core::scene::{Camera, Evaluator, Look, ModelDisplay, Scene, ShapeKind, ViewSettings};
 use std::path::Path;
 
@@ -26,13 +26,7 @@ fn picture(
     asked: &LargePicture,
 ) -> Picture {
     let evaluated = Evaluator::new().evaluate(scene, 0.0);
-    let frame = Frame {
-        scene,
-        evaluated: &evaluated,
-        view,
-        backdrop: Backdrop::default(),
-        marks: Marks::default(),
-    };
+    let frame = Frame::plain(scene, &evaluated, view);
     offscreen.large_picture(&frame, asked, |_, _| {}).unwrap()
 }
 
@@ -106,13 +100,7 @@ fn a_picture_beyond_the_limits_of_the_driver_is_drawn_and_one_within_them_is_not
     let mut offscreen = Offscreen::new(Backend::Auto).unwrap();
     let (scene, view) = in_look("robot", Look::Course);
     let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-    let frame = Frame {
-        scene: &scene,
-        evaluated: &evaluated,
-        view: &view,
-        backdrop: Backdrop::default(),
-        marks: Marks::default(),
-    };
+    let frame = Frame::plain(&scene, &evaluated, &view);
     let most = offscreen.gl().info().max_framebuffer_size;
     let size = (most + 100, 40);
     assert!(offscreen.picture(&frame, size, 0).is_err());

@@ -6,7 +6,7 @@ mod scenes;
 
 use editor_core::geometry::Picture;
 use editor_core::gpu::{Backend, Framebuffer, HeadlessContext};
-use editor_core::render::{Backdrop, Frame, Marks, Renderer, read_picture};
+use editor_core::render::{Frame, Renderer, read_picture};
 use editor_core::scene::Evaluator;
 use reference::{Render, Renders};
 
@@ -83,13 +83,7 @@ fn each(
     for render in renders.all.iter().filter(|r| wanted(r) && !r.ui) {
         let (scene, view) = scenes::build(&renders, render);
         let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-        let frame = Frame {
-            scene: &scene,
-            evaluated: &evaluated,
-            view: &view,
-            backdrop: Backdrop::default(),
-            marks: Marks::default(),
-        };
+        let frame = Frame::plain(&scene, &evaluated, &view);
         let [width, height] = render.size;
         let target = Framebuffer::new(context.gl(), width, height, 0).expect("a picture");
         renderer.draw(&frame, &target).expect("a drawn frame");

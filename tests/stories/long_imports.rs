@@ -224,15 +224,19 @@ fn what_is_changed_while_another_document_is_read_is_asked_about_before_it_is_sh
     assert_eq!(story.names(), ["Large", "Gem"]);
 }
 
-#[test]
-fn what_the_program_is_started_with_comes_later_if_it_is_large() {
+fn started_with_a_large_file() -> Story {
     let host = MemoryHost {
         stored: [started_before()].into(),
         files: [("large.obj".into(), large())].into(),
         is_slow: true,
         ..MemoryHost::default()
     };
-    let mut story = Story::start_at(host, &["large.obj"]);
+    Story::start_at(host, &["large.obj"])
+}
+
+#[test]
+fn what_the_program_is_started_with_comes_later_if_it_is_large() {
+    let mut story = started_with_a_large_file();
     assert!(
         !story.has("Begin: Adult"),
         "there is no start page for a moment"
@@ -247,13 +251,7 @@ fn what_the_program_is_started_with_comes_later_if_it_is_large() {
 
 #[test]
 fn what_is_begun_while_the_first_file_is_read_stays_beside_it() {
-    let host = MemoryHost {
-        stored: [started_before()].into(),
-        files: [("large.obj".into(), large())].into(),
-        is_slow: true,
-        ..MemoryHost::default()
-    };
-    let mut story = Story::start_at(host, &["large.obj"]);
+    let mut story = started_with_a_large_file();
     let cube = NewShape::new("Cube", ShapeKind::Cube);
     let insert = vec![Action::Edit(Edit::Insert(vec![cube]))];
     story.program.carry_out(insert, &mut story.host);

@@ -12,7 +12,7 @@ use crate::gpu::Backend;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{Diagnostic, Files, package, to_zip};
 use crate::math::{Aabb, Euler};
-use crate::render::{Backdrop, Frame, Marks, Offscreen};
+use crate::render::{Frame, Offscreen};
 use crate::scene::{Camera, ShapeKind};
 use glam::Vec3;
 use std::path::Path;
@@ -72,13 +72,7 @@ pub(super) fn of_scene(path: &Path) -> Result<Vec<Entry>, CliError> {
 
 fn draw(session: &Session) -> Result<Picture, CliError> {
     let mut offscreen = Offscreen::new(Backend::Auto)?;
-    let frame = Frame {
-        scene: session.scene(),
-        evaluated: session.evaluated(),
-        view: session.view(),
-        backdrop: Backdrop::default(),
-        marks: Marks::default(),
-    };
+    let frame = Frame::plain(session.scene(), session.evaluated(), session.view());
     let samples = SAMPLES.min(offscreen.gl().info().max_samples);
     let picture = offscreen.picture(&frame, SIZE, samples)?;
     for notice in offscreen.renderer().take_notices() {

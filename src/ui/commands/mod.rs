@@ -1,5 +1,6 @@
 //! Commands: everything that a menu item or a key can start.
 
+mod enabled;
 mod keys;
 mod run;
 mod table;
@@ -7,12 +8,11 @@ mod table;
 pub use keys::{GESTURES, Gesture};
 pub use table::{COMMANDS, Entry, Menu};
 
+pub(super) use enabled::why_disabled;
 pub(super) use keys::{
     gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, with_key,
 };
-pub(super) use run::{
-    REVOLUTION_STEPS, curves, full_label, is_on, run, selected_character, why_disabled,
-};
+pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, selected_character};
 pub(super) use table::{entries, in_words, label};
 
 use crate::editor::Tool;

@@ -1,7 +1,8 @@
-//! What commands do, and when they are disabled.
+//! What commands do.
 
-use super::table::{is_in, label};
-use super::{Command, Menu, Primitive};
+use super::enabled::why_disabled;
+use super::table::label;
+use super::{Command, Primitive};
 use crate::character::{Mirror, Pose};
 use crate::editor::{
     Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
@@ -177,7 +178,7 @@ fn show_all(session: &Session) -> Action {
     Action::Edit(Edit::Together(show.collect()))
 }
 
-fn hidden(session: &Session) -> impl Iterator<Item = &Shape> {
+pub(super) fn hidden(session: &Session) -> impl Iterator<Item = &Shape> {
     let shapes = session.scene().shapes().iter();
     shapes.filter(|shape| !shape.visible)
 }
@@ -239,100 +240,6 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
     }
 }
 
-/// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
-pub(in crate::ui) fn why_disabled(
-    command: Command,
-    session: &Session,
-    state: &UiState,
-) -> Option<&'static str> {
-    match command {
-        Command::Revert if !state.has_file => Some("The document has no file yet"),
-        Command::Undo if session.done_steps() == 0 && !session.is_in_gesture() => {
-            Some("There is nothing to undo")
-        }
-        Command::Redo if session.done_steps() == session.steps().len() => {
-            Some("There is nothing to redo")
-        }
-        Command::CopyLink if has_files(session) => {
-            Some("A link holds no files, and this scene has some (Save with Files)")
-        }
-        Command::UnpinAll if !posing::has_pins(session) => Some("Nothing is pinned"),
-        Command::ToggleGrid if session.view().look == Look::Course => {
-            Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
-        }
-        Command::PinJoint if posing::joint_to_pin(session).is_none() => {
-            Some("No joint is selected or under the pointer")
-        }
-        Command::Delete
-        | Command::Reset
-        | Command::Cut
-        | Command::Copy
-        | Command::Duplicate
-        | Command::Rename
-        | Command::ToggleVisible
-        | Command::ToggleLocked
-            if session.selected().is_none() =>
-        {
-            Some("No shape is selected")
-        }
-        Command::Begin(_) => why_nothing_begins(session),
-        Command::SelectAll
-        | Command::BoxSelect
-        | Command::ExportGeometry
-        | Command::ExportMaterials
-            if session.scene().shapes().is_empty() =>
-        {
-            Some("There is no shape")
-        }
-        Command::Explain if !state.explain.is_open() && !has_character(session) => {
-            Some("There is no character")
-        }
-        Command::CompareMesh if character_to_compare(session).is_none() => {
-            Some("No character is selected")
-        }
-        Command::ExportCharacter if selected_character(session).is_none() => {
-            Some("No character is selected")
-        }
-        Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
-            why_no_curves(command, session)
-        }
-        _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
-        Command::ShowAll if hidden(session).next().is_none() => Some("No shape is hidden"),
-        Command::SelectNone if session.selected().is_none() => Some("No shape is selected"),
-        Command::Fit | Command::FitAll
-            if !session.scene().shapes().iter().any(|shape| shape.visible) =>
-        {
-            Some("There is nothing to fit")
-        }
-        _ => None,
-    }
-}
-
-fn has_character(session: &Session) -> bool {
-    let mut shapes = session.scene().shapes().iter();
-    shapes.any(|shape| matches!(shape.kind, ShapeKind::Character(_)))
-}
-
-/// Whether the scene needs files that are not built in. Curves are in the scene itself.
-fn has_files(session: &Session) -> bool {
-    let needs = |shape: &Shape| {
-        let is_curve = matches!(shape.kind, ShapeKind::Curve(_));
-        let mut source = shape.source.iter();
-        !is_curve && source.any(|source| !source.is_builtin())
-    };
-    session.scene().shapes().iter().any(needs)
-}
-
-/// Why nothing can be done to the selection with the pointer.
-fn why_nothing_begins(session: &Session) -> Option<&'static str> {
-    let Some(id) = session.selected() else {
-        return Some("No shape is selected");
-    };
-    let shape = session.evaluated().shape(id);
-    let is_free = shape.is_some_and(|shape| shape.pickable);
-    (!is_free).then_some("The selected shape is hidden or locked")
-}
-
 /// Steps of a new surface of revolution, per turn.
 pub(in crate::ui) const REVOLUTION_STEPS: u32 = 48;
 
@@ -371,23 +278,7 @@ fn export_curves(session: &Session) -> Option<Action> {
     Some(Action::Ask(Ask::ExportCurve(shape)))
 }
 
-/// Why a command about curves is disabled.
-fn why_no_curves(command: Command, session: &Session) -> Option<&'static str> {
-    let Some((_, set)) = selected_curves(session) else {
-        return Some("No curve is selected");
-    };
-    if command == Command::ExportCurve {
-        return None;
-    }
-    if curves(set).next().is_none() {
-        return Some("The selected shape has no curve");
-    }
-    let flat = curves(set).any(|(_, curve)| curve.is_flat());
-    (command == Command::MakeSurfaceOfRevolution && !flat)
-        .then_some("No curve of the selected shape lies in the plane z = 0")
-}
-
-fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)> {
+pub(super) fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)> {
     let id = session.selected()?;
     Some((id, session.scene().curve(id)?.curves()))
 }
@@ -421,26 +312,8 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
     Some(Action::Edit(edit))
 }
 
-/// Why a command about poses is disabled.
-fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
-    let Some((_, character)) = selected_character(session) else {
-        return Some("No character is selected");
-    };
-    let pose = character.pose();
-    match (command, session.selected_joint()) {
-        (Command::ResetJoint, None) => Some("No joint is selected"),
-        (Command::ResetJoint, Some(joint)) if !pose.is_changed(joint) => {
-            Some("The joint is at rest")
-        }
-        (Command::ResetPose | Command::MirrorPose, _) if pose.is_bind() => {
-            Some("Every joint is at rest")
-        }
-        _ => None,
-    }
-}
-
 /// The character that a mesh is compared with: the selected one, or the only one.
-fn character_to_compare(session: &Session) -> Option<ShapeId> {
+pub(super) fn character_to_compare(session: &Session) -> Option<ShapeId> {
     if let Some((selected, _)) = selected_character(session) {
         return Some(selected);
     }

@@ -1,0 +1,137 @@
+//! When commands are disabled.
+
+use super::run::{character_to_compare, curves, hidden, selected_character, selected_curves};
+use super::table::is_in;
+use super::{Command, Menu};
+use crate::editor::Session;
+use crate::scene::{Look, Shape, ShapeKind};
+use crate::ui::posing;
+use crate::ui::state::UiState;
+
+/// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
+pub(in crate::ui) fn why_disabled(
+    command: Command,
+    session: &Session,
+    state: &UiState,
+) -> Option<&'static str> {
+    match command {
+        Command::Revert if !state.has_file => Some("The document has no file yet"),
+        Command::Undo if session.done_steps() == 0 && !session.is_in_gesture() => {
+            Some("There is nothing to undo")
+        }
+        Command::Redo if session.done_steps() == session.steps().len() => {
+            Some("There is nothing to redo")
+        }
+        Command::CopyLink if has_files(session) => {
+            Some("A link holds no files, and this scene has some (Save with Files)")
+        }
+        Command::UnpinAll if !posing::has_pins(session) => Some("Nothing is pinned"),
+        Command::ToggleGrid if session.view().look == Look::Course => {
+            Some("The Course look has no ground (View ⏵ Look ⏵ Studio)")
+        }
+        Command::PinJoint if posing::joint_to_pin(session).is_none() => {
+            Some("No joint is selected or under the pointer")
+        }
+        Command::Delete
+        | Command::Reset
+        | Command::Cut
+        | Command::Copy
+        | Command::Duplicate
+        | Command::Rename
+        | Command::ToggleVisible
+        | Command::ToggleLocked
+            if session.selected().is_none() =>
+        {
+            Some("No shape is selected")
+        }
+        Command::Begin(_) => why_nothing_begins(session),
+        Command::SelectAll
+        | Command::BoxSelect
+        | Command::ExportGeometry
+        | Command::ExportMaterials
+            if session.scene().shapes().is_empty() =>
+        {
+            Some("There is no shape")
+        }
+        Command::Explain if !state.explain.is_open() && !has_character(session) => {
+            Some("There is no character")
+        }
+        Command::CompareMesh if character_to_compare(session).is_none() => {
+            Some("No character is selected")
+        }
+        Command::ExportCharacter if selected_character(session).is_none() => {
+            Some("No character is selected")
+        }
+        Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
+            why_no_curves(command, session)
+        }
+        _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
+        Command::ShowAll if hidden(session).next().is_none() => Some("No shape is hidden"),
+        Command::SelectNone if session.selected().is_none() => Some("No shape is selected"),
+        Command::Fit | Command::FitAll
+            if !session.scene().shapes().iter().any(|shape| shape.visible) =>
+        {
+            Some("There is nothing to fit")
+        }
+        _ => None,
+    }
+}
+
+fn has_character(session: &Session) -> bool {
+    let mut shapes = session.scene().shapes().iter();
+    shapes.any(|shape| matches!(shape.kind, ShapeKind::Character(_)))
+}
+
+/// Whether the scene needs files that are not built in. Curves are in the scene itself.
+fn has_files(session: &Session) -> bool {
+    let needs = |shape: &Shape| {
+        let is_curve = matches!(shape.kind, ShapeKind::Curve(_));
+        let mut source = shape.source.iter();
+        !is_curve && source.any(|source| !source.is_builtin())
+    };
+    session.scene().shapes().iter().any(needs)
+}
+
+/// Why nothing can be done to the selection with the pointer.
+fn why_nothing_begins(session: &Session) -> Option<&'static str> {
+    let Some(id) = session.selected() else {
+        return Some("No shape is selected");
+    };
+    let shape = session.evaluated().shape(id);
+    let is_free = shape.is_some_and(|shape| shape.pickable);
+    (!is_free).then_some("The selected shape is hidden or locked")
+}
+
+/// Why a command about curves is disabled.
+fn why_no_curves(command: Command, session: &Session) -> Option<&'static str> {
+    let Some((_, set)) = selected_curves(session) else {
+        return Some("No curve is selected");
+    };
+    if command == Command::ExportCurve {
+        return None;
+    }
+    if curves(set).next().is_none() {
+        return Some("The selected shape has no curve");
+    }
+    let flat = curves(set).any(|(_, curve)| curve.is_flat());
+    (command == Command::MakeSurfaceOfRevolution && !flat)
+        .then_some("No curve of the selected shape lies in the plane z = 0")
+}
+
+/// Why a command about poses is disabled.
+fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
+    let Some((_, character)) = selected_character(session) else {
+        return Some("No character is selected");
+    };
+    let pose = character.pose();
+    match (command, session.selected_joint()) {
+        (Command::ResetJoint, None) => Some("No joint is selected"),
+        (Command::ResetJoint, Some(joint)) if !pose.is_changed(joint) => {
+            Some("The joint is at rest")
+        }
+        (Command::ResetPose | Command::MirrorPose, _) if pose.is_bind() => {
+            Some("Every joint is at rest")
+        }
+        _ => None,
+    }
+}
