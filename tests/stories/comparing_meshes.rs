@@ -4,6 +4,7 @@ use super::{Story, differing};
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity};
+use editor_core::io::PoseData;
 use editor_core::program::Purpose;
 use editor_core::scene::{SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::{Key, Modifiers};
@@ -331,6 +332,29 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn the_pose_is_loaded_where_it_is_missing_and_the_mistake_named_then() {
+    let mut story = comparing(&off_by_one());
+    let id = story.session().scene().shapes()[0].id;
+    let dog = dog();
+    let pose = PoseData::new(dog.character.skeleton(), &dog.pose()).to_json();
+    story.host.files.insert("walk.json".into(), pose.into());
+    story.click("Reset all");
+    diagnose(&mut story);
+    assert!(
+        !texts(&story)
+            .iter()
+            .any(|text| text.starts_with("weights-shifted"))
+    );
+    story.click("Load Their Pose…");
+    let asked = story.host.requests.last().map(|request| request.purpose);
+    assert_eq!(asked, Some(Purpose::LoadPose(id)));
+    story.choose("walk.json");
+    diagnose(&mut story);
+    text(&story, "weights-shifted:");
+    assert!(!story.has("Load Their Pose…"), "it is loaded");
 }
 
 #[test]

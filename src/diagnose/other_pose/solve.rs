@@ -54,7 +54,7 @@ impl Equations {
                     .sum();
                 let rest = own[column] - products;
                 self.matrix[row * count + column] = if column == row {
-                    if rest.is_nan() || rest <= 0.0 {
+                    if rest <= 0.0 {
                         return None;
                     }
                     rest.sqrt()
@@ -76,6 +76,7 @@ impl Equations {
                 .sum();
             found[row] = (found[row] - products) / diagonal(&self.matrix, row);
         }
+        // Also what is not finite in the matrix ends up here.
         found.iter().all(|value| value.is_finite()).then_some(found)
     }
 }

@@ -23,16 +23,17 @@ struct Parts<'a> {
     actions: &'a mut Vec<Action>,
 }
 
+const LOAD_POSE: &str = "Load Their Pose…";
+
 /// What a student forgets first.
-const AT_REST: &str = "The character is at rest. Load the pose that their mesh was made in: \
-                       Pose ⏵ Load Pose…";
+const AT_REST: &str = "The character is at rest, but their mesh seems to be posed: load the pose that it \
+                       was made in.";
 
 /// What to check where no mistake is found.
-const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, load that one: \
-                          Pose ⏵ Load Pose…";
+const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, load that one.";
 /// What to do where theirs is right in another pose.
-const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it (Pose ⏵ Load Pose…) or take it \
-                         here. If not, their program turns joints otherwise than the pose says:";
+const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it or take it here. If not, their \
+                         program turns joints otherwise than the pose says:";
 
 /// The panel, with another one below the view where that `explains`. A vertex that is chosen in it is `marked`, and the camera goes there.
 pub(in crate::ui) fn show(
@@ -174,6 +175,7 @@ impl Parts<'_> {
         let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
         if is_at_rest && !is_of_pose {
             say(ui, AT_REST, palette.warning);
+            self.load_pose(ui);
         }
         match diagnosis.verdict {
             Verdict::Right => {
@@ -198,6 +200,7 @@ impl Parts<'_> {
                         say(ui, text, palette.strong);
                         if !is_at_rest {
                             say(ui, CHECK_POSE, palette.text);
+                            self.load_pose(ui);
                         }
                     }
                 }
@@ -241,18 +244,30 @@ impl Parts<'_> {
         }
     }
 
+    /// A way to the pose that theirs was made in.
+    fn load_pose(&mut self, ui: &mut Ui) {
+        let tip = "Choose the pose file that their program was given";
+        if ui.button(LOAD_POSE).on_hover_text(tip).clicked() {
+            let load = Ask::LoadPose(self.compare.shape);
+            self.actions.push(Action::Ask(load));
+        }
+    }
+
     /// In which pose theirs is right, and how to take it.
     fn other_pose(&mut self, ui: &mut Ui, other: &OtherPose) {
         let palette = Palette::of(ui.visuals());
         let text = "This is the exact result, but of another pose.";
         say(ui, text, palette.strong);
         say(ui, TAKE_POSE, palette.text);
-        let button = ui.button("Take Their Pose");
-        let tip = "Give the character the angles that theirs shows; Undo takes them back";
-        if button.on_hover_text(tip).clicked() {
-            let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
-            self.actions.push(Action::Edit(edit));
-        }
+        ui.horizontal_wrapped(|ui| {
+            let button = ui.button("Take Their Pose");
+            let tip = "Give the character the angles that theirs shows; Undo takes them back";
+            if button.on_hover_text(tip).clicked() {
+                let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
+                self.actions.push(Action::Edit(edit));
+            }
+            self.load_pose(ui);
+        });
         let (told, more) = other.told();
         for joint in told {
             say(ui, &joint.to_string(), palette.text);
