@@ -4,6 +4,7 @@
 
 mod browser;
 mod comparing;
+mod explaining;
 mod files;
 mod graphics;
 mod native;
