@@ -228,27 +228,13 @@ impl Diagnosis {
     }
 
     fn fmt_explained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.mistakes[..] {
-            [mistake] => write!(f, "{mistake}")?,
-            mistakes => {
-                let count = mistakes.len();
-                write!(f, "{count} mistakes: {}", together(&self.together()))?;
-                for mistake in mistakes {
-                    write!(f, "\n  {mistake}")?;
-                }
-            }
-        }
+        fmt_mistakes(&self.mistakes, f)?;
         let (error, exact) = (of_size(self.error), of_size(self.error_from_exact));
         write!(
             f,
             "\n  agrees   but for {error}; the exact result is {exact} away"
         )?;
-        for (index, mistake) in self.mistakes.iter().enumerate() {
-            let before = &self.mistakes[..index];
-            if before.iter().all(|told| told.look_at != mistake.look_at) {
-                mistake.fmt_where(f)?;
-            }
-        }
+        fmt_where(&self.mistakes, f)?;
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;
         }
@@ -275,7 +261,7 @@ impl Diagnosis {
         if let Some(Nearest { mistake, explains }) = &self.nearest {
             let explains = percent(*explains);
             write!(f, "\n  nearest  {mistake}; that explains {explains} of it")?;
-            mistake.fmt_where(f)?;
+            fmt_where(std::slice::from_ref(mistake), f)?;
         }
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;
@@ -307,10 +293,26 @@ fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) ->
     write!(f, "\n  look at  {LOOK_AT_POSE}")
 }
 
-impl ToldMistake {
-    /// Lines that tell where to look.
-    pub(super) fn fmt_where(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "\n  section  {}", self.section)?;
-        write!(f, "\n  look at  {}", self.look_at)
+/// Mistakes that are made together, in words.
+pub(super) fn fmt_mistakes(mistakes: &[ToldMistake], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if let [mistake] = mistakes {
+        return write!(f, "{mistake}");
     }
+    let ids: Vec<&str> = mistakes.iter().map(|mistake| mistake.id).collect();
+    write!(f, "{} mistakes: {}", ids.len(), together(&ids))?;
+    mistakes
+        .iter()
+        .try_for_each(|mistake| write!(f, "\n  {mistake}"))
+}
+
+/// Lines that tell where to look for mistakes, each once.
+pub(super) fn fmt_where(mistakes: &[ToldMistake], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (index, mistake) in mistakes.iter().enumerate() {
+        let mut before = mistakes[..index].iter();
+        if before.all(|told| told.look_at != mistake.look_at) {
+            write!(f, "\n  section  {}", mistake.section)?;
+            write!(f, "\n  look at  {}", mistake.look_at)?;
+        }
+    }
+    Ok(())
 }

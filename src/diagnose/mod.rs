@@ -11,6 +11,7 @@ mod mistakes;
 mod model;
 mod other_pose;
 mod picture;
+mod picture_search;
 mod precision;
 mod regions;
 mod search;

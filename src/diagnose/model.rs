@@ -42,6 +42,10 @@ impl<'a> Model<'a> {
         self.character.skeleton()
     }
 
+    pub(super) fn triangles(&self) -> &'a [[u32; 3]] {
+        &self.character.bind_mesh().triangles
+    }
+
     pub(super) fn influences(&self, row: usize) -> &[Influence] {
         self.character.attachments().of_vertex(row)
     }

@@ -1,15 +1,13 @@
-//! Which mistake a picture shows, by the silhouette of the character.
+//! Which mistakes a picture shows, by the silhouette of the character.
 
-use super::diagnosis::{ToldMistake, Verdict, all_causes, together};
-use super::formula::{Formula, VertexOrder};
+use super::diagnosis::{ToldMistake, Verdict, all_causes, fmt_mistakes, fmt_where, together};
 use super::mistakes::MISTAKES;
 use super::model::Model;
-use super::search::{Made, formula, ways};
-use super::silhouette::{Samples, Silhouette};
-use super::skin::Skinner;
+use super::picture_search::PictureSearch;
+use super::search::Explanation;
 use crate::character::{Character, Pose};
 use crate::geometry::Picture;
-use glam::{DVec3, Mat4};
+use glam::Mat4;
 use serde::Serialize;
 use std::fmt;
 
@@ -17,6 +15,11 @@ use std::fmt;
 const TOLERANCE: f64 = 0.002;
 /// Part by which mistakes may differ and are as good.
 const AS_GOOD: f64 = 0.0005;
+/// Two mistakes must leave this many times less than either alone, or none: among so many pairs some
+/// come near by chance.
+const CLEARLY_BETTER: f64 = 4.0;
+/// Other explanations that are told in words; the others are counted.
+const TOLD: usize = 5;
 
 /// Reason why a picture cannot be one of a character.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -32,26 +35,27 @@ pub enum PictureError {
 pub struct PictureDiagnosis {
     /// What it shows, as far as the silhouette tells.
     pub verdict: Verdict,
-    /// The mistakes of which each gives the silhouette, the most telling first.
+    /// Mistakes that together give the silhouette, one or two, the one that accounts for more first, and
+    /// then those of [`Self::same_as`], each once.
     pub causes: Vec<&'static str>,
-    /// How far the silhouette is from the one with this mistake; without one, from the exact one.
+    /// How far the silhouette is from the one with these mistakes; without any, from the exact one.
     pub error: f64,
     /// How far it is from the exact one.
     pub error_from_exact: f64,
     /// Up to which error silhouettes agree.
     pub tolerance: f64,
-    /// How sure it is, 0 to 1: of a cause one by the number of mistakes that give the same silhouette,
+    /// How sure it is, 0 to 1: of causes one by the number of explanations of the same silhouette,
     /// of a picture that is right the share of mistakes that would show, of others 0.
     pub sure: f64,
-    /// The cause in words.
+    /// In words the mistakes that together give the silhouette, in the same order.
     pub mistakes: Vec<ToldMistake>,
-    /// Other mistakes that give the same silhouette here.
+    /// Mistakes that give the same silhouette here, each with those that are made beside it.
     pub same_as: Vec<Vec<&'static str>>,
     /// The box around what is off, as the pixels x, y, width and height; `None` if nothing is.
     pub off_within: Option<[u32; 4]>,
 }
 
-/// Finds out which mistake gives the silhouette in `picture`, of which the character in `pose` is all
+/// Finds out which mistakes give the silhouette in `picture`, of which the character in `pose` is all
 /// that is drawn, seen with `clip_from_model`.
 ///
 /// # Errors
@@ -63,23 +67,9 @@ pub fn diagnose_picture(
     clip_from_model: Mat4,
 ) -> Result<PictureDiagnosis, PictureError> {
     let model = Model::new(character);
-    let samples = Samples::new(picture.width, picture.height);
-    let theirs = Silhouette::of_picture(picture, samples);
-    if theirs.area_with(&theirs) == 0 {
-        return Err(PictureError::Blank);
-    }
-    let seen = |formula: &Formula| {
-        let mut skinner = Skinner::new(&model, pose, formula);
-        let points: Vec<DVec3> = (0..skinner.count())
-            .map(|at| skinner.place(at).at)
-            .collect();
-        let triangles = &character.bind_mesh().triangles;
-        Silhouette::of_mesh(&points, triangles, clip_from_model.as_dmat4(), samples)
-    };
-    let exact = seen(&Formula::default());
-    let area = theirs.area_with(&exact) as f64;
-    let error_of = |silhouette: &Silhouette| theirs.off(silhouette).count() as f64 / area;
-    let error = error_of(&exact);
+    let search = PictureSearch::new(&model, pose, picture, clip_from_model.as_dmat4());
+    let search = search.ok_or(PictureError::Blank)?;
+    let (error, off_within) = search.off_from_exact();
     let mut found = PictureDiagnosis {
         verdict: Verdict::Right,
         causes: Vec::new(),
@@ -89,75 +79,82 @@ pub fn diagnose_picture(
         sure: 0.0,
         mistakes: Vec::new(),
         same_as: Vec::new(),
-        off_within: exact.bounds(theirs.off(&exact)),
+        off_within,
     };
-    let tried: Vec<(Made, f64)> = ways()
-        .filter_map(|made| {
-            let formula = formula(&[made]);
-            // The picture is the same whatever the order in which vertices are kept.
-            let is_in_order = formula.vertex_order == VertexOrder::File
-                || formula.vertex_order == VertexOrder::FirstUseInside;
-            is_in_order.then(|| (made, error_of(&seen(&formula))))
-        })
-        .collect();
-    found.explain(&tried);
+    let singles = search.singles();
+    if error <= TOLERANCE {
+        let unseen = alike(&singles, error).len();
+        found.sure = 1.0 - unseen as f64 / MISTAKES.len() as f64;
+        return Ok(found);
+    }
+    let least = least(&singles);
+    if least <= TOLERANCE {
+        found.explain(&singles);
+    } else {
+        let clearly = least.min(error) / CLEARLY_BETTER;
+        found.explain(&search.pairs(&singles, clearly.min(TOLERANCE)));
+    }
     Ok(found)
 }
 
+/// The least that is left.
+fn least(explanations: &[Explanation]) -> f64 {
+    let errors = explanations.iter().map(|explanation| explanation.error);
+    errors.fold(f64::INFINITY, f64::min)
+}
+
+/// Those that are as good as one that leaves `error`, each once, whatever the way in which it is made.
+fn alike(explanations: &[Explanation], error: f64) -> Vec<&Explanation> {
+    let mut alike: Vec<&Explanation> = Vec::new();
+    for one in explanations {
+        let ids = one.ids();
+        let is_same = |known: &&Explanation| ids.iter().all(|id| known.ids().contains(id));
+        if one.error <= error + AS_GOOD && !alike.iter().any(is_same) {
+            alike.push(one);
+        }
+    }
+    alike
+}
+
 impl PictureDiagnosis {
-    /// Takes the mistakes that were tried, each with its error, into account.
-    fn explain(&mut self, tried: &[(Made, f64)]) {
-        let least = tried
-            .iter()
-            .map(|(_, error)| *error)
-            .fold(f64::INFINITY, f64::min);
-        let is_right = self.error <= TOLERANCE;
-        let enough = if is_right { self.error } else { least } + AS_GOOD;
-        let mut alike: Vec<(Made, f64)> = Vec::new();
-        for &(made, error) in tried.iter().filter(|(_, error)| *error <= enough) {
-            if alike
-                .iter()
-                .all(|(known, _)| known.mistake.id != made.mistake.id)
-            {
-                alike.push((made, error));
-            }
-        }
-        if is_right {
-            self.sure = 1.0 - alike.len() as f64 / MISTAKES.len() as f64;
-        } else if least <= TOLERANCE {
-            self.verdict = Verdict::Explained;
-            self.sure = 1.0 / alike.len() as f64;
-            let mut alike = alike.into_iter();
-            if let Some((made, error)) = alike.next() {
-                self.mistakes.push(ToldMistake::new(made));
-                self.error = error;
-            }
-            self.same_as = alike.map(|(made, _)| vec![made.mistake.id]).collect();
-            self.causes = all_causes(&self.mistakes, &self.same_as);
-        } else {
+    /// Takes what gives the silhouette, if anything does, into account.
+    fn explain(&mut self, explanations: &[Explanation]) {
+        let alike = alike(explanations, least(explanations));
+        let Some((first, others)) = alike.split_first() else {
             self.verdict = Verdict::Unexplained;
-        }
+            return;
+        };
+        self.verdict = Verdict::Explained;
+        self.sure = 1.0 / alike.len() as f64;
+        self.error = first.error;
+        self.mistakes = first.made.iter().copied().map(ToldMistake::new).collect();
+        self.same_as = others.iter().map(|other| other.ids()).collect();
+        self.causes = all_causes(&self.mistakes, &self.same_as);
     }
 }
 
 impl fmt::Display for PictureDiagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (error, exact) = (percent(self.error), percent(self.error_from_exact));
-        match (self.verdict, &self.mistakes[..]) {
-            (Verdict::Explained, [mistake, ..]) => {
-                write!(f, "{mistake}")?;
+        match self.verdict {
+            Verdict::Explained => {
+                fmt_mistakes(&self.mistakes, f)?;
                 write!(
                     f,
                     "\n  agrees   but for {error} of the silhouette; the exact one is {exact} off"
                 )?;
-                mistake.fmt_where(f)?;
+                fmt_where(&self.mistakes, f)?;
                 if !self.same_as.is_empty() {
-                    let others: Vec<String> =
-                        self.same_as.iter().map(|ids| together(ids)).collect();
+                    let others = self.same_as.iter().take(TOLD);
+                    let others: Vec<String> = others.map(|ids| together(ids)).collect();
                     write!(f, "\n  or, with the same silhouette: {}", others.join(", "))?;
                 }
+                match self.same_as.len().saturating_sub(TOLD) {
+                    0 => {}
+                    more => write!(f, ", and {more} more")?,
+                }
             }
-            (Verdict::Right, _) => {
+            Verdict::Right => {
                 let sure = 100.0 * self.sure;
                 write!(
                     f,
@@ -165,9 +162,10 @@ impl fmt::Display for PictureDiagnosis {
                      known mistakes would show"
                 )?;
             }
-            _ => write!(
+            Verdict::Unexplained => write!(
                 f,
-                "unexplained: {error} of the silhouette is off, and no known mistake gives this one"
+                "unexplained: {error} of the silhouette is off, and no known mistake gives this one, \
+                 nor do two of them"
             )?,
         }
         match self.off_within.filter(|_| self.verdict != Verdict::Right) {

@@ -37,11 +37,11 @@ pub(super) struct Made {
     pub(super) reading: &'static Reading,
 }
 
-/// Mistakes that together give the mesh.
+/// Mistakes that together give a mesh or a silhouette.
 #[derive(Clone, Debug)]
 pub(super) struct Explanation {
     pub(super) made: Vec<Made>,
-    /// Largest distance that is left.
+    /// What is left: the largest distance, or the part of the silhouette that is off.
     pub(super) error: f64,
 }
 
@@ -106,33 +106,18 @@ impl<'a> Search<'a> {
                 .find(|one| std::ptr::eq(one.made.reading, made.reading));
             one.map_or(f64::INFINITY, |one| one.mean)
         };
-        let ways: Vec<(Made, Formula)> = ways().map(|made| (made, formula(&[made]))).collect();
+        let all: Vec<(Made, Made, Formula)> = pairs_of_ways().collect();
         let mut found = Vec::new();
-        for (index, (first, formula_of_first)) in ways.iter().enumerate() {
-            // The first ones have the most to be paired with.
-            let left = 1.0 - index as f32 / ways.len() as f32;
-            pace.tell(1.0 - left * left);
-            for (second, formula_of_second) in &ways[index + 1..] {
-                if std::ptr::eq(first.mistake, second.mistake) {
-                    continue;
-                }
-                let both = formula(&[*first, *second]);
-                // Both change the same part, or one of them has nothing left to change.
-                if both != formula(&[*second, *first])
-                    || both == *formula_of_first
-                    || both == *formula_of_second
-                {
-                    continue;
-                }
-                let Some(mut skinner) = self.skinner(&both) else {
-                    continue;
-                };
-                let mut made = vec![*first, *second];
-                if mean(*second) < mean(*first) {
-                    made.reverse();
-                }
-                found.extend(self.explained_by(&mut skinner, made, pace).await);
+        for (done, (first, second, both)) in all.iter().enumerate() {
+            pace.tell(done as f32 / all.len() as f32);
+            let Some(mut skinner) = self.skinner(both) else {
+                continue;
+            };
+            let mut made = vec![*first, *second];
+            if mean(*second) < mean(*first) {
+                made.reverse();
             }
+            found.extend(self.explained_by(&mut skinner, made, pace).await);
         }
         found
     }
@@ -188,6 +173,25 @@ pub(super) fn ways() -> impl Iterator<Item = Made> {
     MISTAKES.iter().flat_map(|mistake| {
         let readings = mistake.readings.iter();
         readings.map(move |reading| Made { mistake, reading })
+    })
+}
+
+/// Every two ways to make different mistakes that can be made together, with the formula that has both.
+pub(super) fn pairs_of_ways() -> impl Iterator<Item = (Made, Made, Formula)> {
+    let firsts = ways().enumerate();
+    firsts.flat_map(|(index, first)| {
+        let formula_of_first = formula(&[first]);
+        ways().skip(index + 1).filter_map(move |second| {
+            if std::ptr::eq(first.mistake, second.mistake) {
+                return None;
+            }
+            let both = formula(&[first, second]);
+            // Both change the same part, or one of them has nothing left to change.
+            let is_one = both != formula(&[second, first])
+                || both == formula_of_first
+                || both == formula(&[second]);
+            (!is_one).then_some((first, second, both))
+        })
     })
 }
 

@@ -8,8 +8,8 @@ use std::collections::HashMap;
 /// Difference of a channel from the background's above which a pixel is drawn: more than what lossy
 /// formats add, and less than what is left of a figure's color in the shade.
 const DRAWN: u8 = 12;
-/// Pictures are looked at in no more columns and rows than this.
-const MOST: u32 = 400;
+/// Least w of a point before the eye.
+const NEAREST: f64 = 1e-6;
 
 /// The part of a picture that is looked at: every so many pixels, in columns and rows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,9 +23,9 @@ pub(super) struct Samples {
 }
 
 impl Samples {
-    /// Those of a picture of this size in pixels.
-    pub(super) fn new(width: u32, height: u32) -> Self {
-        let step = width.max(height).div_ceil(MOST).max(1);
+    /// Those of a picture of this size in pixels, in no more columns and rows than `most`.
+    pub(super) fn new(width: u32, height: u32, most: u32) -> Self {
+        let step = width.max(height).div_ceil(most).max(1);
         Self {
             picture: [width, height],
             step,
@@ -82,6 +82,21 @@ impl Samples {
         }
     }
 
+    /// The samples at which `picture` differs from its background.
+    fn drawn(&self, picture: &Picture) -> Vec<bool> {
+        let (pixels, _) = picture.rgba.as_chunks::<4>();
+        let background = background(picture, pixels);
+        let half = (self.step / 2) as usize;
+        let is_drawn = (0..self.count()).map(|index| {
+            let (column, row) = (index % self.columns, index / self.columns);
+            let [x, y] = [column, row].map(|at| at * self.step as usize + half);
+            let pixel = pixels[y * picture.width as usize + x];
+            let differences = pixel.iter().zip(background);
+            differences.map(|(a, b)| a.abs_diff(b)).max() > Some(DRAWN)
+        });
+        is_drawn.collect()
+    }
+
     /// The samples that are covered by what was added to `changes`.
     fn covered(&self, changes: &[i32]) -> Vec<bool> {
         let mut covered = Vec::with_capacity(self.count());
@@ -97,17 +112,25 @@ impl Samples {
 
     /// Whether any sample around each is `wanted`, or its own; the outside is like the border.
     fn around(&self, is_covered: &[bool], wanted: bool) -> Vec<bool> {
-        let spread = |of: &[bool], count: usize, step: usize| -> Vec<bool> {
-            let at = |at: usize| {
-                let place = at / step % count;
-                let before = place > 0 && of[at - step] == wanted;
-                let after = place + 1 < count && of[at + step] == wanted;
-                (before || after || of[at] == wanted) == wanted
-            };
-            (0..of.len()).map(at).collect()
-        };
-        let across = spread(is_covered, self.columns, 1);
-        spread(&across, self.rows, self.columns)
+        fn merge<'a>(
+            wanted: bool,
+            into: impl Iterator<Item = &'a mut bool>,
+            from: impl Iterator<Item = &'a bool>,
+        ) {
+            for (into, from) in into.zip(from) {
+                *into = if wanted { *into | *from } else { *into & *from };
+            }
+        }
+        let mut across = is_covered.to_vec();
+        let columns = self.columns.max(1);
+        for (into, from) in across.chunks_mut(columns).zip(is_covered.chunks(columns)) {
+            merge(wanted, into.iter_mut().skip(1), from.iter());
+            merge(wanted, into.iter_mut(), from.iter().skip(1));
+        }
+        let mut around = across.clone();
+        merge(wanted, around.iter_mut().skip(columns), across.iter());
+        merge(wanted, around.iter_mut(), across.iter().skip(columns));
+        around
     }
 }
 
@@ -119,22 +142,14 @@ pub(super) struct Silhouette {
     is_covered: Vec<bool>,
     /// Which samples have one beside them that differs.
     is_edge: Vec<bool>,
+    /// Which samples are drawn, however thin that is, or have one beside them that is.
+    is_near: Vec<bool>,
 }
 
 impl Silhouette {
     /// All of `picture` that differs from its background, the color that most of its border has.
     pub(super) fn of_picture(picture: &Picture, samples: Samples) -> Self {
-        let (pixels, _) = picture.rgba.as_chunks::<4>();
-        let background = background(picture, pixels);
-        let half = (samples.step / 2) as usize;
-        let is_covered = (0..samples.count()).map(|index| {
-            let (column, row) = (index % samples.columns, index / samples.columns);
-            let [x, y] = [column, row].map(|at| at * samples.step as usize + half);
-            let pixel = pixels[y * picture.width as usize + x];
-            let differences = pixel.iter().zip(background);
-            differences.map(|(a, b)| a.abs_diff(b)).max() > Some(DRAWN)
-        });
-        Self::new(samples, &is_covered.collect::<Vec<bool>>())
+        Self::new(samples, &samples.drawn(picture))
     }
 
     /// A mesh with the vertices `points` as it is seen with `clip_from_model`.
@@ -148,7 +163,7 @@ impl Silhouette {
             .iter()
             .map(|point| {
                 let clip = clip_from_model * point.extend(1.0);
-                let is_before_the_eye = clip.w > 1e-6 && clip.is_finite();
+                let is_before_the_eye = clip.w > NEAREST && clip.is_finite();
                 is_before_the_eye.then(|| samples.sample_of(clip))
             })
             .collect();
@@ -161,9 +176,9 @@ impl Silhouette {
         Self::new(samples, &samples.covered(&changes))
     }
 
-    /// The silhouette of `is_covered`.
-    fn new(samples: Samples, is_covered: &[bool]) -> Self {
-        let thin = samples.around(is_covered, false);
+    /// The silhouette of what is drawn.
+    fn new(samples: Samples, is_drawn: &[bool]) -> Self {
+        let thin = samples.around(is_drawn, false);
         let is_covered = samples.around(&thin, true);
         let [inside, outside] = [false, true].map(|covered| samples.around(&is_covered, covered));
         let is_edge = inside
@@ -173,6 +188,7 @@ impl Silhouette {
         Self {
             samples,
             is_edge: is_edge.collect(),
+            is_near: samples.around(is_drawn, true),
             is_covered,
         }
     }
@@ -183,13 +199,25 @@ impl Silhouette {
         both.filter(|(own, other)| **own || **other).count()
     }
 
-    /// Samples that differ from `other` and are at the edge of neither, where a pixel more or less
-    /// says nothing.
+    /// Samples that one covers where the other draws nothing, edges left out, where a pixel more or less
+    /// says nothing. So it says nothing, either, whether a limb is just too thin to be covered.
     pub(super) fn off<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
+        let lacks = |one: &Self, other: &Self, at: usize| {
+            one.is_covered[at] && !one.is_edge[at] && !other.is_near[at]
+        };
         let all = 0..self.is_covered.len();
-        all.filter(|&at| {
-            self.is_covered[at] != other.is_covered[at] && !self.is_edge[at] && !other.is_edge[at]
-        })
+        all.filter(move |&at| lacks(self, other, at) || lacks(other, self, at))
+    }
+
+    /// Whether a point lies on or beside what is drawn; `None` for one that is not in the picture.
+    pub(super) fn is_near(&self, clip: DVec4) -> Option<bool> {
+        if !(clip.w > NEAREST && clip.is_finite()) {
+            return None;
+        }
+        let Samples { columns, rows, .. } = self.samples;
+        let at = self.samples.sample_of(clip).round();
+        let is_inside = at.cmpge(DVec2::ZERO).all() && at.x < columns as f64 && at.y < rows as f64;
+        is_inside.then(|| self.is_near[at.y as usize * columns + at.x as usize])
     }
 
     /// The box around samples, as the pixels x, y, width and height of the picture.

@@ -8,6 +8,7 @@ pub mod figures;
 mod mistaken;
 mod other_poses;
 mod pairs;
+mod picture_pairs;
 mod pictures;
 mod program;
 mod same;

@@ -1,0 +1,172 @@
+//! The search for the mistakes that give a silhouette.
+
+use super::formula::{Formula, VertexOrder};
+use super::model::Model;
+use super::search::{Explanation, Made, formula, pairs_of_ways, ways};
+use super::silhouette::{Samples, Silhouette};
+use super::skin::Skinner;
+use crate::character::Pose;
+use crate::geometry::Picture;
+use glam::{DMat4, DVec3};
+
+/// Vertices that are looked at first are about this many, from all over the mesh.
+const SPREAD: usize = 256;
+/// Part of them that may lie beside what is drawn: parts may be too small or too dark to be found there.
+const BESIDE: f64 = 0.05;
+/// Pictures are looked at in no more columns and rows than this, …
+const FINE: u32 = 400;
+/// … and in no more than this to see which mistakes may fit.
+const COARSE: u32 = 100;
+/// Part of the coarse silhouette that may be off where mistakes may fit: at that size, limbs are as wide
+/// as what counts as a line.
+const MAY_FIT: f64 = 0.05;
+
+/// A picture, and what it is held against.
+#[derive(Debug)]
+pub(super) struct PictureSearch<'a> {
+    model: &'a Model<'a>,
+    pose: &'a Pose,
+    clip_from_model: DMat4,
+    fine: Seen,
+    coarse: Seen,
+    /// Some of the vertices of triangles.
+    spread: Vec<usize>,
+}
+
+/// The picture at one resolution.
+#[derive(Debug)]
+struct Seen {
+    samples: Samples,
+    theirs: Silhouette,
+    /// Area of the picture's silhouette and the exact one together.
+    area: f64,
+}
+
+impl<'a> PictureSearch<'a> {
+    /// A search for what gives `picture`, which shows the model with `clip_from_model`; `None` if nothing
+    /// is drawn there.
+    pub(super) fn new(
+        model: &'a Model<'a>,
+        pose: &'a Pose,
+        picture: &Picture,
+        clip_from_model: DMat4,
+    ) -> Option<Self> {
+        let seen = |most| {
+            let samples = Samples::new(picture.width, picture.height, most);
+            let theirs = Silhouette::of_picture(picture, samples);
+            let area = theirs.area_with(&theirs) as f64;
+            Seen {
+                samples,
+                theirs,
+                area,
+            }
+        };
+        let corners = model.triangles().as_flattened().iter();
+        let mut vertices: Vec<usize> = corners.map(|&corner| corner as usize).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let step = vertices.len().div_ceil(SPREAD).max(1);
+        let mut search = Self {
+            model,
+            pose,
+            clip_from_model,
+            fine: seen(FINE),
+            coarse: seen(COARSE),
+            spread: vertices.into_iter().step_by(step).collect(),
+        };
+        if search.fine.area == 0.0 {
+            return None;
+        }
+        let points = search.points(&mut search.skinner(&Formula::default()));
+        let areas = [&search.fine, &search.coarse].map(|seen| {
+            let exact = search.silhouette(&points, seen);
+            seen.theirs.area_with(&exact) as f64
+        });
+        [search.fine.area, search.coarse.area] = areas;
+        Some(search)
+    }
+
+    /// How far the picture is from the exact silhouette, and the box around what is off, as pixels.
+    pub(super) fn off_from_exact(&self) -> (f64, Option<[u32; 4]>) {
+        let points = self.points(&mut self.skinner(&Formula::default()));
+        let exact = self.silhouette(&points, &self.fine);
+        let off = exact.bounds(self.fine.theirs.off(&exact));
+        (self.error(&points, &self.fine), off)
+    }
+
+    /// Every mistake by itself, with what it leaves.
+    pub(super) fn singles(&self) -> Vec<Explanation> {
+        let seen = ways().map(|made| (made, formula(&[made])));
+        let seen = seen.filter(|(_, formula)| is_seen(formula));
+        seen.map(|(made, formula)| {
+            let points = self.points(&mut self.skinner(&formula));
+            Explanation {
+                made: vec![made],
+                error: self.error(&points, &self.fine),
+            }
+        })
+        .collect()
+    }
+
+    /// Every two mistakes that leave no more than `enough`, the one that leaves less by itself first.
+    pub(super) fn pairs(&self, singles: &[Explanation], enough: f64) -> Vec<Explanation> {
+        let alone = |made: Made| {
+            let mut singles = singles.iter();
+            let one = singles.find(|one| std::ptr::eq(one.made[0].reading, made.reading));
+            one.map_or(f64::INFINITY, |one| one.error)
+        };
+        let seen = pairs_of_ways().filter(|(.., formula)| is_seen(formula));
+        seen.filter_map(|(first, second, formula)| {
+            let error = self.error_if_small(&formula)?;
+            let mut made = vec![first, second];
+            if alone(second) < alone(first) {
+                made.reverse();
+            }
+            (error <= enough).then_some(Explanation { made, error })
+        })
+        .collect()
+    }
+
+    /// What `formula` leaves, unless a look at some vertices or from afar tells that it is much.
+    fn error_if_small(&self, formula: &Formula) -> Option<f64> {
+        let mut skinner = self.skinner(formula);
+        let beside = self.spread.iter().filter(|&&vertex| {
+            let placed = skinner.place(vertex);
+            let clip = self.clip_from_model * placed.at.extend(1.0);
+            !placed.is_unweighted && self.fine.theirs.is_near(clip) == Some(false)
+        });
+        let most = (BESIDE * self.spread.len() as f64) as usize;
+        if beside.take(most + 1).count() > most {
+            return None;
+        }
+        let points = self.points(&mut skinner);
+        let may_fit = self.error(&points, &self.coarse) <= MAY_FIT;
+        may_fit.then(|| self.error(&points, &self.fine))
+    }
+
+    fn skinner(&self, formula: &Formula) -> Skinner<'a> {
+        Skinner::new(self.model, self.pose, formula)
+    }
+
+    fn points(&self, skinner: &mut Skinner) -> Vec<DVec3> {
+        let all = 0..skinner.count();
+        all.map(|at| skinner.place(at).at).collect()
+    }
+
+    fn silhouette(&self, points: &[DVec3], seen: &Seen) -> Silhouette {
+        let triangles = self.model.triangles();
+        Silhouette::of_mesh(points, triangles, self.clip_from_model, seen.samples)
+    }
+
+    /// The part of the silhouette that is off from the one of `points`.
+    fn error(&self, points: &[DVec3], seen: &Seen) -> f64 {
+        let made = self.silhouette(points, seen);
+        seen.theirs.off(&made).count() as f64 / seen.area
+    }
+}
+
+/// Whether a mistake may be seen in a picture, which is the same whatever the order in which vertices are
+/// kept.
+fn is_seen(formula: &Formula) -> bool {
+    formula.vertex_order == VertexOrder::File || formula.vertex_order == VertexOrder::FirstUseInside
+}
