@@ -87,11 +87,11 @@ impl Immediate {
     /// Starts with the identity matrix, white, points and lines of one pixel, square points.
     ///
     /// # Errors
-    /// When the driver refuses the shader or a buffer.
+    /// When the driver refuses a buffer.
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         let vertex_body = include_str!("../../shaders/immediate_vertex.glsl");
         let fragment_body = include_str!("../../shaders/immediate_fragment.glsl");
-        let program = Program::new(gl, "immediate", vertex_body, fragment_body)?;
+        let program = Program::when_used(gl, "immediate", vertex_body, fragment_body);
         let buffer = Buffer::vertices(gl, Usage::Stream, &[])?;
         let vertex_array = display_list::attributes(gl, &buffer).build()?;
         Ok(Self {

@@ -1,6 +1,6 @@
 //! Shader programs. One body serves OpenGL 3.3 and OpenGL ES 3.0: the header is added here.
 
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeSet, HashMap};
 
 use glam::{Mat3, Mat4, Vec2, Vec3};
@@ -27,10 +27,18 @@ struct Uniform {
 pub struct Program {
     gl: Gl,
     label: String,
+    /// Bodies of the vertex and the fragment shader.
+    bodies: [String; 2],
+    /// `None` if the driver refused it.
+    linked: OnceCell<Option<Linked>>,
+    unknown: RefCell<BTreeSet<String>>,
+}
+
+/// What the driver made of the shaders.
+struct Linked {
     raw: glow::Program,
     uniforms: HashMap<String, Uniform>,
     declared: BTreeSet<String>,
-    unknown: RefCell<BTreeSet<String>>,
 }
 
 impl std::fmt::Debug for Program {
@@ -51,6 +59,27 @@ impl Program {
         vertex_body: &str,
         fragment_body: &str,
     ) -> Result<Self, GpuError> {
+        let program = Self::when_used(gl, label, vertex_body, fragment_body);
+        let linked = program.link()?;
+        program.linked.get_or_init(|| Some(linked));
+        Ok(program)
+    }
+
+    /// As [`Program::new`], but compiles and links when it is first used: most programs are not needed for
+    /// the first picture. Then it draws nothing if the driver refuses it, which [`Gl::check`] returns.
+    pub fn when_used(gl: &Gl, label: &str, vertex_body: &str, fragment_body: &str) -> Self {
+        Self {
+            gl: gl.clone(),
+            label: label.to_owned(),
+            bodies: [vertex_body, fragment_body].map(str::to_owned),
+            linked: OnceCell::new(),
+            unknown: RefCell::default(),
+        }
+    }
+
+    fn link(&self) -> Result<Linked, GpuError> {
+        let (gl, label) = (&self.gl, &self.label);
+        let [vertex_body, fragment_body] = &self.bodies;
         let vertex = Shader::compile(gl, label, glow::VERTEX_SHADER, vertex_body)?;
         let fragment = Shader::compile(gl, label, glow::FRAGMENT_SHADER, fragment_body)?;
         let create = |why| GpuError::Create {
@@ -60,16 +89,6 @@ impl Program {
         let glow = gl.current_for("making a shader program")?;
         // SAFETY: current context.
         let raw = unsafe { glow.create_program() }.map_err(create)?;
-        let mut declared = declared_uniforms(vertex_body);
-        declared.append(&mut declared_uniforms(fragment_body));
-        let mut program = Self {
-            gl: gl.clone(),
-            label: label.to_owned(),
-            raw,
-            uniforms: HashMap::new(),
-            declared,
-            unknown: RefCell::default(),
-        };
         // SAFETY: current context; the objects are of this context and alive.
         unsafe {
             glow.attach_shader(raw, vertex.raw);
@@ -79,15 +98,39 @@ impl Program {
             glow.detach_shader(raw, fragment.raw);
             if !glow.get_program_link_status(raw) {
                 let log = glow.get_program_info_log(raw).trim().to_owned();
+                glow.delete_program(raw);
                 return Err(GpuError::Link {
                     label: label.to_owned(),
                     log,
                 });
             }
         }
-        // SAFETY: current context; the program was linked.
-        program.uniforms = unsafe { active_uniforms(glow, raw) };
-        Ok(program)
+        let bodies = self.bodies.iter();
+        Ok(Linked {
+            raw,
+            // SAFETY: current context; the program was linked.
+            uniforms: unsafe { active_uniforms(glow, raw) },
+            declared: bodies.flat_map(|body| declared_uniforms(body)).collect(),
+        })
+    }
+
+    /// The linked program; `None` if the driver refuses it, or the context cannot be made current.
+    fn linked(&self) -> Option<&Linked> {
+        if let Some(linked) = self.linked.get() {
+            return linked.as_ref();
+        }
+        let linked = match self.link() {
+            Ok(linked) => Some(linked),
+            Err(why) => {
+                self.gl.report(why.to_string());
+                if matches!(why, GpuError::Lost { .. }) {
+                    // It may come back.
+                    return None;
+                }
+                None
+            }
+        };
+        self.linked.get_or_init(|| linked).as_ref()
     }
 
     /// The name given at creation.
@@ -96,12 +139,13 @@ impl Program {
         &self.label
     }
 
-    /// Draws use this program from now on.
-    pub(in crate::gpu) fn bind(&self) {
-        if let Some(glow) = self.gl.current() {
-            // SAFETY: current context; the program is linked and alive.
-            unsafe { glow.use_program(Some(self.raw)) }
-        }
+    /// The entry points, with this program bound in them: draws use it from now on.
+    pub(in crate::gpu) fn bind(&self) -> Option<&glow::Context> {
+        let linked = self.linked()?;
+        let glow = self.gl.current()?;
+        // SAFETY: current context; the program is linked and alive.
+        unsafe { glow.use_program(Some(linked.raw)) }
+        Some(glow)
     }
 
     /// Whether it is an object of the context of `gl`.
@@ -181,15 +225,17 @@ impl Program {
 
     /// Calls `set` with the program bound, if it has a uniform of this name and one of `kinds`.
     fn set(&self, name: &str, kinds: &[u32], set: impl Fn(&glow::Context, &glow::UniformLocation)) {
-        match self.uniforms.get(name) {
+        let Some(linked) = self.linked() else {
+            return;
+        };
+        match linked.uniforms.get(name) {
             Some(uniform) if kinds.contains(&uniform.kind) => {
-                self.bind();
-                if let Some(glow) = self.gl.current() {
+                if let Some(glow) = self.bind() {
                     set(glow, &uniform.location);
                 }
             }
             Some(_) => self.complain(name, "has another type than the value set"),
-            None if self.declared.contains(name) => {}
+            None if linked.declared.contains(name) => {}
             None => self.complain(name, "is declared nowhere"),
         }
     }
@@ -204,12 +250,15 @@ impl Program {
 
 impl Drop for Program {
     fn drop(&mut self) {
+        let Some(Some(linked)) = self.linked.get() else {
+            return;
+        };
         if let Some(glow) = self.gl.current() {
             // SAFETY: current context; deleted once.
             unsafe {
                 // A program in use would stay until another one is.
                 glow.use_program(None);
-                glow.delete_program(self.raw);
+                glow.delete_program(linked.raw);
             }
         }
     }

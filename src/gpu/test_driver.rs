@@ -73,6 +73,11 @@ impl TestDriver {
         STATE.with(|state| state.uploaded.take())
     }
 
+    /// Number of shader programs that were linked since the last time.
+    pub(crate) fn linked() -> usize {
+        STATE.with(|state| state.linked.take())
+    }
+
     /// Number of calls of watched functions since the last time.
     pub(crate) fn calls() -> usize {
         STATE.with(|state| state.calls.take())
@@ -113,6 +118,7 @@ struct State {
     most_bytes: Cell<usize>,
     calls: Cell<usize>,
     uploaded: Cell<usize>,
+    linked: Cell<usize>,
     stray: RefCell<Vec<&'static str>>,
 }
 
@@ -125,6 +131,7 @@ thread_local! {
         most_bytes: Cell::new(usize::MAX),
         calls: Cell::new(0),
         uploaded: Cell::new(0),
+        linked: Cell::new(0),
         stray: RefCell::default(),
     };
 }
@@ -138,6 +145,7 @@ impl State {
         self.most_bytes.set(usize::MAX);
         self.calls.set(0);
         self.uploaded.set(0);
+        self.linked.set(0);
         self.stray.take();
     }
 
@@ -196,6 +204,7 @@ macro_rules! watched {
                     b"glTexImage2D" => ("glTexImage2D", tex_image as *const c_void),
                     b"glTexSubImage2D" => ("glTexSubImage2D", tex_sub_image as *const c_void),
                     b"glBufferData" => ("glBufferData", buffer_data as *const c_void),
+                    b"glLinkProgram" => ("glLinkProgram", link_program as *const c_void),
                     b"glGetError" => ("glGetError", get_error as *const c_void),
                     _ => return found,
                 };
@@ -311,6 +320,18 @@ extern "system" fn tex_sub_image(
                 target, level, x, y, width, height, components, component, data,
             )
         }
+    }
+}
+
+extern "system" fn link_program(program: u32) {
+    type LinkProgram = unsafe extern "system" fn(u32);
+    let real = STATE.try_with(|state| {
+        state.linked.set(state.linked.get() + 1);
+        state.call("glLinkProgram")
+    });
+    if let Ok(Some(real)) = real {
+        // SAFETY: the driver's function of this name; the context is current.
+        unsafe { std::mem::transmute::<*const c_void, LinkProgram>(real)(program) }
     }
 }
 

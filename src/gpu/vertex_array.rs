@@ -272,13 +272,12 @@ impl VertexArray {
     }
 
     /// The entry points, with `program` bound in them.
-    fn bind_program(&self, program: &Program) -> Option<&glow::Context> {
+    fn bind_program<'a>(&self, program: &'a Program) -> Option<&'a glow::Context> {
         if !program.is_of(&self.gl) {
             self.report("a draw with a program of another context".to_owned());
             return None;
         }
-        program.bind();
-        self.gl.current()
+        program.bind()
     }
 
     /// First, count and instances as OpenGL takes them; `None` if there is nothing to draw, or not

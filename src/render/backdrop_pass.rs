@@ -25,12 +25,12 @@ pub(super) struct BackgroundPass {
 
 impl BackgroundPass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
-        let program = Program::new(
+        let program = Program::when_used(
             gl,
             "background",
             include_str!("../../shaders/whole_picture_vertex.glsl"),
             include_str!("../../shaders/background_fragment.glsl"),
-        )?;
+        );
         Ok(Self {
             program,
             triangle: whole_picture(gl)?,
@@ -85,12 +85,12 @@ pub(super) struct FloorPass {
 impl FloorPass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
-            program: Program::new(
+            program: Program::when_used(
                 gl,
                 "floor",
                 include_str!("../../shaders/floor_vertex.glsl"),
                 include_str!("../../shaders/floor_fragment.glsl"),
-            )?,
+            ),
             whole_picture: whole_picture(gl)?,
         })
     }

@@ -41,18 +41,18 @@ pub(super) struct EdgePass {
 impl EdgePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
-            blocks_program: Program::new(
+            blocks_program: Program::when_used(
                 gl,
                 "blocks of edges",
                 include_str!("../../shaders/whole_picture_vertex.glsl"),
                 include_str!("../../shaders/edge_blocks_fragment.glsl"),
-            )?,
-            edge_program: Program::new(
+            ),
+            edge_program: Program::when_used(
                 gl,
                 "edge",
                 include_str!("../../shaders/edge_vertex.glsl"),
                 include_str!("../../shaders/edge_fragment.glsl"),
-            )?,
+            ),
             whole_picture: whole_picture(gl)?,
             blocks: None,
             squares: None,

@@ -31,12 +31,12 @@ pub(super) struct ShadowPass {
 }
 
 impl ShadowPass {
-    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+    pub fn new(gl: &Gl) -> Self {
         let fragment = include_str!("../../shaders/shadow_fragment.glsl");
-        Ok(Self {
-            programs: MeshPrograms::new(gl, "shadow", fragment)?,
+        Self {
+            programs: MeshPrograms::new(gl, "shadow", fragment),
             shadows: None,
-        })
+        }
     }
 
     /// Compiles the programs for skinned meshes.
@@ -115,7 +115,7 @@ impl GroundPass {
         let fragment = include_str!("../../shaders/ground_fragment.glsl");
         let program = |label, fragment: &str| {
             let vertex = include_str!("../../shaders/ground_vertex.glsl");
-            Program::new(gl, label, vertex, fragment)
+            Program::when_used(gl, label, vertex, fragment)
         };
         let corners = [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)];
         let buffer = Buffer::vertices(gl, Usage::Static, &corners.map(|(x, z)| Vec2::new(x, z)))?;
@@ -123,11 +123,11 @@ impl GroundPass {
             .attribute(&buffer, Attribute::f32(0, 2))
             .build()?;
         Ok(Self {
-            plain: program("ground", fragment)?,
+            plain: program("ground", fragment),
             shadowed: program(
                 "ground with shadows",
                 &format!("#define SHADOWS\n{fragment}"),
-            )?,
+            ),
             square,
         })
     }
@@ -305,7 +305,7 @@ mod tests {
             let mut meshes = MeshCache::new(gl.info().max_texture_size);
             let sight = Sight::new(&context, &frame);
             meshes.update(gl, &frame, &sight, Skinning::Cpu).unwrap();
-            let mut pass = ShadowPass::new(gl).unwrap();
+            let mut pass = ShadowPass::new(gl);
             let ground = GroundPass::new(gl).unwrap();
             let picture = pass.draw(gl, &context, &frame, &meshes, None).unwrap();
             let whole = Area::whole([SIZE.0, SIZE.1]);

@@ -15,15 +15,15 @@ pub(super) struct MeshPrograms {
 }
 
 impl MeshPrograms {
-    /// Compiles the program for plain meshes; see [`MeshPrograms::add_skinned`].
-    pub fn new(gl: &Gl, label: &'static str, fragment: &'static str) -> Result<Self, GpuError> {
+    /// Those for plain meshes; see [`MeshPrograms::add_skinned`].
+    pub fn new(gl: &Gl, label: &'static str, fragment: &'static str) -> Self {
         let vertex = include_str!("../../shaders/surface_vertex.glsl");
-        Ok(Self {
+        Self {
             label,
             fragment,
-            plain: Program::new(gl, label, vertex, fragment)?,
+            plain: Program::when_used(gl, label, vertex, fragment),
             skinned: None,
-        })
+        }
     }
 
     /// Compiles the programs for skinned meshes, unless that is done.

@@ -32,7 +32,7 @@ impl NumberColors {
             ..Sampling::default()
         };
         Ok(Self {
-            programs: MeshPrograms::new(gl, "numbers", fragment)?,
+            programs: MeshPrograms::new(gl, "numbers", fragment),
             scale: Texture::new(gl, CELLS, 1, &colors, sampling)?,
         })
     }

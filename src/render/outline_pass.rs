@@ -29,7 +29,7 @@ pub(super) struct OutlinePass {
 impl OutlinePass {
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
         Ok(Self {
-            masks: MeshPrograms::new(gl, "mask", include_str!("../../shaders/mask_fragment.glsl"))?,
+            masks: MeshPrograms::new(gl, "mask", include_str!("../../shaders/mask_fragment.glsl")),
             edges: EdgePass::new(gl)?,
             mask: None,
         })

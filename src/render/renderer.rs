@@ -64,11 +64,11 @@ impl Renderer {
             skinning: SkinningChoice::automatic(gl.info()),
             notices: Vec::new(),
             background: BackgroundPass::new(gl)?,
-            surfaces: SurfacePass::new(gl)?,
+            surfaces: SurfacePass::new(gl),
             curves: CurvePass::default(),
             ghosts: GhostPass::default(),
             skeletons: SkeletonPass::new(gl)?,
-            shadows: ShadowPass::new(gl)?,
+            shadows: ShadowPass::new(gl),
             ground: GroundPass::new(gl)?,
             floor: FloorPass::new(gl)?,
             outline: OutlinePass::new(gl)?,
@@ -310,6 +310,22 @@ mod tests {
         let target = Framebuffer::new(gl, 64, 48, 0).unwrap();
         let result = renderer.draw(&frame, &target);
         (result, read_picture(&target).unwrap())
+    }
+
+    #[test]
+    fn shaders_are_compiled_when_a_picture_needs_them() {
+        let driver = TestDriver::new();
+        let gl = driver.gl();
+        let mut renderer = Renderer::new(gl).unwrap();
+        renderer.set_skinning(Some(Skinning::Cpu));
+        assert_eq!(TestDriver::linked(), 0);
+        let scene = moved_triangle();
+        picture(&mut renderer, gl, &scene);
+        let first = TestDriver::linked();
+        // In the Course look: the surface and the axes.
+        assert_eq!(first, 2);
+        picture(&mut renderer, gl, &scene);
+        assert_eq!(TestDriver::linked(), 0);
     }
 
     #[test]

@@ -219,7 +219,7 @@ mod tests {
                 clip_from_world: glam::Mat4::ZERO,
                 clip_from_shadowed: None,
             };
-            let (surfaces, mut shadows) = (SurfacePass::new(gl).unwrap(), ShadowPass::new(gl).unwrap());
+            let (surfaces, mut shadows) = (SurfacePass::new(gl), ShadowPass::new(gl));
             let mut pictures = |meshes: &MeshCache| {
                 let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
                 DrawState::opaque(SIZE.0, SIZE.1).apply(gl);

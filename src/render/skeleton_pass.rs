@@ -65,18 +65,18 @@ impl SkeletonPass {
             .map(|p| Vec3::new(p.x * 2.0, p.y * 2.0, p.z + 0.5));
         let unit_box = Mesh::new(positions.collect(), unit_box.triangles.clone());
         Ok(Self {
-            program: Program::new(
+            program: Program::when_used(
                 gl,
                 "skeleton",
                 vertex,
                 include_str!("../../shaders/surface_fragment.glsl"),
-            )?,
-            mask_program: Program::new(
+            ),
+            mask_program: Program::when_used(
                 gl,
                 "skeleton mask",
                 vertex,
                 include_str!("../../shaders/mask_fragment.glsl"),
-            )?,
+            ),
             joints: Instances::new(gl, &sphere(1.0, 16, 16, Poles::Z))?,
             bones: Instances::new(gl, &unit_box)?,
         })

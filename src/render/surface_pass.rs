@@ -29,12 +29,12 @@ pub(super) struct SurfacePass {
 }
 
 impl SurfacePass {
-    pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+    pub fn new(gl: &Gl) -> Self {
         let fragment = include_str!("../../shaders/surface_fragment.glsl");
-        Ok(Self {
-            programs: MeshPrograms::new(gl, "surface", fragment)?,
+        Self {
+            programs: MeshPrograms::new(gl, "surface", fragment),
             numbers: None,
-        })
+        }
     }
 
     /// Compiles the programs for skinned meshes.
