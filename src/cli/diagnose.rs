@@ -37,7 +37,7 @@ pub struct Args {
     /// The character at rest: .obj with .skel and .attach beside it, .skel, .dae, or builtin:NAME
     #[arg(long, value_name = "MODEL")]
     character: PathBuf,
-    /// The pose: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
+    /// The pose: builtin:NAME, or a file such as {"joints": {"Left elbow": [0, 0, 50]}}
     #[arg(long, value_name = "POSE.json")]
     pose: PathBuf,
     #[command(flatten)]

@@ -31,7 +31,7 @@ pub struct Args {
     /// The file to write: OUT.obj for geometry, OUT.skel for a character
     #[arg(short, long, value_name = "OUT.obj|OUT.skel")]
     output: PathBuf,
-    /// Pose the characters first: a file such as {"joints": {"Left elbow": [0, 0, 50]}}
+    /// Pose the characters first: builtin:NAME, or a file such as {"joints": {"Left elbow": [0, 0, 50]}}
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
     /// Influences per vertex: all of the file, or the four largest

@@ -48,7 +48,7 @@ pub struct WindowArgs {
     /// Scenes to open (.scene, .zip), files to import (.obj, .dae, .swp), or builtin:NAME
     #[arg(value_name = "FILE")]
     pub files: Vec<PathBuf>,
-    /// Text in the window's title after the program's name, such as your name
+    /// Text in the window's title after the names of the document and the program, such as your name
     #[arg(long, value_name = "TEXT")]
     pub title: Option<String>,
     /// Processor that deforms characters, for this time [default: as in View ▸ Skinning]

@@ -47,7 +47,7 @@ pub struct Args {
     /// Move the camera so that everything is in the picture, keeping its direction.
     #[arg(long)]
     fit: bool,
-    /// Pose every character by this POSE.json.
+    /// Pose every character by this POSE.json, or builtin:NAME.
     #[arg(long, value_name = "POSE.json")]
     pose: Option<PathBuf>,
     #[command(flatten)]

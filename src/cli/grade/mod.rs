@@ -22,8 +22,8 @@ use work::Work;
 
 /// Grade a class: what each submission gives for each test, why it is wrong, and its points.
 ///
-/// FOLDER has a folder for each submission, and that a file for each test: TEST.obj, a posed mesh, or
-/// TEST.png, a picture. TESTS.json says which tests there are, how points are given, and which command
+/// FOLDER holds a folder for each submission, and each of these a file for each test: TEST.obj, a posed
+/// mesh, or TEST.png, a picture. TESTS.json says which tests there are, how points are given, and which command
 /// makes the files, if one does. Prints a row for each submission and writes grade.json, grade.csv and
 /// grade.html into REPORT. What is graded is kept there: started again, it resumes where it stopped, and
 /// only what has changed is graded anew.
