@@ -19,7 +19,9 @@ fn a_character_is_opened_from_files_that_are_chosen_together() {
     browser.press(&[CTRL, "o"]);
     let files = ["robot.obj", "robot.skel", "robot.attach"];
     browser.choose(&files.map(|name| asset(&format!("characters/{name}"))));
-    assert!(difference(&before, &browser.picture(), VIEW) > 0.05);
+    browser.wait("the figure is read", || {
+        difference(&before, &browser.picture(), VIEW) > 0.05
+    });
     browser.finish();
 }
 
@@ -34,7 +36,9 @@ fn a_file_that_is_dropped_is_added_to_the_scene() {
          const at = {dataTransfer: files, clientX: 500, clientY: 300, bubbles: true, cancelable: true};
          document.getElementById('editor').dispatchEvent(new DragEvent('drop', at));",
     );
-    assert!(difference(&before, &browser.picture(), VIEW) > 0.01);
+    browser.wait("the cube is read", || {
+        difference(&before, &browser.picture(), VIEW) > 0.01
+    });
     browser.finish();
 }
 
@@ -55,7 +59,9 @@ fn a_folder_that_is_dropped_is_read_with_all_that_is_in_it() {
         let event = json!({"type": kind, "x": 500, "y": 300, "data": data});
         browser.devtools("Input.dispatchDragEvent", &event);
     }
-    assert!(difference(&before, &browser.picture(), VIEW) > 0.01);
+    browser.wait("the figure is read", || {
+        difference(&before, &browser.picture(), VIEW) > 0.01
+    });
     browser.finish();
 }
 
