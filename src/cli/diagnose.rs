@@ -18,11 +18,11 @@ use std::sync::Arc;
 
 /// Tell which mistake in skinning another program makes, by a mesh that it posed or a picture of it.
 ///
-/// THEIRS is held against the exact result, and against what each known mistake gives, and
-/// each two of them. Prints that it is right, or the mistake that explains it with what to
-/// look at in the code, or where it is off. Of a picture silhouettes decide: it shows the character
-/// alone, before a background of one color, seen with the window's first camera unless another is
-/// given.
+/// THEIRS is held against the exact result, then against what each known mistake gives, and then
+/// against what each two of them give together. Prints that it is right, or the mistakes that explain
+/// it with what to look at in the code, or where it is off. Of a picture silhouettes decide: it shows
+/// the character alone, before a background of one color, seen with the window's first camera unless
+/// another is given.
 ///
 /// Ends with 0 if THEIRS is right, and with 1 otherwise.
 #[derive(Debug, clap::Args)]

@@ -12,12 +12,9 @@ use serde::Serialize;
 use std::fmt;
 
 /// Part of the silhouette that may be off in pictures that agree.
-const TOLERANCE: f64 = 0.002;
+const TOLERANCE: f64 = 0.001;
 /// Part by which mistakes may differ and are as good.
 const AS_GOOD: f64 = 0.0005;
-/// Two mistakes must leave this many times less than either alone, or none: among so many pairs some
-/// come near by chance.
-const CLEARLY_BETTER: f64 = 4.0;
 /// Other explanations that are told in words; the others are counted.
 const TOLD: usize = 5;
 
@@ -69,7 +66,7 @@ pub fn diagnose_picture(
     let model = Model::new(character);
     let search = PictureSearch::new(&model, pose, picture, clip_from_model.as_dmat4());
     let search = search.ok_or(PictureError::Blank)?;
-    let (error, off_within) = search.off_from_exact();
+    let error = search.error_from_exact;
     let mut found = PictureDiagnosis {
         verdict: Verdict::Right,
         causes: Vec::new(),
@@ -79,7 +76,7 @@ pub fn diagnose_picture(
         sure: 0.0,
         mistakes: Vec::new(),
         same_as: Vec::new(),
-        off_within,
+        off_within: search.off_within,
     };
     let singles = search.singles();
     if error <= TOLERANCE {
@@ -87,12 +84,10 @@ pub fn diagnose_picture(
         found.sure = 1.0 - unseen as f64 / MISTAKES.len() as f64;
         return Ok(found);
     }
-    let least = least(&singles);
-    if least <= TOLERANCE {
+    if least(&singles) <= TOLERANCE {
         found.explain(&singles);
     } else {
-        let clearly = least.min(error) / CLEARLY_BETTER;
-        found.explain(&search.pairs(&singles, clearly.min(TOLERANCE)));
+        found.explain(&search.pairs(&singles, TOLERANCE));
     }
     Ok(found)
 }

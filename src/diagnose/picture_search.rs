@@ -20,6 +20,8 @@ const COARSE: u32 = 100;
 /// Part of the coarse silhouette that may be off where mistakes may fit: at that size, limbs are as wide
 /// as what counts as a line.
 const MAY_FIT: f64 = 0.05;
+/// Area of a coarse silhouette, in samples, below which it says nothing: what may be off is one sample.
+const TELLING: f64 = 1.0 / MAY_FIT;
 
 /// A picture, and what it is held against.
 #[derive(Debug)]
@@ -31,6 +33,10 @@ pub(super) struct PictureSearch<'a> {
     coarse: Seen,
     /// Some of the vertices of triangles.
     spread: Vec<usize>,
+    /// Which part of the silhouette is off from the exact one.
+    pub(super) error_from_exact: f64,
+    /// The box around what is off from the exact silhouette, as the pixels x, y, width and height.
+    pub(super) off_within: Option<[u32; 4]>,
 }
 
 /// The picture at one resolution.
@@ -73,25 +79,20 @@ impl<'a> PictureSearch<'a> {
             fine: seen(FINE),
             coarse: seen(COARSE),
             spread: vertices.into_iter().step_by(step).collect(),
+            error_from_exact: 0.0,
+            off_within: None,
         };
         if search.fine.area == 0.0 {
             return None;
         }
         let points = search.points(&mut search.skinner(&Formula::default()));
-        let areas = [&search.fine, &search.coarse].map(|seen| {
-            let exact = search.silhouette(&points, seen);
-            seen.theirs.area_with(&exact) as f64
-        });
-        [search.fine.area, search.coarse.area] = areas;
+        let [fine, coarse] =
+            [&search.fine, &search.coarse].map(|seen| search.silhouette(&points, seen));
+        search.fine.area = search.fine.theirs.area_with(&fine) as f64;
+        search.coarse.area = search.coarse.theirs.area_with(&coarse) as f64;
+        search.error_from_exact = search.fine.error(&fine);
+        search.off_within = fine.bounds(search.fine.theirs.off(&fine));
         Some(search)
-    }
-
-    /// How far the picture is from the exact silhouette, and the box around what is off, as pixels.
-    pub(super) fn off_from_exact(&self) -> (f64, Option<[u32; 4]>) {
-        let points = self.points(&mut self.skinner(&Formula::default()));
-        let exact = self.silhouette(&points, &self.fine);
-        let off = exact.bounds(self.fine.theirs.off(&exact));
-        (self.error(&points, &self.fine), off)
     }
 
     /// Every mistake by itself, with what it leaves.
@@ -140,7 +141,7 @@ impl<'a> PictureSearch<'a> {
             return None;
         }
         let points = self.points(&mut skinner);
-        let may_fit = self.error(&points, &self.coarse) <= MAY_FIT;
+        let may_fit = self.coarse.area < TELLING || self.error(&points, &self.coarse) <= MAY_FIT;
         may_fit.then(|| self.error(&points, &self.fine))
     }
 
@@ -160,8 +161,14 @@ impl<'a> PictureSearch<'a> {
 
     /// The part of the silhouette that is off from the one of `points`.
     fn error(&self, points: &[DVec3], seen: &Seen) -> f64 {
-        let made = self.silhouette(points, seen);
-        seen.theirs.off(&made).count() as f64 / seen.area
+        seen.error(&self.silhouette(points, seen))
+    }
+}
+
+impl Seen {
+    /// The part of the silhouette that is off from `made`.
+    fn error(&self, made: &Silhouette) -> f64 {
+        self.theirs.off(made).count() as f64 / self.area
     }
 }
 

@@ -199,14 +199,18 @@ impl Silhouette {
         both.filter(|(own, other)| **own || **other).count()
     }
 
-    /// Samples that one covers where the other draws nothing, edges left out, where a pixel more or less
-    /// says nothing. So it says nothing, either, whether a limb is just too thin to be covered.
-    pub(super) fn off<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = usize> + 'a {
-        let lacks = |one: &Self, other: &Self, at: usize| {
-            one.is_covered[at] && !one.is_edge[at] && !other.is_near[at]
-        };
+    /// Samples of this picture that differ from `mesh` and are at the edge of neither, where a pixel more
+    /// or less says nothing. Where a limb of the mesh is just too thin to be covered, that it is in the
+    /// picture says nothing, either; what is thin in the picture may be a line, and excuses nothing.
+    pub(super) fn off<'a>(&'a self, mesh: &'a Self) -> impl Iterator<Item = usize> + 'a {
         let all = 0..self.is_covered.len();
-        all.filter(move |&at| lacks(self, other, at) || lacks(other, self, at))
+        all.filter(|&at| {
+            let is_excused = self.is_covered[at] && mesh.is_near[at];
+            self.is_covered[at] != mesh.is_covered[at]
+                && !self.is_edge[at]
+                && !mesh.is_edge[at]
+                && !is_excused
+        })
     }
 
     /// Whether a point lies on or beside what is drawn; `None` for one that is not in the picture.
