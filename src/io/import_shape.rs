@@ -10,6 +10,7 @@ use crate::steps::{Pace, at_once};
 use glam::Vec2;
 use std::collections::HashMap;
 use std::path::Path;
+use std::str::Lines;
 
 /// Reads any `.obj` file as one mesh: all its objects together, polygons cut into triangles,
 /// normals and texture coordinates where it has them, materials with color and picture. Its
@@ -65,6 +66,36 @@ pub(super) async fn read_shape_obj_by(
     Ok(shape.mesh(files, path, pace).await)
 }
 
+/// How many lines of each kind there are.
+#[derive(Default)]
+struct Counts {
+    positions: usize,
+    texture: usize,
+    normals: usize,
+    faces: usize,
+}
+
+impl Counts {
+    /// Counts some of `lines`; whether there may be more.
+    fn add(&mut self, lines: &mut Lines) -> bool {
+        let mut since = 0;
+        for line in lines {
+            match line.as_bytes() {
+                [b'v', b' ', ..] => self.positions += 1,
+                [b'v', b't', ..] => self.texture += 1,
+                [b'v', b'n', ..] => self.normals += 1,
+                [b'f', b' ', ..] => self.faces += 1,
+                _ => {}
+            }
+            since += line.len();
+            if since >= QUICK_STRETCH {
+                return true;
+            }
+        }
+        false
+    }
+}
+
 struct ShapeReader<'a> {
     files: &'a dyn Files,
     folder: &'a Path,
@@ -84,26 +115,15 @@ impl<'a> ShapeReader<'a> {
     /// Makes room for as much as the file has: lists that grow leave gaps in memory, a quarter of all
     /// that a large file takes.
     async fn make_room(&mut self, pace: &Pace) {
-        let [mut positions, mut texture, mut normals, mut faces] = [0; 4];
-        let mut since = 0;
-        for line in self.scanner.text().lines() {
-            match line.as_bytes() {
-                [b'v', b' ', ..] => positions += 1,
-                [b'v', b't', ..] => texture += 1,
-                [b'v', b'n', ..] => normals += 1,
-                [b'f', b' ', ..] => faces += 1,
-                _ => {}
-            }
-            since += line.len();
-            if since >= QUICK_STRETCH {
-                since = 0;
-                pace.after(STRETCH).await;
-            }
+        let mut lines = self.scanner.text().lines();
+        let mut counts = Counts::default();
+        while counts.add(&mut lines) {
+            pace.after(STRETCH).await;
         }
-        self.data.positions.reserve_exact(positions);
-        self.data.texture.reserve_exact(texture);
-        self.data.normals.reserve_exact(normals);
-        self.faces.make_room(faces);
+        self.data.positions.reserve_exact(counts.positions);
+        self.data.texture.reserve_exact(counts.texture);
+        self.data.normals.reserve_exact(counts.normals);
+        self.faces.make_room(counts.faces);
     }
 
     /// Reads some lines; whether there are more.

@@ -42,11 +42,12 @@ pub(super) async fn read_character_obj_by(
     let mut cutter = Triangulator::default();
     let mut triangles = Vec::with_capacity(faces.count());
     pace.begin(0.9..1.0);
-    for (index, face) in faces.iter().enumerate() {
+    for index in 0..faces.count() {
         if index > 0 && index.is_multiple_of(FACES) {
             pace.tell(index as f32 / faces.count() as f32);
             pace.after(STRETCH).await;
         }
+        let face = faces.corners(index);
         faces.cut(face, &positions, &mut cutter, |corners| {
             triangles.push(corners.map(|corner| corner.position));
         });

@@ -35,12 +35,10 @@ impl Faces {
         self.count
     }
 
-    /// Which corners each face has.
-    pub fn iter(&self) -> impl Iterator<Item = Range<usize>> {
+    /// Which corners a face has.
+    pub fn corners(&self, face: usize) -> Range<usize> {
         let end = |face: usize| self.ends.get(face).copied().unwrap_or(3 * (face + 1));
-        let ends = (0..self.count).map(end);
-        let starts = std::iter::once(0).chain(ends.clone());
-        starts.zip(ends).map(|(start, end)| start..end)
+        face.checked_sub(1).map_or(0, end)..end(face)
     }
 
     /// Makes room for so many triangles.

@@ -10,7 +10,10 @@ use crate::geometry::{self, Material, MaterialGroup, Mesh, MeshBuilder, Triangul
 use crate::steps::Pace;
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
+use std::iter::Peekable;
+use std::ops::Range;
 use std::path::Path;
+use std::slice;
 
 /// All that a file says.
 pub(super) struct Shape {
@@ -89,61 +92,105 @@ impl Data {
     ) -> Mesh {
         faces.keep_used(&mut self.positions);
         pace.after(STRETCH).await;
-        let mut builder = MeshBuilder::over(std::mem::take(&mut self.positions));
-        let mut cutter = Triangulator::default();
-        let mut uses = uses.iter().peekable();
-        let mut group: Option<MaterialGroup> = None;
-        let mut triangles = Vec::new();
-        for (index, face) in faces.iter().enumerate() {
-            if index > 0 && index.is_multiple_of(FACES) {
-                pace.tell(index as f32 / faces.count() as f32);
-                pace.after(STRETCH).await;
-            }
-            let mut latest = None;
-            while let Some(next) = uses.next_if(|next| next.faces_before <= index) {
-                latest = Some(materials[next.name]);
-            }
-            if let Some(material) = latest {
-                let known = group.as_ref().map(|group| &group.material.name);
-                if known != material.map(|material| &material.name) {
-                    close(&mut builder, group.take());
-                    let start = builder.triangle_count();
-                    group = material.map(|material| MaterialGroup {
-                        triangles: start..start,
-                        material: material.clone(),
-                    });
-                }
-            }
-            faces.cut(face, builder.positions(), &mut cutter, |corners| {
-                triangles.push(corners);
-            });
-            for corners in triangles.drain(..) {
-                let corners = corners.map(|corner| self.corner(corner));
-                let has_normals = corners.iter().all(|corner| corner.normal.is_some());
-                builder.push_triangle(corners.map(|corner| geometry::Corner {
-                    normal: corner.normal.filter(|_| has_normals),
-                    ..corner
-                }));
-            }
+        let mut assembly = Assembly {
+            builder: MeshBuilder::over(self.positions),
+            texture: &self.texture,
+            normals: &self.normals,
+            faces: &faces,
+            uses: uses.iter().peekable(),
+            materials,
+            group: None,
+            cutter: Triangulator::default(),
+            triangles: Vec::new(),
+        };
+        for start in (0..faces.count()).step_by(FACES) {
+            assembly.take(start..(start + FACES).min(faces.count()));
+            pace.tell(start as f32 / faces.count() as f32);
+            pace.after(STRETCH).await;
         }
-        close(&mut builder, group);
-        builder.build()
-    }
-
-    fn corner(&self, corner: Corner) -> geometry::Corner {
-        let normal = corner.normal.map(|at| self.normals[at as usize]);
-        geometry::Corner {
-            position: corner.position,
-            normal: normal.filter(|&normal| normal != Vec3::ZERO),
-            texture: corner.texture.map(|at| self.texture[at as usize]),
-        }
+        assembly.finish()
     }
 }
 
-/// Ends `group` at the triangles so far.
-fn close(builder: &mut MeshBuilder, group: Option<MaterialGroup>) {
-    if let Some(group) = group {
-        let triangles = group.triangles.start..builder.triangle_count();
-        builder.push_group(MaterialGroup { triangles, ..group });
+/// A mesh that is put together from faces.
+struct Assembly<'a> {
+    builder: MeshBuilder,
+    texture: &'a [Vec2],
+    normals: &'a [Vec3],
+    faces: &'a Faces,
+    /// Those that come after the faces so far.
+    uses: Peekable<slice::Iter<'a, Use>>,
+    materials: &'a [Option<&'a Material>],
+    /// The group of the faces that come next, with its end still open.
+    group: Option<MaterialGroup>,
+    cutter: Triangulator,
+    /// Room for the triangles of one face.
+    triangles: Vec<[Corner; 3]>,
+}
+
+impl Assembly<'_> {
+    /// Adds some faces, those that come next. This is no asynchronous function because what lives across
+    /// an `await` is kept in memory, with which a large file takes a sixth longer.
+    fn take(&mut self, faces: Range<usize>) {
+        for index in faces {
+            let mut latest = None;
+            while let Some(next) = self.uses.next_if(|next| next.faces_before <= index) {
+                latest = Some(self.materials[next.name]);
+            }
+            if let Some(material) = latest {
+                self.switch_to(material);
+            }
+            let corners = self.faces.corners(index);
+            let positions = self.builder.positions();
+            self.faces
+                .cut(corners, positions, &mut self.cutter, |corners| {
+                    self.triangles.push(corners);
+                });
+            for corners in self.triangles.drain(..) {
+                let corners = corners.map(|corner| resolved(corner, self.texture, self.normals));
+                let has_normals = corners.iter().all(|corner| corner.normal.is_some());
+                self.builder
+                    .push_triangle(corners.map(|corner| geometry::Corner {
+                        normal: corner.normal.filter(|_| has_normals),
+                        ..corner
+                    }));
+            }
+        }
+    }
+
+    fn switch_to(&mut self, material: Option<&Material>) {
+        let known = self.group.as_ref().map(|group| &group.material.name);
+        if known != material.map(|material| &material.name) {
+            self.close();
+            let start = self.builder.triangle_count();
+            self.group = material.map(|material| MaterialGroup {
+                triangles: start..start,
+                material: material.clone(),
+            });
+        }
+    }
+
+    /// Ends the group at the triangles so far.
+    fn close(&mut self) {
+        if let Some(group) = self.group.take() {
+            let triangles = group.triangles.start..self.builder.triangle_count();
+            self.builder
+                .push_group(MaterialGroup { triangles, ..group });
+        }
+    }
+
+    fn finish(mut self) -> Mesh {
+        self.close();
+        self.builder.build()
+    }
+}
+
+/// What `corner` names.
+fn resolved(corner: Corner, texture: &[Vec2], normals: &[Vec3]) -> geometry::Corner {
+    let normal = corner.normal.map(|at| normals[at as usize]);
+    geometry::Corner {
+        position: corner.position,
+        normal: normal.filter(|&normal| normal != Vec3::ZERO),
+        texture: corner.texture.map(|at| texture[at as usize]),
     }
 }
