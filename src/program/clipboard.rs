@@ -8,7 +8,7 @@ use super::files::CLIPBOARD;
 use super::reading::Use;
 use super::running::Program;
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
-use crate::io::{self, Loaded, Missing, ReadJob, Wanted};
+use crate::io::{self, Loaded, Missing, PoseFile, ReadJob, Wanted};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -56,19 +56,22 @@ impl Program {
             return;
         }
         let is_scene = text.contains("\"editor-scene\"");
-        match shape {
+        let path = Path::new(CLIPBOARD);
+        let posed = shape.filter(|&shape| self.session.scene().character(shape).is_some());
+        let neither = match posed {
             _ if text.trim().is_empty() => {
-                let text =
-                    "There is nothing on the clipboard: Copy and Copy Pose put something there";
-                self.tell(Severity::Warning, text);
+                "There is nothing on the clipboard: Copy and Copy Pose put something there"
             }
-            _ if is_scene => self.paste_shapes(text, host),
-            Some(shape) => self.take_pose(shape, Path::new(CLIPBOARD), text.as_bytes()),
-            None => {
-                let text = "There are no shapes on the clipboard";
-                self.tell(Severity::Warning, text);
+            _ if is_scene => return self.paste_shapes(text, host),
+            Some(shape) if text.trim_start().starts_with('{') => {
+                return self.take_pose(shape, path, text.as_bytes());
             }
-        }
+            None if PoseFile::read(path, text.as_bytes()).is_ok() => {
+                "There is a pose on the clipboard, no shape: select the character that takes it"
+            }
+            _ => "There are no shapes and no pose on the clipboard",
+        };
+        self.tell(Severity::Warning, neither);
     }
 
     pub(super) fn paste_shapes(&mut self, text: &str, host: &mut dyn Host) {

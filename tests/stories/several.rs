@@ -278,12 +278,24 @@ fn a_pose_is_pasted_by_the_same_key_and_what_is_neither_is_refused() {
         "with the Pose tool, the pose"
     );
 
-    let nothing = Action::View(View::Select(None));
-    story.program.carry_out(vec![nothing], &mut story.host);
+    let neither = "There are no shapes and no pose on the clipboard";
+    let pose = r#"{"joints": {"Elbow": [0, 0, 20]}}"#;
+    let whose = "There is a pose on the clipboard, no shape: select the character that takes it";
     story.host.clipboard = "hello".into();
     story.key_with(CTRL, Key::V);
-    let text = "There are no shapes on the clipboard";
-    assert_eq!(story.messages().last(), Some(&(Severity::Warning, text)));
+    assert_eq!(story.messages().last(), Some(&(Severity::Warning, neither)));
+    story.key_with(Modifiers::SHIFT, Key::C);
+    for selected in [story.session().selected(), None] {
+        let select = Action::View(View::Select(selected));
+        story.program.carry_out(vec![select], &mut story.host);
+        for (text, told) in [("{", neither), ("hello", neither), (pose, whose)] {
+            story.host.clipboard = text.into();
+            story.key_with(CTRL, Key::V);
+            let last = story.messages().last().copied();
+            assert_eq!(last, Some((Severity::Warning, told)), "{text} {selected:?}");
+        }
+    }
+    story.key_with(CTRL, Key::Z);
     story.host.clipboard = r#"{"format": "editor-scene", "version": 3}"#.into();
     story.key_with(CTRL, Key::V);
     let (severity, text) = *story.messages().last().unwrap();
