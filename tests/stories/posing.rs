@@ -200,13 +200,25 @@ fn a_pose_goes_over_the_clipboard_from_one_character_to_another() {
     assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
     assert_ne!(first, second);
 
-    story.host.clipboard = "no pose".into();
-    story.key_with(Modifiers::COMMAND, Key::V);
-    let messages = story.messages();
-    let (severity, text) = messages.last().unwrap();
-    assert_eq!(*severity, Severity::Error);
-    assert!(text.starts_with("clipboard:1:1: expected"), "{text}");
-    assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
+    for (clipboard, severity, told) in [
+        (
+            "{\"joints\": 3}",
+            Severity::Error,
+            "clipboard:1:12: expected",
+        ),
+        (
+            "no pose",
+            Severity::Warning,
+            "There are no shapes and no pose",
+        ),
+    ] {
+        story.host.clipboard = clipboard.into();
+        story.key_with(Modifiers::COMMAND, Key::V);
+        let (said, text) = *story.messages().last().unwrap();
+        assert_eq!(said, severity);
+        assert!(text.starts_with(told), "{text}");
+        assert_eq!(story.degrees("Elbow"), Vec3::new(0.0, 0.0, 22.5));
+    }
 }
 
 #[test]
