@@ -281,6 +281,9 @@ impl Program {
         let name = name.into_owned();
         self.end_comparison();
         let shown = self.mesh_comparison.take().map(|before| before.shown);
+        if shown.is_none() {
+            self.closer_due = Some(shape);
+        }
         let mut comparison = MeshComparison::new(self.session.opened(), shape, name, theirs);
         comparison.shown = shown.unwrap_or_default();
         self.mesh_comparison = Some(comparison);

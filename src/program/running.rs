@@ -111,6 +111,8 @@ pub struct Program {
     pub(super) fit_area: FitArea,
     /// Whether everything is to be fitted into the picture as soon as its size is known.
     pub(super) fit_due: bool,
+    /// A shape that is to be seen large, as soon as the size of the picture is known.
+    pub(super) closer_due: Option<ShapeId>,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
 }
@@ -156,6 +158,7 @@ impl Program {
             backdrop: Backdrop::default(),
             fit_area: FitArea::whole(4.0 / 3.0),
             fit_due: false,
+            closer_due: None,
             skinning_at_start: None,
         }
     }
@@ -288,6 +291,7 @@ impl Program {
         if fits {
             self.fit_all(self.fit_area);
         }
+        let fits = fits | self.come_closer();
         if pass == Pass::Input {
             self.hovered_shape = ui::view_gestures(
                 &output.view,

@@ -3,10 +3,10 @@
 use super::{Story, differing};
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
-use editor_core::editor::{Edit, Severity};
+use editor_core::editor::{Edit, Severity, View};
 use editor_core::io::PoseData;
 use editor_core::program::Purpose;
-use editor_core::scene::{SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
+use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 
@@ -33,22 +33,33 @@ fn off_by_one() -> Student {
 
 /// A story in which the posed dog is compared with what `student` makes of it.
 fn comparing(student: &Student) -> Story {
-    let figure = dog();
+    let mut story = posed();
+    compare(&mut story, student);
+    story
+}
+
+/// A story with the posed dog.
+fn posed() -> Story {
     let mut story = Story::start(&["builtin:dog"]);
     story.size = (1280, 800);
-    let files = &mut story.host.files;
-    files.insert("mine.obj".into(), mine(&figure, student));
     let id = story.session().scene().shapes()[0].id;
-    let edit = Edit::SetPose(id, figure.pose());
+    let edit = Edit::SetPose(id, dog().pose());
     story.program.session_mut().edit(edit).expect("a pose");
     story.settle();
+    story
+}
+
+/// Compares the dog with what `student` makes of it.
+fn compare(story: &mut Story, student: &Student) {
+    let files = &mut story.host.files;
+    files.insert("mine.obj".into(), mine(&dog(), student));
     story.click("View");
     story.click("Compare with Mesh…");
+    let id = story.session().scene().shapes()[0].id;
     let asked = story.host.requests.last().map(|request| request.purpose);
     assert_eq!(asked, Some(Purpose::CompareMesh(id)));
     story.choose("mine.obj");
     assert!(story.has("Stop comparing with the mesh"));
-    story
 }
 
 /// Lets the program find out what is wrong.
@@ -425,4 +436,36 @@ fn without_its_character_the_comparison_ends() {
     assert!(!story.has("Stop comparing with the mesh"), "it has ended");
     let shapes = story.session().scene().shapes();
     assert!(matches!(shapes[0].kind, ShapeKind::Character(_)));
+}
+
+#[test]
+fn a_character_that_is_small_in_the_view_is_seen_large_beside_a_mesh_and_one_that_is_not_as_it_was()
+{
+    let mut story = posed();
+    let before = story.session().view().camera;
+    compare(&mut story, &off_by_one());
+    assert_eq!(story.session().view().camera, before, "it is large already");
+    story.click("Stop comparing with the mesh");
+
+    let far = Camera {
+        radius: 5.0 * before.radius,
+        ..before
+    };
+    // The view is about twice as wide as high.
+    let share = |story: &Story, camera: Camera| {
+        let bounds = story.session().evaluated().shapes[0].world_bounds();
+        camera.share(&bounds, 2.0).unwrap()
+    };
+    assert!(share(&story, far) < 0.3);
+    story.program.session_mut().look(View::SetCamera(far));
+    compare(&mut story, &off_by_one());
+    let near = story.session().view().camera;
+    assert!(share(&story, near) > 0.6, "{near:?}");
+    assert_eq!((near.theta, near.phi), (far.theta, far.phi));
+    story.program.session_mut().look(View::SetCamera(far));
+    story.click("Compare with another mesh");
+    story.choose("mine.obj");
+    assert_eq!(story.session().view().camera, far, "it was chosen anew");
+    story.key(Key::Home);
+    story.click("Stop comparing with the mesh");
 }
