@@ -57,42 +57,39 @@ impl<'a> PictureSearch<'a> {
         picture: &Picture,
         clip_from_model: DMat4,
     ) -> Option<Self> {
+        let points = points(&mut Skinner::new(model, pose, &Formula::default()));
         let seen = |most| {
             let samples = Samples::new(picture.width, picture.height, most);
             let theirs = Silhouette::of_picture(picture, samples);
-            let area = theirs.area_with(&theirs) as f64;
-            Seen {
+            let exact = Silhouette::of_mesh(&points, model.triangles(), clip_from_model, samples);
+            let area = theirs.area_with(&exact) as f64;
+            let seen = Seen {
                 samples,
                 theirs,
                 area,
-            }
+            };
+            (seen, exact)
         };
+        let (fine, exact) = seen(FINE);
+        if fine.theirs.is_blank() {
+            return None;
+        }
+        let (coarse, _) = seen(COARSE);
         let corners = model.triangles().as_flattened().iter();
         let mut vertices: Vec<usize> = corners.map(|&corner| corner as usize).collect();
         vertices.sort_unstable();
         vertices.dedup();
         let step = vertices.len().div_ceil(SPREAD).max(1);
-        let mut search = Self {
+        Some(Self {
             model,
             pose,
             clip_from_model,
-            fine: seen(FINE),
-            coarse: seen(COARSE),
+            error_from_exact: fine.error(&exact),
+            off_within: exact.bounds(fine.theirs.off(&exact)),
+            fine,
+            coarse,
             spread: vertices.into_iter().step_by(step).collect(),
-            error_from_exact: 0.0,
-            off_within: None,
-        };
-        if search.fine.area == 0.0 {
-            return None;
-        }
-        let points = search.points(&mut search.skinner(&Formula::default()));
-        let [fine, coarse] =
-            [&search.fine, &search.coarse].map(|seen| search.silhouette(&points, seen));
-        search.fine.area = search.fine.theirs.area_with(&fine) as f64;
-        search.coarse.area = search.coarse.theirs.area_with(&coarse) as f64;
-        search.error_from_exact = search.fine.error(&fine);
-        search.off_within = fine.bounds(search.fine.theirs.off(&fine));
-        Some(search)
+        })
     }
 
     /// Every mistake by itself, with what it leaves.
@@ -100,7 +97,7 @@ impl<'a> PictureSearch<'a> {
         let seen = ways().map(|made| (made, formula(&[made])));
         let seen = seen.filter(|(_, formula)| is_seen(formula));
         seen.map(|(made, formula)| {
-            let points = self.points(&mut self.skinner(&formula));
+            let points = points(&mut self.skinner(&formula));
             Explanation {
                 made: vec![made],
                 error: self.error(&points, &self.fine),
@@ -140,7 +137,7 @@ impl<'a> PictureSearch<'a> {
         if beside.take(most + 1).count() > most {
             return None;
         }
-        let points = self.points(&mut skinner);
+        let points = points(&mut skinner);
         let may_fit = self.coarse.area < TELLING || self.error(&points, &self.coarse) <= MAY_FIT;
         may_fit.then(|| self.error(&points, &self.fine))
     }
@@ -149,19 +146,15 @@ impl<'a> PictureSearch<'a> {
         Skinner::new(self.model, self.pose, formula)
     }
 
-    fn points(&self, skinner: &mut Skinner) -> Vec<DVec3> {
-        let all = 0..skinner.count();
-        all.map(|at| skinner.place(at).at).collect()
-    }
-
-    fn silhouette(&self, points: &[DVec3], seen: &Seen) -> Silhouette {
-        let triangles = self.model.triangles();
-        Silhouette::of_mesh(points, triangles, self.clip_from_model, seen.samples)
-    }
-
     /// The part of the silhouette that is off from the one of `points`.
     fn error(&self, points: &[DVec3], seen: &Seen) -> f64 {
-        seen.error(&self.silhouette(points, seen))
+        let (triangles, clip_from_model) = (self.model.triangles(), self.clip_from_model);
+        seen.error(&Silhouette::of_mesh(
+            points,
+            triangles,
+            clip_from_model,
+            seen.samples,
+        ))
     }
 }
 
@@ -170,6 +163,12 @@ impl Seen {
     fn error(&self, made: &Silhouette) -> f64 {
         self.theirs.off(made).count() as f64 / self.area
     }
+}
+
+/// Where the vertices of a mesh are.
+fn points(skinner: &mut Skinner) -> Vec<DVec3> {
+    let all = 0..skinner.count();
+    all.map(|at| skinner.place(at).at).collect()
 }
 
 /// Whether a mistake may be seen in a picture, which is the same whatever the order in which vertices are

@@ -193,6 +193,11 @@ impl Silhouette {
         }
     }
 
+    /// Whether nothing is covered.
+    pub(super) fn is_blank(&self) -> bool {
+        !self.is_covered.contains(&true)
+    }
+
     /// Number of samples that this one or `other` covers.
     pub(super) fn area_with(&self, other: &Self) -> usize {
         let both = self.is_covered.iter().zip(&other.is_covered);
@@ -205,11 +210,12 @@ impl Silhouette {
     pub(super) fn off<'a>(&'a self, mesh: &'a Self) -> impl Iterator<Item = usize> + 'a {
         let all = 0..self.is_covered.len();
         all.filter(|&at| {
-            let is_excused = self.is_covered[at] && mesh.is_near[at];
-            self.is_covered[at] != mesh.is_covered[at]
-                && !self.is_edge[at]
-                && !mesh.is_edge[at]
-                && !is_excused
+            !self.is_edge[at]
+                && match self.is_covered[at] {
+                    // What is covered, or at an edge of that, is near.
+                    true => !mesh.is_near[at],
+                    false => mesh.is_covered[at] && !mesh.is_edge[at],
+                }
         })
     }
 

@@ -1,16 +1,17 @@
 use super::diagnostic::Warnings;
 use super::mtl::{self, Libraries};
 use super::numbers::finite;
-use super::obj::{self, FaceReader};
+use super::obj;
+use super::obj_counts::Counts;
+use super::obj_face_reader::FaceReader;
 use super::obj_shape::{Data, Name, Shape, Use};
-use super::scanner::{QUICK_STRETCH, STRETCH, Scanner, Word};
+use super::scanner::{STRETCH, Scanner, Word};
 use super::{Diagnostic, Files, Imported};
 use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};
 use glam::Vec2;
 use std::collections::HashMap;
 use std::path::Path;
-use std::str::Lines;
 
 /// Reads any `.obj` file as one mesh: all its objects together, polygons cut into triangles,
 /// normals and texture coordinates where it has them, materials with color and picture. Its
@@ -64,36 +65,6 @@ pub(super) async fn read_shape_obj_by(
     drop(bytes);
     pace.begin(0.7..1.0);
     Ok(shape.mesh(files, path, pace).await)
-}
-
-/// How many lines of each kind there are.
-#[derive(Default)]
-struct Counts {
-    positions: usize,
-    texture: usize,
-    normals: usize,
-    faces: usize,
-}
-
-impl Counts {
-    /// Counts some of `lines`; whether there may be more.
-    fn add(&mut self, lines: &mut Lines) -> bool {
-        let mut since = 0;
-        for line in lines {
-            match line.as_bytes() {
-                [b'v', b' ', ..] => self.positions += 1,
-                [b'v', b't', ..] => self.texture += 1,
-                [b'v', b'n', ..] => self.normals += 1,
-                [b'f', b' ', ..] => self.faces += 1,
-                _ => {}
-            }
-            since += line.len();
-            if since >= QUICK_STRETCH {
-                return true;
-            }
-        }
-        false
-    }
 }
 
 struct ShapeReader<'a> {

@@ -22,6 +22,8 @@ mod json_text;
 mod mtl;
 mod numbers;
 mod obj;
+mod obj_counts;
+mod obj_face_reader;
 mod obj_faces;
 mod obj_shape;
 mod pictures;

@@ -1,10 +1,9 @@
 //! Lines of `.obj` files, as characters and shapes share them, and the mesh of a character.
 
-use super::diagnostic::Warnings;
 use super::numbers::finite;
-use super::obj_faces::{Corner, Faces};
-use super::scanner::{STRETCH, Scanner, Word, quoted};
-use super::{Diagnostic, Imported, Position};
+use super::obj_face_reader::FaceReader;
+use super::scanner::{STRETCH, Scanner};
+use super::{Diagnostic, Imported};
 use crate::geometry::{Mesh, Triangulator};
 use crate::steps::{Pace, at_once};
 use glam::Vec3;
@@ -42,15 +41,12 @@ pub(super) async fn read_character_obj_by(
     let mut cutter = Triangulator::default();
     let mut triangles = Vec::with_capacity(faces.count());
     pace.begin(0.9..1.0);
-    for index in 0..faces.count() {
-        if index > 0 && index.is_multiple_of(FACES) {
-            pace.tell(index as f32 / faces.count() as f32);
-            pace.after(STRETCH).await;
-        }
-        let face = faces.corners(index);
-        faces.cut(face, &positions, &mut cutter, |corners| {
+    for stretch in faces.stretches() {
+        pace.tell(stretch.start as f32 / faces.count() as f32);
+        faces.cut_all(stretch, &positions, &mut cutter, |corners| {
             triangles.push(corners.map(|corner| corner.position));
         });
+        pace.after(STRETCH).await;
     }
     Ok(Imported {
         value: Mesh::new(positions, triangles),
@@ -110,194 +106,6 @@ pub(super) fn read_vec3(scanner: &mut Scanner) -> Result<Vec3, Diagnostic> {
         scanner.number("a number for y")?,
         scanner.number("a number for z")?,
     ))
-}
-
-/// Faces that take about as long to be made triangles as [`STRETCH`] bytes to be read.
-pub(super) const FACES: usize = 1 << 11;
-
-const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
-
-/// Reads `f` lines and remembers which of them name something that does not exist yet.
-#[derive(Default)]
-pub(super) struct FaceReader {
-    /// How many vertices, texture coordinates and normals were read so far.
-    pub counts: [usize; 3],
-    faces: Faces,
-    ahead: Vec<Ahead>,
-    warnings: Warnings,
-    /// Corners with an index of 0 for texture coordinate or normal: how many, and the first.
-    zeros: usize,
-    first_zero: Option<Position>,
-}
-
-/// An index that was past the end when it was read.
-struct Ahead {
-    kind: usize,
-    index: i64,
-    at: Position,
-}
-
-impl FaceReader {
-    /// Makes room for so many triangles.
-    pub fn make_room(&mut self, triangles: usize) {
-        self.faces.make_room(triangles);
-    }
-
-    /// How many faces were read so far.
-    pub fn face_count(&self) -> usize {
-        self.faces.count()
-    }
-
-    /// Reads the rest of an `f` line. A face of fewer than three corners is left out, with a warning.
-    ///
-    /// # Errors
-    /// At the first corner that is not well formed.
-    pub fn read(&mut self, scanner: &mut Scanner) -> Result<(), Diagnostic> {
-        let first = self.faces.corner_count();
-        while let Some(corner) = self.next_corner(scanner)? {
-            self.faces.push(corner);
-        }
-        let found = self.faces.corner_count() - first;
-        if found < 3 {
-            self.faces.truncate(first);
-            let line = scanner.position(None).line;
-            self.warnings.push_with(|| {
-                let message =
-                    format!("expected at least three corners, found {found}: the face is left out");
-                scanner.error(Position { line, column: 1 }, message)
-            });
-        } else {
-            self.faces.close(first);
-        }
-        Ok(())
-    }
-
-    #[inline]
-    fn next_corner(&mut self, scanner: &mut Scanner) -> Result<Option<Corner>, Diagnostic> {
-        if let Some([position, texture, normal]) = scanner.plain_corner(&self.counts) {
-            return Ok(Some(Corner {
-                position: position - 1,
-                texture: texture.checked_sub(1),
-                normal: normal.checked_sub(1),
-            }));
-        }
-        let word = scanner.word();
-        word.map(|word| self.corner(scanner, word)).transpose()
-    }
-
-    fn corner(&mut self, scanner: &Scanner, word: Word) -> Result<Corner, Diagnostic> {
-        let mut parts = word.text.split('/');
-        let mut indices = [None; 3];
-        let mut has_zero = false;
-        for (kind, index) in indices.iter_mut().enumerate() {
-            *index = match parts.next() {
-                None => None,
-                Some("") if kind > 0 => None,
-                // Exporters write this where a corner has none.
-                Some("0") if kind > 0 => {
-                    has_zero = true;
-                    None
-                }
-                Some(part) => Some(self.index(scanner, word, part, kind)?),
-            };
-        }
-        if has_zero {
-            self.zeros += 1;
-            self.first_zero
-                .get_or_insert_with(|| scanner.position(Some(word)));
-        }
-        match (indices, parts.next()) {
-            ([Some(position), texture, normal], None) => Ok(Corner {
-                position,
-                texture,
-                normal,
-            }),
-            _ => Err(scanner.expected("a corner such as 1, 1/2, 1//3 or 1/2/3", Some(word))),
-        }
-    }
-
-    /// An index counted from 1, or from the end if it is negative.
-    fn index(
-        &mut self,
-        scanner: &Scanner,
-        word: Word,
-        part: &str,
-        kind: usize,
-    ) -> Result<u32, Diagnostic> {
-        let count = self.counts[kind];
-        let name = KINDS[kind];
-        let wrong = |what: &str| {
-            let found = quoted(part);
-            scanner.error(
-                scanner.position(Some(word)),
-                format!("expected {what}, found {found}"),
-            )
-        };
-        let number: i64 = part
-            .parse()
-            .map_err(|_| wrong("a corner such as 1, 1/2, 1//3 or 1/2/3"))?;
-        let index = match number {
-            0 => return Err(wrong(&format!("a {name} counted from 1"))),
-            1.. => number - 1,
-            _ => count as i64 + number,
-        };
-        if index < 0 {
-            return Err(wrong(&format!("one of the {count} {name} lines so far")));
-        }
-        if index >= count as i64 {
-            self.ahead.push(Ahead {
-                kind,
-                index,
-                at: scanner.position(Some(word)),
-            });
-        }
-        // What does not fit is too large for any file, and told when its end is reached.
-        Ok(u32::try_from(index).unwrap_or(u32::MAX))
-    }
-
-    /// The faces and the warnings about them, at the end of the file.
-    ///
-    /// # Errors
-    /// At the first corner that names something that does not exist, and if there are no vertices
-    /// or no faces.
-    pub fn finish(mut self, scanner: &Scanner) -> Result<(Faces, Warnings), Diagnostic> {
-        let mut ahead = self.ahead.iter();
-        let missing = ahead.find(|a| a.index >= self.counts[a.kind] as i64);
-        if let Some(missing) = missing {
-            return Err(self.does_not_exist(scanner, missing));
-        }
-        let nothing = match (self.counts[0], self.faces.count()) {
-            (0, _) => Some("vertices (lines `v x y z`)"),
-            (_, 0) => Some("faces (lines `f a b c`)"),
-            _ => None,
-        };
-        if let Some(nothing) = nothing {
-            let message = format!("expected {nothing}, found none");
-            return Err(scanner.error(scanner.end(), message));
-        }
-        if let Some(first) = self.first_zero {
-            let (zeros, plural) = (self.zeros, if self.zeros == 1 { "" } else { "s" });
-            self.warnings.push_with(|| {
-                let message = format!(
-                    "expected texture coordinates and normals counted from 1, found 0 in {zeros} \
-                     corner{plural}: taken as none"
-                );
-                scanner.error(first, message)
-            });
-        }
-        Ok((self.faces, self.warnings))
-    }
-
-    fn does_not_exist(&self, scanner: &Scanner, missing: &Ahead) -> Diagnostic {
-        let (count, name) = (self.counts[missing.kind], KINDS[missing.kind]);
-        let found = missing.index + 1;
-        let message = if count == 0 {
-            format!("expected no {name}, for the file has none, found {found}")
-        } else {
-            format!("expected a {name} from 1 to {count}, found {found}")
-        };
-        scanner.error(missing.at, message)
-    }
 }
 
 #[cfg(test)]

@@ -29,14 +29,24 @@ pub(super) struct Faces {
 
 const NONE: u32 = u32::MAX;
 
+/// Faces that take about as long to be made triangles as [`STRETCH`](super::scanner::STRETCH) bytes to be
+/// read.
+const FACES: usize = 1 << 11;
+
 impl Faces {
     /// How many there are.
     pub fn count(&self) -> usize {
         self.count
     }
 
+    /// Ranges of faces, in their order, after each of which work may rest.
+    pub fn stretches(&self) -> impl Iterator<Item = Range<usize>> {
+        let starts = (0..self.count).step_by(FACES);
+        starts.map(|start| start..(start + FACES).min(self.count))
+    }
+
     /// Which corners a face has.
-    pub fn corners(&self, face: usize) -> Range<usize> {
+    fn corners(&self, face: usize) -> Range<usize> {
         let end = |face: usize| self.ends.get(face).copied().unwrap_or(3 * (face + 1));
         face.checked_sub(1).map_or(0, end)..end(face)
     }
@@ -98,14 +108,29 @@ impl Faces {
         self.normals.truncate(first);
     }
 
-    /// Cuts `face`, some of the corners, into triangles. `positions` are those of the file.
-    pub fn cut(
+    /// Cuts some faces into triangles, as [`Faces::cut`] does one.
+    pub fn cut_all(
         &self,
-        face: Range<usize>,
+        faces: Range<usize>,
         positions: &[Vec3],
         cutter: &mut Triangulator,
         mut take: impl FnMut([Corner; 3]),
     ) {
+        for face in faces {
+            self.cut(face, positions, cutter, &mut take);
+        }
+    }
+
+    /// Cuts a face into triangles. `positions` are those of the file.
+    #[inline]
+    pub fn cut(
+        &self,
+        face: usize,
+        positions: &[Vec3],
+        cutter: &mut Triangulator,
+        mut take: impl FnMut([Corner; 3]),
+    ) {
+        let face = self.corners(face);
         let corner = |at: usize| self.corner(face.start + at);
         if face.len() == 3 {
             return take([0, 1, 2].map(corner));

@@ -2,7 +2,6 @@
 
 use super::diagnostic::Warnings;
 use super::mtl::{self, Libraries};
-use super::obj::FACES;
 use super::obj_faces::{Corner, Faces};
 use super::scanner::STRETCH;
 use super::{Diagnostic, Files, Imported, Position};
@@ -103,9 +102,9 @@ impl Data {
             cutter: Triangulator::default(),
             triangles: Vec::new(),
         };
-        for start in (0..faces.count()).step_by(FACES) {
-            assembly.take(start..(start + FACES).min(faces.count()));
-            pace.tell(start as f32 / faces.count() as f32);
+        for stretch in faces.stretches() {
+            pace.tell(stretch.start as f32 / faces.count() as f32);
+            assembly.take(stretch);
             pace.after(STRETCH).await;
         }
         assembly.finish()
@@ -140,10 +139,9 @@ impl Assembly<'_> {
             if let Some(material) = latest {
                 self.switch_to(material);
             }
-            let corners = self.faces.corners(index);
             let positions = self.builder.positions();
             self.faces
-                .cut(corners, positions, &mut self.cutter, |corners| {
+                .cut(index, positions, &mut self.cutter, |corners| {
                     self.triangles.push(corners);
                 });
             for corners in self.triangles.drain(..) {

@@ -63,6 +63,7 @@ impl Program {
                 "There is nothing on the clipboard: Copy and Copy Pose put something there"
             }
             _ if is_scene => return self.paste_shapes(text, host),
+            // What begins like this is meant to be a pose, whose fault is worth telling.
             Some(shape) if text.trim_start().starts_with('{') => {
                 return self.take_pose(shape, path, text.as_bytes());
             }

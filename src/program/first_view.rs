@@ -17,8 +17,6 @@ const ABOVE: f32 = 0.18;
 const COURSE_ASPECT: f32 = 4.0 / 3.0;
 /// Least share of the course's picture that a character takes up there, to be seen well.
 const LEAST_SHARE: f32 = 0.15;
-/// Share of the picture below which a shape that is looked at closely is small.
-const SMALL: f32 = 0.5;
 /// The color preset of imported characters outside of the course's look: Light Gray.
 const NEUTRAL: usize = 30;
 
@@ -152,23 +150,6 @@ impl Program {
         let shapes = self.session.evaluated().shapes.iter();
         camera.fit_shapes(shapes.filter(|shape| shape.visible), area);
         self.session.look(View::BeginAt(camera));
-    }
-
-    /// Fits the shape that is to be seen large into the picture if all of it is seen, but small; whether
-    /// the view changed. Where a part of it fills the picture, that part is what the user looks at.
-    pub(super) fn come_closer(&mut self) -> bool {
-        let shape = self.closer_due.take();
-        let Some(shape) = shape.and_then(|id| self.session.evaluated().shape(id)) else {
-            return false;
-        };
-        let mut camera = self.session.view().camera;
-        let share = camera.share(&shape.world_bounds(), self.fit_area.aspect);
-        let is_small = share.is_some_and(|share| share < SMALL);
-        if is_small {
-            camera.fit_shapes(std::iter::once(shape), self.fit_area);
-            self.session.look(View::SetCamera(camera));
-        }
-        is_small
     }
 }
 

@@ -6,7 +6,7 @@ use super::running::Program;
 use crate::diagnose::{
     DiagnoseError, Diagnosis, MeshJob, MeshMeasure, may_be_of, measure, of_size,
 };
-use crate::editor::{Session, Severity};
+use crate::editor::{Session, Severity, View};
 use crate::geometry::{Mesh, SharedMesh};
 use crate::io::{self, Files};
 use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
@@ -22,6 +22,8 @@ use std::time::Duration;
 const STILL: Duration = Duration::from_millis(150);
 /// Time between two looks at how far the search has come.
 const LOOK: Duration = Duration::from_millis(100);
+/// Share of the picture below which a character is too small to see its colors.
+const SMALL: f32 = 0.5;
 /// Color of their mesh.
 const THEIRS: Vec3 = Vec3::new(1.0, 0.55, 0.35);
 
@@ -325,6 +327,23 @@ impl Program {
             );
             self.tell(Severity::Info, text);
         }
+    }
+
+    /// Fits the character of a comparison that has begun into the picture if all of it is seen, but small;
+    /// whether the view changed. Who sees only a part of it looks at that part, and goes on to.
+    pub(super) fn come_closer(&mut self) -> bool {
+        let shape = self.closer_due.take();
+        let Some(shape) = shape.and_then(|id| self.session.evaluated().shape(id)) else {
+            return false;
+        };
+        let mut camera = self.session.view().camera;
+        let share = camera.share(&shape.world_bounds(), self.fit_area.aspect);
+        let is_small = share.is_some_and(|share| share < SMALL);
+        if is_small {
+            camera.fit_shapes(std::iter::once(shape), self.fit_area);
+            self.session.look(View::SetCamera(camera));
+        }
+        is_small
     }
 
     /// The character that a dropped mesh is for: that of the comparison under way, unless the mesh is a

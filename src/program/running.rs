@@ -111,7 +111,8 @@ pub struct Program {
     pub(super) fit_area: FitArea,
     /// Whether everything is to be fitted into the picture as soon as its size is known.
     pub(super) fit_due: bool,
-    /// A shape that is to be seen large, as soon as the size of the picture is known.
+    /// The character of a comparison that has begun, to be seen large as soon as the size of the picture is
+    /// known.
     pub(super) closer_due: Option<ShapeId>,
     /// Way of skinning in the first frame.
     pub(super) skinning_at_start: Option<Skinning>,
@@ -287,11 +288,11 @@ impl Program {
             egui::Theme::Light => Backdrop::Light,
         };
         self.fit_area = output.fit_area(&self.ui);
-        let fits = std::mem::take(&mut self.fit_due);
+        let mut fits = std::mem::take(&mut self.fit_due);
         if fits {
             self.fit_all(self.fit_area);
         }
-        let fits = fits | self.come_closer();
+        fits |= self.come_closer();
         if pass == Pass::Input {
             self.hovered_shape = ui::view_gestures(
                 &output.view,
