@@ -2,6 +2,7 @@
 
 use super::awaited::Awaited;
 use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
+use super::preferences::MOST_RECENT;
 use super::questions::Asked;
 use super::reading::{Opened, Use};
 use super::running::Program;
@@ -15,9 +16,6 @@ use std::sync::Arc;
 
 /// Name of a document that has no file yet.
 const UNTITLED: &str = "Untitled";
-
-/// Number of files in File ▸ Open Recent.
-const MOST_RECENT: usize = 10;
 
 /// Something that replaces the document or ends the program, and so waits until nothing is unsaved.
 #[derive(Clone)]

@@ -6,6 +6,9 @@ use egui::ThemePreference;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+/// Number of documents in File ▸ Open Recent, at most.
+pub(super) const MOST_RECENT: usize = 10;
+
 /// Number of folders that dialogs offer as recent, at most.
 const RECENT_FOLDERS: usize = 6;
 
@@ -66,12 +69,42 @@ pub fn last_window_size(preferences: &[u8]) -> Option<(f32, f32)> {
 }
 
 impl Preferences {
-    /// The preferences of the last run; the defaults if there was none, or if they cannot be read.
-    pub fn load(host: &dyn Host) -> Self {
+    /// The preferences that were stored last; `None` if there are none, or if they cannot be read.
+    pub fn load(host: &dyn Host) -> Option<Self> {
         let stored = host.load(StorageKey::Preferences);
-        stored
-            .and_then(|bytes| serde_json::from_slice(&bytes).ok())
-            .unwrap_or_default()
+        stored.and_then(|bytes| serde_json::from_slice(&bytes).ok())
+    }
+
+    /// What has changed in these since they were `before`, in what another window has stored meanwhile.
+    fn merged(self, before: &Self, theirs: Self) -> Self {
+        let chosen = self.folders.into_iter();
+        let chosen = chosen.filter(|(kind, folder)| before.folders.get(kind) != Some(folder));
+        let mut folders = theirs.folders;
+        folders.extend(chosen);
+        Self {
+            last_folder: changed(self.last_folder, &before.last_folder, theirs.last_folder),
+            folders,
+            theme: changed(self.theme, &before.theme, theirs.theme),
+            skinning: changed(self.skinning, &before.skinning, theirs.skinning),
+            navigation: changed(self.navigation, &before.navigation, theirs.navigation),
+            panel_folded: changed(self.panel_folded, &before.panel_folded, theirs.panel_folded),
+            panel_width: changed(self.panel_width, &before.panel_width, theirs.panel_width),
+            look: changed(self.look, &before.look, theirs.look),
+            window_size: changed(self.window_size, &before.window_size, theirs.window_size),
+            recent: merged_recent(self.recent, &before.recent, theirs.recent),
+            started_before: self.started_before || theirs.started_before,
+        }
+    }
+
+    /// These, with what is remembered about files and the window's size in `other`.
+    fn with_files_of(self, other: &Self) -> Self {
+        Self {
+            last_folder: other.last_folder.clone(),
+            folders: other.folders.clone(),
+            window_size: other.window_size,
+            recent: other.recent.clone(),
+            ..self
+        }
     }
 
     /// Remembers that a file of a kind was chosen.
@@ -111,6 +144,22 @@ impl Preferences {
     }
 }
 
+/// What a choice is `now`, if that is another than `before`, or else what it is elsewhere.
+fn changed<T: PartialEq>(now: T, before: &T, theirs: T) -> T {
+    if now == *before { theirs } else { now }
+}
+
+/// Recent documents: the one that came to the front since they were `before`, then those of another window
+/// without what was taken off meanwhile.
+fn merged_recent(now: Vec<PathBuf>, before: &[PathBuf], theirs: Vec<PathBuf>) -> Vec<PathBuf> {
+    let newest = now.first().filter(|&newest| before.first() != Some(newest));
+    let is_kept =
+        |path: &&PathBuf| Some(*path) != newest && (now.contains(path) || !before.contains(path));
+    let others = theirs.iter().filter(is_kept);
+    let all = newest.into_iter().chain(others).cloned();
+    all.take(MOST_RECENT).collect()
+}
+
 impl Program {
     /// Stores what is kept of the program at its end.
     pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
@@ -118,7 +167,8 @@ impl Program {
         self.keep_preferences(host);
     }
 
-    /// Stores the preferences if something that is kept in them has changed.
+    /// Stores the preferences if something that is kept in them has changed. Another window may have done so
+    /// meanwhile: what changed there stays, and its recent files and folders are known here from then on.
     pub(super) fn keep_preferences(&mut self, host: &mut dyn Host) {
         let mut now = self.preferences.clone();
         now.theme = self.ui.theme;
@@ -130,9 +180,14 @@ impl Program {
         if self.ui.skinning != self.skinning_at_start {
             now.skinning = self.ui.skinning;
         }
-        if now != self.stored {
-            now.store(host);
-            self.stored = now;
+        if now == self.stored {
+            return;
         }
+        let theirs = Preferences::load(host).unwrap_or_else(|| self.stored.clone());
+        let merged = now.clone().merged(&self.stored, theirs);
+        merged.store(host);
+        // What others chose is theirs alone, until the next start.
+        self.preferences = self.preferences.clone().with_files_of(&merged);
+        self.stored = now.with_files_of(&merged);
     }
 }

@@ -41,7 +41,7 @@ impl Options {
     /// the very first start without files it is the showcase, so that there is something to see and
     /// to turn.
     pub fn files_at_start(&self, host: &dyn Host) -> Vec<PathBuf> {
-        if self.files.is_empty() && !Preferences::load(host).started_before {
+        if self.files.is_empty() && !Preferences::load(host).is_some_and(|it| it.started_before) {
             vec![PathBuf::from("builtin:showcase")]
         } else {
             self.files.clone()
@@ -168,7 +168,8 @@ impl Program {
     /// [`files_at_start`](Options::files_at_start) of `options`.
     pub fn start(options: &Options, graphics: GraphicsInfo, host: &mut dyn Host) -> Self {
         let mut program = Self::showing(Session::new(), graphics);
-        program.preferences = Preferences::load(host);
+        program.preferences = Preferences::load(host).unwrap_or_default();
+        program.stored = program.preferences.clone();
         program.program_title = options.title.clone().unwrap_or_else(globals::title);
         program.ui.theme = program.preferences.theme;
         program.ui.look_of_new = program.preferences.look;

@@ -77,6 +77,48 @@ fn what_is_chosen_is_there_at_the_next_start() {
 }
 
 #[test]
+fn what_is_chosen_in_two_windows_at_once_is_there_at_the_next_start() {
+    let choose = |story: &mut Story, submenu: &str, item: &str| {
+        story.click("View");
+        story.click(submenu);
+        story.click(item);
+    };
+    let mut one = Story::start(&[]);
+    let mut other = Story::start(&[]);
+    choose(&mut one, "Theme", "Light");
+    open(&mut one, "work/one.scene");
+    other.host.stored.clone_from(&one.host.stored);
+    choose(&mut other, "Navigation", "Blender");
+    open(&mut other, "work/other.scene");
+
+    let kept = preferences(&other);
+    assert_eq!([&kept["theme"], &kept["navigation"]], ["Light", "blender"]);
+    let both = ["work/other.scene", "work/one.scene"];
+    assert_eq!(kept["recent"], serde_json::json!(both));
+    other.click("File");
+    other.click("Open Recent");
+    assert!(
+        other.has("one.scene"),
+        "the other window's document is listed"
+    );
+
+    // What a window did not choose itself stays as it was chosen elsewhere later.
+    choose(&mut one, "Theme", "Dark");
+    other.key(Key::Escape);
+    other.host.stored.clone_from(&one.host.stored);
+    choose(&mut other, "Navigation", "Orbit");
+    assert_eq!(preferences(&other)["theme"], "Dark");
+}
+
+/// Opens an empty scene.
+fn open(story: &mut Story, path: &str) {
+    let scene = br#"{"format": "editor-scene", "version": 1, "shapes": []}"#;
+    story.host.files.insert(path.into(), scene.to_vec());
+    story.key_with(Modifiers::COMMAND, Key::O);
+    story.choose(path);
+}
+
+#[test]
 fn skinning_asked_for_at_the_start_comes_before_what_was_chosen_earlier() {
     let stored = br#"{"started_before": true, "skinning": "gpu"}"#.to_vec();
     let host = MemoryHost {
