@@ -59,7 +59,10 @@ pub(super) fn show(
         part(ui, "Skinning", "What deforms characters; pictures are the same", |ui| {
             choose(ui, state, Menu::Skinning);
         });
-        part(ui, "Unsaved work", KEPT, |_| {});
+        let palette = Palette::of(ui.visuals());
+        ui.add_space(8.0);
+        ui.label(RichText::new("Unsaved work").color(palette.strong));
+        ui.label(RichText::new(KEPT).small().color(palette.weak));
     });
     ui.separator();
     let reset = ui.button("Reset to defaults").on_hover_text(

@@ -106,7 +106,7 @@ fn window(
         // As high as the program's window allows.
         Dialog::Keys => vec2(480.0, 720.0),
         Dialog::History => vec2(280.0, 360.0),
-        Dialog::Preferences => vec2(480.0, 560.0),
+        Dialog::Preferences => vec2(480.0, 600.0),
         _ => vec2(480.0, 420.0),
     };
     let size = size.min(screen.size() - vec2(48.0, 96.0));
