@@ -1,7 +1,7 @@
 //! Undo and redo: every step of the document can be taken back, one at a time, and done again.
 
 use crate::editing::character;
-use editor_core::character::Pose;
+use editor_core::character::{Mirror, Pose};
 use editor_core::editor::{Edit, Session, View};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
@@ -138,6 +138,10 @@ fn a_step_is_named_for_what_it_changed() {
     session.edit(turned(0, 20.0)).unwrap();
     session.edit(Edit::SetPose(MAN, Pose::new())).unwrap();
     assert_eq!(session.undo().as_deref(), Some("Reset the pose of Man"));
+    let man = session.scene().character(MAN).unwrap();
+    let mirrored = Mirror::new(man.character.skeleton()).pose(man.pose());
+    session.edit(Edit::SetPose(MAN, mirrored)).unwrap();
+    assert_eq!(session.undo().as_deref(), Some("Mirror the pose of Man"));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! named for its result, whatever its edits were.
 
 use super::Change;
-use crate::character::{Pose, SkeletalModel};
+use crate::character::{Mirror, Pose, SkeletalModel};
 use crate::scene::{CharacterShape, CurveShape, Scene, Shape, ShapeKind};
 
 /// Change of a shape: a verb, and what it is done to.
@@ -170,6 +170,7 @@ fn posed(skeleton: &SkeletalModel, was: &Pose, is: &Pose, name: &str) -> Named {
         ([], &[joint]) => ("Move", joints[joint].name.clone()),
         ([], _) => ("Move", name.to_owned()),
         _ if is.is_bind() => ("Reset the pose of", name.to_owned()),
+        _ if *is == Mirror::new(skeleton).pose(was) => ("Mirror the pose of", name.to_owned()),
         _ => ("Pose", name.to_owned()),
     }
 }
