@@ -68,6 +68,20 @@ fn digit(text: &[u8], at: usize) -> Option<u64> {
 /// The most digits that a `u32` holds, whichever they are.
 const MOST_INDEX_DIGITS: usize = 9;
 
+/// Reads digits at the start of `text`, and says how many they are; `None` if there are none, or more than a
+/// `u32` is sure to hold.
+#[inline]
+pub(super) fn plain_index(text: &[u8]) -> Option<(u32, usize)> {
+    let (mut index, mut length) = (0, 0);
+    while let Some(digit) = digit(text, length) {
+        index = u32::wrapping_add(u32::wrapping_mul(index, 10), digit as u32);
+        length += 1;
+    }
+    (1..=MOST_INDEX_DIGITS)
+        .contains(&length)
+        .then_some((index, length))
+}
+
 /// Reads `1`, `1/2`, `1//3` or `1/2/3` at the start of `text`, up to the end of its word, and says how
 /// long it is. Zeros, signs and whatever else are `None`.
 #[inline]

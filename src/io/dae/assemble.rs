@@ -312,12 +312,28 @@ fn push_triangles(
     turns: &Turns,
 ) {
     let texture = texture_of_set(&primitive.texture, set);
+    let normals = primitive.normals.as_ref();
+    // Corners share their normals, where there are not more normals than corners, and one turn is that of all.
+    let turned: Option<Vec<Option<Vec3>>> = match (normals, turns) {
+        (Some(Attribute { source, rows }), Turns::Whole(turn)) if source.len() <= rows.len() => {
+            Some(source.rows().map(|row| turn.normal(row)).collect())
+        }
+        _ => None,
+    };
+    let normal = |at: usize| {
+        let normals = normals?;
+        let row = normals.rows[at] as usize;
+        match &turned {
+            Some(turned) => turned[row],
+            None => {
+                let turn = turns.of(primitive.positions[at]);
+                turn.normal(normals.source.row(row))
+            }
+        }
+    };
     let corner = |at: usize| Corner {
         position: base + primitive.positions[at],
-        normal: primitive.normals.as_ref().and_then(|normals| {
-            let turn = turns.of(primitive.positions[at]);
-            turn.normal(normals.source.row(normals.rows[at] as usize))
-        }),
+        normal: normal(at),
         texture: texture
             .map(|texture| Vec2::from_array(texture.source.row(texture.rows[at] as usize))),
     };

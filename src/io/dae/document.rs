@@ -6,7 +6,7 @@ use crate::geometry::Triangulator;
 use crate::io::diagnostic::Warnings;
 use crate::io::{Diagnostic, Position};
 use roxmltree::{Document, ParsingOptions};
-use std::cell::RefCell;
+use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
@@ -18,8 +18,8 @@ pub(super) struct Dae<'a> {
     text: &'a str,
     pub root: Node<'a>,
     ids: HashMap<&'a str, Node<'a>>,
-    /// Byte at which each line starts.
-    lines: Vec<usize>,
+    /// Byte at which each line starts, once it is asked for.
+    lines: OnceCell<Vec<usize>>,
     notes: RefCell<Notes>,
     /// Cuts the polygons of all its meshes.
     pub cutter: RefCell<Triangulator>,
@@ -77,15 +77,12 @@ impl<'a> Dae<'a> {
     /// # Errors
     /// If the outermost element is not `<COLLADA>`.
     pub fn new(path: &'a Path, text: &'a str, xml: &'a Document<'a>) -> Result<Self, Diagnostic> {
-        let lines = std::iter::once(0)
-            .chain(text.match_indices('\n').map(|(at, _)| at + 1))
-            .collect();
         let dae = Self {
             path,
             text,
             root: xml.root_element(),
             ids: HashMap::new(),
-            lines,
+            lines: OnceCell::new(),
             notes: RefCell::default(),
             cutter: RefCell::default(),
         };
@@ -195,8 +192,13 @@ impl<'a> Dae<'a> {
     }
 
     fn position(&self, offset: usize) -> Position {
-        let line = self.lines.partition_point(|&start| start <= offset).max(1);
-        let before = self.text.get(self.lines[line - 1]..offset).unwrap_or("");
+        let lines = self.lines.get_or_init(|| {
+            let ends = self.text.match_indices('\n');
+            let starts = std::iter::once(0).chain(ends.map(|(at, _)| at + 1));
+            starts.collect()
+        });
+        let line = lines.partition_point(|&start| start <= offset).max(1);
+        let before = self.text.get(lines[line - 1]..offset).unwrap_or("");
         Position {
             line,
             column: before.chars().count() + 1,
@@ -289,10 +291,7 @@ const MOST_NAME_SPACES: usize = 2_000;
 /// Refuses text on which the XML reader's time or memory would grow with the square of its
 /// length.
 fn check_limits(path: &Path, text: &str) -> Result<(), Diagnostic> {
-    if text.matches("xmlns").nth(MOST_NAME_SPACES).is_some() {
-        let message = format!("expected at most {MOST_NAME_SPACES} name spaces, found more");
-        return Err(Diagnostic::new(path, message));
-    }
+    let mut name_spaces = 0;
     let mut rest = text;
     while let Some(start) = rest.find('<') {
         rest = &rest[start..];
@@ -308,12 +307,19 @@ fn check_limits(path: &Path, text: &str) -> Result<(), Diagnostic> {
                     );
                     return Err(Diagnostic::at(path, line, 1, message));
                 }
+                if attributes > 0 {
+                    name_spaces += rest[..length].matches("xmlns").count();
+                }
                 Some(length)
             }
         };
         // What has no end is told by the XML reader.
         let Some(after) = after else { break };
         rest = &rest[after..];
+    }
+    if name_spaces > MOST_NAME_SPACES {
+        let message = format!("expected at most {MOST_NAME_SPACES} name spaces, found more");
+        return Err(Diagnostic::new(path, message));
     }
     Ok(())
 }

@@ -31,6 +31,7 @@ use instances::{Instance, collect};
 use materials::Materials;
 pub use report::{DaeReport, InverseBind};
 use rigs::{Rig, Rigs};
+use std::borrow::Cow;
 use std::path::Path;
 use visual_scene::SceneNode;
 pub use visual_scene::{FileSpace, UpAxis};
@@ -111,12 +112,14 @@ pub(super) async fn read_dae_by(
 
 /// Line ends as XML wants them and no byte that is not UTF-8: names in other encodings suffer,
 /// numbers do not.
-fn document_text(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes);
-    if text.contains('\r') {
-        text.replace("\r\n", "\n").replace('\r', "\n")
+fn document_text(bytes: &[u8]) -> Cow<'_, str> {
+    // The search for what is not UTF-8 is slower than to see that there is nothing of it.
+    let text = std::str::from_utf8(bytes);
+    let text = text.map_or_else(|_| String::from_utf8_lossy(bytes), Cow::Borrowed);
+    if bytes.contains(&b'\r') {
+        Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
     } else {
-        text.into_owned()
+        text
     }
 }
 

@@ -4,7 +4,7 @@
 use super::document::{Dae, Impact, Node, child, children};
 use super::{label, quoted};
 use crate::io::Diagnostic;
-use crate::io::numbers::finite;
+use crate::io::numbers::{finite, plain_decimal, plain_index};
 use glam::DMat4;
 use roxmltree::NodeId;
 use std::collections::HashMap;
@@ -13,10 +13,42 @@ use std::str::FromStr;
 
 /// The words in `node`, over comments and CDATA sections.
 pub(super) fn words<'a>(node: Node<'a>) -> impl Iterator<Item = &'a str> {
-    node.children()
-        .filter(Node::is_text)
-        .filter_map(|text| text.text())
-        .flat_map(str::split_ascii_whitespace)
+    texts(node).flat_map(str::split_ascii_whitespace)
+}
+
+fn texts<'a>(node: Node<'a>) -> impl Iterator<Item = &'a str> {
+    let texts = node.children().filter(Node::is_text);
+    texts.filter_map(|text| text.text())
+}
+
+/// Reads each word in `node` by `plain`, which knows the usual spellings and how long the word is, or else by
+/// `other`. Files are numbers mostly, so that words are not looked for before they are read.
+fn read_words<T>(
+    node: Node,
+    plain: impl Fn(&[u8]) -> Option<(T, usize)>,
+    mut other: impl FnMut(&str) -> Result<T, Diagnostic>,
+) -> Result<Vec<T>, Diagnostic> {
+    let mut values = Vec::new();
+    for text in texts(node) {
+        let mut rest = text.trim_ascii_start();
+        while !rest.is_empty() {
+            let is_end = |at: usize| {
+                let next = rest.as_bytes().get(at);
+                next.is_none_or(u8::is_ascii_whitespace)
+            };
+            let read = plain(rest.as_bytes()).filter(|&(_, length)| is_end(length));
+            let (value, length) = match read {
+                Some(read) => read,
+                None => {
+                    let word = rest.split_ascii_whitespace().next().unwrap_or(rest);
+                    (other(word)?, word.len())
+                }
+            };
+            values.push(value);
+            rest = rest[length..].trim_ascii_start();
+        }
+    }
+    Ok(values)
 }
 
 /// The text in `node`, without white space around it; empty if there is none.
@@ -31,12 +63,10 @@ pub(super) fn text<'a>(node: Node<'a>) -> &'a str {
 /// At the first word that is no number.
 pub(super) fn floats(dae: &Dae, node: Node) -> Result<Vec<f32>, Diagnostic> {
     let mut not_finite = NotFinite::default();
-    let numbers = words(node)
-        .map(|word| match finite(word) {
-            Some(number) => Ok(number),
-            None => not_finite.zero_for(dae, node, word),
-        })
-        .collect();
+    let numbers = read_words(node, plain_decimal, |word| match finite(word) {
+        Some(number) => Ok(number),
+        None => not_finite.zero_for(dae, node, word),
+    });
     not_finite.warn(dae, node);
     numbers
 }
@@ -78,15 +108,20 @@ pub(super) fn matrix(dae: &Dae, node: Node) -> Result<DMat4, Diagnostic> {
 ///
 /// # Errors
 /// At the first word that is none, or is out of the type's range.
-pub(super) fn integers<T: FromStr>(dae: &Dae, node: Node) -> Result<Vec<T>, Diagnostic> {
-    words(node)
-        .map(|word| {
-            word.parse().map_err(|_| {
-                let message = format!("expected an index, found {}", quoted(word));
-                dae.error_at(dae.offset_of(node, word), message)
-            })
+pub(super) fn integers<T>(dae: &Dae, node: Node) -> Result<Vec<T>, Diagnostic>
+where
+    T: FromStr + TryFrom<u32>,
+{
+    let plain = |text: &[u8]| {
+        let (index, length) = plain_index(text)?;
+        Some((T::try_from(index).ok()?, length))
+    };
+    read_words(node, plain, |word| {
+        word.parse().map_err(|_| {
+            let message = format!("expected an index, found {}", quoted(word));
+            dae.error_at(dae.offset_of(node, word), message)
         })
-        .collect()
+    })
 }
 
 /// Attribute `name` of `node` as a number of things; none if it is missing.
