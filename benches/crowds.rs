@@ -16,14 +16,15 @@ const COUNTS: [usize; 4] = [1, 16, 100, 1000];
 const ROUNDS: usize = 3;
 
 pub fn run(report: &mut Report) {
-    let what = "Exponent of what 1, 16, 100 and 1,000 characters cost while the camera turns";
-    report.ratio_in("", what, 1.05, || {
-        let costs = COUNTS.map(|count| (count as f64, Crowd::new(count).least(Crowd::turn)));
-        for (count, cost) in costs {
-            println!("  {count}: {:.3} ms a character", cost / count);
-        }
-        (exponent(&costs), 1.0)
-    });
+    report.growth(
+        "Drawing characters while the camera turns",
+        "characters",
+        1.05,
+        || {
+            let cost = |count| Crowd::new(count).least(Crowd::turn);
+            COUNTS.map(|count| (count as f64, cost(count))).to_vec()
+        },
+    );
     report.ratio(
         "A character that moves among 1,000 against one alone, drawn as while it is dragged",
         1.3,
@@ -42,31 +43,21 @@ pub fn run(report: &mut Report) {
     );
 }
 
-/// The slope of the line through the logarithms of counts and costs.
-fn exponent(costs: &[(f64, f64)]) -> f64 {
-    let points = || costs.iter().map(|(count, cost)| (count.ln(), cost.ln()));
-    let count = costs.len() as f64;
-    let mean = points().fold((0.0, 0.0), |sum, p| {
-        (sum.0 + p.0 / count, sum.1 + p.1 / count)
-    });
-    let products = points().map(|p| (p.0 - mean.0) * (p.1 - mean.1));
-    let squares = points().map(|p| (p.0 - mean.0) * (p.0 - mean.0));
-    products.sum::<f64>() / squares.sum::<f64>()
-}
-
-struct Crowd {
+/// Copies of one character, and all that draws them.
+pub struct Crowd {
     scene: Scene,
     view: ViewSettings,
     evaluator: Evaluator,
     renderer: Renderer,
     target: Framebuffer,
-    headless: HeadlessContext,
+    pub headless: HeadlessContext,
     /// Number of pictures drawn so far.
     drawn: usize,
 }
 
 impl Crowd {
-    fn new(count: usize) -> Self {
+    /// So many adults in rows, each in another pose.
+    pub fn new(count: usize) -> Self {
         let side = (count as f64).sqrt().ceil() as usize;
         let shapes: Vec<String> = (0..count)
             .map(|number| {
@@ -122,6 +113,23 @@ impl Crowd {
     fn move_one(&mut self) {
         self.pose(self.scene.shapes().len() / 2, 5000 + self.drawn);
         self.draw(Renderer::draw_moving);
+    }
+
+    /// Number of vertices of all of them.
+    pub fn vertices(&self) -> usize {
+        let characters = self.scene.shapes().iter();
+        let characters = characters.filter_map(|shape| self.scene.character(shape.id));
+        characters
+            .map(|it| it.character.bind_mesh().positions.len())
+            .sum()
+    }
+
+    /// Draws all of them in poses in which none was before.
+    pub fn move_all(&mut self) {
+        for number in 0..self.scene.shapes().len() {
+            self.pose(number, number + self.drawn + 1);
+        }
+        self.draw(Renderer::draw);
     }
 
     fn look_away(&mut self) {

@@ -105,7 +105,7 @@ fn bone(file: &str) -> (f32, f32) {
 }
 
 /// Builds the earlier version from the history, if that has not been done, and returns its program.
-fn build_earlier() -> PathBuf {
+pub fn build_earlier() -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = root.join("target/bench").join(EARLIER);
     let program = folder.join("target/release/editor");

@@ -7,6 +7,7 @@ mod crowds;
 mod desktop;
 mod earlier;
 mod frames;
+mod graphics_card;
 #[path = "../tests/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
 mod host;
@@ -14,13 +15,15 @@ mod import;
 mod moving;
 mod picking;
 mod report;
+mod scaling;
 mod skinning;
+mod whole;
 mod window;
 
 use report::Report;
 
 fn main() {
-    if import::import_alone() {
+    if import::is_import_alone() {
         return;
     }
     // Cargo passes options of its own test harness.
@@ -28,6 +31,7 @@ fn main() {
         .skip(1)
         .find(|argument| !argument.starts_with('-'));
     let mut report = Report::new(filter);
+    whole::run(&mut report);
     earlier::run(&mut report);
     frames::run(&mut report);
     crowds::run(&mut report);
@@ -35,5 +39,7 @@ fn main() {
     picking::run(&mut report);
     import::run(&mut report);
     skinning::run(&mut report);
+    scaling::run(&mut report);
+    graphics_card::run(&mut report);
     report.finish();
 }

@@ -47,13 +47,14 @@ pub fn run(report: &mut Report) {
 }
 
 /// A mesh with all that rays through it need.
-struct Pick {
+pub struct Pick {
     mesh: SharedMesh,
     boxes: TriangleBoxes,
 }
 
 impl Pick {
-    fn new(triangles: u32) -> Self {
+    /// A sphere of about so many triangles.
+    pub fn new(triangles: u32) -> Self {
         let mesh = mesh(triangles);
         let boxes = mesh
             .triangle_order()
@@ -67,7 +68,7 @@ impl Pick {
     }
 
     /// Milliseconds a ray.
-    fn by_boxes(&self) -> f64 {
+    pub fn by_boxes(&self) -> f64 {
         let (positions, triangles) = (&self.mesh.positions, &self.mesh.triangles);
         let order = self.mesh.triangle_order();
         let all = rays().len();
@@ -93,7 +94,8 @@ impl Pick {
     }
 }
 
-fn mesh(triangles: u32) -> SharedMesh {
+/// A sphere of about so many triangles.
+pub fn mesh(triangles: u32) -> SharedMesh {
     let side = f64::from(triangles / 2).sqrt() as u32;
     let Mesh {
         positions,

@@ -1,5 +1,13 @@
+mod growth;
+
+use growth::Growth;
 use std::fmt::Write;
 use std::path::Path;
+
+/// Where the page and its plots are.
+const DOCS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs");
+/// The folder of the plots there.
+const PLOTS: &str = "benchmarks";
 
 /// A ratio next to its target.
 struct Line {
@@ -13,6 +21,9 @@ struct Line {
 pub struct Report {
     filter: Option<String>,
     lines: Vec<Line>,
+    growths: Vec<Growth>,
+    /// What was measured without a target, each with the heading that it comes under.
+    told: Vec<(&'static str, String)>,
 }
 
 impl Report {
@@ -22,6 +33,8 @@ impl Report {
         Self {
             filter,
             lines: Vec::new(),
+            growths: Vec::new(),
+            told: Vec::new(),
         }
     }
 
@@ -39,11 +52,7 @@ impl Report {
         most: f64,
         measure: impl FnOnce() -> (f64, f64),
     ) {
-        let is_wanted = self
-            .filter
-            .as_ref()
-            .is_none_or(|filter| what.contains(filter));
-        if !is_wanted {
+        if !self.is_wanted(what) {
             return;
         }
         let (one, other) = measure();
@@ -62,7 +71,57 @@ impl Report {
         self.lines.push(line);
     }
 
-    /// Writes the page, unless only a part was measured.
+    /// Measures what each of several sizes costs, in milliseconds, if it is wanted, and reports the
+    /// exponent by which the cost grows with the number `of` something.
+    pub fn growth(
+        &mut self,
+        what: &str,
+        of: &'static str,
+        most: f64,
+        measure: impl FnOnce() -> Vec<(f64, f64)>,
+    ) {
+        if !self.is_wanted(what) {
+            return;
+        }
+        let growth = Growth {
+            what: what.to_owned(),
+            of,
+            costs: measure(),
+        };
+        let costs = growth.costs.iter();
+        let costs: Vec<String> = costs
+            .map(|(size, cost)| format!("{size}: {} ms", in_digits(*cost)))
+            .collect();
+        let line = Line {
+            what: format!("{what}: exponent by the number of {of}"),
+            found: growth.exponent(),
+            most,
+            costs: costs.join(", "),
+        };
+        println!(
+            "{}: {:.3} (at most {}; {})",
+            line.what,
+            line.found,
+            in_digits(most),
+            line.costs
+        );
+        self.lines.push(line);
+        self.growths.push(growth);
+    }
+
+    /// Reports something without a target under a heading. What comes under the same one comes together.
+    pub fn tell(&mut self, heading: &'static str, text: String) {
+        println!("{heading}: {text}");
+        self.told.push((heading, text));
+    }
+
+    /// Whether `what` is to be measured.
+    pub fn is_wanted(&self, what: &str) -> bool {
+        let filter = self.filter.as_ref();
+        filter.is_none_or(|filter| what.contains(filter))
+    }
+
+    /// Writes the page and its plots, unless only a part was measured.
     pub fn finish(self) {
         if self.filter.is_some() {
             return;
@@ -94,8 +153,24 @@ impl Report {
                 in_digits(*most)
             );
         }
-        let notes = include_str!("notes.md");
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/benchmarks.md");
+        for part in self.told.chunk_by(|one, next| one.0 == next.0) {
+            let _ = writeln!(text, "\n## {}\n", part[0].0);
+            for (_, line) in part {
+                let _ = writeln!(text, "- {line}");
+            }
+        }
+        text += "\n## How costs grow\n\nThe numbers are in the table above.\n\n";
+        let plots = Path::new(DOCS).join(PLOTS);
+        // Plots of what is no longer measured would stay.
+        let _ = std::fs::remove_dir_all(&plots);
+        std::fs::create_dir_all(&plots).expect("a folder for plots");
+        for growth in &self.growths {
+            let name = growth.file_name();
+            growth.plot(&plots.join(&name)).expect("a plot is written");
+            let _ = writeln!(text, "![{}]({PLOTS}/{name})", growth.what);
+        }
+        let notes = include_str!("../notes.md");
+        let path = Path::new(DOCS).join("benchmarks.md");
         std::fs::write(&path, format!("{text}\n{notes}")).expect("docs/benchmarks.md is written");
         println!("Written to {}", path.display());
     }

@@ -9,7 +9,8 @@ use glam::{Mat4, Vec3};
 pub struct Bucketed {
     level: Level,
     buckets: Vec<Bucket>,
-    vertices: usize,
+    /// The vertex of the file of each result.
+    order: Vec<u32>,
 }
 
 struct Bucket {
@@ -38,15 +39,31 @@ impl Bucketed {
             bucket
         };
         let buckets = (1..=attachments.most_influences()).map(bucket);
+        let is_weighted = |vertex: &[_]| !vertex.is_empty();
+        assert!(
+            attachments.vertices().all(is_weighted),
+            "all vertices have weights"
+        );
+        let mut order: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+        order.sort_by_key(|&vertex| attachments.of_vertex(vertex as usize).len());
         Self {
             level,
             buckets: buckets.filter(|b| !b.positions.is_empty()).collect(),
-            vertices: mesh.positions.len(),
+            order,
+        }
+    }
+
+    /// Skins, and puts the result into the order of the file; `sorted` is for the result before.
+    pub fn skin_in_order(&self, palette: &[Mat4], sorted: &mut Vec<Vec3>, out: &mut Vec<Vec3>) {
+        self.skin(palette, sorted);
+        out.resize(self.order.len(), Vec3::ZERO);
+        for (&vertex, position) in self.order.iter().zip(&*sorted) {
+            out[vertex as usize] = *position;
         }
     }
 
     pub fn skin(&self, palette: &[Mat4], out: &mut Vec<Vec3>) {
-        out.resize(self.vertices, Vec3::ZERO);
+        out.resize(self.order.len(), Vec3::ZERO);
         let palette: Vec<[[f32; 4]; 4]> = palette.iter().map(Mat4::to_cols_array_2d).collect();
         let mut rest = &mut out[..];
         for bucket in &self.buckets {

@@ -43,6 +43,20 @@ pub fn run(report: &mut Report) {
                 )
             },
         );
+        report.ratio(
+            &format!("Skinning by blocks with {name} against one vertex's matrices at a time, put into the file's order"),
+            most,
+            || {
+                let bucketed = Bucketed::new(&one.attachments, &one.mesh, Level::new());
+                let blocks = one.blocks(level);
+                let mut skinned = Skinned::default();
+                let (mut sorted, mut out) = (Vec::new(), Vec::new());
+                one.least(
+                    || blocks.skin(black_box(&one.palette), &mut skinned),
+                    || bucketed.skin_in_order(black_box(&one.palette), &mut sorted, &mut out),
+                )
+            },
+        );
     }
     report.ratio(
         "Skinning by blocks against the course's loop",
@@ -122,7 +136,7 @@ fn levels() -> Vec<(&'static str, Level, f64)> {
 
 /// A mesh with weights, in a pose.
 #[derive(Clone)]
-struct Posed {
+pub struct Posed {
     mesh: Mesh,
     attachments: Attachments,
     /// From each joint to the model, in the bind pose and now.
@@ -136,6 +150,37 @@ impl Posed {
     fn blocks(&self, level: Level) -> SkinningBlocks {
         SkinningBlocks::new(&self.attachments, &self.mesh, level)
             .expect("its vertices have much in common")
+    }
+
+    /// So many vertices with so many influences each, those of a hundred neighbors alike.
+    pub fn regular(vertices: usize, joints: usize, influences: usize) -> Self {
+        let mut attachments = Attachments::new();
+        for vertex in 0..vertices {
+            let first = vertex / 100;
+            attachments.push_vertex((first..first + influences).map(|joint| Influence {
+                joint: (joint % joints) as u32,
+                weight: 1.0 / influences as f32,
+            }));
+        }
+        let positions = (0..vertices).map(|at| Vec3::new(at as f32 * 1e-6, 1.0, 2.0));
+        let palette = (0..joints).map(|joint| {
+            Mat4::from_rotation_translation(Quat::from_rotation_y(joint as f32 * 0.01), Vec3::X)
+        });
+        Self {
+            mesh: Mesh::new(positions.collect(), Vec::new()),
+            attachments,
+            bind: Vec::new(),
+            current: Vec::new(),
+            palette: palette.collect(),
+        }
+    }
+
+    /// What skins it once on so many threads.
+    pub fn skinning(&self, threads: usize) -> impl FnMut() + use<> {
+        let blocks = self.blocks(Level::new());
+        let (pool, palette) = (pool(threads), self.palette.clone());
+        let mut skinned = Skinned::default();
+        move || pool.install(|| blocks.skin(black_box(&palette), &mut skinned))
     }
 
     /// The same so many times in one mesh.

@@ -22,8 +22,6 @@ pub struct Graphics {
     compared: Option<Framebuffer>,
     /// That on its way back.
     compared_reading: Option<Reading>,
-    /// The scene, as large as the view and without samples, while something moves on software OpenGL.
-    draft: Option<Framebuffer>,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
@@ -34,7 +32,8 @@ pub struct Graphics {
     has_wrong_size: bool,
     /// Samples a pixel of pictures of the scene.
     samples: u32,
-    /// Whether the scene is drawn as a draft while something moves.
+    /// Whether the scene is drawn as a draft, without samples, while something moves, as on software OpenGL;
+    /// then its picture has none, and those of the full one are there only while it is drawn.
     drafts: bool,
     gl: Gl,
 }
@@ -90,7 +89,6 @@ impl Graphics {
             scene: None,
             compared: None,
             compared_reading: None,
-            draft: None,
             split: None,
             shown: None,
             window: None,
@@ -127,7 +125,7 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        shown_picture(&self.shown, &self.split, &self.draft, &self.scene)
+        shown_picture(&self.split, &self.scene)
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -154,7 +152,7 @@ impl Graphics {
     /// # Errors
     /// If the picture cannot be made.
     pub(super) fn fit_view(&mut self, size: (u32, u32)) -> Result<(), GpuError> {
-        let samples = self.samples;
+        let samples = if self.drafts { 0 } else { self.samples };
         let fresh = !fits(self.scene.as_ref(), size, samples);
         let fitted = fit(&self.gl, &mut self.scene, size, samples).map(drop);
         if self.scene.is_none() {
@@ -225,31 +223,50 @@ impl Graphics {
             backdrop: frame.backdrop,
             marks: frame.marks.clone(),
         };
-        let drafts = moves && self.drafts && target.samples() > 0;
+        let drafts = moves && self.drafts && self.samples > 0;
         let shown = self.shown.as_ref().filter(|shown| shown.key == key);
-        let is_new = match shown.map(|shown| shown.draft_since) {
+        let is_draft = match shown.map(|shown| shown.draft_since) {
             Some(None) => return Ok(()),
             Some(Some(since)) if drafts && now < since + REST => return Ok(()),
             Some(Some(_)) => false,
-            None => true,
+            None => drafts,
         };
-        // Where there is no room for a draft, there still is the full picture.
-        let draft = (drafts && is_new).then(|| fit(&self.gl, &mut self.draft, size, 0));
-        let draft = draft.and_then(Result::ok);
         self.shown = Some(Shown {
             key,
-            draft_since: draft.map(|_| now),
+            draft_since: is_draft.then_some(now),
         });
-        let Some((evaluated, column)) = right else {
-            self.split = None;
-            return match draft {
-                Some(draft) => self.renderer.draw_moving(frame, draft),
-                None => self.renderer.draw(frame, target),
-            };
+        let has_own_samples = self.drafts && self.samples > 0 && !is_draft;
+        let (full, room) = match has_own_samples
+            .then(|| Framebuffer::new(&self.gl, size.0, size.1, self.samples))
+            .transpose()
+        {
+            Ok(full) => (full, Ok(())),
+            // Edges are rough then, and the rest is there.
+            Err(error) => (None, Err(error.into())),
         };
-        let left = (frame, draft.unwrap_or(target));
-        let split = self.split.get_or_insert_default();
-        split.draw(&self.gl, &mut self.renderer, left, (evaluated, column))
+        let picture = full.as_ref().unwrap_or(target);
+        let drawn = if let Some((evaluated, column)) = right {
+            let split = self.split.get_or_insert_default();
+            let right = (evaluated, column);
+            split.draw(&self.gl, &mut self.renderer, (frame, picture), right)
+        } else {
+            self.split = None;
+            if is_draft {
+                self.renderer.draw_moving(frame, picture)
+            } else {
+                self.renderer.draw(frame, picture)
+            }
+        };
+        if let Some(full) = &full {
+            let whole = Rect {
+                x: 0,
+                y: 0,
+                width: size.0.cast_signed(),
+                height: size.1.cast_signed(),
+            };
+            full.blit_into(target, whole, whole)?;
+        }
+        drawn.and(room)
     }
 
     /// Time after which the full picture has to take the place of a draft, if one is shown.
@@ -340,7 +357,7 @@ impl Graphics {
         let Some(Window { picture, painter }) = &mut self.window else {
             return Ok(());
         };
-        let scene = shown_picture(&self.shown, &self.split, &self.draft, &self.scene);
+        let scene = shown_picture(&self.split, &self.scene);
         match (scene, picture) {
             (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
             _ => {
@@ -359,22 +376,13 @@ impl Graphics {
     }
 }
 
-/// Both parts of a view that is split, else the draft while that is shown, else the full picture of the
-/// scene.
+/// Both parts of a view that is split, else the picture of the scene.
 fn shown_picture<'a>(
-    shown: &Option<Shown>,
     split: &'a Option<SplitView>,
-    draft: &'a Option<Framebuffer>,
     scene: &'a Option<Framebuffer>,
 ) -> Option<&'a Framebuffer> {
     let both = split.as_ref().and_then(SplitView::picture);
-    let is_draft = |shown: &Shown| shown.draft_since.is_some();
-    let drawn = if shown.as_ref().is_some_and(is_draft) {
-        draft
-    } else {
-        scene
-    };
-    both.or(drawn.as_ref())
+    both.or(scene.as_ref())
 }
 
 /// Revisions of the geometry of each shape.

@@ -491,6 +491,12 @@ fn on_software_a_picture_that_moves_has_no_samples_and_the_full_one_comes_as_soo
     story.button(false);
     story.settle();
     assert_eq!(differing(&resting, &story.scene_picture()), 0);
+    let kept = story.graphics.scene_picture().unwrap();
+    assert_eq!(
+        kept.samples() == 0,
+        software,
+        "samples take no memory at rest"
+    );
 
     // Turning the camera moves everything.
     let middle = story.view().center();
