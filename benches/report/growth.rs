@@ -8,6 +8,7 @@ use std::ops::Range;
 use std::path::Path;
 
 const SIZE: (u32, u32) = (560, 360);
+const GRID: RGBColor = RGBColor(225, 225, 225);
 const LINE: RGBColor = RGBColor(150, 150, 150);
 const POINTS: RGBColor = RGBColor(31, 100, 180);
 
@@ -59,6 +60,7 @@ impl Growth {
         let mut chart = ChartBuilder::on(&area)
             .caption(caption, ("sans-serif", 15))
             .margin(12)
+            .margin_right(48)
             .x_label_area_size(42)
             .y_label_area_size(64)
             .build_cartesian_2d(
@@ -69,6 +71,7 @@ impl Growth {
             .configure_mesh()
             .x_desc(self.of)
             .y_desc("ms")
+            .bold_line_style(GRID)
             .light_line_style(WHITE.mix(0.0))
             .x_label_formatter(&|size| plain(*size))
             .y_label_formatter(&|cost| plain(*cost))

@@ -10,6 +10,9 @@ pub enum Outcome {
     Right,
     /// What known mistakes give.
     Explained,
+    /// The exact result of another pose.
+    #[serde(rename = "other-pose")]
+    OtherPose,
     /// Something else.
     Unexplained,
     /// A file with nothing in it that could be right or wrong.
@@ -28,6 +31,7 @@ impl Outcome {
         match self {
             Self::Right => "right",
             Self::Explained => "explained",
+            Self::OtherPose => "other-pose",
             Self::Unexplained => "unexplained",
             Self::Blank => "blank",
             Self::Missing => "missing",

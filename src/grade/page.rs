@@ -311,7 +311,7 @@ impl Page {
                 "silhouette"
             };
             let agrees = match test.outcome {
-                Outcome::Explained | Outcome::Unexplained => {
+                Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => {
                     let percent = (100.0 * test.agrees).floor();
                     format!(" · {percent:.0} % of the {whole} right")
                 }
@@ -381,7 +381,7 @@ fn css([red, green, blue]: Color) -> String {
 fn class(test: &GradedTest) -> &'static str {
     match test.outcome {
         Outcome::Right => "right",
-        Outcome::Explained | Outcome::Unexplained => "wrong",
+        Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => "wrong",
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => "none",
     }
 }

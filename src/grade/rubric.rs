@@ -5,6 +5,9 @@ use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData};
 use std::collections::BTreeMap;
 
+/// Name of the mistake for which another pose counts.
+const POSE_NOT_APPLIED: &str = "pose-not-applied";
+
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
 /// where the test has points for that, for all else is right once it is set aside; one whose section
 /// has no points in the test costs them in each. Of explanations that give the same file the one counts
@@ -24,17 +27,20 @@ pub(super) fn points(
             .map(|(section, points)| (section, points * share))
             .collect()
     };
+    let left_by = |mistakes: &[String]| {
+        let left = possible().map(|(section, points)| {
+            let left = points * share_left(test, &section, mistakes, rubric);
+            (section, left)
+        });
+        left.collect::<BTreeMap<String, f64>>()
+    };
     match graded.outcome {
         Outcome::Right => of_all(1.0),
         Outcome::Unexplained => of_all(rubric.unexplained.0 * graded.agrees),
+        // The pose that was asked for is as little in it as in one that is not posed at all.
+        Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()]),
         Outcome::Explained => {
-            let explained = graded.causes.iter().map(|mistakes| {
-                let left = possible().map(|(section, points)| {
-                    let left = points * share_left(test, &section, mistakes, rubric);
-                    (section, left)
-                });
-                left.collect::<BTreeMap<String, f64>>()
-            });
+            let explained = graded.causes.iter().map(|mistakes| left_by(mistakes));
             let total = |points: &BTreeMap<String, f64>| points.values().sum::<f64>();
             // Of equals the first, which is the one that is told.
             let best = explained.reduce(|best, other| {

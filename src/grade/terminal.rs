@@ -92,7 +92,7 @@ impl Report {
 /// Whether there was nothing to diagnose.
 fn is_ungraded(outcome: Outcome) -> bool {
     match outcome {
-        Outcome::Right | Outcome::Explained | Outcome::Unexplained => false,
+        Outcome::Right | Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => false,
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => true,
     }
 }

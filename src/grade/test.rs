@@ -122,7 +122,10 @@ impl Test {
         };
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         Graded {
-            outcome: outcome(found.verdict),
+            outcome: match &found.other_pose {
+                Some(_) => Outcome::OtherPose,
+                None => outcome(found.verdict),
+            },
             text: found.to_string(),
             causes: explanations(found.together(), &found.same_as),
             error: rounded(found.error_from_exact),

@@ -100,6 +100,22 @@ fn only_the_folder_of_a_finished_report_is_left_out_and_that_is_reported() {
 }
 
 #[test]
+fn a_report_does_not_come_into_the_folder_of_the_submissions_or_into_one_of_them() {
+    let class = class();
+    for (output, found) in [
+        ("class", "that of the submissions"),
+        ("class/../class", "that of the submissions"),
+        ("class/bob", "a submission"),
+    ] {
+        let ran = class.run(&format!("class --tests tests.json -o {output}"));
+        let told = format!("error: {output}: expected a folder for the report, found {found}\n");
+        assert_eq!((ran.code, &*ran.err), (Some(1), &*told));
+    }
+    assert!(!class.path().join("class/kept").exists());
+    assert!(!class.path().join("class/bob/kept").exists());
+}
+
+#[test]
 #[cfg(unix)]
 fn a_submission_that_is_a_link_to_another_one_is_left_out_and_that_is_reported() {
     let class = class();

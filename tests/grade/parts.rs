@@ -111,6 +111,8 @@ fn what_another_build_of_the_program_graded_is_graded_anew() {
 fn parts_of_other_tests_or_with_other_results_do_not_fit() {
     let class = class();
     run(&class, "class --tests tests.json --part 1/2 -o a");
+    run(&class, "class --tests tests.json --part 1/4 -o f");
+    run(&class, "class --tests tests.json --part 4/4 -o g");
     run(&class, "class --tests tests.json -o b");
     class.submit("bob", &RIGHT, |number| number.to_string());
     run(&class, "class --tests tests.json -o c");
@@ -126,6 +128,18 @@ fn parts_of_other_tests_or_with_other_results_do_not_fit() {
         (
             "--merge b c -o e",
             "error: c: expected the same results for bob as in b, found others\n",
+        ),
+        (
+            "--merge a -o e",
+            "error: a: expected the reports of all 2 parts, found none of part 2/2\n",
+        ),
+        (
+            "--merge f g -o e",
+            "error: f: expected the reports of all 4 parts, found none of part 2/4, 3/4\n",
+        ),
+        (
+            "--merge a f -o e",
+            "error: f: expected one of 2 parts as in a, found part 1 of 4\n",
         ),
     ] {
         let ran = class.run(line);

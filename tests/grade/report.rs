@@ -1,7 +1,7 @@
 //! What an instructor gets: rows, a table, and a page that needs nothing else.
 
 use crate::diagnose::student::with;
-use crate::grade::support::Class;
+use crate::grade::support::{Class, result};
 use serde_json::json;
 
 fn class() -> Class {
@@ -53,6 +53,29 @@ unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)<
         "{}",
         ran.err
     );
+}
+
+#[test]
+fn the_exact_result_of_another_pose_is_told_and_costs_what_no_pose_does() {
+    let class = Class::new(&["robot"]);
+    class.submit("bob", &with(&[]), |number| number.to_string());
+    class.write(
+        "robot-1.json",
+        r#"{"joints": {"Left elbow": [10, 20, 30]}}"#,
+    );
+    let ran = class.run("class --tests tests.json -o report");
+    assert!(ran.out.contains("other-pose"), "{}", ran.out);
+    let report = class.graded();
+    let bob = result(&report, "bob", "robot-1");
+    assert_eq!(bob["outcome"], "other-pose");
+    assert_eq!(bob["points"], json!({"3.2": 4.0, "3.4": 3.0, "4.2": 10.0}));
+    let text = bob["text"].as_str().unwrap();
+    assert!(
+        text.contains("of a pose that is not the given one"),
+        "{text}"
+    );
+    let table = String::from_utf8(class.read("report/grade.csv")).unwrap();
+    assert!(table.contains("other-pose"), "{table}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::interface::Editor;
 use editor_core::editor::{Edit, View};
 use editor_core::math::Transform;
 use editor_core::scene::{Camera, ViewDirection};
+use editor_core::ui::Navigation;
 use egui::Key;
 use glam::{Vec3, vec2};
 
@@ -53,6 +54,18 @@ fn the_views_of_the_menu_are_the_courses() {
     editor.key(Key::Num7);
     let camera = editor.session().view().camera;
     assert_eq!(camera, Camera::preset(ViewDirection::PlusY));
+}
+
+#[test]
+fn elsewhere_the_views_of_the_menu_look_at_the_same_target_from_the_same_distance() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().state.set_navigation(Navigation::Blender);
+    let far = Camera::from_numbers(&[10.0, 20.0, 30.0, 1.0, 2.0, 3.0]).unwrap();
+    editor.view(View::SetCamera(far));
+    editor.key(Key::Num3);
+    let camera = editor.session().view().camera;
+    assert_eq!(camera, far.looking_from(ViewDirection::PlusX));
+    assert_eq!((camera.target, camera.radius), (far.target, far.radius));
 }
 
 #[test]

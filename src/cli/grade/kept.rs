@@ -1,6 +1,7 @@
 //! What a report folder keeps of a run: results by submission, so that a run that is started again
 //! resumes where it stopped, and parts can be joined.
 
+use super::submissions::Part;
 use crate::disk::{self, Disk};
 use crate::grade::Graded;
 use crate::io::{Diagnostic, Files};
@@ -24,6 +25,9 @@ pub(super) struct KeptRun {
     pub pictures: BTreeMap<String, String>,
     /// Names of the submissions.
     pub submissions: Vec<String>,
+    /// Which part of the class they are, and of how many; `None` for all of it.
+    #[serde(default)]
+    pub part: Option<Part>,
 }
 
 /// The results of a submission by test.

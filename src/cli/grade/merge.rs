@@ -1,6 +1,7 @@
 //! Parts of a class, graded by several machines, joined.
 
 use super::kept::{KeptResults, KeptRun, Store};
+use super::submissions::Part;
 use crate::cli::CliError;
 use crate::grade::Graded;
 use crate::io::{Diagnostic, TestsFile};
@@ -10,14 +11,15 @@ use std::path::{Path, PathBuf};
 /// The run that the reports `parts` together are, with its results, which are kept in `store`.
 ///
 /// # Errors
-/// If one is no report, parts are of different tests, one lacks a result, or two have different results
-/// for one submission.
+/// If one is no report, parts are of different tests, one lacks a result, two have different results
+/// for one submission, or not all parts of the class are there.
 pub(super) fn joined(
     parts: &[PathBuf],
     store: &Store,
 ) -> Result<(KeptRun, BTreeMap<String, Vec<Graded>>), CliError> {
     let mut joined: Option<KeptRun> = None;
     let mut results: BTreeMap<String, (KeptResults, &PathBuf)> = BTreeMap::new();
+    let mut found_parts: Vec<(Part, &PathBuf)> = Vec::new();
     for folder in parts {
         let part = Store::new(folder);
         let run = part.run()?;
@@ -29,6 +31,7 @@ pub(super) fn joined(
             );
             return Err(Diagnostic::new(folder, message).into());
         }
+        found_parts.extend(run.part.map(|part| (part, folder)));
         for name in run.submissions {
             let found = part.results(&name);
             if let Some((known, other)) = results.get(&name) {
@@ -48,6 +51,8 @@ pub(super) fn joined(
             "expected the report of a part, found none".to_owned(),
         ));
     };
+    check_parts(&found_parts)?;
+    run.part = None;
     run.submissions = results.keys().cloned().collect();
     let tests = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
     let mut graded = BTreeMap::new();
@@ -71,4 +76,32 @@ pub(super) fn joined(
     }
     store.keep_run(&run)?;
     Ok((run, graded))
+}
+
+/// Makes sure that no part of the class is missing: its submissions would be without a word.
+fn check_parts(found: &[(Part, &PathBuf)]) -> Result<(), Diagnostic> {
+    let Some(&(Part { count, .. }, first)) = found.first() else {
+        return Ok(());
+    };
+    if let Some((other, folder)) = found.iter().find(|(part, _)| part.count != count) {
+        let first = first.display();
+        let message = format!(
+            "expected one of {count} parts as in {first}, found part {} of {}",
+            other.index, other.count
+        );
+        return Err(Diagnostic::new(folder, message));
+    }
+    let is_there = |index: &usize| found.iter().any(|(part, _)| part.index == *index);
+    let missing = (1..=count).filter(|index| !is_there(index));
+    let missing: Vec<String> = missing.map(|index| format!("{index}/{count}")).collect();
+    match &missing[..] {
+        [] => Ok(()),
+        missing => Err(Diagnostic::new(
+            first,
+            format!(
+                "expected the reports of all {count} parts, found none of part {}",
+                missing.join(", ")
+            ),
+        )),
+    }
 }

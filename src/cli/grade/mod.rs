@@ -11,7 +11,7 @@ use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
 use crate::disk::{self, files};
 use crate::grade::{Graded, Report, Test};
-use crate::io::{Files, PoseFile, TestData, TestsFile, builtin};
+use crate::io::{Diagnostic, Files, PoseFile, TestData, TestsFile, builtin};
 use command::TestCommand;
 use kept::{KeptRun, Store};
 use std::collections::{BTreeMap, BTreeSet};
@@ -87,6 +87,7 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
     let command = command.map(|data| TestCommand::new(data, &file.tests, path));
     let command = command.transpose()?;
     let all = submissions::of(folder)?;
+    check_output(&args.output, folder, &all)?;
     for warning in given_to_none(&file, &all)
         .into_iter()
         .chain(empty_sections(&file))
@@ -122,9 +123,39 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
             .iter()
             .map(|submission| submission.name.clone())
             .collect(),
+        part: args.part,
     };
     store.keep_run(&run)?;
     report(&args.output, &run, graded)
+}
+
+/// Makes sure that the report does not come to be a submission, or a submission the folder of a report.
+fn check_output(
+    output: &Path,
+    folder: &Path,
+    submissions: &[Submission],
+) -> Result<(), Diagnostic> {
+    // One that is not there yet is none of them.
+    let Ok(output_on_disk) = output.canonicalize() else {
+        return Ok(());
+    };
+    let is_output = |folder: &Path| folder.canonicalize().is_ok_and(|it| it == output_on_disk);
+    let wrong = |found: &str| {
+        Err(Diagnostic::new(
+            output,
+            format!("expected a folder for the report, found {found}"),
+        ))
+    };
+    if is_output(folder) {
+        return wrong("that of the submissions");
+    }
+    match submissions
+        .iter()
+        .find(|submission| is_output(&submission.folder))
+    {
+        Some(_) => wrong("a submission"),
+        None => Ok(()),
+    }
 }
 
 /// Points in `given` that no one gets: of submissions that are not there, and in sections that are none.
@@ -173,7 +204,7 @@ fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
     let characters = diagnose::characters(&files, &beside(tests, &test.character))?;
     let [character] = &characters[..] else {
         let message = format!("expected one character, found {}", characters.len());
-        return Err(crate::io::Diagnostic::new(&test.character, message).into());
+        return Err(Diagnostic::new(&test.character, message).into());
     };
     let pose = builtin::resolve(&beside(tests, &test.pose))?;
     let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(character.skeleton())?;

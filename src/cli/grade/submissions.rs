@@ -5,6 +5,7 @@ use crate::cli::CliError;
 use crate::cli::output::eprint_line;
 use crate::disk::in_words;
 use crate::io::Diagnostic;
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -18,10 +19,12 @@ pub(super) struct Submission {
 }
 
 /// The I-th of N parts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Part {
-    index: usize,
-    count: usize,
+    /// I, from 1.
+    pub index: usize,
+    /// N.
+    pub count: usize,
 }
 
 impl FromStr for Part {

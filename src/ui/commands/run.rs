@@ -136,7 +136,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
         Command::ShowAll => return Some(show_all(session)),
-        Command::ViewFrom(direction) => return Some(Action::View(View::From(direction))),
+        // Only the course's editor turns away from what is looked at.
+        Command::ViewFrom(direction) => {
+            return Some(Action::View(match state.navigation {
+                Navigation::Course => View::From(direction),
+                _ => View::SetCamera(session.view().camera.looking_from(direction)),
+            }));
+        }
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit => {
             let area = view_overlay::fit_area(state, aspect);
