@@ -5,14 +5,20 @@ use crate::character::Facing;
 use crate::editor::{View, set_among};
 use crate::io;
 use crate::math::Aabb;
+use crate::render::MANNEQUIN_LIGHT;
 use crate::scene::{
     Camera, FitArea, Importer, Look, NewShape, ShapeColor, ShapeId, ShapeKind, ViewSettings,
 };
-use glam::Vec3;
+use glam::{Quat, Vec3};
 use std::path::Path;
 
 /// Angle from which the ground is seen, in radians: level with it, it would be a line.
 const ABOVE: f32 = 0.18;
+/// The same where the light from above is to be seen on textures.
+const ABOVE_TEXTURES: f32 = 0.5;
+/// Angle between the front and where textures are seen from in the Mannequin look, in radians. Its light comes
+/// from behind what has its front at +Z.
+const ASIDE: f32 = 0.9;
 /// Width over height of the course's window.
 const COURSE_ASPECT: f32 = 4.0 / 3.0;
 /// Least share of the course's picture that a character takes up there, to be seen well.
@@ -68,7 +74,12 @@ impl Program {
             };
         }
         let mut view = self.view_without_scene();
-        view.camera = view.camera.facing(front(shapes), ABOVE);
+        view.camera = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
+            let lit = beside(front(shapes), MANNEQUIN_LIGHT);
+            view.camera.facing(lit, ABOVE_TEXTURES)
+        } else {
+            view.camera.facing(front(shapes), ABOVE)
+        };
         self.make_neutral(shapes, view.look);
         view
     }
@@ -173,6 +184,26 @@ fn is_of_the_course(shape: &NewShape) -> bool {
 fn is_seen_well(camera: &Camera, bounds: &Aabb) -> bool {
     let share = camera.share(bounds, COURSE_ASPECT);
     share.is_some_and(|share| share >= LEAST_SHARE)
+}
+
+fn is_textured(shape: &NewShape) -> bool {
+    let mesh = match &shape.kind {
+        ShapeKind::Mesh(mesh) => mesh,
+        ShapeKind::Character(character) => character.character.bind_mesh(),
+        _ => return false,
+    };
+    let mut groups = mesh.groups.iter();
+    groups.any(|group| group.material.texture.is_some())
+}
+
+/// `front`, turned about +Y to the side that is nearer to `light`.
+fn beside(front: Vec3, light: Vec3) -> Vec3 {
+    let [one, other] = [-ASIDE, ASIDE].map(|angle| Quat::from_rotation_y(angle) * front);
+    if one.dot(light) > other.dot(light) {
+        one
+    } else {
+        other
+    }
 }
 
 /// The front of the first character among `shapes`, in the world; +Z if there is none.

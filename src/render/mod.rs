@@ -52,3 +52,4 @@ pub use offscreen::{Offscreen, OffscreenError};
 pub use picture_parts::{LargePicture, PictureParts, check_picture_size, read_picture};
 pub use read_back::read_back_skinning;
 pub use renderer::{RenderError, Renderer};
+pub use surface_pass::MANNEQUIN_LIGHT;

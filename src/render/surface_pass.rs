@@ -272,7 +272,7 @@ fn parts<'a>(mesh: &Mesh, cached: &'a CachedMesh, own: Vec3) -> Vec<Part<'a>> {
 /// Position of the Course look's light in the world.
 const COURSE_LIGHT: Vec3 = Vec3::new(10.0, 10.0, 30.0);
 /// Position of the Mannequin look's light in the world.
-pub(super) const MANNEQUIN_LIGHT: Vec3 = Vec3::new(-10.0, 10.0, -10.0);
+pub const MANNEQUIN_LIGHT: Vec3 = Vec3::new(-10.0, 10.0, -10.0);
 
 /// Sets the lights of a program with `surface_fragment.glsl`. The Studio look's lights turn with the
 /// camera's heading, so that a character is lit well from every side.

@@ -59,7 +59,11 @@ fn the_views_of_the_menu_are_the_courses() {
 #[test]
 fn elsewhere_the_views_of_the_menu_look_at_the_same_target_from_the_same_distance() {
     let mut editor = Editor::new();
-    editor.harness.state_mut().state.set_navigation(Navigation::Blender);
+    editor
+        .harness
+        .state_mut()
+        .state
+        .set_navigation(Navigation::Blender);
     let far = Camera::from_numbers(&[10.0, 20.0, 30.0, 1.0, 2.0, 3.0]).unwrap();
     editor.view(View::SetCamera(far));
     editor.key(Key::Num3);

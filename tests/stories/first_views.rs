@@ -183,6 +183,34 @@ fn the_look_that_was_chosen_is_that_of_all_that_is_opened_then() {
 }
 
 #[test]
+fn textures_are_seen_from_their_lit_side_in_the_mannequin_look() {
+    let brightness = |camera: Option<Camera>| {
+        let mut host = host();
+        let preferences = br#"{"started_before": true, "look": "mannequin"}"#;
+        host.stored
+            .insert(StorageKey::Preferences, preferences.to_vec());
+        let mut story = Story::start_at(host, &["builtin:crate"]);
+        assert_eq!(story.look(), Look::Mannequin);
+        if let Some(camera) = camera {
+            story.program.session_mut().look(View::SetCamera(camera));
+            story.settle();
+        }
+        // Around the middle, where the crate is.
+        let picture = story.scene_picture();
+        let (width, height) = (picture.width as usize, picture.height as usize);
+        let rows = picture.rgba.chunks_exact(4 * width);
+        let rows = rows.skip(height * 2 / 5).take(height / 5);
+        let middle = rows.flat_map(|row| &row[4 * (width * 2 / 5)..4 * (width * 3 / 5)]);
+        let colors = middle.zip([true, true, true, false].iter().cycle());
+        let bytes = colors.filter_map(|(&byte, is_color)| is_color.then_some(u64::from(byte)));
+        bytes.sum::<u64>()
+    };
+    let from_the_front = Camera::from_numbers(&[0.0, 10.0, 5.0]).unwrap();
+    let [ours, front] = [None, Some(from_the_front)].map(brightness);
+    assert!(ours > front * 3, "{ours} {front}");
+}
+
+#[test]
 fn what_is_started_with_a_picture_is_seen_as_in_the_course_s_editor() {
     let story = start(&["builtin:robot", "reference.png"]);
     assert!(story.has("Stop comparing"));
