@@ -1,9 +1,9 @@
 //! The disk as the file dialog sees it.
 
-use crate::disk::Disk;
+use crate::disk::{Disk, in_words};
 use crate::program::Purpose;
 use egui_file_dialog::{Disks, FileSystem, Metadata, NativeFileSystem, UserDirectories};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// The disk, where a file to read is also there under its name without extension. The dialog would
@@ -24,7 +24,12 @@ impl FileSystem for DialogFiles {
     }
 
     fn read_dir(&self, path: &Path) -> io::Result<Vec<PathBuf>> {
-        NativeFileSystem.read_dir(path)
+        // The dialog shows errors as they are.
+        let read = NativeFileSystem.read_dir(path);
+        read.map_err(|error| match error.kind() {
+            ErrorKind::NotFound => io::Error::other("There is no such file or folder"),
+            _ => io::Error::other(in_words(&error)),
+        })
     }
 
     fn get_disks(&self, canonicalize_paths: bool) -> Disks {
@@ -49,5 +54,18 @@ impl FileSystem for DialogFiles {
 
     fn load_text_file_preview(&self, path: &Path, max_chars: usize) -> io::Result<String> {
         NativeFileSystem.load_text_file_preview(path, max_chars)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_that_is_not_there_is_told_in_plain_words() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("nothing.dae");
+        let told = DialogFiles(Purpose::Open).read_dir(&path).unwrap_err();
+        assert_eq!(told.to_string(), "There is no such file or folder");
     }
 }

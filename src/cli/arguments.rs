@@ -265,6 +265,12 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
     side(width).zip(side(height)).ok_or_else(expected)
 }
 
+/// A number such as `0.001`.
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    let number = text.parse();
+    number.map_err(|_| format!("expected a number, found {text}"))
+}
+
 /// Upper bound of the samples per pixel: more than any driver has.
 const MOST_SAMPLES: u32 = 64;
 

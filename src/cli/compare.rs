@@ -1,12 +1,13 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
 use super::output::{self, DiagnosticJson, json_text, picture_format, refuse_input};
-use super::{CliError, print};
+use super::{CliError, arguments, print};
 use crate::character::{Character, Influence};
 use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
 use crate::disk::{self, files};
+use crate::geometry::Picture;
 use crate::io::image;
 use crate::io::{Diagnostic, Files, builtin, import_any, is_character, read_character_obj};
 use crate::scene::ShapeKind;
@@ -29,7 +30,7 @@ pub struct Args {
     b: PathBuf,
     /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
     /// distance [0.00001 of the size of A]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = arguments::number)]
     threshold: Option<f64>,
     /// Number of pixels or vertices that may differ; with a % a share of the drawn pixels (those
     /// that are not background) or of the vertices
@@ -118,6 +119,19 @@ fn compare(args: &Args) -> Result<(), CliError> {
     }
 }
 
+/// The picture in `bytes`, the file at `path`, which could have been a mesh as well.
+///
+/// # Errors
+/// If it is neither, or only a part of a picture.
+pub(super) fn picture_or_mesh(path: &Path, bytes: &[u8]) -> Result<Picture, Diagnostic> {
+    if bytes.is_empty() || image::is_picture(bytes) {
+        return image::decode(path, bytes);
+    }
+    let message =
+        "expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind";
+    Err(Diagnostic::new(path, message))
+}
+
 fn is_mesh(path: &Path) -> bool {
     // A path that cannot be resolved is reported when the file is read.
     let path = builtin::resolve(path).unwrap_or_else(|_| path.to_owned());
@@ -140,7 +154,7 @@ fn pictures(args: &Args) -> Result<(), CliError> {
         None => None,
     };
     let files = files();
-    let read = |path: &Path| image::decode(path, &files.read(path)?);
+    let read = |path: &Path| picture_or_mesh(path, &files.read(path)?);
     let (a, b) = (read(&args.a)?, read(&args.b)?);
     let pair = Pair::new(&a, &b, &args.ignore).map_err(cannot_compare)?;
     let comparison = pair.compare(&options);

@@ -1,5 +1,6 @@
 //! `editor diagnose`: which mistake in skinning gives a posed mesh, or a picture of it.
 
+use super::compare::picture_or_mesh;
 use super::output::{self, DiagnosticJson, json_text};
 use super::{CliError, arguments, print};
 use crate::character::{Character, Pose};
@@ -8,7 +9,7 @@ use crate::diagnose::{
 };
 use crate::disk::files;
 use crate::io::{
-    Diagnostic, Files, Imported, PoseFile, builtin, image, import_character, read_character_obj,
+    Diagnostic, Files, Imported, PoseFile, builtin, import_character, read_character_obj,
 };
 use crate::scene::ShapeKind;
 use serde::Serialize;
@@ -136,7 +137,7 @@ fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
 
 fn of_picture(args: &Args) -> Result<PictureDiagnosis, Diagnostic> {
     let files = files();
-    let picture = image::decode(&args.theirs, &files.read(&args.theirs)?)?;
+    let picture = picture_or_mesh(&args.theirs, &files.read(&args.theirs)?)?;
     let characters = characters(&files, &args.character)?;
     let [character] = &characters[..] else {
         let message = format!("expected one character, found {}", characters.len());

@@ -160,7 +160,13 @@ impl fmt::Display for PictureDiagnosis {
             Verdict::Unexplained => write!(
                 f,
                 "unexplained: {error} of the silhouette is off, and no known mistake gives this one, \
-                 nor do two of them"
+                 nor do two of them{}",
+                if self.error_from_exact > MUCH {
+                    "; where so much is off, the picture may be seen through another camera, or have more around \
+                     the view"
+                } else {
+                    ""
+                }
             )?,
         }
         match self.off_within.filter(|_| self.verdict != Verdict::Right) {
@@ -171,6 +177,9 @@ impl fmt::Display for PictureDiagnosis {
         }
     }
 }
+
+/// Share of the silhouette beyond which it is hardly the figure alone that is off.
+const MUCH: f64 = 0.3;
 
 /// A share in words.
 fn percent(share: f64) -> String {

@@ -210,6 +210,12 @@ struct Opened<D> {
     pixels: usize,
 }
 
+/// Whether `bytes` begin as a picture that [`decode`] reads.
+pub fn is_picture(bytes: &[u8]) -> bool {
+    let read = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::Gif];
+    ::image::guess_format(bytes).is_ok_and(|format| read.contains(&format))
+}
+
 fn open<'a>(
     path: &Path,
     bytes: &'a [u8],

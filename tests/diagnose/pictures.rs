@@ -117,8 +117,23 @@ fn a_picture_that_no_mistake_gives_is_unexplained() {
         &folder,
         "diagnose a.png --character builtin:robot --pose pose.json --camera 80,10,3",
     );
-    let told = "of the silhouette is off, and no known mistake gives this one, nor do two of them\n  shown by the pixels within ";
+    let told = "of the silhouette is off, and no known mistake gives this one, nor do two of them; where so much is off, the picture may be seen through another camera, or have more around the view\n  shown by the pixels within ";
     assert!(ran.code == Some(1) && ran.out.contains(told), "{}", ran.out);
+}
+
+#[test]
+fn a_file_that_is_neither_a_mesh_nor_a_picture_is_told_to_be_that() {
+    let folder = folder(&Figure::builtin("adult", turned(46)), &[]);
+    std::fs::write(folder.path().join("a.txt"), "words").unwrap();
+    let expected = "a.txt: expected a mesh (.obj) or a PNG, JPEG or GIF picture, found a file of another kind\n";
+    for line in [
+        "diagnose a.txt --character builtin:adult --pose pose.json",
+        "compare a.txt a.txt",
+    ] {
+        let ran = run(&folder, line);
+        let told = ran.err.ends_with(expected);
+        assert!(ran.code == Some(1) && told, "{line}: {}", ran.err);
+    }
 }
 
 #[test]

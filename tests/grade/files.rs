@@ -239,4 +239,7 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
     ] {
         assert_eq!(class.run(line).code, Some(2), "{line}");
     }
+    let ran = class.run("class --tests tests.json --jobs 0");
+    let told = "expected a whole number from 1 on, found 0";
+    assert!(ran.code == Some(2) && ran.err.contains(told), "{}", ran.err);
 }

@@ -43,7 +43,7 @@ pub struct Args {
     #[arg(short, long, value_name = "REPORT", default_value = "grade-report")]
     output: PathBuf,
     /// Submissions that are graded at a time [default: as many as there are processors]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = jobs)]
     jobs: Option<NonZeroUsize>,
     /// Grade the I-th of N parts of the submissions alone, for several machines
     #[arg(long, value_name = "I/N")]
@@ -56,6 +56,11 @@ pub struct Args {
         conflicts_with_all = ["folder", "tests", "jobs", "part"]
     )]
     merge: Vec<PathBuf>,
+}
+
+fn jobs(text: &str) -> Result<NonZeroUsize, String> {
+    let number = text.parse();
+    number.map_err(|_| format!("expected a whole number from 1 on, found {text}"))
 }
 
 /// Names of the files of a report.
