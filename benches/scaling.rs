@@ -59,8 +59,7 @@ pub fn run(report: &mut Report) {
             let counts = (0..).map(|power| 1 << power).take_while(|&it| it <= all);
             let counts: Vec<usize> = counts.collect();
             let mut ways: Vec<_> = counts.iter().map(|&it| crowd.skinning(it)).collect();
-            let rounds =
-                (0..ROUNDS).map(|_| ways.iter_mut().map(|way| by_the_clock(way)).collect());
+            let rounds = (0..ROUNDS).map(|_| ways.iter_mut().map(by_the_clock).collect());
             counts
                 .iter()
                 .map(|&it| it as f64)
