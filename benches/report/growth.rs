@@ -8,6 +8,8 @@ use std::ops::Range;
 use std::path::Path;
 
 const SIZE: (u32, u32) = (560, 360);
+/// Labels of an axis, at most.
+const LABELS: usize = 5;
 const GRID: RGBColor = RGBColor(225, 225, 225);
 const LINE: RGBColor = RGBColor(150, 150, 150);
 const POINTS: RGBColor = RGBColor(31, 100, 180);
@@ -69,6 +71,8 @@ impl Growth {
             )?;
         chart
             .configure_mesh()
+            .x_labels(LABELS)
+            .y_labels(LABELS)
             .x_desc(self.of)
             .y_desc("ms")
             .bold_line_style(GRID)
@@ -104,6 +108,7 @@ fn around(numbers: impl Iterator<Item = f64>) -> Range<f64> {
 fn plain(number: f64) -> String {
     match number {
         _ if number >= 1e6 => format!("{} million", number / 1e6),
-        _ => format!("{number}"),
+        // Labels are one digit times a power of ten, but for what rounding adds.
+        _ => format!("{}", (number * 1e6).round() / 1e6),
     }
 }

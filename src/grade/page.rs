@@ -95,10 +95,7 @@ impl Page {
                  {median:.1}."
             ));
         }
-        let open = report
-            .submissions
-            .iter()
-            .filter(|one| one.sections.values().any(Option::is_none));
+        let open = report.submissions.iter().filter(|one| one.not_graded > 0.0);
         match open.count() {
             0 => {}
             1 => self.add(format_args!(

@@ -157,6 +157,9 @@ fn side(ui: &mut Ui, name: &str, value: &mut u32, rest: f32, size: Vec2) {
 }
 
 fn background(ui: &mut Ui, form: &mut ScreenshotForm) {
+    // Where there is no choice, what is marked is what is saved.
+    let is_free = !form.turns && !form.with_panels;
+    let mut transparent = form.transparent && is_free;
     ui.add_enabled_ui(!form.turns, |ui| {
         let why = if form.with_panels {
             WITH_PANELS
@@ -165,12 +168,15 @@ fn background(ui: &mut Ui, form: &mut ScreenshotForm) {
         };
         labelled(ui, "Background", |ui, _| {
             ui.spacing_mut().item_spacing.x = 16.0;
-            ui.radio_value(&mut form.transparent, false, "As shown")
+            ui.radio_value(&mut transparent, false, "As shown")
                 .on_disabled_hover_text(why);
-            ui.radio_value(&mut form.transparent, true, "Transparent")
+            ui.radio_value(&mut transparent, true, "Transparent")
                 .on_disabled_hover_text(why);
         });
     });
+    if is_free {
+        form.transparent = transparent;
+    }
 }
 
 fn motion(ui: &mut Ui, form: &mut ScreenshotForm) {
