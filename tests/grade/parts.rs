@@ -146,4 +146,15 @@ fn parts_of_other_tests_or_with_other_results_do_not_fit() {
         assert_eq!((ran.code, &*ran.err), (Some(1), told));
         assert!(!class.path().join("e").exists());
     }
+    let mut run: serde_json::Value =
+        serde_json::from_slice(&class.read("f/kept/run.json")).unwrap();
+    run["part"]["count"] = u64::MAX.into();
+    class.write("f/kept/run.json", run.to_string());
+    let ran = class.run("--merge f -o e");
+    let told = format!(", 9/{} and more\n", u64::MAX);
+    assert!(
+        ran.code == Some(1) && ran.err.ends_with(&told),
+        "{}",
+        ran.err
+    );
 }
