@@ -163,12 +163,7 @@ pub(super) fn characters(
     files: &dyn Files,
     model: &Path,
 ) -> Result<Vec<Arc<Character>>, Diagnostic> {
-    let is_part = ["skel", "attach"].map(|part| has_extension(model, part));
-    let file = match is_part.contains(&true) {
-        true => model.with_extension("obj"),
-        false => model.to_owned(),
-    };
-    let shapes = with_warnings(import_character(files, &file)?).into_iter();
+    let shapes = with_warnings(import_character(files, model)?).into_iter();
     let characters = shapes.filter_map(|shape| match shape.kind {
         ShapeKind::Character(character) => Some(character.character),
         _ => None,

@@ -16,6 +16,7 @@ use crate::scene::{
     CharacterShape, CurveShape, Importer, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
 };
 use crate::steps::{Pace, at_once};
+use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -135,6 +136,7 @@ pub(super) async fn import_character_by(
     path: &Path,
     pace: &Pace,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
+    let path = &*whole_character(files, path);
     let file = to_open(path)?;
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
@@ -259,6 +261,7 @@ impl Loaded {
         path: &Path,
         pace: &Pace,
     ) -> Result<(), Diagnostic> {
+        let path = &*whole_character(files, path);
         let file = to_open(path)?;
         match file_access::extension(&file).as_str() {
             "scene" => self.add_scene(files, &file, pace).await?,
@@ -371,6 +374,17 @@ fn shapes_of(source: Source, scene: DaeScene) -> Vec<NewShape> {
             }
         })
         .collect()
+}
+
+/// The `.obj` file of the character whose skeleton or weights are at `path`, if it is there; all else as it is.
+fn whole_character<'a>(files: &dyn Files, path: &'a Path) -> Cow<'a, Path> {
+    let extension = file_access::extension(path);
+    let obj = path.with_extension("obj");
+    if ["skel", "attach"].contains(&extension.as_str()) && files.exists(&obj) {
+        Cow::Owned(obj)
+    } else {
+        Cow::Borrowed(path)
+    }
 }
 
 /// The error for a file of the wrong kind, or that there is no such file.

@@ -3,7 +3,7 @@
 use super::method_view::{self, MethodViewState};
 use super::number_field::NumberField;
 use super::widgets::{choice, labelled, named, section};
-use super::{Action, Ask};
+use super::{Action, Ask, CompareMeshAction};
 use crate::editor::{Edit, Session};
 use crate::scene::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, ShapeId, SkinningMethod,
@@ -122,6 +122,13 @@ pub(super) fn skinning(
             volume.on_hover_text("Signed volume inside the mesh, shown for closed meshes");
         }
         method_view::choice(ui, session, id, methods_shown);
+        let compare = ui.button("Compare with a Mesh of Yours…");
+        let tip =
+            "See how far off a mesh is that your program has posed, and which mistake gives it";
+        if compare.on_hover_text(tip).clicked() {
+            let choose = CompareMeshAction::Choose(id);
+            actions.push(Action::Ask(Ask::CompareMesh(choose)));
+        }
     });
 }
 

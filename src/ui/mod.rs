@@ -221,9 +221,14 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
             // One of another mesh says nothing of this one.
             let marked = state.marked_vertex.filter(|(of, _)| *of == compare.mesh);
             let mut marked = marked.map(|(_, vertex)| vertex);
+            let before = marked;
             let place = (area, state.explain.is_open());
             compare::mesh_panel(root, session, compare, place, &mut marked, &mut actions);
             state.marked_vertex = marked.map(|vertex| (compare.mesh, vertex));
+            // What is wrong there is seen in its formula.
+            if let Some(vertex) = marked.filter(|_| marked != before) {
+                state.explain.pick(compare.shape, vertex);
+            }
         }
         None => state.marked_vertex = None,
     }

@@ -127,7 +127,7 @@ fn a_file_that_is_wrong_or_does_not_fit_is_one_clear_error() {
         ),
         (
             "right.obj none.skel bend.json",
-            "none.obj: there is no such file",
+            "none.skel: there is no such file",
         ),
         (
             "right.obj man.obj none.json",

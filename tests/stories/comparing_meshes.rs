@@ -7,6 +7,7 @@ use editor_core::editor::{Edit, Severity, View};
 use editor_core::io::PoseData;
 use editor_core::program::Purpose;
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
+use egui::accesskit::Node;
 use egui::{Key, Modifiers};
 use glam::Vec3;
 
@@ -145,6 +146,12 @@ fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click
         picture.rgba[index..index + 3].iter().all(|&c| c > 150)
     };
     assert!((6..=12).any(is_white) && (-12..=-6).any(is_white));
+    // Its formula is the one that is explained.
+    story.click("View");
+    story.click("Explain Skinning");
+    let explained = story.node("Vertex").and_then(Node::numeric_value);
+    let explained = explained.expect("the number of a vertex") as usize;
+    assert!(distance(explained) > 0.9999 * worst);
 }
 
 #[test]

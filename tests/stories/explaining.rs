@@ -128,6 +128,25 @@ fn the_numbers_follow_while_a_joint_is_dragged_and_the_arrows_end_at_the_vertex(
 }
 
 #[test]
+fn what_is_fitted_into_the_view_is_the_mesh_that_a_mistake_shows() {
+    let mut story = bent();
+    story.key(Key::F);
+    let right = story.session().view().camera;
+    story.key(Key::F);
+    assert_eq!(story.session().view().camera, right);
+    make(&mut story, NO_INVERSE);
+    story.key(Key::F);
+    let wrong = story.session().view().camera;
+    assert_ne!(wrong, right);
+    story.key_with(egui::Modifiers::SHIFT, Key::F);
+    assert_eq!(
+        story.session().view().camera,
+        wrong,
+        "nothing else is there"
+    );
+}
+
+#[test]
 fn a_mistake_is_shown_in_the_view_and_in_the_formula_and_nowhere_else() {
     let mut story = bent();
     story.size = (1280, 1000);

@@ -77,6 +77,21 @@ fn what_is_chosen_is_there_at_the_next_start() {
 }
 
 #[test]
+fn a_character_is_opened_by_any_of_its_three_files() {
+    for file in [
+        "models/strip.obj",
+        "models/strip.skel",
+        "models/strip.attach",
+    ] {
+        let story = Story::start(&[file]);
+        assert_eq!(story.names(), ["Strip"], "{file}");
+        assert!(story.messages().is_empty(), "{:?}", story.messages());
+        let source = story.shape().source.as_ref().expect("a source");
+        assert!(source.file.ends_with("strip.obj"), "{}", source.file);
+    }
+}
+
+#[test]
 fn what_is_chosen_in_two_windows_at_once_is_there_at_the_next_start() {
     let choose = |story: &mut Story, submenu: &str, item: &str| {
         story.click("View");

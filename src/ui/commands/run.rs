@@ -8,7 +8,9 @@ use crate::editor::{
     Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
 };
 use crate::geometry::{Curve, CurveForm};
-use crate::scene::{CharacterShape, CurveSet, Look, NewShape, Shape, ShapeId, ShapeKind};
+use crate::scene::{
+    Camera, CharacterShape, CurveSet, Evaluated, FitArea, Look, NewShape, Shape, ShapeId, ShapeKind,
+};
 use crate::ui::command_search::CommandSearch;
 use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
@@ -144,13 +146,15 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             }));
         }
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
-        Command::Fit => {
+        Command::Fit | Command::FitAll => {
             let area = view_overlay::fit_area(state, aspect);
-            return Some(Action::View(View::Fit(area)));
-        }
-        Command::FitAll => {
-            let area = view_overlay::fit_area(state, aspect);
-            return Some(Action::View(View::FitAll(area)));
+            let all = command == Command::FitAll || session.selected().is_none();
+            return Some(Action::View(match state.explain.evaluated(session) {
+                // A mistake that is made on purpose may take a mesh elsewhere.
+                Some(shown) => View::SetCamera(fitted(session, &shown, all, area)),
+                None if command == Command::FitAll => View::FitAll(area),
+                None => View::Fit(area),
+            }));
         }
         Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
         Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
@@ -287,6 +291,17 @@ fn export_curves(session: &Session) -> Option<Action> {
 pub(super) fn selected_curves(session: &Session) -> Option<(ShapeId, &CurveSet)> {
     let id = session.selected()?;
     Some((id, session.scene().curve(id)?.curves()))
+}
+
+/// The camera that has what is `shown` in its `area`: all that is visible, or what of it is selected.
+fn fitted(session: &Session, shown: &Evaluated, all: bool, area: FitArea) -> Camera {
+    let mut camera = session.view().camera;
+    let shapes = shown.shapes.iter().filter(|shape| shape.visible);
+    camera.fit_shapes(
+        shapes.filter(|shape| all || session.is_selected(shape.id)),
+        area,
+    );
+    camera
 }
 
 /// Curves of `set` with their indices among its items.

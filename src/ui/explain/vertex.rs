@@ -88,7 +88,7 @@ impl ExplainState {
     }
 
     /// Picks a vertex of a character.
-    pub(super) fn pick(&mut self, character: ShapeId, vertex: usize) {
+    pub(in crate::ui) fn pick(&mut self, character: ShapeId, vertex: usize) {
         self.picked = Some((character, vertex));
         self.unfolded.clear();
     }
