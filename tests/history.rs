@@ -99,6 +99,10 @@ fn a_step_is_named_for_what_it_changed() {
             vec![Edit::SetColor(CUBE, ShapeColor::Preset(7))],
             "Color Cube",
         ),
+        (
+            vec![Edit::SetUniformScaling(CUBE, false)],
+            "Change the scaling of Cube",
+        ),
         (vec![Edit::SetVisible(CUBE, false)], "Hide Cube"),
         (vec![Edit::SetLocked(MAN, true)], "Lock Man"),
         (vec![Edit::Rename(CUBE, "Box".into())], "Rename to Box"),

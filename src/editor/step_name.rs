@@ -87,8 +87,7 @@ fn placed(was: &Shape, is: &Shape) -> &'static str {
     let (from, to) = (&was.placement, &is.placement);
     let moved = from.transform.position != to.transform.position;
     let turned = from.transform.rotation != to.transform.rotation;
-    let scaled =
-        from.transform.scale != to.transform.scale || from.uniform_scaling != to.uniform_scaling;
+    let scaled = from.transform.scale != to.transform.scale;
     let colored = from.color != to.color;
     match (moved, turned, scaled, colored) {
         (true, false, false, false) => "Move",
@@ -98,6 +97,7 @@ fn placed(was: &Shape, is: &Shape) -> &'static str {
         // About a pivot that is not its origin.
         (true, true, false, false) if *to != is.start => "Rotate",
         (true, false, true, false) if *to != is.start => "Scale",
+        (false, false, false, false) => "Change the scaling of",
         _ if *to == is.start => "Reset",
         _ => "Place",
     }

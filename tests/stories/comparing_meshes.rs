@@ -107,6 +107,15 @@ fn scaled_and_gray(story: &Story) -> (usize, usize) {
 }
 
 #[test]
+fn the_panel_of_a_character_leads_to_the_comparison() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click("Skinning");
+    story.click("Compare with a Mesh of Yours…");
+    let asked = story.host.requests.last().expect("a file is asked for");
+    assert_eq!(asked.purpose, Purpose::CompareMesh(story.shape().id));
+}
+
+#[test]
 fn an_off_by_one_of_the_weights_is_named_and_its_worst_vertex_found_by_one_click() {
     let mut story = comparing(&off_by_one());
     assert!(
