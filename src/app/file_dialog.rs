@@ -142,6 +142,8 @@ impl OpenDialog {
             self.dialog.update(context);
             self.paint_hint(context);
         });
+        // The dialog keeps the pointer from what is behind it, but not the keyboard.
+        context.memory_mut(|memory| memory.set_modal_layer(layer));
         let focused = context.memory(|memory| memory.focused());
         if edits_path && let Some(path) = focused {
             // What is typed replaces the path, as in other dialogs.
@@ -283,5 +285,54 @@ mod tests {
         let all: Vec<&PathBuf> = folders.iter().collect();
         let names: Vec<String> = all.iter().map(|folder| name_among(folder, &all)).collect();
         assert_eq!(names, ["a/poses", "b/poses", "scenes", "/"]);
+    }
+
+    #[test]
+    fn the_keyboard_stays_in_the_dialog() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut dialog = WindowFileDialog::default();
+        let request = FileRequest {
+            purpose: Purpose::Open,
+            opened: crate::revision::Revision::new(),
+        };
+        let suggested = Suggested {
+            folder: Some(folder.path().to_owned()),
+            recent: Vec::new(),
+            name: String::new(),
+        };
+        dialog.open(request, suggested);
+        let tab = |pressed| egui::Event::Key {
+            key: Key::Tab,
+            physical_key: None,
+            pressed,
+            repeat: false,
+            modifiers: egui::Modifiers::NONE,
+        };
+        let context = Context::default();
+        let (mut inside, mut behind) = (0, 0);
+        for frame in 0..80 {
+            // The first frames make the dialog.
+            let events = if frame < 5 {
+                Vec::new()
+            } else {
+                vec![tab(frame % 2 == 1)]
+            };
+            let input = egui::RawInput {
+                events,
+                ..egui::RawInput::default()
+            };
+            let mut is_behind = false;
+            let mut output = context.run_ui(input, |ui| {
+                is_behind = ui.button("Behind").has_focus();
+                dialog.show(ui.ctx());
+            });
+            output.textures_delta.clear();
+            behind += usize::from(is_behind);
+            inside += usize::from(!is_behind && context.memory(|it| it.focused()).is_some());
+        }
+        assert!(
+            inside > 20 && behind == 0,
+            "{inside} inside, {behind} behind"
+        );
     }
 }

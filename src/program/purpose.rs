@@ -41,7 +41,7 @@ pub struct FileRequest {
     pub purpose: Purpose,
     /// The scene that was open, since shapes are named by their place in it: an answer that comes
     /// after another was opened is about none of its shapes.
-    pub(super) opened: Revision,
+    pub(crate) opened: Revision,
 }
 
 /// Purpose for which a file is chosen.
