@@ -1,6 +1,7 @@
 use super::dialog_files::DialogFiles;
 use super::typed_path::TypedPath;
 use crate::disk::Disk;
+use crate::io::Files;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
 use egui::text::{CCursor, CCursorRange};
@@ -9,7 +10,7 @@ use egui::{
     TextStyle, Vec2, pos2, vec2,
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 /// Size in windows that have room for it, in points.
@@ -35,6 +36,8 @@ struct OpenDialog {
     types_name: bool,
     /// Field of that name, once it has had the keyboard.
     name_field: Option<Id>,
+    /// Whether the dialog asks about an existing file, in place of that field.
+    asks: bool,
     /// Whether the path has had the keyboard since it was asked for.
     types_path: bool,
     /// A path that is typed where the dialog would search for it.
@@ -74,6 +77,7 @@ impl WindowFileDialog {
             recent: suggested.recent,
             types_name: false,
             name_field: None,
+            asks: false,
             types_path: false,
             typed: TypedPath::default(),
         });
@@ -145,18 +149,22 @@ impl OpenDialog {
         // The dialog keeps the pointer from what is behind it, but not the keyboard.
         context.memory_mut(|memory| memory.set_modal_layer(layer));
         let focused = context.memory(|memory| memory.focused());
+        let is_shown = |field| context.read_response(field).is_some();
+        let asks = self.name_field.is_some_and(|name| !is_shown(name));
+        let asked = std::mem::replace(&mut self.asks, asks) && !asks;
         if edits_path && let Some(path) = focused {
             // What is typed replaces the path, as in other dialogs.
             select_all(context, path);
-        } else if let (true, None, Some(name)) = (self.types_path, focused, self.name_field) {
-            // After the folder comes the name in it.
+        } else if let (true, None, Some(name)) =
+            (self.types_path || asked, focused, self.name_field)
+        {
+            // After the folder comes the name in it; after the question whether to replace a file,
+            // another name.
             context.memory_mut(|memory| memory.request_focus(name));
             select_all(context, name);
         }
         self.types_path = focused.is_some() && (edits_path || self.types_path);
-        // A path that was typed may be a relative one, which means another file elsewhere.
-        let picked = self.dialog.take_picked();
-        let picked = picked.map(|path| std::path::absolute(&path).unwrap_or(path));
+        let picked = self.dialog.take_picked().map(|path| full_path(&path));
         if picked.is_none() && escape && self.types_name {
             // The dialog would only let go of the name, and wait for another Esc.
             self.dialog = FileDialog::new();
@@ -208,6 +216,21 @@ impl OpenDialog {
         };
         painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
+}
+
+/// The path of a file that was typed or chosen, from the root on and without `..`: a relative one would
+/// mean another file elsewhere, and a path is shown by what it leads to.
+fn full_path(path: &Path) -> PathBuf {
+    if is_indirect(path) {
+        // Only the disk can tell what is above a folder that is a link.
+        Disk.real(path)
+    } else {
+        Disk.absolute(path)
+    }
+}
+
+fn is_indirect(path: &Path) -> bool {
+    path.components().any(|part| part == Component::ParentDir)
 }
 
 fn surrender_focus(context: &Context) {
@@ -287,46 +310,66 @@ mod tests {
         assert_eq!(names, ["a/poses", "b/poses", "scenes", "/"]);
     }
 
-    #[test]
-    fn the_keyboard_stays_in_the_dialog() {
-        let folder = tempfile::tempdir().unwrap();
+    /// Opens a dialog that starts in `folder`.
+    fn opened(purpose: Purpose, folder: &Path, name: &str) -> WindowFileDialog {
         let mut dialog = WindowFileDialog::default();
         let request = FileRequest {
-            purpose: Purpose::Open,
+            purpose,
             opened: crate::revision::Revision::new(),
         };
         let suggested = Suggested {
-            folder: Some(folder.path().to_owned()),
+            folder: Some(folder.to_owned()),
             recent: Vec::new(),
-            name: String::new(),
+            name: name.to_owned(),
         };
         dialog.open(request, suggested);
-        let tab = |pressed| egui::Event::Key {
-            key: Key::Tab,
+        dialog
+    }
+
+    /// Runs a frame with a button behind the dialog; returns whether that has the keyboard, and the file that
+    /// is chosen.
+    fn frame(
+        context: &Context,
+        dialog: &mut WindowFileDialog,
+        events: Vec<egui::Event>,
+    ) -> (bool, Option<PathBuf>) {
+        let input = egui::RawInput {
+            events,
+            ..egui::RawInput::default()
+        };
+        let (mut is_behind, mut chosen) = (false, None);
+        let mut output = context.run_ui(input, |ui| {
+            is_behind = ui.button("Behind").has_focus();
+            chosen = dialog.show(ui.ctx()).map(|(_, path)| path);
+        });
+        output.textures_delta.clear();
+        (is_behind, chosen)
+    }
+
+    fn pressed(key: Key) -> [egui::Event; 2] {
+        [true, false].map(|pressed| egui::Event::Key {
+            key,
             physical_key: None,
             pressed,
             repeat: false,
             modifiers: egui::Modifiers::NONE,
-        };
+        })
+    }
+
+    #[test]
+    fn the_keyboard_stays_in_the_dialog() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut dialog = opened(Purpose::Open, folder.path(), "");
         let context = Context::default();
         let (mut inside, mut behind) = (0, 0);
-        for frame in 0..80 {
+        for number in 0..80 {
             // The first frames make the dialog.
-            let events = if frame < 5 {
+            let events = if number < 5 {
                 Vec::new()
             } else {
-                vec![tab(frame % 2 == 1)]
+                vec![pressed(Key::Tab)[number % 2].clone()]
             };
-            let input = egui::RawInput {
-                events,
-                ..egui::RawInput::default()
-            };
-            let mut is_behind = false;
-            let mut output = context.run_ui(input, |ui| {
-                is_behind = ui.button("Behind").has_focus();
-                dialog.show(ui.ctx());
-            });
-            output.textures_delta.clear();
+            let (is_behind, _) = frame(&context, &mut dialog, events);
             behind += usize::from(is_behind);
             inside += usize::from(!is_behind && context.memory(|it| it.focused()).is_some());
         }
@@ -334,5 +377,44 @@ mod tests {
             inside > 20 && behind == 0,
             "{inside} inside, {behind} behind"
         );
+    }
+
+    #[test]
+    fn another_name_is_typed_where_a_file_is_not_to_be_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let there = folder.path().join("a.scene");
+        std::fs::write(&there, "").unwrap();
+        let mut dialog = opened(Purpose::SaveScene, folder.path(), "a.scene");
+        let context = Context::default();
+        let mut chosen = None;
+        let keys = |events: Vec<egui::Event>, dialog: &mut WindowFileDialog| {
+            let mut found = None;
+            for events in [events].into_iter().chain((0..4).map(|_| Vec::new())) {
+                found = found.or(frame(&context, dialog, events).1);
+            }
+            found
+        };
+        for events in [
+            Vec::new(),
+            pressed(Key::Enter).to_vec(),
+            pressed(Key::Escape).to_vec(),
+            vec![egui::Event::Text("b".to_owned())],
+            pressed(Key::Enter).to_vec(),
+        ] {
+            chosen = chosen.or(keys(events, &mut dialog));
+        }
+        assert_eq!(chosen, Some(folder.path().join("b.scene")));
+    }
+
+    #[test]
+    fn a_path_is_told_without_its_detours() {
+        let folder = tempfile::tempdir().unwrap();
+        let real = folder.path().canonicalize().unwrap();
+        assert_eq!(
+            full_path(&real.join("gone/../b.scene")),
+            real.join("b.scene")
+        );
+        assert_eq!(full_path(&real.join("b.scene")), real.join("b.scene"));
+        assert!(full_path(Path::new("b.scene")).is_absolute());
     }
 }

@@ -205,10 +205,8 @@ impl Host for WindowHost {
     }
 
     fn write_files(&mut self, path: &Path, files: Vec<(PathBuf, Vec<u8>)>, previous: Previous) {
-        let folders = files
-            .iter()
-            .try_for_each(|(path, _)| disk::make_folder_of(path));
-        let result = folders.and_then(|()| self.write_keeping(&files, previous));
+        let paths = files.iter().map(|(path, _)| &**path);
+        let result = disk::in_new_folders(paths, || self.write_keeping(&files, previous));
         let path = path.to_owned();
         self.events.push_back(HostEvent::Written { path, result });
     }

@@ -6,7 +6,7 @@ mod staged;
 mod write;
 
 pub use scratch::ScratchFolder;
-pub use write::{make_folder_of, write_all_keeping, write_all_whole, write_whole};
+pub use write::{in_new_folders, make_folder_of, write_all_keeping, write_all_whole, write_whole};
 
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, WithArchives};

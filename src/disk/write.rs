@@ -96,6 +96,32 @@ pub fn make_folder_of(path: &Path) -> Result<(), Diagnostic> {
     std::fs::create_dir_all(folder).map_err(|error| Diagnostic::new(folder, in_words(&error)))
 }
 
+/// Makes the folders that `paths` lie in, where they are missing, and then calls `write`. If either fails,
+/// the folders that were made are taken away again, as far as they are empty.
+///
+/// # Errors
+/// If the system refuses a folder, or as `write`.
+pub fn in_new_folders<'p>(
+    paths: impl Iterator<Item = &'p Path> + Clone,
+    write: impl FnOnce() -> Result<(), Diagnostic>,
+) -> Result<(), Diagnostic> {
+    let missing = |path: &'p Path| folder_of(path).ancestors().take_while(|it| !it.exists());
+    let mut made: Vec<&Path> = paths.clone().flat_map(missing).collect();
+    let written = paths
+        .map(make_folder_of)
+        .try_for_each(|folder| folder)
+        .and_then(|()| write());
+    if written.is_err() {
+        // A folder comes before the one that it lies in; one that is not empty stays.
+        made.sort_unstable_by(|one, other| other.cmp(one));
+        made.dedup();
+        for folder in made {
+            let _ = std::fs::remove_dir(folder);
+        }
+    }
+    written
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,6 +150,28 @@ mod tests {
         let error = write_whole(folder.path(), b"one").unwrap_err();
         assert_eq!(error.message, "expected a file to write, found a folder");
         assert_eq!(entries(folder.path()), 0);
+    }
+
+    #[test]
+    fn folders_that_are_made_for_files_go_again_if_these_cannot_be_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let blocked = folder.path().join("blocked");
+        fs::create_dir_all(blocked.join("a.obj")).unwrap();
+        let files = |last: &str| {
+            let paths = ["new/deep/b.obj", "new/c.obj", last];
+            paths.map(|path| (folder.path().join(path), b"one".to_vec()))
+        };
+        let write = |last| {
+            let files = files(last);
+            let paths = files.iter().map(|(path, _)| &**path);
+            in_new_folders(paths, || write_all_whole(&files))
+        };
+        assert!(write("blocked/a.obj").is_err());
+        assert_eq!(entries(folder.path()), 1);
+        assert!(blocked.join("a.obj").is_dir());
+        write("blocked/d.obj").unwrap();
+        assert!(folder.path().join("new/deep/b.obj").is_file());
+        assert_eq!(fs::read(blocked.join("d.obj")).unwrap(), b"one");
     }
 
     #[test]

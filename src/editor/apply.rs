@@ -124,9 +124,11 @@ fn carry_out(scene: &mut Scene, edit: Edit) -> Result<(), EditError> {
         } => on_pose(scene, shape, root, |p| p.set_root_offset(root, offset)),
         Edit::ResetJoint(id, joint) => on_pose(scene, id, joint, |p| p.reset_joint(joint)),
         Edit::SetPose(id, pose) => on_character(scene, id, |c| c.set_pose(pose)),
+        Edit::ResetPose(id) => on_character(scene, id, CharacterShape::reset_pose),
         Edit::KeepPose { shape, name } => on_character(scene, shape, |c| c.keep_pose(name)),
         Edit::ForgetPose(id, index) => on_character(scene, id, |c| c.forget_pose(index)),
         Edit::SetIk(id, ik) => on_character(scene, id, |c| c.ik = ik),
+        Edit::UnpinAll(id) => on_character(scene, id, CharacterShape::unpin_all),
         Edit::MoveInList(id, index) => scene.move_in_list(id, index),
         Edit::Replace(id, kind, source) => on_shape(scene, id, |s| {
             s.kind = kind;

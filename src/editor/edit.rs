@@ -72,6 +72,9 @@ pub enum Edit {
     ResetJoint(ShapeId, usize),
     /// Replaces the whole pose.
     SetPose(ShapeId, Pose),
+    /// Resets every joint to rest, and forgets what was saved of the pose of joints that the character
+    /// does not have.
+    ResetPose(ShapeId),
     /// Keeps the current pose with the character, replacing the one of that name if there is one.
     KeepPose {
         /// The character.
@@ -94,6 +97,8 @@ pub enum Edit {
     },
     /// Sets the settings of inverse kinematics of a character, with its pins.
     SetIk(ShapeId, IkSettings),
+    /// Unpins all joints of a character, those that it does not have included.
+    UnpinAll(ShapeId),
     /// Replaces geometry and file of a shape; its place, color and name stay.
     Replace(ShapeId, ShapeKind, Source),
     /// Renames a shape.

@@ -115,6 +115,9 @@ fn altered_character(was: &CharacterShape, is: &CharacterShape, name: &str) -> N
     if was.pose() != is.pose() {
         return posed(skeleton, was.pose(), is.pose(), name);
     }
+    if was.missing_joints.pose != is.missing_joints.pose {
+        return ("Reset the pose of", name.to_owned());
+    }
     if was.poses() != is.poses() {
         let (long, short, verb) = if is.poses().len() < was.poses().len() {
             (was, is, "Remove")
@@ -145,6 +148,9 @@ fn altered_character(was: &CharacterShape, is: &CharacterShape, name: &str) -> N
             verb,
             one.map_or_else(|| name.to_owned(), |&index| joint(index)),
         );
+    }
+    if was.missing_joints.pins != is.missing_joints.pins {
+        return ("Unpin", name.to_owned());
     }
     if was.ik != is.ik {
         return ("Change the IK of", name.to_owned());

@@ -1,4 +1,4 @@
-use super::{IkSettings, MissingJoints};
+use super::{IkSettings, MissingJoints, MissingPose};
 use crate::character::{Character, Pose};
 use crate::revision::Revision;
 use std::collections::HashSet;
@@ -163,9 +163,13 @@ impl CharacterShape {
         self.poses.retain(first);
     }
 
-    /// Keeps the current pose under `name`, replacing the one of that name if there is one.
+    /// Keeps the current pose under `name`, replacing the one of that name if there is one, with what was
+    /// saved of joints that the character does not have.
     pub fn keep_pose(&mut self, name: String) {
         let pose = self.pose.clone();
+        if *self.missing_joints != MissingJoints::default() {
+            Arc::make_mut(&mut self.missing_joints).keep_pose(&name);
+        }
         match self.poses.iter_mut().find(|kept| kept.name == name) {
             Some(kept) => kept.pose = pose,
             None => self.poses.push(KeptPose { name, pose }),
@@ -175,7 +179,10 @@ impl CharacterShape {
     /// Removes the kept pose at `index`, if there is one.
     pub fn forget_pose(&mut self, index: usize) {
         if index < self.poses.len() {
-            self.poses.remove(index);
+            let KeptPose { name, .. } = self.poses.remove(index);
+            if self.missing_joints.of_kept(&name).is_some() {
+                Arc::make_mut(&mut self.missing_joints).forget_pose(&name);
+            }
         }
     }
 
@@ -191,6 +198,34 @@ impl CharacterShape {
         if pose != self.pose {
             self.pose = pose;
             self.revision = Revision::new();
+        }
+    }
+
+    /// Whether every joint is at rest, those that were saved with a pose and that the character does not
+    /// have included.
+    pub fn is_at_rest(&self) -> bool {
+        self.pose.is_bind() && self.missing_joints.pose == MissingPose::default()
+    }
+
+    /// Resets every joint to rest, and forgets what was saved of the pose of joints that the character
+    /// does not have.
+    pub fn reset_pose(&mut self) {
+        if self.missing_joints.pose != MissingPose::default() {
+            Arc::make_mut(&mut self.missing_joints).pose = MissingPose::default();
+        }
+        self.set_pose(Pose::new());
+    }
+
+    /// Whether a joint is pinned, or was and is not there any more.
+    pub fn has_pins(&self) -> bool {
+        !(self.ik.pins.is_empty() && self.missing_joints.pins.is_empty())
+    }
+
+    /// Unpins all joints, and forgets the pins of those that the character does not have.
+    pub fn unpin_all(&mut self) {
+        self.ik.pins.clear();
+        if !self.missing_joints.pins.is_empty() {
+            Arc::make_mut(&mut self.missing_joints).pins.clear();
         }
     }
 

@@ -23,6 +23,19 @@ pub struct MissingPose {
 }
 
 impl MissingJoints {
+    /// Keeps what is said of the current pose under `name`, in place of what is kept there.
+    pub(super) fn keep_pose(&mut self, name: &str) {
+        self.forget_pose(name);
+        if self.pose != MissingPose::default() {
+            self.poses.push((name.to_owned(), self.pose.clone()));
+        }
+    }
+
+    /// Forgets what the kept pose called `name` says.
+    pub(super) fn forget_pose(&mut self, name: &str) {
+        self.poses.retain(|(kept, _)| kept != name);
+    }
+
     /// What the kept pose called `name` says, if it says anything.
     pub fn of_kept(&self, name: &str) -> Option<&MissingPose> {
         let mut poses = self.poses.iter();

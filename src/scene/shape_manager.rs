@@ -128,7 +128,7 @@ impl Scene {
         if let Some(shape) = self.shape_mut(id) {
             shape.placement = shape.start;
             if let ShapeKind::Character(character) = &mut shape.kind {
-                character.set_pose(crate::character::Pose::new());
+                character.reset_pose();
             }
         }
     }

@@ -7,7 +7,7 @@ use super::joint_tree::{Row, reveal, row_with, rows_of};
 use super::theme::Palette;
 use super::widgets::{ListMove, moved, named};
 use super::{Action, joint_rows};
-use crate::character::{Pose, SkeletalModel};
+use crate::character::SkeletalModel;
 use crate::editor::{Edit, Session, View};
 use crate::math::Euler;
 use crate::scene::{CharacterShape, ShapeId};
@@ -240,13 +240,13 @@ fn title(
 ) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
-        let changed = !character.pose().is_bind();
+        let changed = !character.is_at_rest();
         let reset = ui
             .add_enabled(changed, Button::new("Reset all"))
             .on_hover_text("Put every joint of this character back to rest")
             .on_disabled_hover_text("Every joint is at rest");
         if reset.clicked() {
-            actions.push(Action::Edit(Edit::SetPose(id, Pose::new())));
+            actions.push(Action::Edit(Edit::ResetPose(id)));
         }
         let find = Button::selectable(state.searching, "🔍").frame_when_inactive(true);
         let find = named(ui.add(find), "Find joints");

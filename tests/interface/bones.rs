@@ -471,9 +471,9 @@ fn arrows_move_a_shape_along_one_axis() {
 fn the_tools_have_buttons_keys_and_a_menu() {
     let mut editor = Editor::with_figure();
     for (key, label) in [
-        (Key::B, "Pose tool"),
-        (Key::G, "Move tool"),
-        (Key::V, "Select tool"),
+        (Key::B, "Pose Tool"),
+        (Key::G, "Move Tool"),
+        (Key::V, "Select Tool"),
     ] {
         editor.key(key);
         editor.click(label);
@@ -607,7 +607,7 @@ fn a_number_typed_while_a_bone_is_dragged_is_shown_and_turns_it_by_exactly_that(
 fn thin_lines_for_bones_stand_out_from_a_light_background_as_from_a_dark_one() {
     use editor_core::scene::Look;
     let mut editor = Editor::with_figure();
-    editor.click("Pose tool");
+    editor.click("Pose Tool");
     let brightness = |editor: &Editor| {
         let shapes = editor.harness.output().shapes.iter();
         let thin = shapes.filter_map(|clipped| match &clipped.shape {

@@ -631,7 +631,7 @@ fn the_bar_of_tools_hides_no_caption_in_a_small_window() {
         let comparing = &mut editor.harness.state_mut().comparing;
         comparing.as_mut().expect("a comparison").settings.mode = mode;
         editor.settle();
-        let tools = ["Select tool", "Scale tool"].map(|tool| editor.widget(tool).rect());
+        let tools = ["Select Tool", "Scale Tool"].map(|tool| editor.widget(tool).rect());
         let bar = tools[0].union(tools[1]);
         let panel = editor.widget("Stop comparing").rect();
         let captions = ["A: ", "B: ", "A left of", "Differences, "];

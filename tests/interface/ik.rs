@@ -20,7 +20,7 @@ const STEP: Vec2 = vec2(25.0, -40.0);
 impl Editor {
     fn can_unpin(&self) -> bool {
         !self
-            .widget("Unpin all joints")
+            .widget("Unpin All Joints")
             .accesskit_node()
             .is_disabled()
     }
@@ -271,7 +271,7 @@ fn pinned_feet_stay_while_the_root_is_dragged() {
         assert!(off < 1e-4, "a foot slid by {off}");
     }
 
-    editor.click("Unpin all joints");
+    editor.click("Unpin All Joints");
     let from = {
         let (root, neck) = (editor.joint_at(ROOT), editor.joint_at(3));
         root + (neck - root) * 0.2
@@ -353,7 +353,7 @@ fn pins_and_folds_do_not_go_over_to_the_next_scene_though_its_ids_start_again() 
 
 /// Places of the bar of tools where nothing can be pressed: a button that is grey, and above it.
 fn nowhere_in_the_bar(editor: &Editor) -> [Pos2; 2] {
-    let grey = editor.widget("Unpin all joints").rect().center();
+    let grey = editor.widget("Unpin All Joints").rect().center();
     [grey, grey - vec2(0.0, 26.0)]
 }
 

@@ -70,7 +70,7 @@ fn the_ground_grid_cannot_be_chosen_without_a_ground() {
     let mut editor = Editor::new();
     editor.choose(&["View", "Ground Grid"]);
     assert!(editor.session().view().grid, "the Course look has none");
-    editor.choose(&["View", "Look", "Mannequin Look"]);
+    editor.choose(&["View", "Look", "Mannequin"]);
     editor.choose(&["View", "Ground Grid"]);
     assert!(
         !editor.session().view().grid,
@@ -384,14 +384,14 @@ fn copy_in_the_menu_is_named_for_what_its_key_copies_with_each_tool() {
         editor.key_with(Modifiers::COMMAND, Key::C);
     };
     copy(&mut editor, "Copy Shape");
-    editor.click("Pose tool");
+    editor.click("Pose Tool");
     copy(&mut editor, "Copy Pose");
-    editor.click("IK tool");
+    editor.click("IK Tool");
     copy(&mut editor, "Copy Pose");
     editor.choose(&["Insert", "Cube"]);
     copy(&mut editor, "Copy Shape");
     editor.key_with(Modifiers::COMMAND, Key::A);
-    editor.click("Select tool");
+    editor.click("Select Tool");
     copy(&mut editor, "Copy Shapes");
     let (shapes, pose) = (Ask::CopyShapes, Ask::CopyPose(shape));
     let asked = [&shapes, &pose, &pose, &shapes, &shapes];

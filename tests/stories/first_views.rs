@@ -89,7 +89,7 @@ impl Story {
     /// there is room.
     fn assert_fills_the_view(&self) {
         let (rect, view) = (self.on_screen(self.shape()), self.view());
-        let bar = self.place("Select tool").y + 12.0 - view.top();
+        let bar = self.place("Select Tool").y + 12.0 - view.top();
         let is_inside = rect.left() >= 0.0 && rect.right() <= view.width();
         assert!(is_inside && rect.top() > bar, "{rect:?} in {view:?}");
         assert!(rect.bottom() < view.height() - bar / 2.0, "{rect:?}");

@@ -268,13 +268,13 @@ fn every_key_of_the_views_tools_and_insert_menus_does_what_its_entry_says() {
             s.asks_for("Export Geometry")
         }),
         (none, Key::G, Command::SetTool(Tool::Move), |s| {
-            s.has_selected("Move tool")
+            s.has_selected("Move Tool")
         }),
         (none, Key::I, Command::SetTool(Tool::Ik), |s| {
-            s.has_selected("IK tool")
+            s.has_selected("IK Tool")
         }),
         (none, Key::V, Command::SetTool(Tool::Select), |s| {
-            s.has_selected("Select tool")
+            s.has_selected("Select Tool")
         }),
         (none, Key::F9, Command::Messages, |s| s.has("Messages")),
         (none, Key::F1, Command::Keys, |s| s.has("Keys and Mouse")),

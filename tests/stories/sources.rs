@@ -2,7 +2,7 @@
 
 use super::{STRIP, Story};
 use crate::host::MemoryHost;
-use editor_core::editor::Severity;
+use editor_core::editor::{Edit, Severity};
 use editor_core::program::{HostEvent, Purpose};
 use editor_core::scene::ShapeKind;
 use egui::{Key, Modifiers};
@@ -10,6 +10,7 @@ use glam::Vec3;
 use std::path::{Path, PathBuf};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
+const ALT: Modifiers = Modifiers::ALT;
 
 /// A strip with a bent elbow that was moved and saved, as `work/bent.scene`.
 fn with_saved_strip() -> Story {
@@ -204,6 +205,48 @@ fn poses_of_joints_that_a_model_lacks_now_are_kept_until_it_has_them_again() {
     story.key_with(CTRL, Key::R);
     assert!(is_bent(&story));
     assert!(!story.character().poses()[0].pose.is_bind());
+}
+
+#[test]
+fn what_is_saved_of_joints_that_are_gone_goes_by_reset_unpin_and_replacing_a_kept_pose() {
+    let mut story = with_saved_strip();
+    story.key_with(CTRL, Key::K);
+    let strip = story.session().scene().shapes()[0].id;
+    let mut ik = story.character().ik.clone();
+    ik.pins = [2].into();
+    story
+        .program
+        .session_mut()
+        .edit(Edit::SetIk(strip, ik))
+        .unwrap();
+    story.key_with(CTRL, Key::S);
+    let skel = String::from_utf8(file(&story, "models/strip.skel")).unwrap();
+    let renamed = skel.replace("Elbow", "Knee").into_bytes();
+    story.host.files.insert("models/strip.skel".into(), renamed);
+    story.key_with(CTRL, Key::R);
+    let elbows = |story: &mut Story| {
+        story.key_with(CTRL, Key::S);
+        let text = String::from_utf8(file(story, "work/bent.scene")).unwrap();
+        text.matches("Elbow").count()
+    };
+    story.type_into("Position X", "4");
+    assert_eq!(elbows(&mut story), 3, "the pose, the kept one, the pin");
+    assert!(story.character().pose().is_bind());
+
+    story.click("Reset all");
+    let step = story.session().steps().last();
+    assert_eq!(step, Some("Reset the pose of Strip"));
+    assert_eq!(elbows(&mut story), 2);
+    story.key_with(ALT, Key::P);
+    assert_eq!(elbows(&mut story), 1);
+    let name = story.character().poses()[0].name.clone();
+    let keep = Edit::KeepPose { shape: strip, name };
+    story.program.session_mut().edit(keep).unwrap();
+    assert_eq!(elbows(&mut story), 0);
+    for left in [1, 2, 3] {
+        story.key_with(CTRL, Key::Z);
+        assert_eq!(elbows(&mut story), left, "Undo brings it back");
+    }
 }
 
 #[test]

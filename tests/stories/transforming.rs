@@ -210,9 +210,9 @@ fn in_the_other_navigations_keys_choose_the_tools_and_the_pointer_waits_for_a_ha
         story.program.ui_mut().set_navigation(navigation);
         let before = story.transform();
         for (key, tool) in [
-            (Key::W, "Move tool"),
-            (Key::E, "Rotate tool"),
-            (Key::R, "Scale tool"),
+            (Key::W, "Move Tool"),
+            (Key::E, "Rotate Tool"),
+            (Key::R, "Scale Tool"),
         ] {
             story.key(key);
             let node = story.node(tool).expect("a button");

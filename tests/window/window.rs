@@ -120,7 +120,7 @@ fn a_hint_comes_when_the_pointer_rests_on_a_button_without_anything_more() {
     home_with_character(home.path());
     let program = Program::start(&desktop, home.path(), &["builtin:robot"]);
     let before = Program::colors(&program.settled_picture(), 1280, 800);
-    let (x, y) = places::middle_of("builtin:robot", "Move tool");
+    let (x, y) = places::middle_of("builtin:robot", "Move Tool");
     program.point((x, y));
     let after = Program::colors(&program.settled_picture(), 1280, 800);
     // The button itself changes under the pointer; the hint lies below it, over the scene.

@@ -331,10 +331,12 @@ impl Reader<'_, '_> {
         let Some(Misfit { at, message }) = misfits.first() else {
             return Ok(());
         };
-        let fault = self.reading.wrong_at(*at, entry, message);
+        let mut fault = self.reading.wrong_at(*at, entry, message);
         match self.reading.missing {
             Missing::Refuse => Err(fault),
             Missing::StandIn => {
+                fault.message +=
+                    "; what is saved of it is kept until Reset Pose and Unpin All Joints";
                 self.reading.warnings.push(fault);
                 Ok(())
             }

@@ -129,9 +129,8 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         (Command::ResetJoint, Some(joint)) if !pose.is_changed(joint) => {
             Some("The joint is at rest")
         }
-        (Command::ResetPose | Command::MirrorPose, _) if pose.is_bind() => {
-            Some("Every joint is at rest")
-        }
+        (Command::ResetPose, _) if character.is_at_rest() => Some("Every joint is at rest"),
+        (Command::MirrorPose, _) if pose.is_bind() => Some("Every joint is at rest"),
         _ => None,
     }
 }

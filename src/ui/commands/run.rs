@@ -3,7 +3,7 @@
 use super::enabled::why_disabled;
 use super::table::label;
 use super::{Command, Primitive};
-use crate::character::{Mirror, Pose};
+use crate::character::Mirror;
 use crate::editor::{
     Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
 };
@@ -31,7 +31,7 @@ pub(in crate::ui) fn run(
     if command == Command::ResetViewAndPose {
         let shapes = session.scene().shapes().iter();
         let characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
-        let to_rest = characters.map(|shape| Edit::SetPose(shape.id, Pose::default()));
+        let to_rest = characters.map(|shape| Edit::ResetPose(shape.id));
         let all = Action::Edit(Edit::Together(to_rest.collect()));
         return std::iter::once(all).chain(action).collect();
     }
@@ -315,7 +315,7 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
     let (shape, character) = selected_character(session)?;
     let edit = match command {
         Command::ResetJoint => Edit::ResetJoint(shape, session.selected_joint()?),
-        Command::ResetPose => Edit::SetPose(shape, Pose::new()),
+        Command::ResetPose => Edit::ResetPose(shape),
         Command::MirrorPose => {
             let mirror = Mirror::new(character.character.skeleton());
             Edit::SetPose(shape, mirror.pose(character.pose()))

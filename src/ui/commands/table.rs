@@ -220,7 +220,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::CompareMesh, Menu::Compare, "Compare with Mesh…", "Lay a mesh that another program posed over the selected character, see how far off it is and which mistake gives it; the key pressed again ends that", &[key(SHIFT, Key::F8)]),
     entry(Command::SetLook(Look::Course), Menu::Look, "Course", "The course's light and background, for pictures that are compared", &[key(NONE, Key::F2)]),
     entry(Command::SetLook(Look::Studio), Menu::Look, "Studio", "Key, fill and rim light, with a grid and shadows on the ground", &[key(NONE, Key::F3)]),
-    entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin Look", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
+    entry(Command::SetLook(Look::Mannequin), Menu::Look, "Mannequin", "The Virtual Mannequin's: surfaces in the colors of their normals, red bones, a checkered floor", &[key(NONE, Key::F10)]),
     entry(Command::SetShading(Shading::AsAuthored), Menu::Shading, "As authored", "The normals that each mesh comes with; faceted where it has none", &[key(NONE, Key::F5)]),
     entry(Command::SetShading(Shading::Flat), Menu::Shading, "Flat", "One normal a triangle", &[key(NONE, Key::F6)]),
     entry(Command::SetShading(Shading::Smooth), Menu::Shading, "Smooth", "One normal a vertex, the mean of the triangles around it", &[key(NONE, Key::F7)]),
@@ -242,15 +242,15 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SetSkinning(Some(Skinning::Cpu)), Menu::Skinning, "Processor", "The processor deforms characters and uploads their vertices", &[]),
     entry(Command::SetSkinning(Some(Skinning::Gpu)), Menu::Skinning, "Graphics Card", "The graphics card deforms characters in a vertex shader", &[]),
 
-    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
-    entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
-    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G), key(NONE, Key::W)]),
-    entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate tool", "Rings turn the selected shapes about the middle or origin of the active one", &[key(NONE, Key::E)]),
-    entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]),
-    entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
-    entry(Command::ToggleLocalAxes, Menu::Tools, "Local axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
-    entry(Command::PinJoint, Menu::Tools, "Pin joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]),
-    entry(Command::UnpinAll, Menu::Tools, "Unpin all joints", "Let go of every pinned joint", &[key(ALT, Key::P)]),
+    entry(Command::SetTool(Tool::Select), Menu::Tools, "Select Tool", "Click selects, drags move the camera", &[key(NONE, Key::V)]),
+    entry(Command::SetTool(Tool::Pose), Menu::Tools, "Pose Tool", "Left drag turns the bone under the pointer, Left and Right roll it", &[key(NONE, Key::B)]),
+    entry(Command::SetTool(Tool::Move), Menu::Tools, "Move Tool", "Left drag moves the root of the bone under the pointer, else the shape", &[key(NONE, Key::G), key(NONE, Key::W)]),
+    entry(Command::SetTool(Tool::Rotate), Menu::Tools, "Rotate Tool", "Rings turn the selected shapes about the middle or origin of the active one", &[key(NONE, Key::E)]),
+    entry(Command::SetTool(Tool::Scale), Menu::Tools, "Scale Tool", "Handles scale the selected shapes along their own axes, the ring and the square in the middle along all", &[key(NONE, Key::R)]),
+    entry(Command::SetTool(Tool::Ik), Menu::Tools, "IK Tool", "Left drag moves the end of the bone under the pointer: hand, foot or root; a chain of joints follows", &[key(NONE, Key::I)]),
+    entry(Command::ToggleLocalAxes, Menu::Tools, "Local Axes", "Turn and move along the axes of the joint or shape instead of the world's", &[key(NONE, Key::L)]),
+    entry(Command::PinJoint, Menu::Tools, "Pin Joint", "Hold the joint under the pointer, or the selected one, where it is while the IK tool drags others", &[key(NONE, Key::P)]),
+    entry(Command::UnpinAll, Menu::Tools, "Unpin All Joints", "Let go of every pinned joint", &[key(ALT, Key::P)]),
 
     entry(Command::ResetJoint, Menu::Pose, "Reset Joint", "Put the selected joint back to rest", &[key(ALT, Key::R)]),
     entry(Command::ResetPose, Menu::Pose, "Reset Pose", "Put every joint of the selected character back to rest", &[key(ALT.plus(SHIFT), Key::R)]),
@@ -294,8 +294,7 @@ pub(in crate::ui) fn in_words(entry: &Entry) -> String {
         Menu::Skinning => "Skinning",
         _ => return entry.label.to_owned(),
     };
-    // Its label names the look where others are called the same.
-    format!("{menu}: {}", entry.label.trim_end_matches(" Look"))
+    format!("{menu}: {}", entry.label)
 }
 
 /// Label of `command` in menus.

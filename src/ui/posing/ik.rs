@@ -7,7 +7,6 @@ use crate::scene::{BoneHit, IkSettings, ShapeId, ShapeKind};
 use crate::ui::scene_places::Place;
 use egui::Pos2;
 use glam::Vec3;
-use std::collections::BTreeSet;
 
 /// The pinned joints of a character; none if it has none, or is none.
 pub(super) fn pins(session: &Session, shape: ShapeId) -> impl Iterator<Item = usize> {
@@ -28,7 +27,7 @@ pub(super) fn pinned(session: &Session) -> impl Iterator<Item = (ShapeId, &IkSet
 }
 
 pub(in crate::ui) fn has_pins(session: &Session) -> bool {
-    pinned(session).next().is_some()
+    with_pins(session).next().is_some()
 }
 
 /// Pins a joint, or unpins it.
@@ -42,12 +41,16 @@ pub(in crate::ui) fn toggle_pin(session: &Session, shape: ShapeId, joint: usize)
 
 /// Unpins all joints of all characters.
 pub(in crate::ui) fn unpin_all(session: &Session) -> Edit {
-    let without = |(shape, ik): (ShapeId, &IkSettings)| {
-        let pins = BTreeSet::new();
-        let ik = IkSettings { pins, ..ik.clone() };
-        Edit::SetIk(shape, ik)
-    };
-    Edit::Together(pinned(session).map(without).collect())
+    Edit::Together(with_pins(session).map(Edit::UnpinAll).collect())
+}
+
+/// The characters with pins of joints that they have, or were saved to have.
+fn with_pins(session: &Session) -> impl Iterator<Item = ShapeId> {
+    let shapes = session.scene().shapes().iter();
+    shapes.filter_map(|shape| match &shape.kind {
+        ShapeKind::Character(character) if character.has_pins() => Some(shape.id),
+        _ => None,
+    })
 }
 
 /// Begins a drag of the grip on a bone with the pointer on `ray`.
