@@ -1,6 +1,6 @@
 //! What panels below the view have in common: their place, and columns where there is room for some.
 
-use egui::{Frame, Id, Margin, Panel, ScrollArea, Ui};
+use egui::{Frame, Id, Margin, Panel, ScrollArea, Ui, UiBuilder};
 
 /// Width, in points, below which a panel shows its parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
@@ -37,7 +37,7 @@ pub(in crate::ui) fn below_the_view(
         });
 }
 
-/// What is below the header, which scrolls.
+/// What is below the header, one part below the other, which scrolls.
 pub(in crate::ui) fn scrolled(ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
     ui.add_space(2.0);
     ScrollArea::vertical().auto_shrink(false).show(ui, contents);
@@ -47,13 +47,25 @@ pub(in crate::ui) fn has_room_for_columns(ui: &Ui) -> bool {
     ui.available_width() >= ROOM_FOR_COLUMNS
 }
 
-/// Three columns, wider apart than the widgets in them.
-pub(in crate::ui) fn columns(ui: &mut Ui, contents: impl FnOnce(&mut [Ui; 3])) {
-    let gap = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 16.0);
-    ui.columns_const(|columns: &mut [Ui; 3]| {
-        for column in &mut *columns {
-            column.spacing_mut().item_spacing.x = gap;
-        }
-        contents(columns);
-    });
+/// Parts of the width that three columns have: words need more than numbers.
+const COLUMNS: [f32; 3] = [0.38, 0.3, 0.32];
+/// Space between columns, in points.
+const GAP: f32 = 16.0;
+
+/// What is below the header in three columns, each of which scrolls by itself: `contents` fills the one of its
+/// number.
+pub(in crate::ui) fn columns(ui: &mut Ui, mut contents: impl FnMut(usize, &mut Ui)) {
+    ui.add_space(2.0);
+    let room = ui.available_rect_before_wrap();
+    let mut left = room.left();
+    for (number, part) in COLUMNS.into_iter().enumerate() {
+        let right = left + part * (room.width() + GAP) - GAP;
+        let column = room.with_min_x(left).with_max_x(right);
+        ui.scope_builder(UiBuilder::new().max_rect(column), |ui| {
+            ui.shrink_clip_rect(column);
+            let area = ScrollArea::vertical().id_salt(number).auto_shrink(false);
+            area.show(ui, |ui| contents(number, ui));
+        });
+        left = right + GAP;
+    }
 }

@@ -78,7 +78,13 @@ fn contents(
         search.row = 0;
     }
     let mut found = found(&search.text);
-    found.retain(|entry| is_there(entry.command, input));
+    found.retain(|(_, entry)| is_there(entry.command, input));
+    if !search.text.is_empty() {
+        // What can be done now comes first among those that fit as well.
+        let is_disabled = |entry: &Entry| why_disabled(entry.command, session, state).is_some();
+        found.sort_by_key(|&(fit, entry)| (fit, is_disabled(entry)));
+    }
+    let found: Vec<&Entry> = found.into_iter().map(|(_, entry)| entry).collect();
     if found.is_empty() {
         ui.label(RichText::new("No command has these words.").weak());
         return None;
@@ -122,19 +128,36 @@ fn name(entry: &Entry, session: &Session, state: &UiState) -> String {
     }
 }
 
+/// How well a command fits what is searched for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Fit {
+    /// Its label has all the words.
+    Label,
+    /// Its label and its tooltip have them together.
+    Tooltip,
+}
+
 /// Commands whose label or tooltip have all the words, in any order; those whose label has them
 /// come first.
-fn found(words: &str) -> Vec<&'static Entry> {
+fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
     let words = plain(words);
     let all_in = |text: &str| {
         let text = plain(text);
         words.split_whitespace().all(|word| text.contains(word))
     };
-    let labeled = |entry: &&Entry| all_in(&in_words(entry));
-    let explained = |entry: &&Entry| all_in(&format!("{} {}", in_words(entry), entry.tooltip));
-    let (first, rest): (Vec<&Entry>, Vec<&Entry>) =
-        COMMANDS.iter().filter(explained).partition(labeled);
-    [first, rest].concat()
+    let fit = |entry: &Entry| {
+        if all_in(&in_words(entry)) {
+            return Some(Fit::Label);
+        }
+        let explained = format!("{} {}", in_words(entry), entry.tooltip);
+        all_in(&explained).then_some(Fit::Tooltip)
+    };
+    let fitting = COMMANDS
+        .iter()
+        .filter_map(|entry| Some((fit(entry)?, entry)));
+    let mut found: Vec<(Fit, &Entry)> = fitting.collect();
+    found.sort_by_key(|(fit, _)| *fit);
+    found
 }
 
 /// In small letters and without accents, which not every keyboard has: Bézier's is the only one.
@@ -150,7 +173,7 @@ mod tests {
     fn a_command_is_found_by_words_of_its_label_or_its_tooltip_in_any_order() {
         let found = |words: &str| -> Vec<&str> {
             let entries = found(words).into_iter();
-            entries.map(|entry| entry.label).collect()
+            entries.map(|(_, entry)| entry.label).collect()
         };
         assert_eq!(found("pose mirror"), ["Mirror Pose"]);
         assert_eq!(found("ICOSA"), ["Icosahedron"]);

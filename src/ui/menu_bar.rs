@@ -79,7 +79,7 @@ fn insert_at_pointer(root: &Ui, items: &mut Items) {
     .layout(Layout::top_down_justified(egui::Align::Min))
     .style(menu_style)
     .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
-    .show(|ui| scrolled(ui, |ui| items.insert(ui)));
+    .show(|ui| scrolled(ui, |ui| items.insertable(ui)));
 }
 
 fn title(ui: &mut Ui, title: &str) {
@@ -131,6 +131,20 @@ impl Items<'_> {
 
     fn insert(&mut self, ui: &mut Ui) {
         self.all(ui, Menu::Insert);
+        self.insertable_besides(ui);
+    }
+
+    /// Everything that can be inserted, without the command that shows this menu elsewhere.
+    fn insertable(&mut self, ui: &mut Ui) {
+        let is_shape = |entry: &&Entry| entry.command != Command::InsertMenu;
+        for entry in commands::entries(Menu::Insert).filter(is_shape) {
+            self.item(ui, entry);
+        }
+        self.insertable_besides(ui);
+    }
+
+    /// What can be inserted besides the shapes of the course.
+    fn insertable_besides(&mut self, ui: &mut Ui) {
         ui.separator();
         self.all(ui, Menu::Curves);
         ui.separator();

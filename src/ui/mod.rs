@@ -14,6 +14,7 @@ mod compare;
 mod control_points;
 mod curve_panel;
 mod explain;
+mod first_help;
 mod grab;
 mod history;
 mod joint_columns;
@@ -220,13 +221,17 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
             let area = view_overlay::fit_area(state, aspect(last_view));
             // One of another mesh says nothing of this one.
             let marked = state.marked_vertex.filter(|(of, _)| *of == compare.mesh);
-            let mut marked = marked.map(|(_, vertex)| vertex);
-            let before = marked;
-            let place = (area, state.explain.is_open());
-            compare::mesh_panel(root, session, compare, place, &mut marked, &mut actions);
-            state.marked_vertex = marked.map(|vertex| (compare.mesh, vertex));
+            let before = compare::MeshPanelState {
+                marked: marked.map(|(_, vertex)| vertex),
+                explains: state.explain.is_open(),
+            };
+            let after = compare::mesh_panel(root, session, compare, area, before, &mut actions);
+            state.marked_vertex = after.marked.map(|vertex| (compare.mesh, vertex));
+            if after.explains != before.explains {
+                state.explain.set_open(after.explains);
+            }
             // What is wrong there is seen in its formula.
-            if let Some(vertex) = marked.filter(|_| marked != before) {
+            if let Some(vertex) = after.marked.filter(|_| after != before) {
                 state.explain.pick(compare.shape, vertex);
             }
         }

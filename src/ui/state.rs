@@ -49,7 +49,7 @@ pub struct UiState {
     pub panel_width: Option<f32>,
     /// How often the panel got its first width back, which begins its layout anew.
     pub(super) panel_resets: u32,
-    /// Whether the first help is shown: three lines for newcomers.
+    /// Whether the first help is shown: lines for newcomers.
     pub first_help: bool,
     pub(super) windows: Windows,
     /// [`Session::opened`] in the last frame.

@@ -4,17 +4,17 @@ use super::posing::BAR_HEIGHT;
 use super::progress;
 use super::state::UiState;
 use super::theme::Palette;
-use super::widgets::named;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, explain, look_switch, mesh_colors, messages, method_view, posing, start_page,
+    control_points, explain, first_help, look_switch, mesh_colors, messages, method_view, posing,
+    start_page,
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
 use egui::{
-    Align, Button, Frame, Grid, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
-    UiBuilder, Vec2, WidgetInfo, WidgetType, pos2, vec2,
+    Align, Button, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
+    UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
 };
 
 /// Width at the right edge left to the handle of the shape panel, in points.
@@ -102,10 +102,12 @@ pub(super) fn show(
     if let Some(work) = input.progress {
         progress::show(&mut over, rect, work, actions);
     }
-    // It must not hide messages.
-    if state.first_help && session.messages.fresh().is_empty() {
+    // It must not hide messages, nor what a panel below the view is about.
+    let is_explained =
+        input.compare.is_some() || input.compare_mesh.is_some() || state.explain.is_open();
+    if state.first_help && session.messages.fresh().is_empty() && !is_explained {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
-        let closed = first_help(&mut over, rect, state.navigation.summary());
+        let closed = first_help::show(&mut over, rect, session, state);
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
@@ -139,60 +141,6 @@ fn tool_rows(state: &UiState) -> f32 {
     } else {
         1.0
     }
-}
-
-/// First steps besides moving the camera.
-const LINES: [(&str, &str); 2] = [
-    (
-        "Pose",
-        "press B and drag a bone, or drag a number at the right",
-    ),
-    ("More", "Insert adds shapes · ? shows every key"),
-];
-/// Size of the first help, in points; in narrow views each line of it is two.
-const SIZE: Vec2 = vec2(380.0, 88.0);
-const NARROW_SIZE: Vec2 = vec2(264.0, 172.0);
-
-/// First help: three lines for newcomers in the lower left corner of the view; whether their × was
-/// clicked.
-fn first_help(ui: &mut Ui, view: Rect, look_around: &str) -> bool {
-    let is_narrow = view.width() < SIZE.x + 24.0;
-    let size = if is_narrow { NARROW_SIZE } else { SIZE };
-    if view.width() < size.x + 24.0 || view.height() < size.y + 3.0 * BAR_HEIGHT {
-        return false;
-    }
-    let corner = pos2(view.left() + 12.0, view.bottom() - size.y - 12.0);
-    let builder = UiBuilder::new()
-        .id_salt("first help")
-        .max_rect(Rect::from_min_size(corner, size));
-    let mut inner = ui.new_child(builder);
-    let mut closed = false;
-    let lines = [("Look around", look_around)].into_iter().chain(LINES);
-    Frame::popup(ui.style())
-        .inner_margin(Margin::symmetric(12, 8))
-        .show(&mut inner, |ui| {
-            ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
-                let columns = if is_narrow { 1 } else { 2 };
-                Grid::new("first help").num_columns(columns).show(ui, |ui| {
-                    for (what, how) in lines {
-                        let strong = Palette::of(ui.visuals()).strong;
-                        ui.label(RichText::new(what).color(strong));
-                        if is_narrow {
-                            ui.end_row();
-                            ui.set_max_width(size.x - 48.0);
-                        }
-                        let how = Label::new(RichText::new(how).small());
-                        ui.add(if is_narrow { how.wrap() } else { how.extend() });
-                        ui.end_row();
-                    }
-                });
-                let close = ui.add(Button::new("×").frame_when_inactive(false));
-                closed = named(close, "Close help")
-                    .on_hover_text("Hide these lines")
-                    .clicked();
-            });
-        });
-    closed
 }
 
 /// The status line below the view: what is under the pointer and what gestures do there; at the

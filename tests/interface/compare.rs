@@ -271,7 +271,8 @@ fn the_edges_of_a_mask_are_dragged_one_by_one() {
 
 const OTHER_LOOK: &str =
     "B has the Studio look. Course look draws it as the course's program does.";
-const SMOOTH: &str = "B has smooth edges; the course's program has none.";
+const SMOOTH: &str =
+    "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
 
 #[test]

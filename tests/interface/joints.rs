@@ -316,6 +316,19 @@ fn what_is_typed_right_after_a_click_on_a_number_goes_there_and_nowhere_else() {
     assert_eq!(editor.session().view().camera, camera);
 }
 
+#[test]
+fn a_field_into_which_a_number_is_typed_covers_its_neighbor_only_for_a_sum() {
+    let mut editor = Editor::with_figure();
+    let neighbor = editor.widget("Chest Y").rect();
+    editor.begin_typing("Chest Z", "45");
+    assert!(editor.widget("Chest Z").rect().left() >= neighbor.right());
+    editor.harness.event(egui::Event::Text("/2 + 10".into()));
+    editor.settle();
+    assert!(editor.widget("Chest Z").rect().left() < neighbor.right());
+    editor.key(Key::Enter);
+    assert_eq!(editor.joint(CHEST).z, 32.5);
+}
+
 /// What the field of that name shows.
 fn shown(editor: &Editor, field: &str) -> String {
     let place = editor.widget(field).rect();

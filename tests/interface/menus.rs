@@ -177,6 +177,29 @@ fn a_page_cannot_be_quit_and_takes_no_pictures_of_its_panels() {
 }
 
 #[test]
+fn of_the_commands_that_are_searched_for_those_that_can_be_run_come_first() {
+    let mut editor = Editor::with_figure();
+    editor.key_with(Modifiers::COMMAND | Modifiers::SHIFT, Key::P);
+    editor.harness.event(egui::Event::Text("pose".into()));
+    editor.settle();
+    let top = |label: &str| editor.widget(label).rect().top();
+    // Every joint is at rest, so that there is nothing to reset or mirror, as the Pose menu has it first.
+    let last_that_runs = top("Copy Pose").max(top("Load Pose…"));
+    assert!(last_that_runs < top("Reset Pose").min(top("Mirror Pose")));
+}
+
+#[test]
+fn the_insert_menu_at_the_pointer_does_not_list_itself() {
+    let mut editor = Editor::new();
+    editor.click("Insert");
+    assert!(editor.has("Insert Menu at Pointer"));
+    editor.key(Key::Escape);
+    editor.key_with(Modifiers::SHIFT, Key::A);
+    assert!(editor.has("Teapot") && editor.has("Import"));
+    assert!(!editor.has("Insert Menu at Pointer"));
+}
+
+#[test]
 fn esc_does_not_quit_while_a_button_is_held() {
     let mut editor = Editor::new();
     editor.harness.state_mut().gestures = true;

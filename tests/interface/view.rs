@@ -88,6 +88,26 @@ fn the_help_for_newcomers_goes_with_its_cross_or_the_first_gesture() {
 }
 
 #[test]
+fn the_help_for_newcomers_tells_what_is_left_to_do() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    let check = "View ⏵ Compare with Mesh… tells what is wrong in yours";
+    let with_key = "press B and drag a bone, or drag a number at the right";
+    assert!(!editor.has(check), "there is nothing to compare");
+    assert!(editor.has(with_key));
+
+    let mut editor = Editor::with_figure();
+    editor.harness.state_mut().state.first_help = true;
+    editor.key(Key::B);
+    editor.settle();
+    assert!(editor.has(check));
+    assert!(!editor.has(with_key), "the tool is chosen");
+    editor.key(Key::K);
+    assert!(!editor.has(check), "it would cover what is explained");
+}
+
+#[test]
 fn a_drag_in_the_view_is_the_programs_and_changes_nothing_here() {
     let mut editor = Editor::with_figure();
     let camera = editor.session().view().camera;

@@ -282,7 +282,7 @@ fn without_a_terminal_what_is_not_answered_is_one_clear_error() {
     };
     assert_eq!(
         errors("--scene two.scene --name Ada -o out.zip"),
-        "error: there is no answer to: Compiling, Collaboration, References, Problems, Extra \
+        "error: there is no answer for: Compiling, Collaboration, References, Problems, Extra \
          credit; write the answers into a form (editor submit --form > answers.md) and name it \
          with --answers, or start the command on a terminal"
     );
@@ -290,7 +290,7 @@ fn without_a_terminal_what_is_not_answered_is_one_clear_error() {
     fs::write(folder.path().join("some.md"), some).unwrap();
     assert_eq!(
         errors("--scene two.scene --answers some.md -o out.zip"),
-        "error: some.md: expected an answer below each heading, found none to: References, Problems"
+        "error: some.md: expected an answer below each heading, found none for: References, Problems"
     );
     fs::write(folder.path().join("twice.md"), "## Name\nA\n## Name\nB\n").unwrap();
     assert_eq!(

@@ -8,7 +8,7 @@ use editor_core::io::PoseData;
 use editor_core::program::Purpose;
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::accesskit::Node;
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, TouchPhase, pos2, vec2};
 use glam::Vec3;
 
 /// A dog in a pose.
@@ -308,17 +308,53 @@ fn while_meshes_are_compared_skinning_is_explained_without_mistakes() {
         .find(|text| text.starts_with("Column c"));
     let mistake = mistake.expect("the list of mistakes");
     story.click(&mistake);
-    assert!(story.has("Back to Right"));
+    assert!(story.has("Back to Correct"));
     story.key_with(Modifiers::SHIFT, Key::F8);
     story.choose("mine.obj");
     assert!(
-        !story.has("Back to Right"),
+        !story.has("Back to Correct"),
         "the character is shown as it is"
     );
     assert!(!story.has(&mistake));
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
     story.click("Stop comparing with the mesh");
-    assert!(story.has(&mistake) && !story.has("Back to Right"));
+    assert!(story.has(&mistake) && !story.has("Back to Correct"));
+}
+
+#[test]
+fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
+    let mut story = comparing(&off_by_one());
+    diagnose(&mut story);
+    let formula = story.place("Show Its Formula");
+    assert!(formula.y < 770.0, "above the status line: {formula}");
+    // A list that is scrolled takes nothing else away.
+    let list = story
+        .node("Stop comparing with the mesh")
+        .expect("×")
+        .bounds();
+    let right = list.expect("a place").x0 as f32 - 60.0;
+    story.point(pos2(right, formula.y));
+    for _ in 0..10 {
+        story.frame(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, -3.0),
+            phase: TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        }]);
+    }
+    story.settle();
+    assert_eq!(story.place("Show Its Formula"), formula);
+
+    let shown = text(&story, "Shown by vertex ");
+    story.click("Show Its Formula");
+    assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
+    let explained = story.node("Vertex").and_then(Node::numeric_value);
+    let explained = explained.expect("the number of a vertex");
+    assert!(
+        shown.starts_with(&format!("Shown by vertex {explained}")),
+        "{shown}"
+    );
+    assert!(!story.has("Show Its Formula"));
 }
 
 #[test]

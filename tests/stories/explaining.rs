@@ -194,9 +194,9 @@ fn a_mistake_is_shown_in_the_view_and_in_the_formula_and_nowhere_else() {
     story.click_at(wrong);
     assert!(story.has("Sum (-0.400, 1.100, 0.000)"), "vertex 2");
 
-    story.click("Back to Right");
+    story.click("Back to Correct");
     assert_eq!(differing(&right, &story.scene_picture()), 0);
-    assert!(!story.has("Back to Right") && story.has("v' = Σ w · T · B⁻¹ · v"));
+    assert!(!story.has("Back to Correct") && story.has("v' = Σ w · T · B⁻¹ · v"));
 }
 
 #[test]
@@ -209,7 +209,7 @@ fn esc_ends_the_mistake_then_the_panel_and_then_what_it_ended_before() {
     make(&mut story, NO_INVERSE);
     story.key(Key::Escape);
     assert_eq!(differing(&right, &story.scene_picture()), 0);
-    assert!(story.has("Close Explain") && !story.has("Back to Right"));
+    assert!(story.has("Close Explain") && !story.has("Back to Correct"));
     story.key(Key::Escape);
     assert!(!story.has("Close Explain"));
     assert_eq!(story.shape().name, "Strip");
@@ -221,7 +221,7 @@ fn esc_ends_the_mistake_then_the_panel_and_then_what_it_ended_before() {
     story.click("Close Explain");
     assert_eq!(differing(&closed, &story.scene_picture()), 0);
     story.key(Key::K);
-    assert!(!story.has("Back to Right"), "closing has ended it");
+    assert!(!story.has("Back to Correct"), "closing has ended it");
     assert!(!story.host.quits);
 }
 
@@ -239,7 +239,7 @@ fn a_mistake_looks_the_same_whoever_skins_and_a_mistake_that_makes_no_difference
     }
     assert!(differing(&right, &pictures[0]) > 500);
     assert_eq!(differing(&pictures[0], &pictures[1]), 0);
-    story.click("Back to Right");
+    story.click("Back to Correct");
     story.click("Reset all");
     let right = story.scene_picture();
     make(
@@ -265,7 +265,9 @@ fn a_collada_character_has_its_formula_and_mistakes_too() {
 fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
     let mut story = bent();
     story.click("Matrix Stack");
-    assert!(story.has_text("Step 0 of 9: The stack is empty, and its top is the identity"));
+    assert!(
+        story.has_text("Step 0 of 9: Nothing is pushed yet: the top of the stack is the identity")
+    );
     for _ in 0..7 {
         story.click("Step");
     }
@@ -301,10 +303,10 @@ fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
 fn another_document_has_no_mistake_and_a_scene_without_characters_nothing_to_explain() {
     let mut story = bent();
     make(&mut story, NO_INVERSE);
-    assert!(story.has("Back to Right"));
+    assert!(story.has("Back to Correct"));
     let top = story.place("Close Explain");
     story.click("Delete");
-    assert!(!story.has("Back to Right"));
+    assert!(!story.has("Back to Correct"));
     story.settle();
     assert_eq!(story.place("Close Explain"), top, "as high as before");
     assert!(story.has_text("There is no character to explain. Insert one."));
@@ -316,13 +318,16 @@ fn another_document_has_no_mistake_and_a_scene_without_characters_nothing_to_exp
     make(&mut story, NO_INVERSE);
     story.host.drop_file("models/strip.obj");
     story.settle();
-    assert!(story.has("Back to Right"), "an import is no other document");
+    assert!(
+        story.has("Back to Correct"),
+        "an import is no other document"
+    );
     story.click("File");
     story.click("New");
     story.click("Don't Save");
     story.host.drop_file("models/strip.obj");
     story.settle();
-    assert!(!story.has("Back to Right"));
+    assert!(!story.has("Back to Correct"));
 }
 
 #[test]
@@ -334,7 +339,7 @@ fn a_comparison_with_a_picture_closes_the_panel_and_ends_the_mistake() {
     story.host.files.insert("reference.png".into(), bytes);
     story.key(Key::F8);
     story.choose("reference.png");
-    assert!(!story.has("Back to Right") && !story.has("Close Explain"));
+    assert!(!story.has("Back to Correct") && !story.has("Close Explain"));
     let told = story.messages();
     assert!(
         told.iter()

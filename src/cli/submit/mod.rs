@@ -191,11 +191,11 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
     let keys = keys.join(", ");
     Err(match file {
         Some(file) => {
-            let message = format!("expected an answer below each heading, found none to: {keys}");
+            let message = format!("expected an answer below each heading, found none for: {keys}");
             Diagnostic::new(&file, message).into()
         }
         None => CliError::Other(format!(
-            "there is no answer to: {keys}; write the answers into a form (editor submit --form \
+            "there is no answer for: {keys}; write the answers into a form (editor submit --form \
              > answers.md) and name it with --answers, or start the command on a terminal"
         )),
     })

@@ -11,7 +11,8 @@ use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
 
-const HEIGHT: f32 = 168.0;
+/// At this height, what is wrong is read without scrolling in a window of 1280 points.
+const HEIGHT: f32 = 208.0;
 const LOWEST: f32 = 64.0;
 
 /// Everything that the parts of the panel need.
@@ -19,8 +20,17 @@ struct Parts<'a> {
     session: &'a Session,
     compare: &'a CompareMeshView<'a>,
     area: FitArea,
-    marked: &'a mut Option<usize>,
+    chosen: &'a mut MeshPanelState,
     actions: &'a mut Vec<Action>,
+}
+
+/// What is chosen in the panel.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(in crate::ui) struct MeshPanelState {
+    /// The vertex that is marked in the view.
+    pub marked: Option<usize>,
+    /// Whether the formula of that vertex is explained, in another panel below the view.
+    pub explains: bool,
 }
 
 const LOAD_POSE: &str = "Load Their Pose…";
@@ -35,44 +45,40 @@ const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, 
 const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it or take it here. If not, their \
                          program turns joints otherwise than the pose says:";
 
-/// The panel, with another one below the view where that `explains`. A vertex that is chosen in it is `marked`, and the camera goes there.
+/// The panel; returns what is chosen in it. The camera goes to a vertex that is chosen.
 pub(in crate::ui) fn show(
     root: &mut Ui,
     session: &Session,
     compare: &CompareMeshView,
-    (area, explains): (FitArea, bool),
-    marked: &mut Option<usize>,
+    area: FitArea,
+    mut chosen: MeshPanelState,
     actions: &mut Vec<Action>,
-) {
+) -> MeshPanelState {
+    let place = ("compare with a mesh", chosen.explains);
     let mut parts = Parts {
         session,
         compare,
         area,
-        marked,
+        chosen: &mut chosen,
         actions,
     };
-    below_the_view(
-        root,
-        ("compare with a mesh", explains),
-        (LOWEST, HEIGHT),
-        |ui| {
-            parts.header(ui);
-            scrolled(ui, |ui| {
-                if has_room_for_columns(ui) {
-                    columns(ui, |[left, middle, right]| {
-                        // Columns would stretch what is in them.
-                        left.vertical(|ui| parts.numbers(ui));
-                        middle.vertical(|ui| parts.diagnosis(ui));
-                        right.vertical(|ui| parts.regions(ui));
-                    });
-                } else {
-                    parts.diagnosis(ui);
-                    parts.numbers(ui);
-                    parts.regions(ui);
-                }
+    below_the_view(root, place, (LOWEST, HEIGHT), |ui| {
+        parts.header(ui);
+        if has_room_for_columns(ui) {
+            columns(ui, |number, ui| match number {
+                0 => parts.diagnosis(ui),
+                1 => parts.numbers(ui),
+                _ => parts.regions(ui),
             });
-        },
-    );
+        } else {
+            scrolled(ui, |ui| {
+                parts.diagnosis(ui);
+                parts.numbers(ui);
+                parts.regions(ui);
+            });
+        }
+    });
+    chosen
 }
 
 impl Parts<'_> {
@@ -144,7 +150,7 @@ impl Parts<'_> {
     }
 
     fn go_to(&mut self, vertex: usize) {
-        *self.marked = Some(vertex);
+        self.chosen.marked = Some(vertex);
         let camera = self.compare.camera(self.session, vertex, self.area);
         let camera = camera.map(|camera| Action::View(View::SetCamera(camera)));
         self.actions.extend(camera);
@@ -234,13 +240,22 @@ impl Parts<'_> {
         let joint = first.joint.as_deref();
         let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
         let text = format!("Shown by vertex {}{at}", first.vertex);
-        let is_marked = *self.marked == Some(first.vertex);
+        let is_marked = self.chosen.marked == Some(first.vertex);
         let button = ui.add(Button::selectable(is_marked, text).wrap());
         if button
             .on_hover_text(format!("{first}\nClick to go there"))
             .clicked()
         {
             self.go_to(first.vertex);
+        }
+        if self.chosen.explains {
+            return;
+        }
+        let formula = ui.button("Show Its Formula");
+        let tip = "Explain how the joints move this vertex, in numbers that follow the pose (K)";
+        if formula.on_hover_text(tip).clicked() {
+            self.go_to(first.vertex);
+            self.chosen.explains = true;
         }
     }
 
@@ -288,7 +303,7 @@ impl Parts<'_> {
         }
         say(ui, "Off, by the joint that moves them most:", palette.weak);
         for region in &measure.regions {
-            let is_marked = *self.marked == Some(region.worst_vertex);
+            let is_marked = self.chosen.marked == Some(region.worst_vertex);
             let text = RichText::new(region.to_string()).small();
             let button = ui.add(Button::selectable(is_marked, text).wrap());
             let tip = "Go to its vertex that is farthest off, and mark it";

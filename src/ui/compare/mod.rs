@@ -14,7 +14,7 @@ mod place;
 mod settings;
 
 pub(super) use mesh_marker::show as mesh_marker;
-pub(super) use mesh_panel::show as mesh_panel;
+pub(super) use mesh_panel::{MeshPanelState, show as mesh_panel};
 pub use mesh_view::{CompareMeshAction, CompareMeshView, MeshesShown};
 pub(super) use outlined::Outlined;
 pub(super) use panel::show as panel;

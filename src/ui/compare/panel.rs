@@ -29,20 +29,20 @@ pub(in crate::ui) fn show(
     let look_is_course = session.view().look == Look::Course;
     below_the_view(root, ("compare", false), (LOWEST, HEIGHT), |ui| {
         header(ui, compare, changed, actions);
-        scrolled(ui, |ui| {
-            if has_room_for_columns(ui) {
-                columns(ui, |[left, middle, right]| {
-                    numbers(left, compare.report);
-                    findings(middle, session, compare, outlined);
-                    settings(right, look_is_course, compare, changed, actions);
-                });
-            } else {
+        if has_room_for_columns(ui) {
+            columns(ui, |number, ui| match number {
+                0 => findings(ui, session, compare, outlined),
+                1 => numbers(ui, compare.report),
+                _ => settings(ui, look_is_course, compare, changed, actions),
+            });
+        } else {
+            scrolled(ui, |ui| {
                 findings(ui, session, compare, outlined);
                 numbers(ui, compare.report);
                 ui.separator();
                 settings(ui, look_is_course, compare, changed, actions);
-            }
-        });
+            });
+        }
     });
 }
 
@@ -269,9 +269,6 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 palette.strong,
             );
         }
-        for hint in hints(look_is_course, compare.settings, counts) {
-            say(ui, hint, palette.text);
-        }
         match &report.judgment {
             Some(judgment) if !report.measuring => {
                 for finding in &judgment.findings {
@@ -296,6 +293,9 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 }
                 say(ui, &text, palette.weak);
             }
+        }
+        for hint in hints(look_is_course, compare.settings, counts) {
+            say(ui, hint, palette.text);
         }
     });
 }
@@ -323,7 +323,8 @@ fn link(ui: &mut Ui, place: &str, area: Area, outlined: &mut Outlined) {
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
 const OTHER_LOOK: &str =
     "B has the Studio look. Course look draws it as the course's program does.";
-const SMOOTH: &str = "B has smooth edges; the course's program has none.";
+const SMOOTH: &str =
+    "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
 /// What the person at the panel can do about differences.
 fn hints(

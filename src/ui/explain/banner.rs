@@ -40,7 +40,7 @@ pub(super) fn show(
         if let Some(why) = why_right(explained, mistaken) {
             ui.add(Label::new(RichText::new(why).color(palette.weak)).wrap());
         }
-        ui.add(Button::new("Back to Right"))
+        ui.add(Button::new("Back to Correct"))
             .on_hover_text("Show the character as it is (Esc)")
             .clicked()
     });

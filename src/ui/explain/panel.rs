@@ -135,14 +135,18 @@ fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             .decimals(0..=0)
             .range(0.0..=last as f64);
         chosen = field.show(ui, vec2(72.0, ui.spacing().interact_size.y));
-        let rest = table::point(told.vertex.rest, told.digits);
-        ui.label(format!("at rest v = {rest}"));
+        let [rest, posed] =
+            [told.vertex.rest, told.vertex.sum].map(|point| table::point(point, told.digits));
+        ui.label(format!("at rest v = {rest}, posed v' = {posed}"));
         if let Some(note) = told.digits.note() {
             ui.label(note);
         }
-        let hint = "Click another on the mesh, or a row for its matrices.";
-        let color = Palette::of(ui.visuals()).weak;
-        ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+        if !state.compares {
+            // Beside a comparison the lines are few.
+            let hint = "Click another on the mesh, or a row for its matrices.";
+            let color = Palette::of(ui.visuals()).weak;
+            ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+        }
     });
     let hovered = table::show(ui, &explained, &told, &mut state.unfolded);
     let character = explained.id;

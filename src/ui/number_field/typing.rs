@@ -6,8 +6,12 @@ use crate::ui::theme::{Palette, number_font};
 use crate::ui::widgets::select_all;
 use egui::{Context, Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
 
-/// Least width of a field while a number is typed into it, in points.
+/// Width to which a field grows at most while something is typed into it that needs it, in points.
 const ROOM_TO_TYPE: f32 = 76.0;
+/// Space between a field's edges and the text that is typed into it, on each side, in points.
+const MARGIN: f32 = 4.0;
+/// Room for the cursor behind the text, in points.
+const CURSOR: f32 = 4.0;
 
 /// Text being typed into a field, kept by egui while the field has the keyboard focus.
 #[derive(Clone, Default)]
@@ -35,9 +39,14 @@ impl Typed {
     }
 }
 
-/// A rectangle wide enough for a sum: a narrow field grows to the left.
-fn roomy(rect: Rect) -> Rect {
-    let left = rect.left().min(rect.right() - ROOM_TO_TYPE);
+/// A rectangle wide enough for `text`: a narrow field grows to the left, over its neighbor, only for a sum.
+fn roomy(ui: &Ui, rect: Rect, text: &str) -> Rect {
+    let color = ui.visuals().text_color();
+    let laid_out = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), number_font(), color);
+    let needed = laid_out.size().x + 2.0 * MARGIN + CURSOR;
+    let left = rect.left().min(rect.right() - needed.min(ROOM_TO_TYPE));
     Rect::from_min_max(pos2(left, rect.top()), rect.max)
 }
 
@@ -64,7 +73,7 @@ impl NumberField<'_> {
         if begins || undone {
             select_all(ui, id, &typed.text);
         }
-        let rect = roomy(rect);
+        let rect = roomy(ui, rect, &typed.text);
         let wrong = evaluate(&typed.text).is_none();
         let palette = Palette::of(ui.visuals());
         let color = if wrong { palette.error } else { palette.strong };
@@ -72,9 +81,9 @@ impl NumberField<'_> {
             .id(id)
             .font(number_font())
             .text_color(color)
-            .margin(vec2(4.0, 2.0))
+            .margin(vec2(MARGIN, 2.0))
             .min_size(rect.size())
-            .desired_width(rect.width() - 8.0)
+            .desired_width(rect.width() - 2.0 * MARGIN)
             .vertical_align(egui::Align::Center)
             .clip_text(true);
         let mut inner = ui.new_child(UiBuilder::new().max_rect(rect));
