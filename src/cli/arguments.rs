@@ -8,7 +8,7 @@ use crate::editor::{Edit, Session};
 use crate::io::{Files, Loaded, PoseFile, builtin};
 use crate::scene::{
     BoneStyle, Camera, CharacterDisplay, CurveDisplay, CurveVisibility, JointStyle, ModelDisplay,
-    ShapeId, ShapeKind, Skinning, SkinningMethod, SurfaceVisibility, ViewDirection,
+    ShapeId, ShapeKind, Skinning, SkinningMethod, SurfaceVisibility, ViewDirection, ViewSettings,
 };
 use std::path::{Path, PathBuf};
 
@@ -26,7 +26,12 @@ pub fn load(paths: &[PathBuf], pose: Option<&Path>) -> Result<Session, CliError>
     for warning in &loaded.warnings {
         eprint_line(format_args!("warning: {warning}"));
     }
-    let mut session = Session::with_shapes(loaded.shapes, loaded.view.unwrap_or_default());
+    // The window has axes for orientation; a picture of files has nothing but what is in them.
+    let view = loaded.view.unwrap_or(ViewSettings {
+        axis: false,
+        ..ViewSettings::default()
+    });
+    let mut session = Session::with_shapes(loaded.shapes, view);
     if let Some(path) = pose {
         let path = builtin::resolve(path)?;
         let pose = PoseFile::read(&path, &files.read(&path)?)?;

@@ -70,9 +70,9 @@ pub struct Args {
     /// Brightness of the Studio look's background, and of the panels.
     #[arg(long, default_value = "dark")]
     theme: ThemeName,
-    /// Draw the axes.
-    #[arg(long, value_name = "on|off", default_value = "off", value_parser = arguments::switch, action = clap::ArgAction::Set)]
-    axis: bool,
+    /// Draw the axes [default: off, or as the scene has it].
+    #[arg(long, value_name = "on|off", value_parser = arguments::switch)]
+    axis: Option<bool>,
     /// Samples a pixel, for smooth edges; 0 for none. A driver takes the next number that it has:
     /// on the processor, 4 for any other.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = arguments::samples)]
@@ -304,7 +304,9 @@ fn session(args: &Args) -> Result<Session, CliError> {
     edits.extend(args.display.edits(&session));
     edit(&mut session, edits)?;
 
-    session.look(View::SetAxis(args.axis));
+    if let Some(axis) = args.axis {
+        session.look(View::SetAxis(axis));
+    }
     if let Some(look) = args.look {
         session.look(View::SetLook(match look {
             LookName::Course => Look::Course,

@@ -132,6 +132,33 @@ fn options_change_the_picture_and_defaults_are_what_the_contract_says() {
 }
 
 #[test]
+fn the_axes_are_as_the_scene_has_them_unless_they_are_asked_for() {
+    let folder = folder();
+    let scene = |axis: &str| {
+        let text = format!(
+            r#"{{ "format": "editor-scene", "version": 1, "view": {{ "axis": {axis} }},
+                 "shapes": [{{ "source": "builtin:robot" }}] }}"#
+        );
+        std::fs::write(folder.path().join("a.scene"), text).unwrap();
+    };
+    let render = |options: &[&str]| {
+        let arguments = [
+            &["render", "a.scene", "--size", "200x150", "-o", "a.png"],
+            options,
+        ];
+        let ran = editor_in(folder.path(), &arguments.concat());
+        assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{options:?}");
+        picture(folder.path(), "a.png")
+    };
+    scene("true");
+    let (with, without) = (render(&[]), render(&["--axis", "off"]));
+    assert_ne!(with, without);
+    scene("false");
+    assert_eq!(render(&[]), without);
+    assert_eq!(render(&["--axis", "on"]), with);
+}
+
+#[test]
 fn both_ways_of_skinning_draw_the_same_character() {
     let folder = folder();
     let [cpu, gpu] = ["cpu", "gpu"].map(|skinning| {

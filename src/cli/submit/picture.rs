@@ -48,7 +48,7 @@ pub(super) fn of_file(path: &Path) -> Result<Vec<Entry>, CliError> {
     Ok(vec![Entry::new(name, bytes)])
 }
 
-/// The scene `path` as a picture, as `editor render` draws it, and as an archive together with the
+/// The scene `path` as a picture, as `editor render --axis off` draws it, and as an archive together with the
 /// models that it names.
 ///
 /// # Errors
