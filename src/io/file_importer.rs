@@ -136,7 +136,7 @@ pub(super) async fn import_character_by(
     path: &Path,
     pace: &Pace,
 ) -> Result<Imported<Vec<NewShape>>, Diagnostic> {
-    let path = &*whole_character(files, path);
+    let path = &*character_file(files, path);
     let file = to_open(path)?;
     let recorder = Recorder::new(files);
     match file_access::extension(&file).as_str() {
@@ -261,7 +261,7 @@ impl Loaded {
         path: &Path,
         pace: &Pace,
     ) -> Result<(), Diagnostic> {
-        let path = &*whole_character(files, path);
+        let path = &*character_file(files, path);
         let file = to_open(path)?;
         match file_access::extension(&file).as_str() {
             "scene" => self.add_scene(files, &file, pace).await?,
@@ -377,7 +377,7 @@ fn shapes_of(source: Source, scene: DaeScene) -> Vec<NewShape> {
 }
 
 /// The `.obj` file of the character whose skeleton or weights are at `path`, if it is there; all else as it is.
-fn whole_character<'a>(files: &dyn Files, path: &'a Path) -> Cow<'a, Path> {
+pub fn character_file<'a>(files: &dyn Files, path: &'a Path) -> Cow<'a, Path> {
     let extension = file_access::extension(path);
     let obj = path.with_extension("obj");
     if ["skel", "attach"].contains(&extension.as_str()) && files.exists(&obj) {

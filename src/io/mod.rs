@@ -48,7 +48,8 @@ pub use export_character::{CharacterFiles, NotExpressible, export_character};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
 pub use file_access::{Files, expect_extension};
 pub use file_importer::{
-    IMPORTABLE, Loaded, import_any, import_character, import_collada, import_curve, import_shape,
+    IMPORTABLE, Loaded, character_file, import_any, import_character, import_collada, import_curve,
+    import_shape,
 };
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;

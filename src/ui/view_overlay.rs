@@ -70,7 +70,8 @@ pub(super) fn show(
         .compare_mesh
         .zip(state.marked_vertex.map(|(_, vertex)| vertex))
     {
-        compare::mesh_marker(&over, &places, session, compare, vertex);
+        let is_explained = state.explain.tells_of(vertex);
+        compare::mesh_marker(&over, &places, session, compare, (vertex, is_explained));
     }
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);

@@ -195,6 +195,20 @@ fn files_beside_an_export_are_replaced_only_after_asking() {
 }
 
 #[test]
+fn the_files_of_a_character_that_are_dropped_together_are_one_and_each_of_them_is_it() {
+    let mut story = Story::start(&["builtin:vase"]);
+    for (path, _) in STRIP {
+        story.host.drop_file(path);
+    }
+    story.settle();
+    assert_eq!(story.names(), ["Vase", "Strip"], "{:?}", story.messages());
+    story.host.drop_file("models/strip.skel");
+    story.settle();
+    assert_eq!(story.names(), ["Vase", "Strip", "Strip"]);
+    assert!(story.messages().is_empty(), "{:?}", story.messages());
+}
+
+#[test]
 fn curves_are_exported_under_the_name_of_their_shape_and_read_back() {
     let mut story = Story::start(&["builtin:vase"]);
     story.click("File");

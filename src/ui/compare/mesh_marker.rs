@@ -10,13 +10,14 @@ use egui::{Color32, Stroke, Ui, vec2};
 const RING: f32 = 9.0;
 const DOT: f32 = 4.0;
 
-/// Marks `vertex` where ours has it and where theirs does, with a line from one to the other.
+/// Marks `vertex` where ours has it and where theirs does, with a line from one to the other, and with its
+/// number unless it `is_explained`: the words of its formula are in that place then.
 pub(in crate::ui) fn show(
     ui: &Ui,
     places: &ScenePlaces,
     session: &Session,
     compare: &CompareMeshView,
-    vertex: usize,
+    (vertex, is_explained): (usize, bool),
 ) {
     let Some(at) = compare.places(session, vertex) else {
         return;
@@ -42,7 +43,9 @@ pub(in crate::ui) fn show(
             }
             painter.circle_filled(theirs, DOT + wider / 2.0, color);
         }
-        let corner = ours + vec2(RING + 6.0, -RING - 6.0);
-        word_over_scene(&painter, corner, &format!("vertex {vertex}"));
+        if !is_explained {
+            let corner = ours + vec2(RING + 6.0, -RING - 6.0);
+            word_over_scene(&painter, corner, &format!("vertex {vertex}"));
+        }
     }
 }

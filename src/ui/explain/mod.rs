@@ -84,6 +84,12 @@ impl ExplainState {
         self.is_open
     }
 
+    /// Whether the formula of this vertex is shown.
+    pub(super) fn tells_of(&self, vertex: usize) -> bool {
+        let told = self.told.as_ref().map(|told| told.vertex.vertex);
+        self.is_open && self.topic == Topic::Formula && told == Some(vertex)
+    }
+
     /// Opens the panel, or closes it with all that it shows.
     pub(super) fn set_open(&mut self, open: bool) {
         *self = Self {
