@@ -1,7 +1,7 @@
 use super::dialog_files::DialogFiles;
+use super::typed_name::{full_path, trimmed};
 use super::typed_path::TypedPath;
 use crate::disk::Disk;
-use crate::io::Files;
 use crate::program::{FileRequest, Purpose, Suggested};
 use crate::ui;
 use egui::text::{CCursor, CCursorRange};
@@ -10,7 +10,7 @@ use egui::{
     TextStyle, Vec2, pos2, vec2,
 };
 use egui_file_dialog::{DialogState, FileDialog, FileDialogKeyBindings, Filter, KeyBinding};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Size in windows that have room for it, in points.
@@ -98,21 +98,28 @@ impl WindowFileDialog {
         if let Some(found) = request.purpose.found(&Disk, &path) {
             return Some((request, found));
         }
-        match request.purpose.completed(&path) {
-            None => Some((request, path)),
-            Some(complete) if !complete.exists() => Some((request, complete)),
-            Some(complete) => {
-                // The dialog has asked about another file: let it ask about this one.
-                let name = complete.file_name().unwrap_or_default().to_string_lossy();
-                let suggested = Suggested {
-                    folder: complete.parent().map(Path::to_owned),
-                    recent,
-                    name: name.into_owned(),
-                };
-                self.open(request, suggested);
-                None
-            }
-        }
+        let folder = path.parent().map(Path::to_owned);
+        let is_new = !(request.purpose.written().is_empty() || path.exists());
+        let named = if is_new {
+            trimmed(&path)
+        } else {
+            Some(path.clone())
+        };
+        let meant = named.map(|path| request.purpose.completed(&path).unwrap_or(path));
+        let name = match meant {
+            Some(meant) if meant == path || !meant.exists() => return Some((request, meant)),
+            // The dialog has asked about another file: let it ask about this one.
+            Some(meant) => meant.file_name().map(|name| name.to_string_lossy().into()),
+            // Nothing but spaces is no name.
+            None => None,
+        };
+        let suggested = Suggested {
+            folder,
+            recent,
+            name: name.unwrap_or_default(),
+        };
+        self.open(request, suggested);
+        None
     }
 }
 
@@ -216,21 +223,6 @@ impl OpenDialog {
         };
         painter.text(at, Align2::LEFT_CENTER, hint, font, color);
     }
-}
-
-/// The path of a file that was typed or chosen, from the root on and without `..`: a relative one would
-/// mean another file elsewhere, and a path is shown by what it leads to.
-fn full_path(path: &Path) -> PathBuf {
-    if is_indirect(path) {
-        // Only the disk can tell what is above a folder that is a link.
-        Disk.real(path)
-    } else {
-        Disk.absolute(path)
-    }
-}
-
-fn is_indirect(path: &Path) -> bool {
-    path.components().any(|part| part == Component::ParentDir)
 }
 
 fn surrender_focus(context: &Context) {
@@ -407,14 +399,34 @@ mod tests {
     }
 
     #[test]
-    fn a_path_is_told_without_its_detours() {
+    fn a_file_that_is_there_is_asked_about_also_where_its_name_was_typed_with_spaces() {
         let folder = tempfile::tempdir().unwrap();
-        let real = folder.path().canonicalize().unwrap();
-        assert_eq!(
-            full_path(&real.join("gone/../b.scene")),
-            real.join("b.scene")
-        );
-        assert_eq!(full_path(&real.join("b.scene")), real.join("b.scene"));
-        assert!(full_path(Path::new("b.scene")).is_absolute());
+        std::fs::write(folder.path().join("a.scene"), "").unwrap();
+        for (typed, found) in [
+            (" a", None),
+            (" a.scene", None),
+            ("  ", None),
+            (" b ", Some("b.scene")),
+        ] {
+            let mut dialog = opened(Purpose::SaveScene, folder.path(), "");
+            let context = Context::default();
+            let mut chosen = None;
+            for events in [
+                Vec::new(),
+                Vec::new(),
+                vec![egui::Event::Text(typed.to_owned())],
+                pressed(Key::Enter).to_vec(),
+                Vec::new(),
+                Vec::new(),
+            ] {
+                chosen = chosen.or(frame(&context, &mut dialog, events).1);
+            }
+            assert_eq!(
+                chosen,
+                found.map(|name| folder.path().join(name)),
+                "{typed:?}"
+            );
+            assert_eq!(dialog.is_open(), found.is_none(), "{typed:?}");
+        }
     }
 }

@@ -8,6 +8,7 @@ mod own_folders;
 mod rescue;
 mod slot;
 mod storage;
+mod typed_name;
 mod typed_path;
 mod watcher;
 mod window_host;

@@ -168,7 +168,7 @@ impl Program {
         let compared = self.comparison.is_some();
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);
-        self.remember_recent(&path);
+        self.remember_recent(&io::character_file(&*files, &path));
         self.tell_all(Severity::Warning, loaded.warnings);
     }
 

@@ -64,7 +64,7 @@ impl Program {
             );
             self.document = match paths {
                 [path] if failed.is_empty() => {
-                    self.remember_recent(path);
+                    self.remember_recent(&io::character_file(files, path));
                     self.file_of(path, files)
                 }
                 _ => DocumentFile::untitled(self.session.document()),

@@ -88,6 +88,8 @@ fn a_character_is_opened_by_any_of_its_three_files() {
         assert!(story.messages().is_empty(), "{:?}", story.messages());
         let source = story.shape().source.as_ref().expect("a source");
         assert!(source.file.ends_with("strip.obj"), "{}", source.file);
+        let known = serde_json::json!(["models/strip.obj"]);
+        assert_eq!(preferences(&story)["recent"], known, "as one file");
     }
 }
 
