@@ -13,16 +13,26 @@ pub(super) fn configuration() -> Option<PathBuf> {
     Some(folder)
 }
 
-/// Folders that are rarely on the same disk, for work that does not fit there: that of the user's
-/// session, and one among the temporary files. The system may clear them when it shuts down.
-pub(super) fn spare() -> Vec<PathBuf> {
+/// Folders that are rarely on the same disk, for work that does not fit in `configuration`: that of the
+/// user's session, and one among the temporary files. The system may clear them when it shuts down.
+pub(super) fn spare(configuration: Option<&Path>) -> Vec<PathBuf> {
+    let name = spare_name(configuration);
     let session = BaseDirs::new().and_then(|folders| folders.runtime_dir().map(Path::to_owned));
     let mut parents: Vec<PathBuf> = session.into_iter().chain([std::env::temp_dir()]).collect();
     // A folder that came twice would be locked against itself.
     parents.dedup();
     let folders = parents.into_iter();
-    let folders = folders.filter_map(|parent| private(parent.join(folder_name())));
+    let folders = folders.filter_map(|parent| private(parent.join(&name)));
     folders.collect()
+}
+
+/// Name of a spare folder, another for each folder of configuration: a program that keeps its work elsewhere
+/// would lock what another one left, which would not be offered until that has ended.
+fn spare_name(configuration: Option<&Path>) -> String {
+    let of = configuration.map_or(0, |folder| {
+        crc32fast::hash(folder.as_os_str().as_encoded_bytes())
+    });
+    format!("{}-{of:08x}", folder_name())
 }
 
 /// Name of the folder, another for each user, who may share the one for temporary files.
@@ -66,6 +76,14 @@ mod tests {
     use super::*;
     use std::fs::{self, Permissions};
     use std::os::unix::fs::{PermissionsExt, symlink};
+
+    #[test]
+    fn programs_with_other_folders_of_configuration_have_other_spare_folders() {
+        let [one, other] = ["/home/ada/.config", "/home/bob/.config"].map(Path::new);
+        assert_eq!(spare_name(Some(one)), spare_name(Some(one)));
+        assert_ne!(spare_name(Some(one)), spare_name(Some(other)));
+        assert_ne!(spare_name(Some(one)), spare_name(None));
+    }
 
     #[test]
     fn a_folder_that_others_can_reach_is_not_used() {

@@ -24,8 +24,8 @@ pub(super) struct Storage {
 impl Storage {
     pub fn new() -> Self {
         let configuration = own_folders::configuration();
-        let folders = configuration.into_iter().chain(own_folders::spare());
-        Self::at(folders.collect())
+        let spare = own_folders::spare(configuration.as_deref());
+        Self::at(configuration.into_iter().chain(spare).collect())
     }
 
     /// What is kept in `folders`: preferences in the first.
