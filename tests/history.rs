@@ -264,6 +264,8 @@ fn edits() -> impl Strategy<Value = Edit> {
             position: Vec3::new(x, 0.5, 0.0),
         }),
         id().prop_map(Edit::Reset),
+        id().prop_map(Edit::ResetPose),
+        id().prop_map(Edit::UnpinAll),
         id().prop_map(Edit::Delete),
         (1..3_usize).prop_map(|count| { Edit::Insert(vec![man(); count]) }),
     ]

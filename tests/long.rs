@@ -49,7 +49,7 @@ fn edit(story: &Story, dice: &mut Dice) -> Edit {
     if shapes.len() > MOST_SHAPES {
         return Edit::Delete(id);
     }
-    match dice.roll(14) {
+    match dice.roll(16) {
         0 => insertion(dice),
         1 => Edit::Delete(id),
         2 => Edit::SetTransform(
@@ -84,6 +84,8 @@ fn edit(story: &Story, dice: &mut Dice) -> Edit {
             position: dice.vector(),
         },
         11 => Edit::SetUniformScaling(id, dice.roll(2) == 0),
+        12 => Edit::ResetPose(id),
+        13 => Edit::UnpinAll(id),
         _ => Edit::SetJointTransform {
             shape: id,
             joint: dice.roll(3),

@@ -8,8 +8,8 @@ use crate::editor::Session;
 use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
 use egui::{
-    Button, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor, PopupCloseBehavior,
-    PopupKind, RichText, ScrollArea, SetOpenCommand, Ui,
+    Button, Context, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor,
+    PopupCloseBehavior, PopupKind, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
 };
 
 /// Height of the bar and of a menu's margins, in points.
@@ -53,16 +53,31 @@ pub(super) fn show(
         let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClick);
         MenuBar::new().config(config).ui(ui, |ui| {
             ui.spacing_mut().button_padding = egui::vec2(8.0, 2.0);
-            ui.menu_button("File", |ui| scrolled(ui, |ui| items.file(ui)));
-            ui.menu_button("Edit", |ui| scrolled(ui, |ui| items.edit(ui)));
-            ui.menu_button("Insert", |ui| scrolled(ui, |ui| items.insert(ui)));
-            ui.menu_button("View", |ui| scrolled(ui, |ui| items.view(ui)));
-            ui.menu_button("Pose", |ui| scrolled(ui, |ui| items.pose(ui)));
-            ui.menu_button("Help", |ui| scrolled(ui, |ui| items.all(ui, Menu::Help)));
+            let menus = [
+                ui.menu_button("File", |ui| scrolled(ui, |ui| items.file(ui))),
+                ui.menu_button("Edit", |ui| scrolled(ui, |ui| items.edit(ui))),
+                ui.menu_button("Insert", |ui| scrolled(ui, |ui| items.insert(ui))),
+                ui.menu_button("View", |ui| scrolled(ui, |ui| items.view(ui))),
+                ui.menu_button("Pose", |ui| scrolled(ui, |ui| items.pose(ui))),
+                ui.menu_button("Help", |ui| scrolled(ui, |ui| items.all(ui, Menu::Help))),
+            ];
+            follow_pointer(ui.ctx(), &menus.map(|menu| menu.response));
             title(ui, items.input.title);
         });
     });
     insert_at_pointer(root, &mut items);
+}
+
+/// Opens the menu whose title comes under the pointer while another one is open, as menu bars do.
+fn follow_pointer(ctx: &Context, menus: &[Response]) {
+    let is_open = |menu: &&Response| Popup::is_id_open(ctx, Popup::default_response_id(menu));
+    let moves = ctx.input(|input| input.pointer.delta() != Vec2::ZERO);
+    let pointed = menus.iter().find(|menu| menu.hovered() && moves);
+    if let (Some(pointed), Some(open)) = (pointed, menus.iter().find(is_open))
+        && pointed.id != open.id
+    {
+        Popup::open_id(ctx, Popup::default_response_id(pointed));
+    }
 }
 
 /// The menu Insert where the pointer was when the command asked for it, while it is open.

@@ -189,6 +189,27 @@ fn of_the_commands_that_are_searched_for_those_that_can_be_run_come_first() {
 }
 
 #[test]
+fn an_open_menu_gives_way_to_the_one_whose_title_the_pointer_comes_to() {
+    let mut editor = Editor::new();
+    let title = |editor: &Editor, menu: &str| editor.widget(menu).rect().center();
+    let edit = title(&editor, "Edit");
+    editor.harness.hover_at(edit);
+    editor.settle();
+    assert!(!editor.has("Select All"), "none is open");
+    editor.click("File");
+    assert!(editor.has("Save As…"));
+    editor.harness.hover_at(edit);
+    editor.settle();
+    assert!(editor.has("Select All") && !editor.has("Save As…"));
+    let insert = title(&editor, "Insert");
+    editor.harness.hover_at(insert);
+    editor.settle();
+    assert!(editor.has("Teapot") && !editor.has("Select All"));
+    editor.key(Key::Escape);
+    assert!(!editor.has("Teapot"));
+}
+
+#[test]
 fn the_insert_menu_at_the_pointer_does_not_list_itself() {
     let mut editor = Editor::new();
     editor.click("Insert");
