@@ -202,7 +202,7 @@ fn what_is_right_is_gray_and_said_to_be_right_and_what_is_wrong_is_colored() {
     assert!(gray > 5000 && scaled * 50 < gray, "{scaled} {gray}");
 
     let mut story = comparing(&off_by_one());
-    story.click("Ours");
+    story.click("Exact");
     let (scaled, _) = scaled_and_gray(&story);
     assert!(scaled > 5000, "{scaled}");
 }
@@ -211,9 +211,9 @@ fn what_is_right_is_gray_and_said_to_be_right_and_what_is_wrong_is_colored() {
 fn ours_theirs_and_both_are_three_pictures_and_esc_goes_back_to_the_first() {
     let mut story = comparing(&off_by_one());
     let both = story.scene_picture();
-    story.click("Ours");
+    story.click("Exact");
     let ours = story.scene_picture();
-    story.click("Theirs");
+    story.click("mine.obj");
     let theirs = story.scene_picture();
     assert!(differing(&both, &ours) > 1000);
     assert!(differing(&both, &theirs) > 1000);
@@ -292,7 +292,7 @@ fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
     story.host.drop_file("corners.obj");
     story.settle();
     text(&story, "corners.obj against the exact Dog");
-    text(&story, "Theirs has another number of vertices");
+    text(&story, "corners.obj has another number of vertices");
     diagnose(&mut story);
     text(&story, "vertices-renumbered:");
     assert_eq!(story.names(), ["Dog"], "nothing was imported");
@@ -384,7 +384,7 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.click("Reset all");
     diagnose(&mut story);
     assert!(
-        !is_told(&story) && story.has("Take Their Pose"),
+        !is_told(&story) && story.has("Take Its Pose"),
         "their pose is known"
     );
 
@@ -411,13 +411,13 @@ fn the_pose_is_loaded_where_it_is_missing_and_the_mistake_named_then() {
             .iter()
             .any(|text| text.starts_with("weights-shifted"))
     );
-    story.click("Load Their Pose…");
+    story.click("Load Its Pose…");
     let asked = story.host.requests.last().map(|request| request.purpose);
     assert_eq!(asked, Some(Purpose::LoadPose(id)));
     story.choose("walk.json");
     diagnose(&mut story);
     text(&story, "weights-shifted:");
-    assert!(!story.has("Load Their Pose…"), "it is loaded");
+    assert!(!story.has("Load Its Pose…"), "it is loaded");
 }
 
 #[test]
@@ -432,20 +432,20 @@ fn a_mesh_of_another_pose_is_said_to_be_one_and_its_pose_taken_by_one_click() {
     text(&story, "This is the exact result, but of another pose.");
     text(
         &story,
-        "If that is the pose that theirs was made in, load it",
+        "If that is the pose that mine.obj was made in, load it",
     );
     assert!(
         !texts(&story)
             .iter()
             .any(|text| text.starts_with("No known mistake"))
     );
-    story.click("Take Their Pose");
+    story.click("Take Its Pose");
     diagnose(&mut story);
     text(&story, "Right: this is the exact result");
-    assert!(!story.has("Take Their Pose"));
+    assert!(!story.has("Take Its Pose"));
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
-    assert!(story.has("Take Their Pose"));
+    assert!(story.has("Take Its Pose"));
 }
 
 #[test]
@@ -457,7 +457,7 @@ fn where_no_mistake_is_found_the_pose_is_to_be_checked() {
     let mut story = comparing(&bent);
     diagnose(&mut story);
     text(&story, "No known mistake gives this mesh in this pose");
-    text(&story, "Is this the pose that their mesh was made in?");
+    text(&story, "Is this the pose that mine.obj was made in?");
 }
 
 #[test]

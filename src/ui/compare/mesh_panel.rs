@@ -33,17 +33,10 @@ pub(in crate::ui) struct MeshPanelState {
     pub explains: bool,
 }
 
-const LOAD_POSE: &str = "Load Their Pose…";
+const LOAD_POSE: &str = "Load Its Pose…";
 
-/// What a student forgets first.
-const AT_REST: &str = "The character is at rest, but their mesh seems to be posed: load the pose that it \
-                       was made in.";
-
-/// What to check where no mistake is found.
-const CHECK_POSE: &str = "Is this the pose that their mesh was made in? If not, load that one.";
-/// What to do where theirs is right in another pose.
-const TAKE_POSE: &str = "If that is the pose that theirs was made in, load it or take it here. If not, their \
-                         program turns joints otherwise than the pose says:";
+/// Most letters of a file's name on a button.
+const LONGEST_NAME: usize = 24;
 
 /// The panel; returns what is chosen in it. The camera goes to a vertex that is chosen.
 pub(in crate::ui) fn show(
@@ -100,8 +93,14 @@ impl Parts<'_> {
                 |ui| {
                     for shown in MeshesShown::ALL {
                         let is_shown = self.compare.shown == shown;
-                        let button = ui.selectable_label(is_shown, shown.label());
-                        if button.on_hover_text(explained(shown)).clicked() {
+                        let label = match shown {
+                            MeshesShown::Both => "Both".to_owned(),
+                            MeshesShown::Ours => "Exact".to_owned(),
+                            MeshesShown::Theirs => shortened(self.compare.name),
+                        };
+                        let button = ui.selectable_label(is_shown, label);
+                        let tip = explained(shown, self.compare.name);
+                        if button.on_hover_text(tip).clicked() {
                             self.ask(CompareMeshAction::Show(shown));
                         }
                     }
@@ -110,9 +109,7 @@ impl Parts<'_> {
                     let text = format!("{} against the exact {ours}", self.compare.name);
                     let color = Palette::of(ui.visuals()).weak;
                     ui.add(Label::new(RichText::new(text).color(color)).truncate())
-                        .on_hover_text(
-                            "Theirs is the file's mesh; ours is the character in its pose",
-                        );
+                        .on_hover_text("The exact mesh is the character in its pose");
                 },
             );
         });
@@ -125,9 +122,12 @@ impl Parts<'_> {
     /// How far off theirs is, and a way to where it is farthest.
     fn numbers(&mut self, ui: &mut Ui) {
         let Some(measure) = self.compare.measure else {
-            let text = "Theirs has another number of vertices, so that no vertex of it is known to be \
-                        one of ours: there are no distances.";
-            return say(ui, text, Palette::of(ui.visuals()).text);
+            let text = format!(
+                "{} has another number of vertices, so that none is known to be one of the exact mesh: \
+                 there are no distances.",
+                self.compare.name
+            );
+            return say(ui, &text, Palette::of(ui.visuals()).text);
         };
         let color = Palette::of(ui.visuals()).text;
         Grid::new("distances")
@@ -180,7 +180,12 @@ impl Parts<'_> {
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
         let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
         if is_at_rest && !is_of_pose {
-            say(ui, AT_REST, palette.warning);
+            // What a student forgets first.
+            let text = format!(
+                "The character is at rest, but {} seems to be posed: load the pose that it was made in.",
+                self.compare.name
+            );
+            say(ui, &text, palette.warning);
             self.load_pose(ui);
         }
         match diagnosis.verdict {
@@ -194,7 +199,7 @@ impl Parts<'_> {
                     let text = format!("Section {} · Look at {}", mistake.section, mistake.look_at);
                     say(ui, &text, palette.text);
                 }
-                let text = format!("That explains theirs to within {off}.");
+                let text = format!("That explains {} to within {off}.", self.compare.name);
                 say(ui, &text, palette.weak);
             }
             Verdict::Unexplained => {
@@ -205,7 +210,11 @@ impl Parts<'_> {
                             "No known mistake gives this mesh in this pose, nor do two of them.";
                         say(ui, text, palette.strong);
                         if !is_at_rest {
-                            say(ui, CHECK_POSE, palette.text);
+                            let text = format!(
+                                "Is this the pose that {} was made in? If not, load that one.",
+                                self.compare.name
+                            );
+                            say(ui, &text, palette.text);
                             self.load_pose(ui);
                         }
                     }
@@ -261,7 +270,7 @@ impl Parts<'_> {
 
     /// A way to the pose that theirs was made in.
     fn load_pose(&mut self, ui: &mut Ui) {
-        let tip = "Choose the pose file that their program was given";
+        let tip = "Choose the pose file that the other program was given";
         if ui.button(LOAD_POSE).on_hover_text(tip).clicked() {
             let load = Ask::LoadPose(self.compare.shape);
             self.actions.push(Action::Ask(load));
@@ -273,10 +282,16 @@ impl Parts<'_> {
         let palette = Palette::of(ui.visuals());
         let text = "This is the exact result, but of another pose.";
         say(ui, text, palette.strong);
-        say(ui, TAKE_POSE, palette.text);
+        let name = self.compare.name;
+        let text = format!(
+            "If that is the pose that {name} was made in, load it or take it here. If not, the program that \
+             made it turns joints otherwise than the pose says:"
+        );
+        say(ui, &text, palette.text);
         ui.horizontal_wrapped(|ui| {
-            let button = ui.button("Take Their Pose");
-            let tip = "Give the character the angles that theirs shows; Undo takes them back";
+            let button = ui.button("Take Its Pose");
+            let tip =
+                format!("Give the character the angles that {name} shows; Undo takes them back");
             if button.on_hover_text(tip).clicked() {
                 let edit = Edit::SetPose(self.compare.shape, other.pose.clone());
                 self.actions.push(Action::Edit(edit));
@@ -314,12 +329,22 @@ impl Parts<'_> {
     }
 }
 
-fn explained(shown: MeshesShown) -> &'static str {
+fn explained(shown: MeshesShown, name: &str) -> String {
     match shown {
-        MeshesShown::Both => "Ours in the colors of the distances, theirs over it like glass",
-        MeshesShown::Ours => "Ours alone, in the colors of the distances",
-        MeshesShown::Theirs => "Theirs alone, in the colors of the distances",
+        MeshesShown::Both => {
+            format!("The exact mesh in the colors of the distances, {name} over it like glass")
+        }
+        MeshesShown::Ours => "The exact mesh alone, in the colors of the distances".to_owned(),
+        MeshesShown::Theirs => format!("{name} alone, in the colors of the distances"),
     }
+}
+
+/// A file's name, with its beginning alone if it is long.
+fn shortened(name: &str) -> String {
+    if name.chars().count() <= LONGEST_NAME {
+        return name.to_owned();
+    }
+    name.chars().take(LONGEST_NAME - 1).chain(['…']).collect()
 }
 
 type Line = (&'static str, String, &'static str);

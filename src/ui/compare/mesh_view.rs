@@ -33,15 +33,6 @@ pub enum MeshesShown {
 impl MeshesShown {
     /// All, in the order of the panel.
     pub const ALL: [Self; 3] = [Self::Both, Self::Ours, Self::Theirs];
-
-    /// Its name in the panel.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Both => "Both",
-            Self::Ours => "Ours",
-            Self::Theirs => "Theirs",
-        }
-    }
 }
 
 /// A comparison of a character with a mesh. Ours is the exact one, theirs the file's.
