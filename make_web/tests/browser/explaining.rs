@@ -87,8 +87,8 @@ fn a_mesh_of_another_pose_is_compared_and_its_pose_taken() {
     browser.wait("the mistake is sought", || {
         browser.script(diagnosed) == true
     });
-    // Take Their Pose.
-    browser.click(395, 720);
+    // Take Its Pose.
+    browser.click(57, 680);
     browser.wait("theirs is right in its pose", || {
         violet(&browser.picture()) == 0
     });
