@@ -80,7 +80,8 @@ fn follow_pointer(ctx: &Context, menus: &[Response]) {
     }
 }
 
-/// The menu Insert where the pointer was when the command asked for it, while it is open.
+/// The menu Insert where the pointer was when the command asked for it, while it is open. Its first item
+/// has the keyboard then, since a key opened it: arrow keys and Return choose.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
     let ctx = root.ctx().clone();
@@ -94,7 +95,7 @@ fn insert_at_pointer(root: &Ui, items: &mut Items) {
     .layout(Layout::top_down_justified(egui::Align::Min))
     .style(menu_style)
     .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
-    .show(|ui| scrolled(ui, |ui| items.insertable(ui)));
+    .show(|ui| scrolled(ui, |ui| items.insertable(ui, opens)));
 }
 
 fn title(ui: &mut Ui, title: &str) {
@@ -126,7 +127,7 @@ impl Items<'_> {
                     .wrap_mode(egui::TextWrapMode::Extend);
                 let item = ui.add(item);
                 tip_beside(&item, &path.to_string_lossy(), None);
-                if item.clicked() {
+                if is_chosen(ui, &item) {
                     self.actions
                         .push(Action::Ask(Ask::OpenRecent(path.clone())));
                 }
@@ -149,11 +150,15 @@ impl Items<'_> {
         self.insertable_besides(ui);
     }
 
-    /// Everything that can be inserted, without the command that shows this menu elsewhere.
-    fn insertable(&mut self, ui: &mut Ui) {
+    /// Everything that can be inserted, without the command that shows this menu elsewhere. The first item
+    /// takes the keyboard if the menu `opens`.
+    fn insertable(&mut self, ui: &mut Ui, opens: bool) {
         let is_shape = |entry: &&Entry| entry.command != Command::InsertMenu;
-        for entry in commands::entries(Menu::Insert).filter(is_shape) {
-            self.item(ui, entry);
+        for (index, entry) in commands::entries(Menu::Insert).filter(is_shape).enumerate() {
+            let item = self.item(ui, entry);
+            if opens && index == 0 {
+                item.request_focus();
+            }
         }
         self.insertable_besides(ui);
     }
@@ -182,7 +187,7 @@ impl Items<'_> {
                     "Add it at the origin, a character beside others",
                     None,
                 );
-                if item.clicked() {
+                if is_chosen(ui, &item) {
                     self.actions.push(Action::Ask(Ask::InsertBuiltin(name)));
                 }
             }
@@ -246,7 +251,8 @@ impl Items<'_> {
         }
         submenu(ui, "Built-in Pose", |ui| {
             for (name, pose) in poses {
-                if ui.button(name_of_import(pose)).clicked() {
+                let item = ui.button(name_of_import(pose));
+                if is_chosen(ui, &item) {
                     self.actions
                         .push(Action::Ask(Ask::UseBuiltinPose(shape, name)));
                 }
@@ -262,7 +268,7 @@ impl Items<'_> {
         }
     }
 
-    fn item(&mut self, ui: &mut Ui, entry: &Entry) {
+    fn item(&mut self, ui: &mut Ui, entry: &Entry) -> Response {
         let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
@@ -291,15 +297,26 @@ impl Items<'_> {
                 .accesskit_node_builder(item.id, |node| node.set_toggled(toggled));
         }
         tip_beside(&item, entry.tooltip, why);
-        if item.clicked() {
+        if is_chosen(ui, &item) {
             self.run(entry.command);
         }
+        item
     }
 
     fn run(&mut self, command: Command) {
         let action = run(command, self.session, self.state, self.aspect);
         self.actions.extend(action);
     }
+}
+
+/// Whether an item is chosen, which closes its menu: by itself it closes for the pointer alone, not for
+/// Return.
+fn is_chosen(ui: &Ui, item: &Response) -> bool {
+    let is_chosen = item.clicked();
+    if is_chosen {
+        ui.close();
+    }
+    is_chosen
 }
 
 /// The items of a menu, which scroll if the window is too low for them.

@@ -221,6 +221,27 @@ fn the_insert_menu_at_the_pointer_does_not_list_itself() {
 }
 
 #[test]
+fn the_insert_menu_at_the_pointer_is_chosen_from_by_arrow_keys() {
+    let mut editor = Editor::new();
+    let names = |editor: &Editor| -> Vec<String> {
+        let shapes = editor.session().scene().shapes();
+        shapes.iter().map(|shape| shape.name.clone()).collect()
+    };
+    editor.harness.hover_at(egui::pos2(200.0, 300.0));
+    editor.key_with(Modifiers::SHIFT, Key::A);
+    editor.key(Key::ArrowDown);
+    editor.key(Key::Enter);
+    assert_eq!(names(&editor), ["Sphere"], "the second item");
+    assert!(!editor.has("Teapot"), "the menu is closed");
+    editor.key(Key::ArrowDown);
+    editor.key(Key::Enter);
+    assert_eq!(names(&editor), ["Sphere"], "nothing is left to choose");
+    editor.key_with(Modifiers::SHIFT, Key::A);
+    editor.key(Key::Escape);
+    assert_eq!(names(&editor), ["Sphere"], "Esc chooses nothing");
+}
+
+#[test]
 fn esc_does_not_quit_while_a_button_is_held() {
     let mut editor = Editor::new();
     editor.harness.state_mut().gestures = true;
