@@ -1,12 +1,14 @@
 //! A character in the shape panel: how it is drawn, and its poses.
 
-use super::method_view::{self, MethodViewState};
+use super::method_view;
 use super::number_field::NumberField;
+use super::state::UiState;
 use super::widgets::{choice, labelled, named, section};
 use super::{Action, Ask, CompareMeshAction};
 use crate::editor::{Edit, Session};
 use crate::scene::{
-    BoneStyle, CharacterDisplay, CharacterShape, JointStyle, ModelDisplay, ShapeId, SkinningMethod,
+    BoneStyle, CharacterDisplay, CharacterShape, EvaluatedGeometry, JointStyle, ModelDisplay,
+    ShapeId, SkinningMethod,
 };
 use egui::{Button, CollapsingHeader, TextEdit, Ui, vec2};
 
@@ -93,7 +95,7 @@ pub(super) fn skinning(
     id: ShapeId,
     character: &CharacterShape,
     session: &Session,
-    methods_shown: &mut MethodViewState,
+    state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
     let method = character.skinning_method();
@@ -116,12 +118,19 @@ pub(super) fn skinning(
         if changed != method {
             actions.push(Action::Edit(Edit::SetSkinningMethod(id, changed)));
         }
+        let mistaken = state.explain.mistaken(session, id);
         let evaluated = session.evaluated().shape(id);
-        if let Some(kept) = evaluated.and_then(|shape| shape.geometry.volume_kept()) {
-            let volume = ui.label(format!("Volume {:.1} % of the bind pose", kept * 100.0));
+        let geometry = mistaken.or(evaluated.map(|shape| &*shape.geometry));
+        if let Some(kept) = geometry.and_then(EvaluatedGeometry::volume_kept) {
+            let by = match mistaken {
+                Some(_) => ", with the mistake",
+                None => "",
+            };
+            let volume = format!("Volume {:.1} % of the bind pose{by}", kept * 100.0);
+            let volume = ui.label(volume);
             volume.on_hover_text("Signed volume inside the mesh, shown for closed meshes");
         }
-        method_view::choice(ui, session, id, methods_shown);
+        method_view::choice(ui, session, id, &mut state.methods);
         let compare = ui.button("Compare with a Mesh of Yours…");
         let tip =
             "See how far off a mesh is that your program has posed, and which mistake gives it";

@@ -174,8 +174,7 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
             ui.separator();
             character_panel::display(ui, shape.id, character.display, actions);
             ui.separator();
-            let methods = &mut state.methods;
-            character_panel::skinning(ui, shape.id, character, session, methods, actions);
+            character_panel::skinning(ui, shape.id, character, session, state, actions);
             ui.separator();
             character_panel::poses(ui, shape.id, character, &mut state.pose_name, actions);
             ui.separator();

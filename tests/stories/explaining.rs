@@ -18,7 +18,7 @@ fn bent() -> Story {
 }
 
 /// Scrolls to a mistake in the list, and clicks it.
-fn make(story: &mut Story, sentence: &str) {
+pub(super) fn make(story: &mut Story, sentence: &str) {
     let nodes = story.widgets.iter().flat_map(|update| &update.nodes);
     let mut named = nodes.filter(|(_, node)| node.label() == Some(sentence));
     let target_node = named.next().expect("the mistake is listed").0;
@@ -43,7 +43,7 @@ const ELBOW: &str = "Elbow: w 0.500, B⁻¹ · v (0.200, 0.000, 0.000), \
 const HIP: &str = "Hip: w 0.500, B⁻¹ · v (0.200, 1.000, 0.000), \
                    T · B⁻¹ · v (0.200, 1.000, 0.000), w · T · B⁻¹ · v (0.100, 0.500, 0.000)";
 const SUM: &str = "Sum (0.100, 1.100, 0.000)";
-const NO_INVERSE: &str = "Vertices are moved by T alone, without the inverse of B";
+pub(super) const NO_INVERSE: &str = "Vertices are moved by T alone, without the inverse of B";
 
 #[test]
 fn a_click_on_the_mesh_shows_the_formula_of_the_nearest_vertex_in_numbers() {

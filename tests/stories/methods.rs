@@ -1,5 +1,6 @@
 //! Both methods of skinning in the view: blended, and split by a line.
 
+use super::explaining::{NO_INVERSE, make};
 use super::{Story, differing};
 use editor_core::geometry::Picture;
 use egui::vec2;
@@ -57,6 +58,21 @@ fn the_volume_that_a_twist_leaves_is_told_in_percent_of_the_bind_pose() {
         assert!((told - kept).abs() <= 0.05, "{told} {kept}");
         assert!(range.contains(&told), "{button}: {told}");
     }
+}
+
+#[test]
+fn while_a_mistake_is_shown_the_volume_is_that_of_the_mesh_that_is_seen() {
+    let mut story = twisted();
+    let right = own_volume(&story);
+    story.click("View");
+    story.click("Explain Skinning");
+    let of_mistake =
+        |story: &Story| told_volume(story, "Volume ", " % of the bind pose, with the mistake");
+    make(&mut story, NO_INVERSE);
+    let wrong = of_mistake(&story);
+    assert!((wrong - right).abs() > 1.0, "{wrong} {right}");
+    story.click("Back to Correct");
+    assert_eq!(own_volume(&story), right);
 }
 
 #[test]

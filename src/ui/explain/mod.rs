@@ -20,7 +20,7 @@ pub(super) use vertex::pointer;
 use super::scene_places::ScenePlaces;
 use crate::editor::Session;
 use crate::revision::Revision;
-use crate::scene::{CharacterShape, Evaluated, EvaluatedShape, ShapeId};
+use crate::scene::{CharacterShape, Evaluated, EvaluatedGeometry, EvaluatedShape, ShapeId};
 use egui::{Rect, Ui};
 use shown::{Made, Mistaken};
 use std::collections::BTreeSet;
@@ -150,6 +150,20 @@ impl ExplainState {
         let shape = evaluated.shapes.iter_mut().find(|shape| shape.id == id)?;
         shape.geometry = mistaken.geometry.clone();
         Some(evaluated)
+    }
+
+    /// What the character `id` looks like with the mistake that is made; `None` while it has none.
+    pub(super) fn mistaken(
+        &mut self,
+        session: &Session,
+        id: ShapeId,
+    ) -> Option<&EvaluatedGeometry> {
+        self.update(session);
+        let mistaken = self
+            .mistaken
+            .as_ref()
+            .filter(|_| self.character == Some(id));
+        Some(&mistaken?.geometry)
     }
 
     /// The character that is explained.
