@@ -1,6 +1,7 @@
 //! `make bench`: what things cost, as ratios within one run next to their targets. Times are CPU times of
 //! the whole process, threads of the graphics driver included, the least of interleaved rounds.
 
+mod course_editor;
 mod crowds;
 #[path = "../tests/window/desktop.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
