@@ -77,6 +77,24 @@ fn a_click_on_the_mesh_shows_the_formula_of_the_nearest_vertex_in_numbers() {
 }
 
 #[test]
+fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.type_into("Left elbow Z", "30");
+    assert!(story.session().selected_joint().is_some());
+    story.click("View");
+    story.click("Explain Skinning");
+    let numbers = |story: &Story| {
+        let mut nodes = story.widgets.iter().flat_map(|update| &update.nodes);
+        let row =
+            nodes.find_map(|(_, node)| node.label().filter(|it| it.starts_with("Left elbow: w")));
+        row.map(str::to_owned)
+    };
+    let before = numbers(&story);
+    story.type_into("Left elbow Z", "60");
+    assert!(before.is_some() && numbers(&story).is_some() && numbers(&story) != before);
+}
+
+#[test]
 fn a_tiny_character_has_its_numbers_in_a_power_of_ten() {
     let host = MemoryHost {
         stored: [super::started_before()].into(),

@@ -198,7 +198,8 @@ impl ExplainState {
         if !self.mistaken.as_ref().is_some_and(is_of) {
             self.mistaken = made.and_then(|made| Mistaken::new(made, &explained));
         }
-        let vertex = self.vertex(&explained);
+        let joint = session.selected_joint().filter(|_| selected.is_some());
+        let vertex = self.vertex(&explained, joint);
         let is_told = |told: &Told| told.is_of(&explained, vertex, made);
         if !self.told.as_ref().is_some_and(is_told) {
             self.told = Told::new(&explained, vertex, made);

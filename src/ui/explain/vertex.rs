@@ -58,9 +58,9 @@ impl Told {
 }
 
 impl ExplainState {
-    /// The vertex that is explained: the one that was picked, or one where there is much to see: of those
-    /// with several weights the farthest from the origin.
-    pub(super) fn vertex(&mut self, explained: &Explained) -> usize {
+    /// The vertex that is explained: the one that was picked, or one where there is much to see: one that
+    /// `joint` moves, and of those with several weights the farthest from the origin.
+    pub(super) fn vertex(&mut self, explained: &Explained, joint: Option<usize>) -> usize {
         let attachments = explained.shape.character.attachments();
         let picked = self.picked.filter(|&(shape, vertex)| {
             shape == explained.id && vertex < attachments.vertex_count()
@@ -79,9 +79,15 @@ impl ExplainState {
             let heavy = influences.filter(|one| one.weight.abs() >= HEAVY);
             heavy.count().min(ENOUGH)
         };
+        let is_moved = |vertex: &usize| {
+            let mut influences = attachments.of_vertex(*vertex).iter();
+            influences.any(|one| joint == Some(one.joint as usize) && one.weight.abs() >= HEAVY)
+        };
         let far = |vertex: &usize| positions[*vertex].length();
-        let most = (0..attachments.vertex_count())
-            .max_by(|a, b| tells(a).cmp(&tells(b)).then(far(a).total_cmp(&far(b))));
+        let most = (0..attachments.vertex_count()).max_by(|a, b| {
+            let told = (is_moved(a), tells(a)).cmp(&(is_moved(b), tells(b)));
+            told.then(far(a).total_cmp(&far(b)))
+        });
         let vertex = most.unwrap_or(0);
         self.first_vertex = Some((of, vertex));
         vertex
