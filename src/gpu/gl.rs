@@ -28,6 +28,8 @@ struct Inner {
     viewport: Cell<[i32; 4]>,
     /// Whether the driver has said that the context is lost. It may say so only once.
     is_lost: Cell<bool>,
+    /// Whether errors are asked for only by [`Gl::keep_errors`].
+    asks_when_idle: bool,
     native: OwnedNative,
 }
 
@@ -79,7 +81,7 @@ impl Gl {
         let mut glow = unsafe { glow::Context::from_loader_function_cstr(load) };
         // SAFETY: the context is current, and `glow` is dropped while it is: see `Inner`.
         let driver_messages = unsafe { native_driver::collect_messages(&mut glow) };
-        Ok(Self::of(native, Arc::new(glow), driver_messages))
+        Ok(Self::of(native, Arc::new(glow), driver_messages, false))
     }
 
     /// Shares the context of a canvas with whoever else draws there.
@@ -90,7 +92,7 @@ impl Gl {
     ) -> Result<Self, ContextError> {
         let native = OwnedNative::new(native);
         native.make_current().map_err(ContextError::Native)?;
-        Ok(Self::of(native, glow, Arc::default()))
+        Ok(Self::of(native, glow, Arc::default(), true))
     }
 
     /// A handle to `native`, which is current and whose entry points are `glow`.
@@ -98,6 +100,7 @@ impl Gl {
         native: OwnedNative,
         glow: Arc<glow::Context>,
         driver_messages: Arc<Mutex<Vec<String>>>,
+        asks_when_idle: bool,
     ) -> Self {
         // SAFETY: the context is current.
         let info = unsafe { driver::read_info(&glow) };
@@ -109,6 +112,7 @@ impl Gl {
                 faults: RefCell::default(),
                 viewport: Cell::new([0; 4]),
                 is_lost: Cell::new(false),
+                asks_when_idle,
                 native,
             }),
         }
@@ -147,7 +151,8 @@ impl Gl {
     }
 
     /// Everything that went wrong since the last check, each fault once. `what` is what was done
-    /// in between, for the message.
+    /// in between, for the message. A browser tells errors once everything is drawn: there, those are
+    /// returned that [`keep_errors`](Self::keep_errors) has found.
     ///
     /// # Errors
     /// [`GpuError::Faults`] with the driver's error codes and messages of errors or high severity,
@@ -155,7 +160,10 @@ impl Gl {
     /// if the context is gone.
     pub fn check(&self, what: &str) -> Result<(), GpuError> {
         let glow = self.current_for(what)?;
-        let mut faults: Vec<String> = self.take_error_flags(glow).map(error_name).collect();
+        let mut faults = Vec::new();
+        if !self.inner.asks_when_idle {
+            faults.extend(self.take_error_flags(glow).map(error_name));
+        }
         if self.inner.is_lost.get() {
             return Err(lost(what, "the driver was reset"));
         }
@@ -168,6 +176,15 @@ impl Gl {
         Err(GpuError::Faults { what, faults })
     }
 
+    /// Asks for the driver's errors, for the next check. On a page this waits until everything is drawn,
+    /// and is for moments when that is so.
+    pub fn keep_errors(&self) {
+        if let Some(glow) = self.current() {
+            let errors = self.take_error_flags(glow).map(error_name);
+            errors.for_each(|error| self.report(error));
+        }
+    }
+
     /// Waits until the driver has done all that it was told.
     pub fn finish(&self) {
         if let Some(glow) = self.current() {
@@ -177,9 +194,13 @@ impl Gl {
     }
 
     /// Whether the driver had the memory for everything since errors were last asked for. Other
-    /// errors are kept for [`check`](Self::check).
+    /// errors are kept for [`check`](Self::check), as all are in a browser, which itself sees to it
+    /// that nothing is read that is not there.
     pub(in crate::gpu) fn check_memory(&self, what: &'static str) -> Result<(), GpuError> {
         let glow = self.current_for("reserving memory")?;
+        if self.inner.asks_when_idle {
+            return Ok(());
+        }
         let (exhausted, others): (Vec<u32>, Vec<u32>) = self
             .take_error_flags(glow)
             .partition(|&code| code == glow::OUT_OF_MEMORY);

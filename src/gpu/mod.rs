@@ -41,6 +41,7 @@ mod draw_state;
 mod driver;
 #[cfg(test)]
 mod failure_tests;
+mod fence;
 mod framebuffer;
 mod framebuffer_object;
 mod gl;
@@ -66,6 +67,7 @@ pub use context::{Backend, HeadlessContext, WindowContext};
 pub use display_list::DisplayList;
 pub use draw_state::{Blend, DepthTest, DrawState};
 pub use driver::Info;
+pub use fence::Fence;
 pub use framebuffer::{Framebuffer, Rect};
 pub use gl::Gl;
 pub use gpu_error::{ContextError, GpuError};

@@ -1,15 +1,9 @@
 //! Reading a picture back without waiting until it is drawn.
 
+#[cfg(target_arch = "wasm32")]
 use glow::HasContext as _;
 
-use super::{Framebuffer, Gl, GpuError};
-
-/// Nanoseconds to wait for a picture at a time. A page may not wait at all: the browser needs the thread.
-const PATIENCE: i32 = if cfg!(target_arch = "wasm32") {
-    0
-} else {
-    i32::MAX
-};
+use super::{Fence, Framebuffer, Gl, GpuError};
 
 /// A picture as it was at some moment, on its way back from the graphics card.
 ///
@@ -18,9 +12,10 @@ const PATIENCE: i32 = if cfg!(target_arch = "wasm32") {
 /// it is read from where it was drawn, which [`Reading::finish`] has to wait for anyway.
 #[derive(Debug)]
 pub struct Reading {
+    #[cfg(target_arch = "wasm32")]
     gl: Gl,
     /// Behind all that the picture needs.
-    fence: glow::Fence,
+    fence: Fence,
     #[cfg(target_arch = "wasm32")]
     buffer: glow::Buffer,
 }
@@ -31,23 +26,13 @@ impl Reading {
     /// # Errors
     /// When the context is lost or the driver refuses.
     pub fn begin(picture: &Framebuffer, gl: &Gl) -> Result<Self, GpuError> {
-        let create = |why| GpuError::Create {
-            what: "picture to read",
-            why,
-        };
         picture.resolve();
         #[cfg(target_arch = "wasm32")]
         let buffer = picture.copy_into_buffer()?;
-        let glow = gl.current_for("reading a picture back")?;
-        // SAFETY: current context; the condition and the flags are the only ones that there are.
-        let fence = unsafe { glow.fence_sync(glow::SYNC_GPU_COMMANDS_COMPLETE, 0) };
-        let fence = fence.map_err(create)?;
-        // What is never sent is never done.
-        // SAFETY: current context.
-        unsafe { glow.flush() };
         Ok(Self {
+            #[cfg(target_arch = "wasm32")]
             gl: gl.clone(),
-            fence,
+            fence: Fence::new(gl)?,
             #[cfg(target_arch = "wasm32")]
             buffer,
         })
@@ -57,12 +42,7 @@ impl Reading {
     /// so. In a context that fails there is nothing to wait for.
     #[must_use]
     pub fn is_drawn(&self) -> bool {
-        let Some(glow) = self.gl.current() else {
-            return true;
-        };
-        // SAFETY: current context, which the fence is of.
-        let status = unsafe { glow.client_wait_sync(self.fence, 0, PATIENCE) };
-        status != glow::TIMEOUT_EXPIRED
+        self.fence.is_reached()
     }
 
     /// The picture: red, green, blue, alpha, 8 bits each, the top row first. It has to be drawn, or this
@@ -78,15 +58,12 @@ impl Reading {
     }
 }
 
+#[cfg(target_arch = "wasm32")]
 impl Drop for Reading {
     fn drop(&mut self) {
         if let Some(glow) = self.gl.current() {
-            // SAFETY: current context, which both are of; nothing uses them any more.
-            unsafe {
-                glow.delete_sync(self.fence);
-                #[cfg(target_arch = "wasm32")]
-                glow.delete_buffer(self.buffer);
-            }
+            // SAFETY: current context, which it is of; nothing uses it any more.
+            unsafe { glow.delete_buffer(self.buffer) }
         }
     }
 }

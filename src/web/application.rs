@@ -1,5 +1,6 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
+use super::error_watch::ErrorWatch;
 use super::page::Page;
 use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
@@ -18,6 +19,7 @@ use web_sys::WebGl2RenderingContext;
 pub(super) struct Application {
     page: Rc<RefCell<Page>>,
     context: CanvasContext,
+    errors: ErrorWatch,
     /// Events of the next frames: each has one of the parts that egui is given.
     later: Vec<Event>,
     /// Whether there has been a picture.
@@ -49,6 +51,7 @@ impl Application {
         page.borrow_mut().use_graphics(info, &creation.egui_ctx);
         Ok(Self {
             page,
+            errors: ErrorWatch::new(context.gl()),
             context,
             later: Vec::new(),
             is_shown: false,
@@ -87,6 +90,7 @@ impl eframe::App for Application {
         });
         // egui's painter draws into whatever is bound.
         self.context.gl().bind_window();
+        self.errors.end_frame();
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
         let is_first = !program.is_starting() && !self.is_shown;

@@ -2,6 +2,7 @@
 
 mod application;
 mod browser;
+mod error_watch;
 mod fetching;
 mod folders;
 mod fonts;
