@@ -1,4 +1,6 @@
-// Lights a surface, in one of three looks.
+// Lights a surface, in one of three looks. What comes before this defines LOOK, 0: Course, 1: Studio,
+// 2: Mannequin, and TEXTURED, 1 where the picture of the material takes part. Chosen by uniforms, software
+// OpenGL would compute all looks and read a picture at every pixel.
 in vec3 world_position;
 in vec3 world_normal;
 flat in vec3 face_normal;
@@ -8,13 +10,10 @@ in vec2 on_picture;
 
 uniform vec3 color;
 uniform float alpha;
-// Whether the picture of the material takes part; stored values, as the color is.
-uniform int textured;
+// The picture of the material; stored values, as the color is.
 uniform sampler2D picture;
 // 1: one normal a triangle; 0: the interpolated one.
 uniform int flat_normals;
-// 0: Course, 1: Studio, 2: Mannequin.
-uniform int look;
 uniform vec3 course_light;
 uniform vec3 mannequin_light;
 uniform vec3 eye;
@@ -82,23 +81,26 @@ vec3 studio(vec3 stored, vec3 n) {
 
 // The color says where a surface looks; a picture is lit instead.
 vec3 mannequin(vec3 surface, vec3 n) {
-    if (textured == 1) {
+    if (TEXTURED == 1) {
         return surface * (0.15 + max(dot(n, unit(mannequin_light - world_position)), 0.0));
     }
     return 0.5 * n + 0.5;
 }
 
 vec3 seen(vec3 surface, vec3 n) {
-    if (look == 0) {
-        return course(surface, n);
-    }
-    return look == 1 ? studio(surface, n) : mannequin(surface, n);
+#if LOOK == 0
+    return course(surface, n);
+#elif LOOK == 1
+    return studio(surface, n);
+#else
+    return mannequin(surface, n);
+#endif
 }
 
 void main() {
     vec3 n = unit(flat_normals == 1 ? face_normal : world_normal);
     vec3 surface = color * copy_color * tint;
-    if (textured == 1) {
+    if (TEXTURED == 1) {
         surface *= texture(picture, on_picture).rgb;
     }
     fragment_color = vec4(seen(surface, n), alpha);

@@ -8,7 +8,7 @@ use crate::gpu::{Gl, GpuError, Program};
 #[derive(Debug)]
 pub(super) struct MeshPrograms {
     label: &'static str,
-    fragment: &'static str,
+    fragment: String,
     plain: Program,
     /// Compiled when first needed, which is never on software OpenGL.
     skinned: Option<[Program; 2]>,
@@ -16,11 +16,11 @@ pub(super) struct MeshPrograms {
 
 impl MeshPrograms {
     /// Those for plain meshes; see [`MeshPrograms::add_skinned`].
-    pub fn new(gl: &Gl, label: &'static str, fragment: &'static str) -> Self {
+    pub fn new(gl: &Gl, label: &'static str, fragment: &str) -> Self {
         let vertex = include_str!("../../shaders/surface_vertex.glsl");
         Self {
             label,
-            fragment,
+            fragment: fragment.to_owned(),
             plain: Program::when_used(gl, label, vertex, fragment),
             skinned: None,
         }
@@ -30,7 +30,12 @@ impl MeshPrograms {
     pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
         if self.skinned.is_none() {
             let program = |kind: &str, vertex: &str| {
-                Program::new(gl, &format!("{kind} {}", self.label), vertex, self.fragment)
+                Program::new(
+                    gl,
+                    &format!("{kind} {}", self.label),
+                    vertex,
+                    &self.fragment,
+                )
             };
             self.skinned = Some([
                 program("skinned", SMOOTH)?,

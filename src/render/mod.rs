@@ -39,6 +39,7 @@ mod skinning_choice;
 mod skinning_tables;
 mod still_layer;
 mod surface_pass;
+mod surface_programs;
 mod tile;
 mod upload_cache;
 

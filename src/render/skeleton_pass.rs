@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, PassContext};
 use super::surface_pass::set_lights;
+use super::surface_programs::{LOOKS, surface_fragment};
 use crate::character::StickFigure;
 use crate::geometry::{BONE_HALF_WIDTH, Mesh, Normals, Poles, cube, smooth_normals, sphere};
 use crate::gpu::{
@@ -48,7 +49,8 @@ struct Instances {
 /// Draws skeletons: joints as points or spheres, bones as lines or boxes.
 #[derive(Debug)]
 pub(super) struct SkeletonPass {
-    program: Program,
+    /// One for each of [`LOOKS`].
+    programs: [Program; 3],
     mask_program: Program,
     joints: Instances,
     bones: Instances,
@@ -65,12 +67,9 @@ impl SkeletonPass {
             .map(|p| Vec3::new(p.x * 2.0, p.y * 2.0, p.z + 0.5));
         let unit_box = Mesh::new(positions.collect(), unit_box.triangles.clone());
         Ok(Self {
-            program: Program::when_used(
-                gl,
-                "skeleton",
-                vertex,
-                include_str!("../../shaders/surface_fragment.glsl"),
-            ),
+            programs: LOOKS.map(|look| {
+                Program::when_used(gl, "skeleton", vertex, &surface_fragment(look, false))
+            }),
             mask_program: Program::when_used(
                 gl,
                 "skeleton mask",
@@ -108,20 +107,19 @@ impl SkeletonPass {
             };
             blended.apply(gl);
             immediate.load_matrix(context.clip_from_world * world_from_model);
-            self.prepare(context, frame);
+            let program = &self.programs[frame.view.look as usize];
+            prepare(program, context, frame);
             if character.display.bones == BoneStyle::Lines {
                 draw_bone_lines(immediate, figure, character.display, &colors);
             } else {
-                self.bones.draw(
-                    &self.program,
-                    &bone_boxes(figure, world_from_model, &colors),
-                )?;
+                let boxes = bone_boxes(figure, world_from_model, &colors);
+                self.bones.draw(program, &boxes)?;
             }
             if character.display.joints == JointStyle::Points {
                 draw_joint_points(immediate, figure, character.display, &colors);
             } else {
                 let spheres = joint_spheres(figure, world_from_model, &colors);
-                self.joints.draw(&self.program, &spheres)?;
+                self.joints.draw(program, &spheres)?;
             }
         }
         Ok(())
@@ -151,16 +149,15 @@ impl SkeletonPass {
             &joint_spheres(figure, world_from_model, &plain),
         )
     }
+}
 
-    fn prepare(&self, context: &PassContext, frame: &Frame) {
-        let program = &self.program;
-        program.set_mat4("clip_from_world", context.clip_from_world);
-        program.set_vec3("color", Vec3::ONE);
-        program.set_f32("alpha", 1.0);
-        program.set_i32("flat_normals", 0);
-        program.set_i32("textured", 0);
-        set_lights(program, frame.view.look, &frame.view.camera);
-    }
+/// Sets what all skeletons of a picture share.
+fn prepare(program: &Program, context: &PassContext, frame: &Frame) {
+    program.set_mat4("clip_from_world", context.clip_from_world);
+    program.set_vec3("color", Vec3::ONE);
+    program.set_f32("alpha", 1.0);
+    program.set_i32("flat_normals", 0);
+    set_lights(program, &frame.view.camera);
 }
 
 impl Instances {

@@ -57,7 +57,7 @@ impl Renderer {
     pub(super) fn update_meshes(&mut self, frame: &Frame, sight: &Sight) -> Result<(), GpuError> {
         if self.skinning() == Skinning::Gpu
             && let Err(error) = self
-                .prepare_skinning()
+                .prepare_skinning(frame)
                 .and_then(|()| self.update_meshes_by(frame, sight, Skinning::Gpu))
         {
             self.notices.push(format!(
@@ -79,7 +79,7 @@ impl Renderer {
         self.meshes.update(&self.gl, frame, sight, skinning)
     }
 
-    fn prepare_skinning(&mut self) -> Result<(), GpuError> {
+    fn prepare_skinning(&mut self, frame: &Frame) -> Result<(), GpuError> {
         let gl: &Gl = &self.gl;
         let available = gl.info().max_vertex_textures;
         if available < TEXTURES_NEEDED {
@@ -88,7 +88,7 @@ impl Renderer {
                 why: format!("{TEXTURES_NEEDED} textures are needed in it, {available} possible"),
             });
         }
-        self.surfaces.add_skinned(gl)?;
+        self.surfaces.add_skinned(gl, frame.view.look)?;
         self.shadows.add_skinned(gl)?;
         self.outline.add_skinned(gl)
     }

@@ -4,9 +4,9 @@ use super::batches::{Batch, batches};
 use super::cached_mesh::CachedMesh;
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
-use super::mesh_programs::MeshPrograms;
 use super::number_colors::NumberColors;
 use super::shown_triangles::Purpose;
+use super::surface_programs::SurfacePrograms;
 use crate::geometry::Mesh;
 use crate::gpu::{Blend, DepthTest, DrawState, Gl, GpuError, Program, Texture};
 use crate::scene::{
@@ -23,23 +23,22 @@ const PICTURE: u32 = 0;
 /// Draws the surfaces of shapes.
 #[derive(Debug)]
 pub(super) struct SurfacePass {
-    programs: MeshPrograms,
+    programs: SurfacePrograms,
     /// Made when first needed.
     numbers: Option<NumberColors>,
 }
 
 impl SurfacePass {
     pub fn new(gl: &Gl) -> Self {
-        let fragment = include_str!("../../shaders/surface_fragment.glsl");
         Self {
-            programs: MeshPrograms::new(gl, "surface", fragment),
+            programs: SurfacePrograms::new(gl),
             numbers: None,
         }
     }
 
-    /// Compiles the programs for skinned meshes.
-    pub fn add_skinned(&mut self, gl: &Gl) -> Result<(), GpuError> {
-        self.programs.add_skinned(gl)?;
+    /// Compiles the programs for skinned meshes in a look.
+    pub fn add_skinned(&mut self, gl: &Gl, look: Look) -> Result<(), GpuError> {
+        self.programs.add_skinned(gl, look)?;
         match &mut self.numbers {
             Some(numbers) => numbers.add_skinned(gl),
             None => Ok(()),
@@ -64,7 +63,7 @@ impl SurfacePass {
             Look::Course | Look::Studio => shapes(frame, ModelDisplay::Mesh).collect(),
         };
         for batch in batches(opaque.into_iter(), meshes, Purpose::Surface) {
-            self.draw_batch(&batch, meshes, 1.0);
+            self.draw_batch(&batch, meshes, frame.view.look, 1.0);
         }
     }
 
@@ -83,7 +82,7 @@ impl SurfacePass {
         for batch in shapes.filter_map(single) {
             for state in nearest_blended(context) {
                 state.apply(gl);
-                self.draw_batch(&batch, meshes, SEEN_THROUGH);
+                self.draw_batch(&batch, meshes, frame.view.look, SEEN_THROUGH);
             }
         }
     }
@@ -119,11 +118,10 @@ impl SurfacePass {
         (color, alpha): (Vec3, f32),
     ) {
         self.prepare(context, frame);
-        let program = self.programs.of(mesh);
+        let program = self.programs.of(frame.view.look, false).of(mesh);
         program.set_mat4("world_from_model", world_from_model);
         prepare_mesh(program, mesh, world_from_model, alpha);
         program.set_vec3("color", color);
-        program.set_i32("textured", 0);
         for state in nearest_blended(context) {
             state.apply(gl);
             mesh.draw_whole(program, Purpose::Surface, 1);
@@ -131,17 +129,20 @@ impl SurfacePass {
     }
 
     fn prepare(&self, context: &PassContext, frame: &Frame) {
-        for program in self.programs.all() {
-            program.set_mat4("clip_from_world", context.clip_from_world);
-            program.set_sampler("picture", PICTURE);
-            set_lights(program, frame.view.look, &frame.view.camera);
+        let textured = has_pictures(frame).then_some(true);
+        for textured in std::iter::once(false).chain(textured) {
+            for program in self.programs.of(frame.view.look, textured).all() {
+                program.set_mat4("clip_from_world", context.clip_from_world);
+                program.set_sampler("picture", PICTURE);
+                set_lights(program, &frame.view.camera);
+            }
         }
         if let Some(numbers) = &self.numbers {
             numbers.prepare(context, frame);
         }
     }
 
-    fn draw_batch(&self, batch: &Batch, meshes: &MeshCache, alpha: f32) {
+    fn draw_batch(&self, batch: &Batch, meshes: &MeshCache, look: Look, alpha: f32) {
         let (mesh, copies) = (batch.mesh, batch.instances.len().max(1) as u32);
         let world_from_model = batch.evaluated.world_from_model;
         if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
@@ -150,18 +151,22 @@ impl SurfacePass {
             prepare_mesh(program, mesh, world_from_model, alpha);
             return mesh.draw_whole(program, Purpose::Surface, copies);
         }
-        let program = self.programs.of(mesh);
-        meshes.place(program, batch);
-        prepare_mesh(program, mesh, world_from_model, alpha);
+        let program = |textured: bool| self.programs.of(look, textured).of(mesh);
         // The vertex shader that skins knows the color of each copy.
         let own = if mesh.is_skinned() {
             Vec3::ONE
         } else {
             batch.shape.placement.color.rgb()
         };
+        let mut prepared = None;
         for part in parts(&batch.evaluated.geometry.mesh, mesh, own) {
+            let textured = part.texture.is_some();
+            let program = program(textured);
+            if prepared.replace(textured) != Some(textured) {
+                meshes.place(program, batch);
+                prepare_mesh(program, mesh, world_from_model, alpha);
+            }
             program.set_vec3("color", part.color);
-            program.set_i32("textured", i32::from(part.texture.is_some()));
             if let Some(texture) = part.texture {
                 texture.bind(PICTURE);
             }
@@ -233,6 +238,14 @@ pub(super) fn is_surface_alone(shape: &Shape) -> bool {
     }
 }
 
+/// Whether a shape of `frame` may be drawn with a picture.
+fn has_pictures(frame: &Frame) -> bool {
+    frame.shapes().any(|(_, evaluated)| {
+        let mut groups = evaluated.geometry.mesh.groups.iter();
+        groups.any(|group| group.material.texture.is_some())
+    })
+}
+
 /// Consecutive triangles of one color and texture.
 struct Part<'a> {
     triangles: Range<usize>,
@@ -276,15 +289,7 @@ pub const MANNEQUIN_LIGHT: Vec3 = Vec3::new(-10.0, 10.0, -10.0);
 
 /// Sets the lights of a program with `surface_fragment.glsl`. The Studio look's lights turn with the
 /// camera's heading, so that a character is lit well from every side.
-pub(super) fn set_lights(program: &Program, look: Look, camera: &Camera) {
-    program.set_i32(
-        "look",
-        match look {
-            Look::Course => 0,
-            Look::Studio => 1,
-            Look::Mannequin => 2,
-        },
-    );
+pub(super) fn set_lights(program: &Program, camera: &Camera) {
     program.set_vec3("course_light", COURSE_LIGHT);
     program.set_vec3("mannequin_light", MANNEQUIN_LIGHT);
     program.set_vec3("eye", camera.eye());
