@@ -22,6 +22,8 @@ pub(super) struct Edge {
     pub selected: Vec3,
     /// Color round what is green in the mask.
     pub hovered: Vec3,
+    /// Color round what is blue in the mask.
+    pub other: Vec3,
     /// Width in pixels.
     pub width: u32,
 }
@@ -110,6 +112,7 @@ impl EdgePass {
         program.set_vec2("picture", glam::vec2(size[0] as f32, size[1] as f32));
         program.set_vec3("selected_color", edge.selected);
         program.set_vec3("hovered_color", edge.hovered);
+        program.set_vec3("other_color", edge.other);
         program.set_i32("reach", reach.cast_signed());
         let squares = match self.squares.take().filter(|(of, _)| *of == count) {
             Some(kept) => kept,
@@ -149,10 +152,10 @@ mod tests {
 
     const SIZE: [u32; 2] = [83, 61];
 
-    /// Rectangles of the mask, in red or green, the later over the earlier.
-    fn masks() -> impl Strategy<Value = Vec<(bool, [u32; 4])>> {
+    /// Rectangles of the mask with their channel, the later over the earlier.
+    fn masks() -> impl Strategy<Value = Vec<(usize, [u32; 4])>> {
         let side = (0..83u32, 0..61u32, 1..50u32, 1..50u32);
-        let rectangle = (any::<bool>(), side.prop_map(|(x, y, w, h)| [x, y, w, h]));
+        let rectangle = (0..3_usize, side.prop_map(|(x, y, w, h)| [x, y, w, h]));
         proptest::collection::vec(rectangle, 0..4)
     }
 
@@ -172,10 +175,12 @@ mod tests {
             !at(x, y, channel) && disc.any(|(dx, dy)| at(x + dx, y + dy, channel))
         };
         let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
-        let color = |(x, y)| match (near(x, y, 0), near(x, y, 1)) {
-            (true, _) => [255, 0, 0, 255],
-            (false, true) => [0, 255, 0, 255],
-            (false, false) => [0, 0, 255, 255],
+        // The active shape first, then those selected with it, then the one under the pointer.
+        let color = |(x, y)| match [0, 2, 1].into_iter().find(|&channel| near(x, y, channel)) {
+            Some(0) => [255, 0, 0, 255],
+            Some(1) => [0, 255, 0, 255],
+            Some(_) => [255, 255, 0, 255],
+            None => [0, 0, 255, 255],
         };
         pixels.map(color).collect()
     }
@@ -195,18 +200,20 @@ mod tests {
             let target = Framebuffer::new(gl, SIZE[0], SIZE[1], samples).unwrap();
             mask.clear([0.0; 4]);
             let mut area = Area::EMPTY;
-            for (is_red, [x, y, w, h]) in rectangles {
+            for (channel, [x, y, w, h]) in rectangles {
                 let end = [(x + w).min(SIZE[0]), (y + h).min(SIZE[1])];
                 let here = Area { first: [x, y], end };
                 area = area.union(here);
-                let color = if is_red { [1.0, 0.0, 0.0, 1.0] } else { [0.0, 1.0, 0.0, 1.0] };
+                let mut color = [0.0, 0.0, 0.0, 1.0];
+                color[channel] = 1.0;
                 plain.clear(color);
                 let [x, y, width, height] = here.rectangle();
                 let place = crate::gpu::Rect { x, y, width, height };
                 plain.blit_into(&mask, place, place).unwrap();
             }
             target.clear([0.0, 0.0, 1.0, 1.0]);
-            let edge = Edge { selected: Vec3::X, hovered: Vec3::Y, width };
+            let other = Vec3::new(1.0, 1.0, 0.0);
+            let edge = Edge { selected: Vec3::X, hovered: Vec3::Y, other, width };
             EdgePass::new(gl).unwrap().draw(gl, &mask, area, &edge, &target).unwrap();
             let expected = expected(&mask.read_rgba().unwrap(), width.cast_signed());
             let found = target.read_rgba().unwrap();

@@ -13,7 +13,9 @@ use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate};
 use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeId, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
 
-const SELECTED: Vec3 = Vec3::new(1.0, 0.62, 0.11);
+const ACTIVE: Vec3 = Vec3::new(1.0, 0.62, 0.11);
+/// Color of shapes that are selected with the active one.
+const OTHERS: Vec3 = Vec3::new(0.86, 0.36, 0.05);
 /// Width of the line in pixels of a picture 800 high or less.
 const WIDTH: u32 = 2;
 
@@ -62,10 +64,11 @@ impl OutlinePass {
             ..DrawState::opaque(width, height)
         };
         flat.apply(gl);
-        // Selected shapes last, so that they keep their pixels where they overlap the hovered one.
+        // Selected shapes come after the hovered one and the active one comes last, so that they keep their
+        // pixels where they overlap others.
         let hovered = marks.hovered.map(|id| (id, Vec3::Y));
-        let selected = marks.also_selected.iter().copied().chain(marks.selected);
-        let selected = selected.map(|id| (id, Vec3::X));
+        let others = marks.also_selected.iter().map(|&id| (id, Vec3::Z));
+        let selected = others.chain(marks.selected.map(|id| (id, Vec3::X)));
         let mut covered = Area::EMPTY;
         for (id, color) in hovered.into_iter().chain(selected) {
             let shape = frame.scene.shape(id).zip(frame.evaluated.shape(id));
@@ -83,8 +86,9 @@ impl OutlinePass {
             )?;
         }
         let edge = Edge {
-            selected: SELECTED,
+            selected: ACTIVE,
             hovered: context.colors.hovered,
+            other: OTHERS,
             width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
         };
         self.edges.draw(gl, mask, covered, &edge, target)
