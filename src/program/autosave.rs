@@ -255,7 +255,9 @@ impl Program {
             return;
         }
         self.cancel_reading(host);
-        let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE)).to_owned();
+        // What was kept of an archive is the text of its scene.
+        let path = kept.path().unwrap_or(Path::new(WITHOUT_FILE));
+        let path = path.with_extension("scene");
         let files = WithText {
             path: path.clone(),
             text: kept.scene.clone(),

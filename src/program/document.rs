@@ -1,7 +1,7 @@
 //! Opening and saving the document, and asking before unsaved work is lost.
 
 use super::awaited::Awaited;
-use super::document_file::{Becomes, DocumentFile, Writing, digest_at};
+use super::document_file::{DocumentFile, Writing, digest_at};
 use super::preferences::MOST_RECENT;
 use super::questions::Asked;
 use super::reading::{Opened, Use};
@@ -38,13 +38,12 @@ impl Program {
         self.session.document() != self.document.saved
     }
 
-    /// Name of the document: that of its file, if it has one.
+    /// Name of the document: that of its file, else that of what was opened.
     pub(super) fn document_name(&self) -> String {
         let name = self.document.path.as_deref().and_then(Path::file_name);
-        name.map_or_else(
-            || UNTITLED.to_owned(),
-            |name| name.to_string_lossy().into_owned(),
-        )
+        let name = name.map(|name| name.to_string_lossy().into_owned());
+        let name = name.or_else(|| self.document.stem.clone());
+        name.unwrap_or_else(|| UNTITLED.to_owned())
     }
 
     /// Name of the document without its extension, for files that are made from it.
@@ -56,10 +55,12 @@ impl Program {
     }
 
     /// Title of the window: the document, with a mark if it is modified, and the program. A
-    /// document that is neither named nor modified is not mentioned.
+    /// document that has no name and is not modified is not mentioned.
     pub(super) fn title(&self) -> String {
         let mark = if self.is_modified() { "*" } else { "" };
-        let is_nothing_to_tell = self.document.path.is_none() && mark.is_empty();
+        let file = &self.document;
+        let is_named = file.path.is_some() || file.stem.is_some();
+        let is_nothing_to_tell = !is_named && mark.is_empty();
         // A picture of the panels has no title at all.
         if is_nothing_to_tell || self.program_title.is_empty() {
             return self.program_title.clone();
@@ -108,7 +109,7 @@ impl Program {
                 self.cancel_reading(host);
                 self.end_comparison();
                 self.session.open(Vec::new(), self.view_without_scene());
-                self.ui.suit_navigation(None);
+                self.ui.suit_navigation(self.session.view().look);
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
@@ -189,7 +190,8 @@ impl Program {
             stem: stem.map(|stem| stem.to_string_lossy().into_owned()),
             ..DocumentFile::untitled(self.session.document())
         };
-        if !is_scene(path) || io::builtin::is_builtin(path) {
+        let holds_documents = is_scene(path) || is_archive(path);
+        if !holds_documents || io::builtin::is_builtin(path) {
             return untitled;
         }
         DocumentFile {
@@ -221,7 +223,11 @@ impl Program {
     /// Saves the document to the file that was chosen for it.
     pub(super) fn save_to(&mut self, path: PathBuf, host: &mut dyn Host) {
         let then = self.document.then.take();
-        match io::expect_extension(&path, "scene") {
+        let expected = match is_archive(&path) {
+            true => Ok(()),
+            false => io::expect_extension(&path, "scene"),
+        };
+        match expected {
             Ok(()) if self.is_foreign(&path, &*host.files()) => {
                 self.asked = Some(Asked::Overwrite(path, then));
             }
@@ -252,6 +258,9 @@ impl Program {
     }
 
     fn write_document(&mut self, path: PathBuf, then: Option<Next>, host: &mut dyn Host) {
+        if is_archive(&path) {
+            return self.write_archive(&path, then, host);
+        }
         let view = self.document_view();
         let bytes = match io::scene_text(self.session.scene(), &view, path.parent()) {
             Ok(text) => text.into_bytes(),
@@ -261,20 +270,25 @@ impl Program {
             }
         };
         let document = self.session.document();
-        // A version in which only the view differs is not worth the one that is kept.
-        let is_same = self.document.path() == Some(&path) && self.document.saved == document;
-        let previous = if is_same {
-            Previous::KeepForeign
-        } else {
-            Previous::KeepBeside
-        };
+        let previous = self.previous_version(&path);
         self.document.writing = Some(Writing {
             path: path.clone(),
             document,
-            becomes: Becomes::Own(crc32fast::hash(&bytes), Vec::new()),
+            digest: crc32fast::hash(&bytes),
+            sources: Vec::new(),
             then,
         });
         host.write_file(&path, bytes, previous);
+    }
+
+    /// What becomes of the version that a save of the document to `path` replaces. One in which only the view
+    /// differs is not worth the one before it.
+    pub(super) fn previous_version(&self, path: &Path) -> Previous {
+        if self.document.path() == Some(path) && !self.is_modified() {
+            Previous::KeepForeign
+        } else {
+            Previous::KeepBeside
+        }
     }
 
     /// Takes note that the file at `path` was written, or could not be; goes on with what waited
@@ -299,12 +313,10 @@ impl Program {
         if is_saved {
             self.document.saved = writing.document;
             self.document.saved_in_lost_file = None;
-            if let Becomes::Own(digest, sources) = writing.becomes {
-                self.document.path = Some(writing.path);
-                self.document.digest = Some(digest);
-                self.relink(sources);
-                self.tell_missing_models(&*host.files());
-            }
+            self.document.path = Some(writing.path);
+            self.document.digest = Some(writing.digest);
+            self.relink(writing.sources);
+            self.tell_missing_models(&*host.files());
             self.remember_recent(path);
             if let Some(next) = writing.then {
                 self.leave_for(next, host);
@@ -405,6 +417,11 @@ fn free_name(name: &str, folder: Option<&Path>, files: &dyn Files) -> String {
     let folder = folder.unwrap_or(Path::new(""));
     let free = names.find(|name| !files.exists(&folder.join(name)));
     free.unwrap_or_else(|| name.to_owned())
+}
+
+/// Whether the name of a file is that of an archive, in which a scene has its files with it.
+pub(super) fn is_archive(path: &Path) -> bool {
+    io::expect_extension(path, "zip").is_ok()
 }
 
 /// Whether the name of a file is that of a scene.

@@ -34,16 +34,11 @@ pub(super) struct Writing {
     pub path: PathBuf,
     /// Revision of the document that is written.
     pub document: Revision,
-    pub becomes: Becomes,
+    /// CRC-32 of the bytes that are written.
+    pub digest: u32,
+    /// Files that shapes come from in what is written, where these are others than now.
+    pub sources: Vec<(ShapeId, Source)>,
     pub then: Option<Next>,
-}
-
-/// What the file that is written is to the document from then on.
-pub(super) enum Becomes {
-    /// Its own file, with the CRC-32 of its bytes, in which these shapes come from these files.
-    Own(u32, Vec<(ShapeId, Source)>),
-    /// An archive that holds all of it, but that Save does not write.
-    Archive,
 }
 
 impl DocumentFile {

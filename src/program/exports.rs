@@ -131,8 +131,7 @@ impl Program {
             path, files, saves, ..
         } = together;
         let previous = match &saves {
-            // As every save of the document does.
-            Some(_) => Previous::KeepBeside,
+            Some(_) => self.previous_version(&path),
             None => Previous::KeepForeign,
         };
         if saves.is_some() {

@@ -1,8 +1,8 @@
 //! The files that shapes came from: found again, read again when another program has changed them,
 //! and saved together with the scene.
 
-use super::document::Next;
-use super::document_file::{Becomes, Writing};
+use super::document::{Next, is_archive};
+use super::document_file::Writing;
 use super::exports::needed_error;
 use super::running::Program;
 use super::{Host, Purpose};
@@ -122,8 +122,9 @@ impl Program {
     /// Writes the document and the files that it needs: an archive, or a scene with a folder beside
     /// it.
     pub(super) fn save_with_files(&mut self, path: &Path, host: &mut dyn Host) {
-        let is_archive = io::expect_extension(path, "zip").is_ok();
-        if !is_archive && let Err(error) = io::expect_extension(path, "scene") {
+        if !is_archive(path)
+            && let Err(error) = io::expect_extension(path, "scene")
+        {
             return self.tell_written(path, Err(error));
         }
         if self.is_foreign(path, &*host.files()) {
@@ -131,28 +132,56 @@ impl Program {
                            another name";
             return self.tell_written(path, Err(Diagnostic::new(path, message)));
         }
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let view = self.document_view();
-        let packed = io::package(&*host.files(), self.session.scene(), &view, &stem);
-        let written = packed.and_then(|package| {
-            if is_archive {
-                self.archive(path, package, host)
-            } else {
-                Ok(self.scene_with_folder(path, package, host))
+        if is_archive(path) {
+            return self.write_archive(path, None, host);
+        }
+        match self.package(path, host) {
+            Ok(package) => {
+                let (files, saves) = self.scene_with_folder(path, package, host);
+                match self.replaced_source(path, &files, &*host.files()) {
+                    Some(needed) => self.tell_needed(path, &needed),
+                    None => self.write_together(path, files, saves, host),
+                }
             }
-        });
-        match written {
-            Ok((files, saves)) => match self.replaced_source(path, &files, &*host.files()) {
-                Some(needed) => self.tell_needed(path, &needed),
-                None => self.write_together(path, files, saves, host),
-            },
             Err(error) => self.tell_written(path, Err(error)),
         }
     }
 
-    /// The archive at `path` with `package`, and what that saves of the document. Files that the archive
-    /// there has and that shapes come from, or those that undoing brings back, stay in it.
-    fn archive(&self, path: &Path, package: Package, host: &dyn Host) -> Result<Saved, Diagnostic> {
+    /// Writes the document with the files that it needs as the archive at `path`, which becomes its file if
+    /// it has none, and then does `then`.
+    pub(super) fn write_archive(&mut self, path: &Path, then: Option<Next>, host: &mut dyn Host) {
+        let packed = self.package(path, host);
+        match packed.and_then(|package| self.archive(path, package, host)) {
+            Ok(bytes) => {
+                let is_own = self.document.path().is_none() || self.is_own(path, &*host.files());
+                let saves = is_own.then(|| Writing {
+                    path: path.to_owned(),
+                    document: self.session.document(),
+                    digest: crc32fast::hash(&bytes),
+                    sources: Vec::new(),
+                    then,
+                });
+                self.write_together(path, vec![(path.to_owned(), bytes)], saves, host);
+            }
+            Err(error) => self.tell_written(path, Err(error)),
+        }
+    }
+
+    /// The document with the files that it needs, for being written to `path`.
+    fn package(&self, path: &Path, host: &dyn Host) -> Result<Package, Diagnostic> {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let view = self.document_view();
+        io::package(&*host.files(), self.session.scene(), &view, &stem)
+    }
+
+    /// Bytes of the archive at `path` with `package`. Files that the archive there has and that shapes come
+    /// from, or those that undoing brings back, stay in it.
+    fn archive(
+        &self,
+        path: &Path,
+        package: Package,
+        host: &dyn Host,
+    ) -> Result<Vec<u8>, Diagnostic> {
         let there = host.files();
         let mut entries = package.files;
         let needed = io::needed_files(&*there, self.session.remembered_scenes());
@@ -168,13 +197,7 @@ impl Program {
                 Some(_) => return Err(needed_error(path, &file)),
             }
         }
-        let saves = self.document.path().is_none().then(|| Writing {
-            path: path.to_owned(),
-            document: self.session.document(),
-            becomes: Becomes::Archive,
-            then: None,
-        });
-        Ok((vec![(path.to_owned(), io::to_zip(&entries)?)], saves))
+        io::to_zip(&entries)
     }
 
     /// The scene at `path` with the files of `package` beside it, and what that saves of the document:
@@ -194,7 +217,8 @@ impl Program {
             Writing {
                 path: path.to_owned(),
                 document: self.session.document(),
-                becomes: Becomes::Own(crc32fast::hash(text), sources.collect()),
+                digest: crc32fast::hash(text),
+                sources: sources.collect(),
                 then: None,
             }
         });
@@ -204,15 +228,29 @@ impl Program {
         (files.collect(), saves)
     }
 
-    /// Says which models are not where the document, just saved, names them.
+    /// Says which models are not where the document, just saved, names them, and which archives it needs for
+    /// its models.
     pub(super) fn tell_missing_models(&mut self, files: &dyn Files) {
         let shapes = self.session.scene().shapes().iter();
         let shapes = shapes.filter(|shape| !matches!(shape.kind, ShapeKind::Missing(_)));
-        let missing: BTreeSet<PathBuf> = shapes
-            .filter_map(file_on_disk)
-            .filter(|file| !files.exists(file))
-            .collect();
-        for file in missing {
+        let models: BTreeSet<PathBuf> = shapes.filter_map(file_on_disk).collect();
+        let archive = |file: &PathBuf| {
+            let mut folders = file.ancestors().skip(1);
+            folders
+                .find(|folder| is_archive(folder))
+                .map(Path::to_owned)
+        };
+        let mut archives: BTreeSet<PathBuf> = models.iter().filter_map(archive).collect();
+        archives.retain(|archive| !self.is_own(archive, files));
+        for archive in archives {
+            let text = format!(
+                "{} needs {}, where its models are: File ⏵ Save with Files… keeps everything together",
+                self.document_name(),
+                archive.display()
+            );
+            self.tell(Severity::Warning, text);
+        }
+        for file in models.into_iter().filter(|file| !files.exists(file)) {
             let text = format!(
                 "{} is not there: what comes from it will be missing when the document is opened again",
                 file.display()

@@ -43,11 +43,19 @@ fn file(story: &Story, path: &str) -> Vec<u8> {
 #[test]
 fn the_title_tells_the_document_and_whether_it_is_saved() {
     let mut story = Story::start(&["models/strip.obj"]);
-    assert_eq!(title(&story), "Editor", "files at the start are no change");
+    assert_eq!(
+        title(&story),
+        "strip — Editor",
+        "files at the start are no change"
+    );
     story.type_into("Elbow Z", "90");
-    assert_eq!(title(&story), "*Untitled — Editor");
+    assert_eq!(title(&story), "*strip — Editor");
     story.key_with(CTRL, Key::Z);
-    assert_eq!(title(&story), "Editor", "taken back, it is as it was");
+    assert_eq!(
+        title(&story),
+        "strip — Editor",
+        "taken back, it is as it was"
+    );
     story.key_with(CTRL, Key::Y);
 
     story.key_with(CTRL, Key::S);
@@ -110,7 +118,9 @@ fn everything_that_would_lose_unsaved_work_asks_first() {
                 story.key(Key::Escape);
                 story.wait(2.0);
             }
-            story.key(Key::Escape);
+            story.press_escape();
+            story.press_escape();
+            story.settle();
         }),
     ];
     for (name, deed) in deeds {
@@ -251,12 +261,12 @@ fn recent_documents_are_listed_the_newest_first_and_at_the_next_start_too() {
 }
 
 #[test]
-fn a_model_opened_is_a_new_document_without_a_name() {
+fn a_model_opened_is_a_new_document_with_its_name_and_without_a_file() {
     let mut story = with_saved_cube();
     story.key_with(CTRL, Key::O);
     story.choose("models/strip.obj");
     assert_eq!(story.names(), ["Strip"]);
-    assert_eq!(title(&story), "Editor");
+    assert_eq!(title(&story), "strip — Editor");
     story.type_into("Elbow Z", "5");
     story.key_with(CTRL, Key::S);
     let request = story.host.requests.last().unwrap();
