@@ -217,7 +217,10 @@ fn vertices_with_nothing_in_common_are_skinned_one_by_one() {
         }));
     }
     let level = Level::new();
-    assert!(SkinningBlocks::new(&attachments, &mesh, level).is_none());
+    let blocks = SkinningBlocks::new(&attachments, &mesh, level);
+    // Fewer lanes cannot have more weights than are worth it.
+    let may_be_too_many = kernel::lanes(level) > MOST_WEIGHTS;
+    assert_eq!(blocks.is_none(), may_be_too_many);
     let character = character(mesh, attachments);
     let skinned = character.skin(&frames(3));
     let expected = character.skin_one_by_one(&frames(3));
