@@ -81,6 +81,27 @@ struct Application {
     failure: Option<AppError>,
 }
 
+/// Height, in points, that a title bar and a task bar take away from the screen.
+const BARS: f64 = 72.0;
+
+/// Width and height, in points, of a window that is to be `size`: no larger than the screen has room for.
+fn on_screen(event_loop: &ActiveEventLoop, (width, height): (f64, f64)) -> (f64, f64) {
+    let screens = event_loop.available_monitors();
+    let Some(screen) = event_loop
+        .primary_monitor()
+        .into_iter()
+        .chain(screens)
+        .next()
+    else {
+        return (width, height);
+    };
+    let room: LogicalSize<f64> = screen.size().to_logical(screen.scale_factor());
+    let (least_width, least_height) = ui::LEAST_SIZE;
+    let most_width = room.width.max(least_width.into());
+    let most_height = (room.height - BARS).max(least_height.into());
+    (width.min(most_width), height.min(most_height))
+}
+
 /// Everything that exists while the window is open.
 struct Running {
     program: Program,
@@ -101,6 +122,7 @@ impl Running {
         let last = preferences.as_deref().and_then(last_window_size);
         let last = last.map(|(width, height)| (f64::from(width), f64::from(height)));
         let (width, height) = last.unwrap_or(globals::WINDOW_SIZE);
+        let (width, height) = on_screen(event_loop, (width, height));
         let (least_width, least_height) = ui::LEAST_SIZE;
         let attributes = Window::default_attributes()
             .with_inner_size(LogicalSize::new(width, height))

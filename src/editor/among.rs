@@ -50,6 +50,39 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     }
 }
 
+/// Lifts a shape that is to be added onto the ground of the characters, if the view shows a ground, which
+/// would hide what is below it, and a part of the shape or of its control points would be there.
+pub fn set_on_ground(session: &Session, shape: &mut NewShape) {
+    let view = session.view();
+    let Some(ground) = ground_of_characters(session).filter(|_| view.has_ground()) else {
+        return;
+    };
+    let lowest = lowest_point(shape);
+    if lowest.is_finite() && lowest < ground {
+        for placement in [&mut shape.placement, &mut shape.start] {
+            placement.transform.position.y += ground - lowest;
+        }
+    }
+}
+
+/// Height, in the world, of the lowest point of a shape that is in no scene yet, control points included.
+fn lowest_point(shape: &NewShape) -> f32 {
+    let mut alone = Scene::new();
+    alone.add(shape.clone());
+    let evaluated = Evaluator::new().evaluate(&alone, 0.0);
+    let lowest = evaluated.shapes.iter().map(|shape| {
+        let curves = shape
+            .geometry
+            .curves
+            .iter()
+            .flat_map(|curves| &curves.curves);
+        let points = curves.flat_map(|curve| curve.control_points.iter().copied());
+        let points = Aabb::from_points(points).transformed(shape.world_from_model);
+        shape.world_bounds().union(points).min.y
+    });
+    lowest.fold(f32::INFINITY, f32::min)
+}
+
 /// Bounds of shapes that are in no scene yet, in the world. Those that are hidden take their place,
 /// too.
 pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {

@@ -21,7 +21,7 @@ mod shape_turn;
 mod step_name;
 mod swing;
 
-pub use among::set_among;
+pub use among::{set_among, set_on_ground};
 pub use apply::{Change, EditError, apply};
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use edit::{Edit, View};

@@ -57,7 +57,12 @@ impl Program {
     /// show.
     pub(super) fn edit(&mut self, edit: Edit) -> bool {
         match self.session.edit(edit) {
-            Ok(change) => !change.is_nothing(),
+            Ok(change) => {
+                if !change.added.is_empty() {
+                    self.show_import(&change.added, None);
+                }
+                !change.is_nothing()
+            }
             Err(refused) => {
                 self.tell(Severity::Error, refused.to_string());
                 true

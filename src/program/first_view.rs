@@ -9,6 +9,7 @@ use crate::render::MANNEQUIN_LIGHT;
 use crate::scene::{
     Camera, FitArea, Importer, Look, NewShape, ShapeColor, ShapeId, ShapeKind, ViewSettings,
 };
+use crate::ui::Navigation;
 use glam::{Quat, Vec3};
 use std::path::Path;
 
@@ -52,7 +53,7 @@ impl Program {
     ) {
         let first = view.unwrap_or_else(|| self.first_view(&mut shapes, compared));
         self.session.open(shapes, first);
-        self.ui.suit_navigation(view.map(|view| view.look));
+        self.ui.suit_navigation(first.look);
         self.fit_due = false;
         if view.is_none() && !compared {
             self.show_whole();
@@ -74,6 +75,12 @@ impl Program {
             };
         }
         let mut view = self.view_without_scene();
+        // Who has the Virtual Mannequin's keys from the document before, without having chosen them, goes on
+        // with them.
+        let has_its_keys = self.ui.has_navigation_of_document(Navigation::Mannequin);
+        if has_its_keys && self.ui.look_of_new.is_none() {
+            view.look = Look::Mannequin;
+        }
         view.camera = if view.look == Look::Mannequin && shapes.iter().any(is_textured) {
             let lit = beside(front(shapes), MANNEQUIN_LIGHT);
             view.camera.facing(lit, ABOVE_TEXTURES)

@@ -4,7 +4,7 @@ use super::backdrop::Colors;
 use super::frame::{Frame, PassContext};
 use super::upload_cache::UploadCache;
 use crate::geometry::Normals;
-use crate::gpu::{DisplayList, DrawState, Gl, Immediate, Mode, PointShape};
+use crate::gpu::{DepthTest, DisplayList, DrawState, Gl, Immediate, Mode, PointShape};
 use crate::revision::Revision;
 use crate::scene::{
     CurveDisplay, CurveShape, CurveVisibility, EvaluatedCurve, EvaluatedCurves, EvaluatedGeometry,
@@ -51,10 +51,7 @@ impl CurvePass {
     /// Draws the lines that [`CurvePass::update`] uploaded.
     pub fn draw(&self, gl: &Gl, context: &PassContext, frame: &Frame, immediate: &mut Immediate) {
         for Shown {
-            shape,
-            curves,
-            evaluated,
-            ..
+            shape, evaluated, ..
         } in shown(frame)
         {
             DrawState::opaque(context.width, context.height).apply(gl);
@@ -62,10 +59,28 @@ impl CurvePass {
             if let Some(list) = self.lines.get(shape.id) {
                 immediate.call_list(list);
             }
-            let hovered = frame.marks.hovered_control_point;
-            if let Some(point) = hovered.filter(|_| frame.marks.selected == Some(shape.id)) {
-                immediate.color(context.colors.control);
-                draw_hovered_point(immediate, curves, point);
+        }
+    }
+
+    /// Draws the control points of the selected shape, where they are shown, over everything that hides
+    /// them: they are there to be dragged.
+    pub fn draw_marked(gl: &Gl, context: &PassContext, frame: &Frame, immediate: &mut Immediate) {
+        let over_all = DrawState {
+            depth_test: DepthTest::Off,
+            depth_write: false,
+            ..DrawState::opaque(context.width, context.height)
+        };
+        let marked = shown(frame).filter(|shown| frame.marks.selected == Some(shown.shape.id));
+        for shown in marked.filter(|shown| shown.curve.display.control_points) {
+            over_all.apply(gl);
+            immediate.load_matrix(context.clip_from_world * shown.evaluated.world_from_model);
+            immediate.line_width(1.0);
+            immediate.color(context.colors.control);
+            for curve in &shown.curves.curves {
+                draw_control_points(immediate, curve);
+            }
+            if let Some(point) = frame.marks.hovered_control_point {
+                draw_hovered_point(immediate, shown.curves, point);
             }
         }
     }

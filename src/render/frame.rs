@@ -3,9 +3,7 @@
 use super::backdrop::{Backdrop, Colors};
 use super::number_marks::{Ghost, ShapeNumbers};
 use super::tile::Tile;
-use crate::scene::{
-    Evaluated, EvaluatedShape, Look, Scene, Shape, ShapeId, VertexNumbers, ViewSettings,
-};
+use crate::scene::{Evaluated, EvaluatedShape, Scene, Shape, ShapeId, VertexNumbers, ViewSettings};
 use glam::Mat4;
 use std::sync::Arc;
 
@@ -113,5 +111,5 @@ pub enum Background {
 
 /// Whether the look has a ground with lines, which is seen.
 pub(super) fn has_ground(frame: &Frame) -> bool {
-    frame.view.grid && frame.view.look == Look::Studio
+    frame.view.has_ground()
 }

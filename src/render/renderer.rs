@@ -229,6 +229,7 @@ impl Renderer {
             self.surfaces.draw_translucent(gl, context, frame, meshes);
         }
         ghosts.draw_translucent(gl, context, frame, &self.surfaces);
+        CurvePass::draw_marked(gl, context, frame, immediate);
         drawn.and(self.draw_outlines(frame, target, context))
     }
 

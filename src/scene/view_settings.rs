@@ -29,6 +29,13 @@ impl Default for ViewSettings {
     }
 }
 
+impl ViewSettings {
+    /// Whether a ground is seen, which hides what is below it.
+    pub fn has_ground(&self) -> bool {
+        self.grid && self.look == Look::Studio
+    }
+}
+
 /// Lights with a background.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -12,9 +12,11 @@ use egui::{
 
 /// Width of the first help, and height of its frame and of each line, in points; in narrow views each line
 /// of it is two.
-const WIDTH: f32 = 380.0;
+const WIDTH: f32 = 388.0;
 const NARROW_WIDTH: f32 = 264.0;
 const FRAME_HEIGHT: f32 = 16.0;
+/// Distance between what can be done and how, in points.
+const GAP: f32 = 12.0;
 const LINE_HEIGHT: f32 = 24.0;
 const NARROW_LINE_HEIGHT: f32 = 52.0;
 
@@ -41,7 +43,8 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) 
         .show(&mut inner, |ui| {
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
                 let columns = if is_narrow { 1 } else { 2 };
-                Grid::new("first help").num_columns(columns).show(ui, |ui| {
+                let grid = Grid::new("first help").num_columns(columns);
+                grid.spacing(vec2(GAP, 4.0)).show(ui, |ui| {
                     for (what, how) in lines {
                         let strong = Palette::of(ui.visuals()).strong;
                         ui.label(RichText::new(what).color(strong));

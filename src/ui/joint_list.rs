@@ -32,8 +32,6 @@ pub(super) struct JointListState {
     pub focus: Option<usize>,
     /// The joint that was selected in the last frame, to notice one selected in the view.
     pub selected: Option<(ShapeId, usize)>,
-    /// The joint that was under the pointer in the view in the last frame.
-    pub hovered_in_view: Option<usize>,
 }
 
 /// The joint list: angles of all joints, and below each root its offset, as a tree that can be
@@ -60,9 +58,6 @@ pub(super) fn show(
         reveal(skeleton, state.folded.entry(id).or_default(), joint);
     }
     state.selected = selected;
-    let hovered_in_view = session.hovered_joint().filter(|_| state.hovered.is_none());
-    let newly_hovered = hovered_in_view.filter(|_| hovered_in_view != state.hovered_in_view);
-    state.hovered_in_view = hovered_in_view;
 
     let folded = state.folded.entry(id).or_default();
     let searched = if state.searching { &state.search } else { "" };
@@ -81,11 +76,9 @@ pub(super) fn show(
     joint_rows::show_header(ui, &columns);
 
     let shown = show_rows(ui, session, character, &rows, &columns);
-    let wanted = match selected {
-        Some((_, joint)) if newly_selected => Some(joint),
-        _ => newly_hovered.filter(|_| shown.is_in_sight(ui)),
-    };
-    if let Some(row) = wanted.and_then(|joint| row_with(skeleton, &rows, joint)) {
+    // A joint that is only under the pointer is lit: rows that moved by themselves would be missed.
+    let wanted = selected.filter(|_| newly_selected);
+    if let Some(row) = wanted.and_then(|(_, joint)| row_with(skeleton, &rows, joint)) {
         scroll_to(ui, shown.places[row]);
     }
     if let Some(name) = state.focus.and_then(|joint| shown.names.get(&joint)) {
@@ -137,13 +130,6 @@ struct Rows {
     places: Vec<Rect>,
     /// Widgets of the names that were shown, by joint: only these may get the keyboard focus.
     names: HashMap<usize, Response>,
-}
-
-impl Rows {
-    /// Whether any row can be seen, or could without scrolling far: the user works with the list.
-    fn is_in_sight(&self, ui: &Ui) -> bool {
-        self.places.iter().any(|&place| ui.is_rect_visible(place))
-    }
 }
 
 fn show_rows(

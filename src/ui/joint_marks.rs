@@ -17,6 +17,8 @@ pub(super) struct Marks<'a> {
     folded_away: [Option<(usize, usize)>; 2],
     /// Joints above one that is not at rest.
     above_changed: BTreeSet<usize>,
+    /// Joint of the row to which Tab goes.
+    tab_stop: Option<usize>,
 }
 
 impl<'a> Marks<'a> {
@@ -42,6 +44,7 @@ impl<'a> Marks<'a> {
             hovered,
             folded_away,
             above_changed,
+            tab_stop: selected.or(rows.first().map(|row| row.joint)),
         }
     }
 
@@ -57,6 +60,7 @@ impl<'a> Marks<'a> {
             changed: self.pose.is_changed(row.joint),
             changed_inside: is_folded && self.above_changed.contains(&row.joint),
             inside: joint.map(|joint| joint.name.as_str()),
+            stops_tab: self.tab_stop == Some(row.joint),
         }
     }
 }

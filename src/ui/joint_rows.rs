@@ -6,7 +6,7 @@ use super::joint_columns::{
 use super::joint_tree::Row;
 use super::number_field::NumberField;
 use super::theme::{Palette, number_font};
-use super::widgets::{ListMove, list_move, named, spoken};
+use super::widgets::{ListMove, list_move, named, spoken, tip_beside_panel};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
 use egui::{
@@ -29,6 +29,8 @@ pub(super) struct Look<'a> {
     pub changed_inside: bool,
     /// Name of the joint, folded away below this one, that is selected or under the pointer.
     pub inside: Option<&'a str>,
+    /// Whether Tab goes to the name: of all names of a list, to one.
+    pub stops_tab: bool,
 }
 
 /// Input of the user in a row.
@@ -83,7 +85,13 @@ pub(super) fn show_joint(
     let hovered = ui.rect_contains_pointer(rect);
 
     let left = name_left(row);
-    let label = ui.interact(columns.name(rect, left), id, Sense::click());
+    // Tab goes from number to number, and to one name of the list, from which arrow keys go to the others.
+    let sense = if look.stops_tab || ui.memory(|memory| memory.has_focus(id)) {
+        Sense::click()
+    } else {
+        Sense::CLICK
+    };
+    let label = ui.interact(columns.name(rect, left), id, sense);
     paint_background(ui, rect, look, hovered, &label);
     let mut event = label.clicked().then_some(RowEvent::Select);
     if label.clicked() {
@@ -170,12 +178,14 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Lo
     }
     if let Some(inside) = look.inside {
         let holds = format!("{inside} is folded away in it");
-        spoken(label.clone(), &holds).on_hover_text(format!("{name}: {holds}"));
+        let label = spoken(label.clone(), &holds);
+        tip_beside_panel(ui, &label, &format!("{name}: {holds}"));
     } else if look.changed_inside {
         let holds = "a joint that is folded away in it is not at rest";
-        spoken(label.clone(), holds).on_hover_text(format!("{name}: {holds}"));
+        let label = spoken(label.clone(), holds);
+        tip_beside_panel(ui, &label, &format!("{name}: {holds}"));
     } else if shown != name {
-        label.clone().on_hover_text(name);
+        tip_beside_panel(ui, label, name);
     }
 }
 
@@ -188,21 +198,22 @@ fn fold_arrow(ui: &Ui, id: Id, row: Rect, left: f32, at: &Row, name: &str) -> bo
         ("⏷", "Fold")
     };
     let label = format!("{does} {name}");
-    let button = ui.interact(rect, id.with("fold"), Sense::click());
+    // From the keyboard, Left and Right fold.
+    let button = ui.interact(rect, id.with("fold"), Sense::CLICK);
     let color = ui.style().interact(&button).text_color();
     let font = TextStyle::Small.resolve(ui.style());
     ui.painter()
         .text(rect.center(), Align2::CENTER_CENTER, symbol, font, color);
-    focus_ring(ui, &button);
     button.widget_info(|| WidgetInfo::labeled(WidgetType::Button, ui.is_enabled(), &label));
     button.on_hover_text(&label).clicked()
 }
 
 /// Button that resets `name`; whether it was clicked. It is shown only beside numbers that are not
-/// at rest, so that it marks them, too.
+/// at rest, so that it marks them, too. Tab passes it by: it comes up when a number is typed, and the next
+/// one would be typed into it.
 fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
     let label = format!("Reset {name}");
-    let button = ui.interact(rect, id, Sense::click());
+    let button = ui.interact(rect, id, Sense::CLICK);
     let visuals = ui.style().interact(&button);
     if button.hovered() {
         ui.painter()
@@ -215,19 +226,10 @@ fn reset_button(ui: &Ui, id: Id, rect: Rect, name: &str) -> bool {
         number_font(),
         Palette::of(ui.visuals()).accent,
     );
-    focus_ring(ui, &button);
     button.widget_info(|| WidgetInfo::labeled(WidgetType::Button, ui.is_enabled(), &label));
-    named(button, &label)
-        .on_hover_text(format!("Put {name} back to rest"))
-        .clicked()
-}
-
-fn focus_ring(ui: &Ui, button: &Response) {
-    if button.has_focus() {
-        let stroke = Stroke::new(1.0, Palette::of(ui.visuals()).accent);
-        ui.painter()
-            .rect_stroke(button.rect, 2.0, stroke, StrokeKind::Inside);
-    }
+    let button = named(button, &label);
+    tip_beside_panel(ui, &button, &format!("Put {name} back to rest"));
+    button.clicked()
 }
 
 /// A root's offset as it was shown.

@@ -102,6 +102,9 @@ pub(super) fn takes_keys(ctx: &egui::Context) -> bool {
 /// whoever presses it once too often must not lose the window.
 const ESC_RESTS: f64 = 1.0;
 
+/// Seconds within which Esc has to be pressed again to end the program: the history of the document goes with it.
+const ESC_AGAIN: f64 = 4.0;
+
 /// A key that was pressed, and when, in seconds of egui's clock.
 #[derive(Clone, Copy)]
 pub(super) struct KeyPress {
@@ -112,7 +115,7 @@ pub(super) struct KeyPress {
 /// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
 /// is shown, ends a comparison with a picture,
 /// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
-/// joint, deselects the shape, or ends the program. While the screenshot dialog is open, no other key
+/// joint, deselects the shape, or, pressed twice, ends the program. While the screenshot dialog is open, no other key
 /// works.
 pub(super) fn press(
     command: Command,
@@ -154,8 +157,13 @@ pub(super) fn press(
             actions.push(Action::View(deselect));
             return;
         }
-        if pressed.at - state.busy_at < ESC_RESTS || !state.navigation.quits_by_esc() {
+        let ends_the_program = state.navigation.quits_by_esc() && is_there(command, input);
+        if pressed.at - state.busy_at < ESC_RESTS || !ends_the_program {
             return;
+        }
+        let before = state.escaped_at.replace(pressed.at);
+        if !before.is_some_and(|before| pressed.at - before < ESC_AGAIN) {
+            return actions.push(Action::View(View::Tell("Esc again ends the program")));
         }
     }
     if state.windows.is_open(windows::Dialog::Screenshot) || !is_there(command, input) {

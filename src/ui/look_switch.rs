@@ -13,28 +13,20 @@ const LOOKS: [(Look, &str, &str); 3] = [
     (Look::Mannequin, "Mannequin", "Mannequin look"),
 ];
 /// Width and height, in points.
-const SIZE: egui::Vec2 = vec2(106.0, 24.0);
-/// Width with the Mannequin look, in points.
-const WIDTH_OF_ALL: f32 = 178.0;
+const SIZE: egui::Vec2 = vec2(178.0, 24.0);
 /// Views lower than this, in points, have no switch.
 const ROOM: f32 = 320.0;
 
-/// The switch between the course's look and the Studio, below the axis ball. The look of the Virtual
-/// Mannequin is in it while it is chosen, so that one is always lit.
+/// The switch between the looks, below the axis ball.
 pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action>) {
     if view.height() < ROOM || view.width() < ROOM {
         return;
     }
-    let is_offered = |own: Look| own != Look::Mannequin || look == own;
-    let size = match look {
-        Look::Mannequin => vec2(WIDTH_OF_ALL, SIZE.y),
-        Look::Course | Look::Studio => SIZE,
-    };
-    let corner = pos2(view.right() - size.x - 8.0, axis_ball::bottom(view) + 4.0);
+    let corner = pos2(view.right() - SIZE.x - 8.0, axis_ball::bottom(view) + 4.0);
     // Clicks between the buttons must not reach the scene behind them.
     let builder = UiBuilder::new()
         .id_salt("looks")
-        .max_rect(Rect::from_min_size(corner, size))
+        .max_rect(Rect::from_min_size(corner, SIZE))
         .sense(Sense::click_and_drag());
     let mut inner = ui.new_child(builder);
     let frame = Frame::new()
@@ -44,7 +36,7 @@ pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action
     frame.show(&mut inner, |ui| {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 2.0;
-            for (own, word, name) in LOOKS.into_iter().filter(|(own, ..)| is_offered(*own)) {
+            for (own, word, name) in LOOKS {
                 let button = Button::selectable(look == own, RichText::new(word).small());
                 let button = named(ui.add(button), name);
                 let tip = commands::tooltip(ui.ctx(), Command::SetLook(own));

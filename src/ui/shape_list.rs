@@ -1,13 +1,13 @@
 use super::commands::Command;
 use super::theme::Palette;
-use super::widgets::{list_move, moved, named, section, select_all};
+use super::widgets::{list_move, moved, named, section, select_all, tip_beside_panel};
 use super::{Action, commands};
 use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::scene::{Shape, ShapeId};
 use egui::{
     Align, Button, Color32, Context, DragAndDrop, Key, Layout, Modifiers, Painter, Pos2, Rect,
-    Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, Ui, UiBuilder, WidgetInfo,
-    WidgetType, pos2, vec2,
+    Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextEdit, TextStyle, Ui, UiBuilder,
+    WidgetInfo, WidgetType, pos2, vec2,
 };
 use std::f32::consts::PI;
 
@@ -214,10 +214,16 @@ fn row(
         .frame_when_inactive(false)
         .sense(Sense::click_and_drag())
         .truncate();
-    let row = ui
-        .scope_builder(place, |ui| ui.add(button))
-        .inner
-        .on_hover_text(&label);
+    let row = ui.scope_builder(place, |ui| ui.add(button)).inner;
+    let font = TextStyle::Button.resolve(ui.style());
+    let needed = ui
+        .painter()
+        .layout_no_wrap(label.clone(), font, color)
+        .size()
+        .x;
+    if needed + 2.0 * ui.spacing().button_padding.x > name.width() {
+        tip_beside_panel(ui, &row, &label);
+    }
     row.dnd_set_drag_payload((shape.id, index));
     eye_and_lock(ui, icons, session, shape, actions);
     row

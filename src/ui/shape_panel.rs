@@ -10,7 +10,7 @@ use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
 use egui::epaint::TextShape;
 use egui::{
     Align, Align2, Area, Atom, Button, Color32, ComboBox, Frame, Id, Label, Layout, Margin, Order,
-    Panel, Rect, Response, RichText, ScrollArea, Sense, StrokeKind, TextStyle, Ui, Vec2,
+    Panel, Rect, Response, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle, Ui, Vec2,
     WidgetInfo, WidgetType, pos2, vec2,
 };
 use glam::Vec3;
@@ -362,6 +362,10 @@ fn color_field(ui: &mut Ui, color: ShapeColor, width: f32) -> Option<ShapeColor>
         let rgb = bytes.map(|channel| f32::from(channel) / 255.0);
         chosen = Some(ShapeColor::Custom(Vec3::from_array(rgb)));
     }
+    // A color near the panel's own has an edge by this alone.
+    let edge = Palette::of(ui.visuals()).weak;
+    ui.painter()
+        .rect_stroke(picker.rect, 2.0, Stroke::new(1.0, edge), StrokeKind::Inside);
     named(picker, "Custom color").on_hover_text("Pick a color");
     let used = ui.spacing().interact_size.x + ui.spacing().item_spacing.x;
     let combo = ComboBox::from_id_salt("color")

@@ -13,7 +13,17 @@ use egui::{
 };
 
 /// Built-in scenes that the page offers, with their labels.
-pub const START_SCENES: &[(&str, &str)] = &[("showcase", "Showcase"), ("turned", "Turned")];
+pub const START_SCENES: &[(&str, &str)] = &[
+    ("showcase", "Showcase"),
+    ("turned", "Turned"),
+    ("mannequin-1", "Mannequin 1"),
+    ("mannequin-2", "Mannequin 2"),
+    ("mannequin-3", "Mannequin 3"),
+    ("mannequin-4", "Mannequin 4"),
+    ("mannequin-5", "Mannequin 5"),
+    ("mannequin-6", "Mannequin 6"),
+    ("mannequin-7", "Mannequin 7"),
+];
 
 /// Picture of a built-in character or scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

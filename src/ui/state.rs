@@ -89,6 +89,8 @@ pub struct UiState {
     pub(super) keys_were_taken: bool,
     /// Time, in seconds of egui's clock, when something was open or under way last that Esc ends.
     pub(super) busy_at: f64,
+    /// Time when Esc was pressed last with nothing left to end but the program, by the same clock.
+    pub(super) escaped_at: Option<f64>,
     /// Whether fonts, spacing and colors were set.
     pub(super) styled: bool,
     /// Rectangle of the view in the last frame, in points, for menus that are shown before it is
@@ -135,6 +137,7 @@ impl Default for UiState {
             held_point: None,
             keys_were_taken: false,
             busy_at: f64::NEG_INFINITY,
+            escaped_at: None,
             styled: false,
             view_rect: Rect::from_min_size(Pos2::ZERO, vec2(4.0, 3.0)),
         }
@@ -166,12 +169,17 @@ impl UiState {
         self.navigate_by(Navigation::default());
     }
 
-    /// Takes the navigation of a document that has `look` of its own, unless one was chosen: who opens a
+    /// Whether this navigation is in use for the document's sake alone.
+    pub fn has_navigation_of_document(&self, navigation: Navigation) -> bool {
+        self.chosen_navigation.is_none() && self.navigation == navigation
+    }
+
+    /// Takes the navigation of a document that is shown in `look`, unless one was chosen: who opens a
     /// scene of the Virtual Mannequin has its keys in the fingers.
-    pub fn suit_navigation(&mut self, look: Option<Look>) {
+    pub fn suit_navigation(&mut self, look: Look) {
         let suiting = match look {
-            Some(Look::Mannequin) => Navigation::Mannequin,
-            _ => Navigation::default(),
+            Look::Mannequin => Navigation::Mannequin,
+            Look::Course | Look::Studio => Navigation::default(),
         };
         if self.chosen_navigation.is_none() && suiting != self.navigation {
             self.navigate_by(suiting);

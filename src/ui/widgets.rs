@@ -24,19 +24,20 @@ pub(super) fn spoken(sign: Response, word: &str) -> Response {
 
 /// Narrowest and widest tooltip beside an item, in points.
 const TIP: std::ops::RangeInclusive<f32> = 96.0..=320.0;
+/// Distance between it and the item, in points.
+const TIP_GAP: f32 = 8.0;
 
 /// Shows a tooltip beside an item of a menu, where it covers none of the others: `text`, or why the
 /// item is disabled.
 pub(super) fn tip_beside(item: &Response, text: &str, why_disabled: Option<&str>) {
-    const GAP: f32 = 8.0;
     let mut tooltip = match why_disabled {
         None => Tooltip::for_enabled(item),
         Some(_) => Tooltip::for_disabled(item),
     };
     let screen = item.ctx.content_rect();
     // The margins of the tooltip count, too.
-    let right = screen.right() - item.rect.right() - GAP - 16.0;
-    let left = item.rect.left() - screen.left() - GAP - 16.0;
+    let right = screen.right() - item.rect.right() - TIP_GAP - 16.0;
+    let left = item.rect.left() - screen.left() - TIP_GAP - 16.0;
     let (side, room) = if right >= left.min(*TIP.end()) {
         (RectAlign::RIGHT_START, right)
     } else {
@@ -46,9 +47,28 @@ pub(super) fn tip_beside(item: &Response, text: &str, why_disabled: Option<&str>
         .popup
         .align(side)
         .align_alternatives(&[])
-        .gap(GAP)
+        .gap(TIP_GAP)
         .width(room.clamp(*TIP.start(), *TIP.end()));
     tooltip.show(|ui| ui.add(Label::new(why_disabled.unwrap_or(text)).wrap()));
+}
+
+/// Shows a tooltip of something in a panel at the right, beside the panel, where it covers none of what comes
+/// below; where there is no room for it, below the item.
+pub(super) fn tip_beside_panel(ui: &Ui, item: &Response, text: &str) {
+    let panel = ui.clip_rect();
+    let room = panel.left() - ui.ctx().content_rect().left() - TIP_GAP - 16.0;
+    let mut tooltip = Tooltip::for_enabled(item);
+    if room >= *TIP.start() {
+        let row = item.rect.with_min_x(panel.left()).with_max_x(panel.right());
+        tooltip.popup = tooltip
+            .popup
+            .anchor(row)
+            .align(RectAlign::LEFT_START)
+            .align_alternatives(&[])
+            .gap(TIP_GAP)
+            .width(room.min(*TIP.end()));
+    }
+    tooltip.show(|ui| ui.add(Label::new(text).wrap()));
 }
 
 /// Selects the whole text of a field, so that typing replaces it.

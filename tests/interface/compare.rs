@@ -523,6 +523,7 @@ fn esc_ends_the_comparison_before_the_program_and_so_does_its_cross() {
     assert!(!editor.has("Stop comparing"));
     editor.wait();
     editor.key(Key::Escape);
+    editor.key(Key::Escape);
     let close = Ask::Compare(CompareAction::Close);
     assert_eq!(editor.asked(), [close.clone(), Ask::Quit]);
 

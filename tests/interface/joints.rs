@@ -232,6 +232,7 @@ fn esc_lets_go_of_the_selected_joint_and_then_of_its_shape_before_it_ends_the_pr
     assert!(editor.asked().is_empty());
     editor.wait();
     editor.key(Key::Escape);
+    editor.key(Key::Escape);
     assert_eq!(editor.asked(), [Ask::Quit]);
 }
 
@@ -481,16 +482,22 @@ fn a_folded_branch_says_which_joint_in_it_is_selected_or_under_the_pointer() {
 }
 
 #[test]
-fn the_joint_under_the_pointer_in_the_view_scrolls_into_sight() {
+fn the_joint_that_is_taken_in_the_view_scrolls_into_sight_and_one_under_the_pointer_moves_nothing()
+{
     let mut editor = Editor::new();
     editor.add_character(figure::chain(60));
     editor.reveal("Joint 5");
     let window = editor.harness.ctx.content_rect();
     let id = editor.shape().id;
+    let place = |editor: &Editor, joint| editor.widget(&format!("Joint {joint}")).rect();
     for joint in [50, 8, 30] {
+        let before = place(&editor, joint);
         editor.view(View::HoverBone(Some((id, joint))));
         editor.harness.run_steps(40);
-        let row = editor.widget(&format!("Joint {joint}")).rect();
+        assert_eq!(place(&editor, joint), before, "rows wander under the eye");
+        editor.view(View::SelectJoint(Some(joint)));
+        editor.harness.run_steps(40);
+        let row = place(&editor, joint);
         assert!(window.contains_rect(row), "{joint}: {row}");
     }
 }

@@ -30,8 +30,8 @@ fn selected(story: &Story) -> String {
 
 /// Drags with modifiers from one place in the world to another.
 fn drag_with(story: &mut Story, modifiers: Modifiers, from: f32, to: f32) {
-    let from = story.at(Vec3::new(from, 1.2, 0.0));
-    let to = story.at(Vec3::new(to, -1.2, 0.0));
+    let from = story.at(Vec3::new(from, 0.9, 0.0));
+    let to = story.at(Vec3::new(to, -0.9, 0.0));
     story.frame(vec![Event::ModifiersChanged(modifiers)]);
     story.press_and_drag(from, to);
     story.frame(vec![Event::PointerButton {

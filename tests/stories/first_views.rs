@@ -53,6 +53,48 @@ fn start(files: &[&str]) -> Story {
     Story::start_at(host(), files)
 }
 
+#[test]
+fn what_is_inserted_beside_a_figure_stands_on_its_ground_and_all_of_it_is_seen() {
+    let mut story = Story::start(&["builtin:showcase"]);
+    let ground = |story: &Story| {
+        let evaluated = &story.session().evaluated().shapes;
+        let lowest = evaluated.iter().map(|shape| shape.world_bounds().min.y);
+        lowest.fold(f32::INFINITY, f32::min)
+    };
+    let before = ground(&story);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    let cube = story.shape().placement.transform;
+    assert!((cube.position.y - 0.5 - before).abs() < 1e-4, "{cube:?}");
+    // Its control points are not hidden below the ground either.
+    story.key_with(Modifiers::SHIFT, Key::N);
+    assert!(story.shape().placement.transform.position.y > 0.5);
+    assert!((ground(&story) - before).abs() < 1e-4);
+    // In the course's look there is no ground, and the place is the course's.
+    story.key(Key::F2);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+}
+
+#[test]
+fn a_copy_that_would_be_out_of_sight_is_brought_into_the_view() {
+    let mut story = Story::start(&["builtin:gem"]);
+    let is_seen = |story: &Story| {
+        let session = story.session();
+        let copy = session.evaluated().shapes.last().expect("a shape");
+        let view = story.view();
+        let aspect = view.width() / view.height();
+        session.view().camera.sees(&copy.world_bounds(), aspect)
+    };
+    let camera = story.session().view().camera;
+    story.key_with(Modifiers::COMMAND, Key::D);
+    assert!(is_seen(&story));
+    for _ in 0..8 {
+        story.key_with(Modifiers::COMMAND, Key::D);
+        assert!(is_seen(&story));
+    }
+    assert_ne!(story.session().view().camera, camera);
+}
+
 impl Story {
     fn look(&self) -> Look {
         self.session().view().look

@@ -292,6 +292,12 @@ impl Story {
         self.key_with(Modifiers::NONE, key);
     }
 
+    /// Presses Esc, and waits for nothing: notices fade meanwhile.
+    fn press_escape(&mut self) {
+        self.frame(keyboard::press(Key::Escape, Modifiers::NONE));
+        self.frame(vec![keyboard::key(Key::Escape, false, Modifiers::NONE)]);
+    }
+
     /// Clicks a field, types over what is in it, and presses Enter.
     fn type_into(&mut self, label: &str, text: &str) {
         self.click(label);

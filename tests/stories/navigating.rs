@@ -5,7 +5,9 @@ use crate::host::MemoryHost;
 use editor_core::program::StorageKey;
 use editor_core::scene::{Look, ShapeKind};
 use editor_core::ui::Navigation;
-use egui::Key;
+use egui::{Key, Modifiers};
+
+const CTRL: Modifiers = Modifiers::COMMAND;
 
 /// Moves the pointer onto a bone of the first character.
 fn point_at_a_bone(story: &mut Story) {
@@ -51,12 +53,29 @@ fn a_scene_of_the_mannequin_that_is_opened_by_name_has_its_bones_digits_and_arro
 }
 
 #[test]
-fn the_look_of_the_mannequin_is_in_the_switch_of_looks_while_it_is_shown() {
+fn a_model_that_is_opened_after_a_scene_of_the_mannequin_is_seen_and_held_as_in_it() {
     let mut story = Story::start(&["builtin:mannequin-1"]);
-    assert!(story.has("Mannequin look") && story.has("Studio look"));
-    story.click("Studio look");
+    story.key_with(CTRL, Key::O);
+    story.choose("builtin:humanoid");
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Mannequin);
+    // A new document is nobody's.
+    story.key_with(CTRL, Key::N);
     assert_eq!(story.session().view().look, Look::Studio);
-    assert!(!story.has("Mannequin look") && story.has("Course look"));
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Course);
+}
+
+#[test]
+fn every_look_can_be_chosen_from_the_switch_of_looks() {
+    let mut story = Story::start(&["builtin:mannequin-1"]);
+    for (button, look) in [
+        ("Studio look", Look::Studio),
+        ("Course look", Look::Course),
+        ("Mannequin look", Look::Mannequin),
+    ] {
+        story.click(button);
+        assert_eq!(story.session().view().look, look);
+    }
 }
 
 #[test]

@@ -17,7 +17,7 @@ fn preferences(story: &Story) -> serde_json::Value {
 #[test]
 fn the_first_start_shows_the_showcase_with_help_and_later_ones_an_empty_scene() {
     let first = Story::start_at(MemoryHost::default(), &[]);
-    assert_eq!(first.host.title, "Editor");
+    assert_eq!(first.host.title, "showcase — Editor");
     assert_eq!(first.names(), ["Robot", "Dog", "Plant", "Adult"]);
     assert_eq!(first.session().view().look, Look::Studio);
     assert!(first.has("Close help"));
@@ -214,6 +214,15 @@ fn esc_ends_the_program_where_nothing_else_is_to_end() {
     assert!(!story.host.quits, "once too often, within a second");
     story.wait(1.1);
     story.key(Key::Escape);
+    assert!(!story.host.quits);
+    assert_eq!(
+        story.messages().last().unwrap().1,
+        "Esc again ends the program"
+    );
+    story.wait(5.0);
+    story.press_escape();
+    assert!(!story.host.quits, "the first press is long ago");
+    story.press_escape();
     assert!(story.host.quits);
 }
 

@@ -121,6 +121,21 @@ fn tab_goes_to_the_next_number_before_what_is_typed_after_it() {
 }
 
 #[test]
+fn tab_goes_through_the_angles_of_one_joint_and_on_to_the_next() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let camera = story.session().view().camera;
+    story.click("Right knee X");
+    for text in ["20", "5", "6", "7"] {
+        story.frame(vec![Event::Text(text.to_owned())]);
+        story.key(Key::Tab);
+    }
+    let typed = |x, y, z| Vec3::new(x, y, z);
+    assert_eq!(story.degrees("Right knee").round(), typed(20.0, 5.0, 6.0));
+    assert_eq!(story.degrees("Right foot").round(), typed(7.0, 0.0, 0.0));
+    assert_eq!(story.session().view().camera, camera, "7 is no view");
+}
+
+#[test]
 fn ctrl_and_z_after_a_number_takes_back_what_was_typed_however_fast() {
     let keys = [(NONE, Key::Num7), (CTRL, Key::Z)];
     for pause in [None, Some(0.0), Some(0.3), Some(3.0)] {

@@ -6,6 +6,7 @@ use super::{Command, Primitive};
 use crate::character::Mirror;
 use crate::editor::{
     Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
+    set_on_ground,
 };
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{
@@ -91,7 +92,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::UnpinAll => return Some(Action::Edit(posing::unpin_all(session))),
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
-        Command::Insert(primitive) => return Some(insert(command, primitive)),
+        Command::Insert(primitive) => return Some(insert(command, primitive, session)),
         Command::MakeSurfaceOfRevolution => return revolution(session),
         Command::MakeSweep => return sweep(session),
         Command::ExportCurve => return export_curves(session),
@@ -165,11 +166,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 }
 
 /// Inserts a new shape, with the name that the menu has for it.
-fn insert(command: Command, primitive: Primitive) -> Action {
-    Action::Edit(Edit::Insert(vec![NewShape::new(
-        label(command),
-        primitive.kind(),
-    )]))
+fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
+    let mut shape = NewShape::new(label(command), primitive.kind());
+    set_on_ground(session, &mut shape);
+    Action::Edit(Edit::Insert(vec![shape]))
 }
 
 /// Hides, shows, locks or unlocks the selected shape.

@@ -9,7 +9,7 @@ pub(super) use typing::is_untouched;
 use crate::geometry::MAX_COORDINATE;
 use crate::ui::GestureStep;
 use crate::ui::theme::{Palette, number_font};
-use crate::ui::widgets::named;
+use crate::ui::widgets::{named, tip_beside_panel};
 use decimals::{fitted, precise};
 use egui::{
     Align2, Context, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense,
@@ -337,12 +337,13 @@ impl<'a> NumberField<'a> {
             }
         });
         if !typing && !response.dragged() {
-            response.on_hover_text(format!(
-                "{}: {whole}\nDrag · click to type · right click for {}{}",
+            let tip = format!(
+                "{}: {whole}\nDrag, with Shift finer · click to type · right click for {}{}",
                 self.name,
                 precise(self.rest),
                 self.unit
-            ));
+            );
+            tip_beside_panel(ui, &response, &tip);
         }
     }
 }
