@@ -29,6 +29,18 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     let bent = obj(&bent, figure, number);
     let nan = right.replacen("v ", "v nan ", 1);
     let cut = &right[..right.len() / 3];
+    let mut lines: Vec<&str> = right.lines().collect();
+    let (vertices, faces) = (figure.positions.len(), figure.triangles.len());
+    let no_faces = lines[..vertices].join("\n");
+    // Of its last face two corners are left.
+    let last = lines[vertices + 1000].rsplit_once(' ').unwrap().0;
+    let cut_in_a_face = format!("{}\n{last}", lines[..vertices + 1000].join("\n"));
+    let cut_text = format!(
+        "adult-1.obj: {} of the model's {faces} triangles are missing: the file may be cut off",
+        faces - 1000
+    );
+    lines[vertices..].reverse();
+    let other_order = lines.join("\n");
     for (name, content) in [
         ("ada", &*right),
         ("bob", &wrong),
@@ -40,6 +52,9 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("hal", cut),
         ("ida", &nan),
         ("joe", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("max", &cut_in_a_face),
+        ("ned", &no_faces),
+        ("ole", &other_order),
     ] {
         class.write(&format!("class/{name}/adult-1.obj"), content);
     }
@@ -67,6 +82,9 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "unreadable",
             "adult-1.obj: expected a file, found a folder",
         ),
+        ("max", "unreadable", &cut_text),
+        ("ned", "unreadable", "adult-1.obj:13301:"),
+        ("ole", "right", "right: this is the exact result"),
     ] {
         let found = result(&report, name, "adult-1");
         assert_eq!(found["outcome"], outcome, "{name}: {found}");

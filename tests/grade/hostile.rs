@@ -20,12 +20,8 @@ fn json(class: &Class, path: &str) -> Value {
 fn the_picture_of_a_mesh_does_not_depend_on_the_faces_of_the_submission() {
     let class = class();
     let text = String::from_utf8(class.read("class/bob/robot-1.obj")).unwrap();
-    let vertices: Vec<&str> = text.lines().filter(|line| line.starts_with("v ")).collect();
     let faces = "f 1 2 3\n".repeat(1000);
-    class.write(
-        "class/cem/robot-1.obj",
-        format!("{}\n{faces}", vertices.join("\n")),
-    );
+    class.write("class/cem/robot-1.obj", text + &faces);
     class.graded();
     let picture = |name: &str| {
         let kept = json(&class, &format!("report/kept/submissions/{name}.json"));

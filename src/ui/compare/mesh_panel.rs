@@ -176,6 +176,10 @@ impl Parts<'_> {
     fn found(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
         let palette = Palette::of(ui.visuals());
         let off = of_size(diagnosis.error);
+        if !diagnosis.faces.is_none() {
+            let text = format!("In {} {}.", self.compare.name, diagnosis.faces);
+            say(ui, &text, palette.warning);
+        }
         let character = self.session.scene().character(self.compare.shape);
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
         let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
