@@ -77,6 +77,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     match (&args.folder, &args.tests) {
         (Some(folder), Some(tests)) => grade(args, folder, tests),
         _ => {
+            check_joined(&args.output, &args.merge)?;
             let (run, graded) = merge::joined(&args.merge, &Store::new(&args.output))?;
             report(&args.output, &run, graded)
         }
@@ -161,6 +162,15 @@ fn check_output(
         Some(_) => wrong("a submission"),
         None => Ok(()),
     }
+}
+
+/// Makes sure that the report that joins `parts` replaces none of them.
+fn check_joined(output: &Path, parts: &[PathBuf]) -> Result<(), Diagnostic> {
+    if parts.iter().any(|part| disk::is_same_file(part, output)) {
+        let message = "expected another folder for the report than those of parts";
+        return Err(Diagnostic::new(output, message));
+    }
+    Ok(())
 }
 
 /// Points in `given` that no one gets: of submissions that are not there, and in sections that are none.
