@@ -235,23 +235,12 @@ fn cents(points: BTreeMap<String, f64>) -> BTreeMap<String, f64> {
         .collect()
 }
 
-/// Points that tests have for a section.
-fn of_tests(file: &TestsFile, section: &str) -> Option<f64> {
-    let points = file
-        .tests
-        .iter()
-        .filter_map(|test| test.points.get(section));
-    let points: Vec<f64> = points.map(|points| points.0).collect();
-    (!points.is_empty()).then(|| points.iter().sum())
-}
-
 fn sections(file: &TestsFile) -> Vec<Section> {
     let of_rubric = file.rubric.sections.keys();
     let of_tests_too = of_rubric.chain(file.tests.iter().flat_map(|test| test.points.keys()));
     let names: BTreeSet<&String> = of_tests_too.collect();
     let sections = names.into_iter().map(|name| {
         let data = file.rubric.sections.get(name).cloned().unwrap_or_default();
-        let tested = of_tests(file, name);
         let of_course = || {
             let mut sections = MISTAKES.iter().map(|mistake| mistake.section);
             let section = sections.find(|section| rubric::number(section) == name);
@@ -265,9 +254,9 @@ fn sections(file: &TestsFile) -> Vec<Section> {
                 "" => of_course().to_owned(),
                 title => title.to_owned(),
             },
-            possible: in_cents(data.points.map_or(tested.unwrap_or(0.0), |points| points.0)),
+            possible: in_cents(file.worth(name).unwrap_or(0.0)),
             extra: data.extra,
-            by_hand: tested.is_none(),
+            by_hand: file.points_of_tests(name).is_none(),
         }
     });
     sections.collect()
@@ -285,7 +274,7 @@ fn points_by_section(
     let points = sections.iter().map(|section| {
         let key = &section.section;
         let by_tests = || {
-            let possible = of_tests(file, key)?;
+            let possible = file.points_of_tests(key)?;
             let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
             let share = if possible > 0.0 {
                 reached / possible
@@ -296,7 +285,7 @@ fn points_by_section(
         };
         let by_hand = given
             .and_then(|given| given.get(key))
-            .map(|points| in_cents(points.0));
+            .map(|points| in_cents(points.get_ref().0));
         (key.clone(), by_hand.or_else(by_tests))
     });
     points.collect()

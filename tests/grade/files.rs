@@ -192,6 +192,20 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         "other.json",
         with(|tests| tests["tests"][0]["pose"] = "builtin:dog-trot".into()),
     );
+    class.write(
+        "gone.json",
+        with(|tests| tests["tests"][0]["pose"] = "no-pose.json".into()),
+    );
+    class.write(
+        "no-model.json",
+        with(|tests| tests["tests"][0]["character"] = "no-model.obj".into()),
+    );
+    class.write(
+        "given.json",
+        r#"{"tests": [{"name": "a", "character": "b", "pose": "c", "points": {"4.2": 12, "3.4": 2}}],
+            "rubric": {"sections": {"4.2": {"points": 15}, "artifact": {"points": 20}},
+                "given": {"Ada": {"artifact": 20, "4.2": 15, "3.4": 5}}}}"#,
+    );
     class.write("none.json", "{\"tests\": []}");
     class.write(
         "command.json",
@@ -221,6 +235,18 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         (
             "class --tests other.json",
             "expected the name or index of a joint",
+        ),
+        (
+            "class --tests gone.json",
+            "gone.json:1:100: expected the file of a pose, found none at no-pose.json",
+        ),
+        (
+            "class --tests no-model.json",
+            "no-model.json:1:24: expected the file of a character, found none at no-model.obj",
+        ),
+        (
+            "class --tests given.json",
+            "given.json:3:69: expected at most the 2 points of section 3.4, found 5",
         ),
         (
             "class --tests cut.json",

@@ -11,7 +11,7 @@ use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
 use crate::disk::{self, files};
 use crate::grade::{Graded, Report, Test};
-use crate::io::{Diagnostic, Files, PoseFile, TestData, TestsFile, builtin};
+use crate::io::{Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin};
 use command::TestCommand;
 use kept::{KeptRun, Store};
 use std::collections::{BTreeMap, BTreeSet};
@@ -216,14 +216,31 @@ fn empty_sections(file: &TestsFile) -> Vec<String> {
 /// The test with its character and pose, whose paths start at the folder of the file of tests.
 fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
     let files = files();
-    let characters = diagnose::characters(&files, &beside(tests, &test.character))?;
-    let [character] = &characters[..] else {
+    let character = found_beside(tests, &test.character, "a character")?;
+    let characters = diagnose::characters(&files, &character)?;
+    let [only] = &characters[..] else {
         let message = format!("expected one character, found {}", characters.len());
-        return Err(Diagnostic::new(&test.character, message).into());
+        return Err(Diagnostic::new(&character, message).into());
     };
-    let pose = builtin::resolve(&beside(tests, &test.pose))?;
-    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(character.skeleton())?;
-    Ok(Test::new(test.clone(), character.clone(), pose))
+    let pose = builtin::resolve(&found_beside(tests, &test.pose, "a pose")?)?;
+    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(only.skeleton())?;
+    Ok(Test::new(test.clone(), only.clone(), pose))
+}
+
+/// The path of a file that a test names, which is `what`.
+///
+/// # Errors
+/// If it is not there, at its place in the file of tests.
+fn found_beside(tests: &Path, named: &NamedFile, what: &str) -> Result<PathBuf, Diagnostic> {
+    let path = beside(tests, &named.path);
+    let is_builtin = path.to_string_lossy().starts_with(builtin::PREFIX);
+    if is_builtin || files().exists(&path) {
+        return Ok(path);
+    }
+    let found = path.display();
+    let message = format!("expected the file of {what}, found none at {found}");
+    let Position { line, column } = named.at;
+    Err(Diagnostic::at(tests, line, column, message))
 }
 
 /// `path` as seen from the folder of `file`, unless it is built in.
