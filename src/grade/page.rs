@@ -76,25 +76,7 @@ impl Page {
         self.add(format_args!(
             "<h1>{title}</h1>\n<p class=\"dim\">{count} submission{plural}"
         ));
-        let mut points: Vec<f64> = report.submissions.iter().map(|one| one.points).collect();
-        points.sort_by(f64::total_cmp);
-        if let (Some(first), false) = (report.submissions.first(), points.is_empty()) {
-            let mean = points.iter().sum::<f64>() / points.len() as f64;
-            let median = (points[(points.len() - 1) / 2] + points[points.len() / 2]) / 2.0;
-            let graded = || report.submissions.iter().map(Submission::graded);
-            let least = graded().fold(first.possible, f64::min);
-            let most = graded().fold(0.0, f64::max);
-            let possible = match least < most {
-                true => format!("{least} to {most}"),
-                false => most.to_string(),
-            };
-            let is_open = least < first.possible;
-            let so_far = if is_open { " graded so far" } else { "" };
-            self.add(format_args!(
-                ", {all_right} right in every test. Of {possible} points{so_far} the mean is {mean:.1}, the median \
-                 {median:.1}."
-            ));
-        }
+        self.middle(report, all_right);
         let open = report.submissions.iter().filter(|one| one.not_graded > 0.0);
         match open.count() {
             0 => {}
@@ -106,6 +88,38 @@ impl Page {
             )),
         }
         self.add(format_args!("</p>\n"));
+    }
+
+    /// What submissions have on average: a share of what is graded so far where points are still to be
+    /// given, which are not as many for each.
+    fn middle(&mut self, report: &Report, all_right: usize) {
+        let Some(first) = report.submissions.first() else {
+            return;
+        };
+        self.add(format_args!(", {all_right} right in every test."));
+        let is_open = report.submissions.iter().any(|one| one.not_graded > 0.0);
+        let graded = report.submissions.iter().filter(|one| one.graded() > 0.0);
+        let mut all: Vec<f64> = graded
+            .map(|one| match is_open {
+                true => 100.0 * one.points / one.graded(),
+                false => one.points,
+            })
+            .collect();
+        if all.is_empty() {
+            return;
+        }
+        all.sort_by(f64::total_cmp);
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        let median = (all[(all.len() - 1) / 2] + all[all.len() / 2]) / 2.0;
+        match is_open {
+            true => self.add(format_args!(
+                " Of what is graded so far the mean is {mean:.0} %, the median {median:.0} %."
+            )),
+            false => self.add(format_args!(
+                " Of {} points the mean is {mean:.1}, the median {median:.1}.",
+                first.possible
+            )),
+        }
     }
 
     fn sections(&mut self, report: &Report) {

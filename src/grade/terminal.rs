@@ -19,7 +19,10 @@ impl Report {
         for submission in &self.submissions {
             let mut row = vec![
                 submission.name.clone(),
-                format!("{}/{}", submission.points, submission.possible),
+                match (submission.graded(), submission.not_graded) {
+                    (graded, 0.0) => format!("{}/{graded}", submission.points),
+                    (graded, open) => format!("{}/{graded} ({open} wait)", submission.points),
+                },
             ];
             for section in &self.sections {
                 let points = submission.sections.get(&section.section).copied().flatten();

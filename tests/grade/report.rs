@@ -33,10 +33,10 @@ fn every_submission_has_a_row_on_the_terminal_and_the_same_mistake_is_one_line()
     let ran = class.run("class --tests tests.json -o report");
     let expected = "\
 submission   points  3.2  3.4   4.2    artifact  extra credit  result
-Ada & <Bob>  40/50   8/8  12/12  20/20  -/10      -/5           right
+Ada & <Bob>  40/40 (10 wait)  8/8  12/12  20/20  -/10      -/5           right
 eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
-kim, lee     34/50   8/8  6/12  20/20  -/10      -/5           euler-zyx
-zoe          0/50    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
+kim, lee     34/40 (10 wait)  8/8  6/12  20/20  -/10      -/5           euler-zyx
+zoe          0/40 (10 wait)    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
 euler-zyx in 2 submissions: eve, kim, lee
 missing: there is no dog-2.obj (zoe)
 unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)</script>\\u{1b}[0m” (zoe)
@@ -84,11 +84,11 @@ fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     class.graded();
     let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
     let expected =
-        "submission,points,possible,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
-Ada & <Bob>,40,50,8,12,20,,,right\r
-eve,45.5,50,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
-\"kim, lee\",34,50,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r
-zoe,0,50,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
+        "submission,points,possible,not graded,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
+Ada & <Bob>,40,50,10,8,12,20,,,right\r
+eve,45.5,50,0,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
+\"kim, lee\",34,50,10,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r
+zoe,0,50,10,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
 ";
     assert_eq!(csv, expected);
 }
@@ -143,7 +143,7 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
         .collect();
     // The artifact is still to be graded for all but one, which is no loss for the others.
     for told in [
-        "Of 40 to 50 points graded so far the mean is",
+        "Of what is graded so far the mean is 69 %, the median 88 %.",
         "34 of 40, 10 more not graded yet",
         "45.5 of 50",
         "Assignment <1> & more",
