@@ -157,6 +157,38 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
 }
 
 #[test]
+fn on_paper_all_results_are_open_nothing_scrolls_and_no_picture_is_cut() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    let (_, print) = page
+        .split_once("@media print {")
+        .expect("a style for paper");
+    let (print, _) = print.split_once("</style>").unwrap();
+    for rule in [
+        "details::details-content { content-visibility: visible; block-size: auto;",
+        ".wide { overflow: visible;",
+        "figure, .test, tr, .legend { break-inside: avoid; }",
+    ] {
+        assert!(print.contains(rule), "{rule}");
+    }
+}
+
+#[test]
+fn lines_of_a_diagnosis_that_do_not_fit_go_on_below_their_words() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    for line in [
+        "<pre><span>euler-zyx: the rotation is",
+        "<span class=\"told\">  look at  setJointTransform: the order",
+        "<span class=\"told\">  shown by ",
+    ] {
+        assert!(page.contains(line), "{line}");
+    }
+}
+
+#[test]
 fn points_that_are_given_to_nobody_are_told() {
     let class = Class::new(&["robot"]);
     class.submit("eve", &with(&[]), |number| number.to_string());
