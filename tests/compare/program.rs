@@ -265,6 +265,15 @@ fn meshes_are_compared_by_vertex() {
     );
     let distance = "\nlargest distance    3\n  by size           1.34 of 2.24\n";
     assert!(out.contains(distance), "{out}");
+    let vertices: Vec<&str> = out
+        .lines()
+        .filter(|line| line.starts_with("  vertex"))
+        .collect();
+    assert!(
+        vertices[0].starts_with("  vertex 0 (from 0): 3 apart"),
+        "{out}"
+    );
+    assert!(vertices[1].starts_with("  vertex 1: 3 apart"), "{out}");
     let (_, out, _) = compare(&folder, &["a.obj", "b.obj", "--json"]);
     let json: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(

@@ -368,7 +368,7 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     let explained = story.node("Vertex").and_then(Node::numeric_value);
     let explained = explained.expect("the number of a vertex");
     assert!(
-        shown.starts_with(&format!("Shown by vertex {explained}")),
+        shown.starts_with(&format!("Shown by vertex {explained} (from 0)")),
         "{shown}"
     );
     assert!(!story.has("Show Its Formula"));

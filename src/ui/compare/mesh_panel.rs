@@ -252,7 +252,7 @@ impl Parts<'_> {
         }
         let joint = first.joint.as_deref();
         let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
-        let text = format!("Shown by vertex {}{at}", first.vertex);
+        let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
         let is_marked = self.chosen.marked == Some(first.vertex);
         let button = ui.add(Button::selectable(is_marked, text).wrap());
         if button
