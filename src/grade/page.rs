@@ -194,12 +194,12 @@ impl Page {
         let links = group
             .submissions
             .keys()
-            .filter_map(|name| Some((name, numbers.get(&**name)?)));
+            .filter_map(|name| Some((name, numbers.get(name.as_str())?)));
         for (index, (name, number)) in links.take(SHOWN_NAMES).enumerate() {
             let comma = if index == 0 { "" } else { ", " };
             self.add(format_args!(
                 "{comma}<a href=\"#s{number}\">{}</a>",
-                Escaped(name)
+                Escaped(name.as_str())
             ));
         }
         if count > SHOWN_NAMES {

@@ -1,6 +1,7 @@
 //! What a class has, as data.
 
 use super::graded::{Graded, Outcome};
+use super::name::Name;
 use super::rubric;
 use crate::diagnose::{MISTAKES, Mistake};
 use crate::io::{TestKind, TestsFile};
@@ -16,7 +17,7 @@ pub struct Report {
     pub sections: Vec<Section>,
     /// Tests in the order of their file.
     pub tests: Vec<Row>,
-    /// Submissions by name.
+    /// Submissions in the order of their names.
     pub submissions: Vec<Submission>,
     /// Mistakes that were made, the one that most submissions have first.
     pub mistakes: Vec<MistakeGroup>,
@@ -102,7 +103,7 @@ pub struct MistakeGroup {
     /// What to look at in the code.
     pub look_at: &'static str,
     /// Submissions that make it, each with the tests that show it.
-    pub submissions: BTreeMap<String, Vec<String>>,
+    pub submissions: BTreeMap<Name, Vec<String>>,
 }
 
 impl Report {
@@ -113,7 +114,7 @@ impl Report {
         pictures: &BTreeMap<String, String>,
         mut graded: Vec<(String, Vec<Graded>)>,
     ) -> Self {
-        graded.sort_by(|a, b| a.0.cmp(&b.0));
+        graded.sort_by_cached_key(|(name, _)| Name::from(&**name));
         let sections = sections(file);
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
@@ -293,12 +294,12 @@ fn points_by_section(
 
 /// Mistakes by those who made them.
 fn mistakes(submissions: &[Submission]) -> Vec<MistakeGroup> {
-    let mut groups: BTreeMap<&str, BTreeMap<String, Vec<String>>> = BTreeMap::new();
+    let mut groups: BTreeMap<&str, BTreeMap<Name, Vec<String>>> = BTreeMap::new();
     for submission in submissions {
         for test in &submission.tests {
             for id in test.causes.first().into_iter().flatten() {
                 let by = groups.entry(id).or_default();
-                let tests = by.entry(submission.name.clone()).or_default();
+                let tests = by.entry(Name::from(&*submission.name)).or_default();
                 tests.push(test.test.clone());
             }
         }
@@ -382,7 +383,7 @@ mod tests {
     fn the_same_mistake_of_several_is_one_group_and_the_most_usual_comes_first() {
         let report = report();
         let groups = report.mistakes.iter().map(|group| {
-            let who: Vec<&str> = group.submissions.keys().map(|name| &**name).collect();
+            let who: Vec<&str> = group.submissions.keys().map(Name::as_str).collect();
             (&*group.id, who)
         });
         let expected = [

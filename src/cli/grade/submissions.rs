@@ -4,6 +4,7 @@ use super::kept::Store;
 use crate::cli::CliError;
 use crate::cli::output::eprint_line;
 use crate::disk::in_words;
+use crate::grade::Name;
 use crate::io::Diagnostic;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ impl Part {
     }
 }
 
-/// The submissions in `folder` by name: its folders but for hidden ones, symbolic links and finished
+/// The submissions in `folder`, in the order of their names: its folders but for hidden ones, symbolic links and finished
 /// reports.
 ///
 /// # Errors
@@ -102,7 +103,7 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
             Diagnostic::new(folder, "expected a folder for each submission, found none").into(),
         );
     }
-    found.sort();
+    found.sort_by_cached_key(|submission| Name::from(&*submission.name));
     Ok(found)
 }
 
