@@ -59,6 +59,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         class.write(&format!("class/{name}/adult-1.obj"), content);
     }
     class.write("class/kim/Adult.obj", &right);
+    class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
     let report = class.graded();
     for (name, outcome, text) in [
@@ -77,6 +78,11 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ),
         ("joe", "unreadable", "adult-1.obj: expected "),
         ("kim", "missing", "there is no adult-1.obj"),
+        (
+            "pia",
+            "missing",
+            "there is no adult-1.obj, but Adult-1.OBJ is there: the names differ in capitals",
+        ),
         (
             "lee",
             "unreadable",

@@ -91,7 +91,7 @@ fn only_the_folder_of_a_finished_report_is_left_out_and_that_is_reported() {
     let report = json(&class, "class/report/grade.json");
     result(&report, "bob", "robot-1");
     let ran = class.run("class --tests tests.json -o class/report");
-    let told = "class/report: left out, since it is a report\n";
+    let told = "warning: class/report: left out, since it is a report\n";
     assert!(ran.err.starts_with(told), "{}", ran.err);
 }
 
@@ -117,7 +117,7 @@ fn a_submission_that_is_a_link_to_another_one_is_left_out_and_that_is_reported()
     let class = class();
     std::os::unix::fs::symlink("bob", class.path().join("class/copy")).unwrap();
     let ran = class.run("class --tests tests.json -o report");
-    let told = "class/copy: left out, since it is a symbolic link\n";
+    let told = "warning: class/copy: left out, since it is a symbolic link\n";
     assert!(
         ran.code == Some(0) && ran.err.starts_with(told),
         "{}",

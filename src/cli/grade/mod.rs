@@ -98,7 +98,7 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         .into_iter()
         .chain(empty_sections(&file))
     {
-        eprint_line(format_args!("{}: {warning}", path.display()));
+        eprint_line(format_args!("warning: {}: {warning}", path.display()));
     }
     let mine: Vec<_> = match args.part {
         Some(part) => part.of(all),

@@ -79,13 +79,15 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
         if path.is_symlink() {
             let path = path.display();
             eprint_line(format_args!(
-                "{path}: left out, since it is a symbolic link"
+                "warning: {path}: left out, since it is a symbolic link"
             ));
             continue;
         }
         if Store::new(&path).is_there() {
             let path = path.display();
-            eprint_line(format_args!("{path}: left out, since it is a report"));
+            eprint_line(format_args!(
+                "warning: {path}: left out, since it is a report"
+            ));
             continue;
         }
         let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
