@@ -237,6 +237,24 @@ fn a_joint_of_a_pose_that_no_character_beside_it_has_is_an_error() {
 }
 
 #[test]
+fn a_word_that_is_no_value_is_told_whole() {
+    let folder = folder();
+    for (value, told) in [
+        ("NaN", "1:21: expected a value, found “NaN”"),
+        (
+            "-Infinity",
+            "1:21: expected a number such as -1.5 or 2e3, found “-Infinity”",
+        ),
+        ("True", "1:21: expected a value, found “True”"),
+    ] {
+        let pose = format!("{{\"joints\": {{\"Tip\": [{value}, 0, 0]}}}}");
+        std::fs::write(folder.path().join("nan.json"), pose).unwrap();
+        let ran = editor_in(folder.path(), &["check", "nan.json"]);
+        assert!(ran.err.contains(told), "{}", ran.err);
+    }
+}
+
+#[test]
 fn bounds_that_round_to_nothing_have_no_sign() {
     let folder = folder();
     let obj = "v -0.00004 -0.0001 -0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
