@@ -1,15 +1,17 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
+mod collada;
+
 use super::output::{DiagnosticJson, eprint_line, json_text, visible};
 use super::{CliError, print};
-use crate::character::Influence;
+use crate::character::{Influence, SkeletalModel};
 use crate::disk::files;
 use crate::editor::Session;
-use crate::io::dae::{DaeReport, UpAxis};
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
+use collada::ColladaReport;
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -17,7 +19,7 @@ use std::path::{Path, PathBuf};
 ///
 /// Mistakes are reported as path:line:column with what was expected and what was found; with --json
 /// errors and warnings are objects {"file", "line", "column", "message"}, where line and column are
-/// null if it is about the file as a whole.
+/// null if it is about the file as a whole. Poses are checked against the characters among the files.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
@@ -81,14 +83,28 @@ struct SkeletonReport {
 /// Carries the command out.
 ///
 /// # Errors
-/// If a file is wrong; the others are checked all the same.
+/// If a file is wrong, or a pose has a joint that no character among the files has; the others are
+/// checked all the same.
 pub fn run(args: &Args) -> Result<(), CliError> {
     let files = files();
     let mut report = Report { files: Vec::new() };
     let mut failed = false;
-    for path in &args.files {
-        let (of_file, error) = match check(&files, path) {
-            Ok(of_file) => (of_file, None),
+    let checked: Vec<Result<Checked, Diagnostic>> =
+        args.files.iter().map(|path| check(&files, path)).collect();
+    let sound: Vec<&Checked> = checked.iter().flatten().collect();
+    let skeletons: Vec<&SkeletalModel> = sound.iter().flat_map(|file| &file.skeletons).collect();
+    // A file that is wrong may be the character that has the joint.
+    let are_known = sound.len() == checked.len() && !skeletons.is_empty();
+    let misfits: Vec<Option<Diagnostic>> = checked
+        .iter()
+        .map(|file| {
+            let pose = file.as_ref().ok()?.pose.as_ref().filter(|_| are_known)?;
+            pose.poses_of(&skeletons).err()
+        })
+        .collect();
+    for ((path, checked), misfit) in args.files.iter().zip(checked).zip(misfits) {
+        let (of_file, error) = match checked {
+            Ok(checked) => (checked.report, misfit),
             Err(error) => (FileReport::new(path), Some(error)),
         };
         if let Some(error) = &error {
@@ -127,7 +143,15 @@ impl FileReport {
     }
 }
 
-fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
+/// A file that is sound by itself.
+struct Checked {
+    report: FileReport,
+    /// Skeletons of the characters in it.
+    skeletons: Vec<SkeletalModel>,
+    pose: Option<PoseFile>,
+}
+
+fn check(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> {
     let file = builtin::resolve(path)?;
     let is = |extension: &str| {
         file.extension()
@@ -138,9 +162,13 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
         let data = pose.data();
         let keys = data.joints.keys().chain(data.roots.keys());
         let joints: BTreeSet<&str> = keys.map(|joint| joint.as_str()).collect();
-        return Ok(FileReport {
-            posed_joints: Some(joints.len()),
-            ..FileReport::new(path)
+        return Ok(Checked {
+            report: FileReport {
+                posed_joints: Some(joints.len()),
+                ..FileReport::new(path)
+            },
+            skeletons: Vec::new(),
+            pose: Some(pose),
         });
     }
     let mut loaded = Loaded::default();
@@ -155,18 +183,25 @@ fn check(files: &dyn Files, path: &Path) -> Result<FileReport, Diagnostic> {
         loaded.add(files, path)?;
     }
     let session = Session::with_shapes(loaded.shapes, ViewSettings::default());
-    let shapes = session
-        .scene()
-        .shapes()
-        .iter()
-        .zip(&session.evaluated().shapes);
-    Ok(FileReport {
-        shapes: shapes
-            .map(|(shape, evaluated)| shape_report(shape, evaluated))
-            .collect(),
-        collada,
-        warnings: loaded.warnings.iter().map(DiagnosticJson::from).collect(),
-        ..FileReport::new(path)
+    let shapes = session.scene().shapes().iter();
+    let evaluated = &session.evaluated().shapes;
+    let skeletons = shapes.clone().filter_map(|shape| match &shape.kind {
+        ShapeKind::Character(shape) => Some(shape.character.skeleton().clone()),
+        _ => None,
+    });
+    Ok(Checked {
+        report: FileReport {
+            shapes: shapes
+                .clone()
+                .zip(evaluated)
+                .map(|(shape, evaluated)| shape_report(shape, evaluated))
+                .collect(),
+            collada,
+            warnings: loaded.warnings.iter().map(DiagnosticJson::from).collect(),
+            ..FileReport::new(path)
+        },
+        skeletons: skeletons.collect(),
+        pose: None,
     })
 }
 
@@ -265,87 +300,6 @@ fn in_words(file: &FileReport) -> String {
     out
 }
 
-/// Contents of a Collada file besides its shapes.
-#[derive(Debug, Serialize)]
-struct ColladaReport {
-    up_axis: &'static str,
-    meters_per_unit: f64,
-    skins: usize,
-    /// Range in the file; the shapes' weights have been divided by their sums.
-    weight_sums: Option<[f32; 2]>,
-    unweighted_vertices: usize,
-    inverse_bind_difference: Option<Difference>,
-    ignored: BTreeMap<String, usize>,
-}
-
-/// Largest difference between inverse bind matrices and scene.
-#[derive(Debug, Serialize)]
-struct Difference {
-    joint: String,
-    difference: f64,
-}
-
-impl ColladaReport {
-    /// Lines of the report as text: label and value.
-    fn in_words(&self) -> Vec<(&'static str, String)> {
-        let mut lines = vec![(
-            "collada",
-            format!("{} up, {} m a unit", self.up_axis, self.meters_per_unit),
-        )];
-        if self.skins > 0 {
-            lines.push(("  skins", self.skins.to_string()));
-        }
-        if let Some([low, high]) = self.weight_sums {
-            lines.push((
-                "  weight sums",
-                format!("{low:.4} to {high:.4} in the file"),
-            ));
-        }
-        if self.unweighted_vertices > 0 {
-            let count = self.unweighted_vertices;
-            let which = if count == 1 {
-                "vertex stays"
-            } else {
-                "vertices stay"
-            };
-            lines.push(("  unweighted", format!("{count} {which} at rest")));
-        }
-        if let Some(Difference { joint, difference }) = &self.inverse_bind_difference {
-            let most = if *difference == 0.0 {
-                "as in the scene".to_owned()
-            } else {
-                format!("differs from the scene by at most {difference:.1e}, at {joint}")
-            };
-            lines.push(("  bind pose", most));
-        }
-        for (what, count) in &self.ignored {
-            lines.push(("  ignored", format!("{count} × {what}")));
-        }
-        lines
-    }
-}
-
-impl From<DaeReport> for ColladaReport {
-    fn from(report: DaeReport) -> Self {
-        Self {
-            up_axis: match report.space.up {
-                UpAxis::X => "X",
-                UpAxis::Y => "Y",
-                UpAxis::Z => "Z",
-            },
-            meters_per_unit: report.space.meters,
-            skins: report.skins,
-            weight_sums: report.weight_sums.map(|(low, high)| [low, high]),
-            unweighted_vertices: report.unweighted,
-            inverse_bind_difference: report.worst_inverse_bind.map(|worst| Difference {
-                joint: worst.joint,
-                difference: worst.difference,
-            }),
-            ignored: report.ignored,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -369,35 +323,12 @@ mod tests {
     #[test]
     fn a_collada_file_and_its_picture_are_read_once() {
         let files = Counted::default();
-        let report = check(&files, Path::new("builtin:rigs/crate")).unwrap();
+        let report = check(&files, Path::new("builtin:rigs/crate"))
+            .unwrap()
+            .report;
         assert!(!report.collada.unwrap().in_words().is_empty());
         assert_eq!(report.shapes[0].kind, "Character");
         let read = files.0.into_inner().unwrap();
         assert_eq!(read.len(), 2, "{read:?}");
-    }
-
-    #[test]
-    fn a_bind_pose_without_a_difference_is_reported_as_equal() {
-        let lines = |difference| {
-            let report = ColladaReport {
-                up_axis: "Y",
-                meters_per_unit: 1.0,
-                skins: 1,
-                weight_sums: None,
-                unweighted_vertices: 1,
-                inverse_bind_difference: Some(Difference {
-                    joint: "Bone.002".to_owned(),
-                    difference,
-                }),
-                ignored: BTreeMap::new(),
-            };
-            report.in_words()[2..]
-                .iter()
-                .map(|(_, words)| words.clone())
-                .collect::<Vec<_>>()
-        };
-        assert_eq!(lines(0.0), ["1 vertex stays at rest", "as in the scene"]);
-        let most = "differs from the scene by at most 1.5e-3, at Bone.002";
-        assert_eq!(lines(0.0015)[1], most);
     }
 }

@@ -110,6 +110,10 @@ fn compare(args: &Args) -> Result<(), CliError> {
             } else {
                 (&args.b, &args.a)
             };
+            // What is not there is told first: its name may be wrong.
+            for path in [&args.a, &args.b] {
+                files().read(path)?;
+            }
             Err(CliError::Usage(format!(
                 "expected two pictures or two meshes, found the mesh {} and {}",
                 mesh.display(),

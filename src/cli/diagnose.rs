@@ -25,7 +25,7 @@ use std::sync::Arc;
 /// the character alone, before a background of one color, seen with the window's first camera unless
 /// another is given.
 ///
-/// Ends with 0 if THEIRS is right, and with 1 otherwise.
+/// Ends with 0 if THEIRS is right and lacks no triangle, and with 1 otherwise.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
     editor diagnose mine.obj --character Model1.obj --pose walk.json\n  \
@@ -75,13 +75,11 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             let message = "--camera and --view are for pictures, found a mesh";
             return Err(CliError::Usage(message.to_owned()));
         }
-        let found = of_mesh(args);
-        let verdict = found.as_ref().map(|found| found.verdict).ok();
-        report(args, found, verdict)
+        report(args, of_mesh(args), Diagnosis::is_right)
     } else {
-        let found = of_picture(args);
-        let verdict = found.as_ref().map(|found| found.verdict).ok();
-        report(args, found, verdict)
+        report(args, of_picture(args), |found| {
+            found.verdict == Verdict::Right
+        })
     }
 }
 
@@ -89,13 +87,14 @@ pub fn run(args: &Args) -> Result<(), CliError> {
 fn report<R: Serialize + Display>(
     args: &Args,
     found: Result<R, Diagnostic>,
-    verdict: Option<Verdict>,
+    is_right: impl Fn(&R) -> bool,
 ) -> Result<(), CliError> {
     let found = match found {
         Ok(found) => found,
         Err(diagnostic) => {
             if args.json {
                 let failure = DiagnosticJson::from(&diagnostic);
+                let verdict = None;
                 print_json(args, &Failure { verdict, failure })?;
             }
             return Err(diagnostic.into());
@@ -106,9 +105,9 @@ fn report<R: Serialize + Display>(
     } else {
         print(&format!("{found}\n"))?;
     }
-    match verdict {
-        Some(Verdict::Right) => Ok(()),
-        _ => Err(CliError::Reported),
+    match is_right(&found) {
+        true => Ok(()),
+        false => Err(CliError::Reported),
     }
 }
 
@@ -125,9 +124,9 @@ fn print_json<R: Serialize>(args: &Args, result: &R) -> Result<(), CliError> {
 fn of_mesh(args: &Args) -> Result<Diagnosis, Diagnostic> {
     let files = files();
     let read = read_character_obj(&args.theirs, &files.read(&args.theirs)?)?;
-    let theirs = with_warnings(read).positions;
+    let theirs = with_warnings(read);
     let characters = characters(&files, &args.character)?;
-    let fits = |character: &&Arc<Character>| may_be_of(character, theirs.len());
+    let fits = |character: &&Arc<Character>| may_be_of(character, theirs.positions.len());
     // If none fits, the numbers of the first are told.
     let character = characters.iter().find(fits).unwrap_or(&characters[0]);
     let pose = pose(args, &files, character)?;

@@ -1,5 +1,6 @@
 //! What is found out about a mesh, as data and in words.
 
+use super::faces::FaceDifference;
 use super::other_pose::OtherPose;
 use super::search::Made;
 use serde::Serialize;
@@ -46,6 +47,9 @@ pub struct Diagnosis {
     pub same_as: Vec<Vec<&'static str>>,
     /// Where it shows first; `None` if the mesh is right.
     pub first: Option<Shown>,
+    /// How its triangles differ, which the verdict does not count.
+    #[serde(flatten)]
+    pub faces: FaceDifference,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.
     pub regions: Vec<Region>,
@@ -217,11 +221,20 @@ impl fmt::Display for Diagnosis {
             }
             Verdict::Explained => self.fmt_explained(f),
             Verdict::Unexplained => self.fmt_unexplained(f),
+        }?;
+        if self.faces.is_none() {
+            return Ok(());
         }
+        write!(f, "\n  but      {}", self.faces)
     }
 }
 
 impl Diagnosis {
+    /// Whether vertices are the exact ones and no triangle is missing.
+    pub fn is_right(&self) -> bool {
+        self.verdict == Verdict::Right && self.faces.missing == 0
+    }
+
     /// Names of the mistakes that together give the mesh.
     pub fn together(&self) -> Vec<&'static str> {
         self.mistakes.iter().map(|mistake| mistake.id).collect()

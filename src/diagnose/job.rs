@@ -1,7 +1,7 @@
 use super::{DiagnoseError, Diagnosis, diagnose_by};
 use crate::character::{Character, Pose};
+use crate::geometry::SharedMesh;
 use crate::steps::Steps;
-use glam::Vec3;
 use std::sync::Arc;
 
 /// Vertices that a step works on, each of which is skinned once.
@@ -14,8 +14,8 @@ pub struct MeshJob {
     pub character: Arc<Character>,
     /// The pose that the mesh should have.
     pub pose: Pose,
-    /// The mesh's vertices, in model space.
-    pub theirs: Arc<[Vec3]>,
+    /// The mesh, in model space.
+    pub theirs: SharedMesh,
 }
 
 impl MeshJob {

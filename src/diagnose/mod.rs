@@ -3,6 +3,7 @@
 //! one that was made. Nothing here opens a file or a window.
 
 mod diagnosis;
+mod faces;
 mod formula;
 mod job;
 mod measure;
@@ -20,6 +21,7 @@ mod skin;
 mod vertex_formula;
 
 pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict, of_size};
+pub use faces::FaceDifference;
 pub use formula::{
     Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
     VertexOrder, WeightFormula,
@@ -79,15 +81,15 @@ pub fn may_be_of(character: &Character, vertices: usize) -> bool {
     order_of(&Model::new(character), vertices).is_some()
 }
 
-/// Finds out which mistake gives the vertices `theirs`, in model space, instead of those of
-/// `character` in `pose`.
+/// Finds out which mistake gives the vertices of `theirs`, in model space, instead of those of
+/// `character` in `pose`, and whether it has the triangles of the character.
 ///
 /// # Errors
 /// If their number fits neither the character nor what importers make of it, or it has none.
 pub fn diagnose(
     character: &Character,
     pose: &Pose,
-    theirs: &[Vec3],
+    theirs: &Mesh,
 ) -> Result<Diagnosis, DiagnoseError> {
     at_once(|pace| diagnose_by(character, pose, theirs, pace))
 }
@@ -96,15 +98,27 @@ pub fn diagnose(
 async fn diagnose_by(
     character: &Character,
     pose: &Pose,
-    theirs: &[Vec3],
+    theirs: &Mesh,
     pace: Rc<Pace>,
 ) -> Result<Diagnosis, DiagnoseError> {
     let model = Model::new(character);
-    let order = order_of(&model, theirs.len()).ok_or(DiagnoseError::Vertices {
+    let mut found = diagnose_vertices(&model, pose, &theirs.positions, &pace).await?;
+    found.faces = FaceDifference::find(&model, &found, theirs, &pace).await;
+    Ok(found)
+}
+
+/// The diagnosis of vertices, whose faces are not known yet.
+async fn diagnose_vertices(
+    model: &Model<'_>,
+    pose: &Pose,
+    theirs: &[Vec3],
+    pace: &Pace,
+) -> Result<Diagnosis, DiagnoseError> {
+    let order = order_of(model, theirs.len()).ok_or(DiagnoseError::Vertices {
         expected: model.positions.len(),
         found: theirs.len(),
     })?;
-    let exact = search::exact(&model, pose, order);
+    let exact = search::exact(model, pose, order);
     pace.after(exact.len()).await;
     let size = size_of(exact.iter().map(|placed| placed.at.as_vec3()));
     let points: Vec<DVec3> = theirs.iter().map(|point| point.as_dvec3()).collect();
@@ -115,7 +129,7 @@ async fn diagnose_by(
         .collect();
     let tolerance = tolerance(theirs, size);
     let mut findings = Findings {
-        model: &model,
+        model,
         order,
         theirs: &points,
         exact: &exact,
@@ -128,8 +142,8 @@ async fn diagnose_by(
         let mut explanations = Vec::new();
         let closer = error / MUCH_NEARER;
         if closer > SINGLE_PRECISION * size {
-            let search = Search::new(&model, pose, &points, closer, &distances);
-            (_, explanations) = search.singles(&pace).await;
+            let search = Search::new(model, pose, &points, closer, &distances);
+            (_, explanations) = search.singles(pace).await;
         }
         if explanations.is_empty() {
             return Ok(findings.diagnosis(Verdict::Right));
@@ -137,13 +151,13 @@ async fn diagnose_by(
         findings.tolerance = closer;
         return Ok(findings.explained(&explanations));
     }
-    let search = Search::new(&model, pose, &points, tolerance, &distances);
-    let (alone, mut explanations) = search.singles(&pace).await;
+    let search = Search::new(model, pose, &points, tolerance, &distances);
+    let (alone, mut explanations) = search.singles(pace).await;
     if explanations.is_empty() {
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
-        explanations = search.pairs(&alone, &pace).await;
+        explanations = search.pairs(&alone, pace).await;
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
@@ -152,11 +166,11 @@ async fn diagnose_by(
         found.findings = findings.of_the_whole(theirs);
         if found.findings.is_empty() {
             let limits = (tolerance, size);
-            found.other_pose = other_pose::find(&model, pose, order, &points, limits, &pace).await;
+            found.other_pose = other_pose::find(model, pose, order, &points, limits, pace).await;
         }
         // What is explained whole has nothing that is only near it.
         if found.other_pose.is_none() {
-            found.nearest = nearest(&search, &model, pose, order, &alone);
+            found.nearest = nearest(&search, model, pose, order, &alone);
         }
         return Ok(found);
     }
@@ -224,6 +238,7 @@ impl Findings<'_> {
             mistakes: Vec::new(),
             same_as: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
+            faces: FaceDifference::default(),
             regions: Vec::new(),
             other_pose: None,
             nearest: None,

@@ -14,7 +14,7 @@ const WORST: usize = 64;
 const SPREAD: usize = 512;
 
 /// Vertices after which the work may rest.
-const AT_ONCE: usize = 1 << 10;
+pub(super) const AT_ONCE: usize = 1 << 10;
 /// Work of trying a formula, as that of so many vertices a joint.
 const A_JOINT: usize = 4;
 

@@ -4,11 +4,11 @@ use super::report::{Report, Section};
 
 impl Report {
     /// A row a submission as comma-separated values (RFC 4180): name, points, points that are possible,
-    /// those of each section, and what is wrong. Points that a person has not given yet are empty.
+    /// how many of these nobody has given yet, points of each section, and what is wrong. Points that a person has not given yet are empty.
     pub fn to_csv(&self) -> String {
         let mut csv = String::new();
         let sections = self.sections.iter().map(Section::name);
-        let fixed = ["submission", "points", "possible"]
+        let fixed = ["submission", "points", "possible", "not graded"]
             .map(str::to_owned)
             .into_iter();
         line(&mut csv, fixed.chain(sections).chain(["result".to_owned()]));
@@ -17,6 +17,7 @@ impl Report {
                 submission.name.clone(),
                 submission.points.to_string(),
                 submission.possible.to_string(),
+                submission.not_graded.to_string(),
             ];
             let points = submission.sections.values();
             let points =

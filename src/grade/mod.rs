@@ -6,6 +6,7 @@
 mod canvas;
 mod csv;
 mod graded;
+mod name;
 mod page;
 mod report;
 mod rubric;
@@ -15,5 +16,6 @@ mod test;
 mod thumbnail;
 
 pub use graded::{Graded, Outcome};
+pub use name::Name;
 pub use report::{GradedTest, MistakeGroup, Report, Row, Section, Submission};
 pub use test::Test;

@@ -1,9 +1,10 @@
 //! The report as one page that needs nothing else: pictures and style are in it, and its policy
 //! keeps a browser from fetching anything. It is XML as well as HTML.
 
+mod results;
+
 use super::canvas::Color;
-use super::graded::Outcome;
-use super::report::{GradedTest, MistakeGroup, Report, Submission};
+use super::report::{MistakeGroup, Report};
 use super::style::STYLE;
 use super::thumbnail::{AGREES, ERRORS, LARGEST_ERROR, ONLY_EXACT, ONLY_THEIRS};
 use std::collections::BTreeMap;
@@ -76,25 +77,7 @@ impl Page {
         self.add(format_args!(
             "<h1>{title}</h1>\n<p class=\"dim\">{count} submission{plural}"
         ));
-        let mut points: Vec<f64> = report.submissions.iter().map(|one| one.points).collect();
-        points.sort_by(f64::total_cmp);
-        if let (Some(first), false) = (report.submissions.first(), points.is_empty()) {
-            let mean = points.iter().sum::<f64>() / points.len() as f64;
-            let median = (points[(points.len() - 1) / 2] + points[points.len() / 2]) / 2.0;
-            let graded = || report.submissions.iter().map(Submission::graded);
-            let least = graded().fold(first.possible, f64::min);
-            let most = graded().fold(0.0, f64::max);
-            let possible = match least < most {
-                true => format!("{least} to {most}"),
-                false => most.to_string(),
-            };
-            let is_open = least < first.possible;
-            let so_far = if is_open { " graded so far" } else { "" };
-            self.add(format_args!(
-                ", {all_right} right in every test. Of {possible} points{so_far} the mean is {mean:.1}, the median \
-                 {median:.1}."
-            ));
-        }
+        self.middle(report, all_right);
         let open = report.submissions.iter().filter(|one| one.not_graded > 0.0);
         match open.count() {
             0 => {}
@@ -106,6 +89,38 @@ impl Page {
             )),
         }
         self.add(format_args!("</p>\n"));
+    }
+
+    /// What submissions have on average: a share of what is graded so far where points are still to be
+    /// given, which are not as many for each.
+    fn middle(&mut self, report: &Report, all_right: usize) {
+        let Some(first) = report.submissions.first() else {
+            return;
+        };
+        self.add(format_args!(", {all_right} right in every test."));
+        let is_open = report.submissions.iter().any(|one| one.not_graded > 0.0);
+        let graded = report.submissions.iter().filter(|one| one.graded() > 0.0);
+        let mut all: Vec<f64> = graded
+            .map(|one| match is_open {
+                true => 100.0 * one.points / one.graded(),
+                false => one.points,
+            })
+            .collect();
+        if all.is_empty() {
+            return;
+        }
+        all.sort_by(f64::total_cmp);
+        let mean = all.iter().sum::<f64>() / all.len() as f64;
+        let median = (all[(all.len() - 1) / 2] + all[all.len() / 2]) / 2.0;
+        match is_open {
+            true => self.add(format_args!(
+                " Of what is graded so far the mean is {mean:.0} %, the median {median:.0} %."
+            )),
+            false => self.add(format_args!(
+                " Of {} points the mean is {mean:.1}, the median {median:.1}.",
+                first.possible
+            )),
+        }
     }
 
     fn sections(&mut self, report: &Report) {
@@ -179,12 +194,12 @@ impl Page {
         let links = group
             .submissions
             .keys()
-            .filter_map(|name| Some((name, numbers.get(&**name)?)));
+            .filter_map(|name| Some((name, numbers.get(name.as_str())?)));
         for (index, (name, number)) in links.take(SHOWN_NAMES).enumerate() {
             let comma = if index == 0 { "" } else { ", " };
             self.add(format_args!(
                 "{comma}<a href=\"#s{number}\">{}</a>",
-                Escaped(name)
+                Escaped(name.as_str())
             ));
         }
         if count > SHOWN_NAMES {
@@ -232,131 +247,6 @@ impl Page {
         self.add(format_args!("</p>\n"));
     }
 
-    fn submissions(&mut self, report: &Report) {
-        self.add(format_args!(
-            "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<thead><tr><th>Submission</th>\
-             <th class=\"number\">Points</th>"
-        ));
-        for section in &report.sections {
-            self.add(format_args!(
-                "<th class=\"number\">{}</th>",
-                Escaped(&section.section)
-            ));
-        }
-        self.add(format_args!("<th>Result</th></tr></thead>\n<tbody>\n"));
-        for (number, submission) in report.submissions.iter().enumerate() {
-            self.add(format_args!(
-                "<tr><td><a href=\"#s{number}\">{}</a></td><td class=\"number\">{} <span class=\"dim\">of {}</span></td>",
-                Escaped(&submission.name),
-                submission.points,
-                submission.graded()
-            ));
-            for points in submission.sections.values() {
-                match points {
-                    Some(points) => self.add(format_args!("<td class=\"number\">{points}</td>")),
-                    None => self.add(format_args!("<td class=\"number dim\">not yet</td>")),
-                }
-            }
-            self.add(format_args!("<td>"));
-            self.chips(submission);
-            self.add(format_args!("</td></tr>\n"));
-        }
-        self.add(format_args!("</tbody></table></div>\n<h2>Results</h2>\n"));
-        for (number, submission) in report.submissions.iter().enumerate() {
-            self.submission(report, number, submission);
-        }
-    }
-
-    fn submission(&mut self, report: &Report, number: usize, submission: &Submission) {
-        let name = Escaped(&submission.name);
-        let open = match submission.not_graded {
-            0.0 => String::new(),
-            open => format!("<span class=\"dim\">, {open} more not graded yet</span>"),
-        };
-        self.add(format_args!(
-            "<details><summary><h3>{name}</h3><span class=\"number\">{} of {}{open}</span><span>",
-            submission.points,
-            submission.graded()
-        ));
-        self.chips(submission);
-        // A link to what is inside of it opens it, without a script.
-        self.add(format_args!(
-            "</span></summary>\n<div id=\"s{number}\" class=\"results\">\n"
-        ));
-        for (test, row) in submission.tests.iter().zip(&report.tests) {
-            self.add(format_args!("<div class=\"test\">"));
-            if test.picture.is_some() {
-                self.add(format_args!("<figure>"));
-                let shown = format!(
-                    "what {} gives for {}, and where it is off",
-                    submission.name, test.test
-                );
-                self.picture(test.picture.as_deref(), &shown);
-                self.add(format_args!("</figure>"));
-            }
-            self.add(format_args!("<div><h4>{} ", Escaped(&test.test)));
-            self.chip(test);
-            self.add(format_args!("</h4>"));
-            let points = row.points.iter().map(|(section, possible)| {
-                let points = test.points.get(section).copied().unwrap_or(0.0);
-                format!("{section}: {points} of {possible}")
-            });
-            let points = points.collect::<Vec<_>>().join(", ");
-            let whole = if row.kind == "mesh" {
-                "vertices"
-            } else {
-                "silhouette"
-            };
-            let agrees = match test.outcome {
-                Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => {
-                    let percent = (100.0 * test.agrees).floor();
-                    format!(" · {percent:.0} % of the {whole} right")
-                }
-                _ => String::new(),
-            };
-            self.add(format_args!(
-                "<p class=\"dim\">{}{agrees}</p><pre>{}</pre></div></div>\n",
-                Escaped(&points),
-                Escaped(&test.text)
-            ));
-        }
-        self.add(format_args!("</div>\n</details>\n"));
-    }
-
-    /// What is wrong with a submission, each thing once.
-    fn chips(&mut self, submission: &Submission) {
-        let wrong = submission.summaries();
-        if wrong.is_empty() {
-            self.add(format_args!("<span class=\"chip right\">right</span>"));
-        }
-        for (summary, tests) in wrong {
-            let of = submission.tests.len();
-            let first = submission
-                .tests
-                .iter()
-                .find(|test| test.summary() == summary);
-            let class = first.map_or("", class);
-            let count = if tests.len() == of {
-                String::new()
-            } else {
-                format!(" ({})", tests.join(", "))
-            };
-            self.add(format_args!(
-                "<span class=\"chip {class}\">{}{}</span>",
-                Escaped(&summary),
-                Escaped(&count)
-            ));
-        }
-    }
-
-    fn chip(&mut self, test: &GradedTest) {
-        let (class, summary) = (class(test), test.summary());
-        self.add(format_args!(
-            "<span class=\"chip {class}\">{}</span>",
-            Escaped(&summary)
-        ));
-    }
-
     /// A PNG in Base64.
     fn picture(&mut self, png: Option<&str>, shown: &str) {
         if let Some(png) = png {
@@ -372,15 +262,6 @@ impl Page {
 /// A color of thumbnails in the words of a style.
 fn css([red, green, blue]: Color) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-/// The kind of a result, for its color.
-fn class(test: &GradedTest) -> &'static str {
-    match test.outcome {
-        Outcome::Right => "right",
-        Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => "wrong",
-        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => "none",
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What a class has, as data.
 
 use super::graded::{Graded, Outcome};
+use super::name::Name;
 use super::rubric;
 use crate::diagnose::{MISTAKES, Mistake};
 use crate::io::{TestKind, TestsFile};
@@ -16,7 +17,7 @@ pub struct Report {
     pub sections: Vec<Section>,
     /// Tests in the order of their file.
     pub tests: Vec<Row>,
-    /// Submissions by name.
+    /// Submissions in the order of their names.
     pub submissions: Vec<Submission>,
     /// Mistakes that were made, the one that most submissions have first.
     pub mistakes: Vec<MistakeGroup>,
@@ -102,7 +103,7 @@ pub struct MistakeGroup {
     /// What to look at in the code.
     pub look_at: &'static str,
     /// Submissions that make it, each with the tests that show it.
-    pub submissions: BTreeMap<String, Vec<String>>,
+    pub submissions: BTreeMap<Name, Vec<String>>,
 }
 
 impl Report {
@@ -113,7 +114,7 @@ impl Report {
         pictures: &BTreeMap<String, String>,
         mut graded: Vec<(String, Vec<Graded>)>,
     ) -> Self {
-        graded.sort_by(|a, b| a.0.cmp(&b.0));
+        graded.sort_by_cached_key(|(name, _)| Name::from(&**name));
         let sections = sections(file);
         let possible = sections.iter().filter(|section| !section.extra);
         let possible = in_cents(possible.map(|section| section.possible).sum());
@@ -235,23 +236,12 @@ fn cents(points: BTreeMap<String, f64>) -> BTreeMap<String, f64> {
         .collect()
 }
 
-/// Points that tests have for a section.
-fn of_tests(file: &TestsFile, section: &str) -> Option<f64> {
-    let points = file
-        .tests
-        .iter()
-        .filter_map(|test| test.points.get(section));
-    let points: Vec<f64> = points.map(|points| points.0).collect();
-    (!points.is_empty()).then(|| points.iter().sum())
-}
-
 fn sections(file: &TestsFile) -> Vec<Section> {
     let of_rubric = file.rubric.sections.keys();
     let of_tests_too = of_rubric.chain(file.tests.iter().flat_map(|test| test.points.keys()));
     let names: BTreeSet<&String> = of_tests_too.collect();
     let sections = names.into_iter().map(|name| {
         let data = file.rubric.sections.get(name).cloned().unwrap_or_default();
-        let tested = of_tests(file, name);
         let of_course = || {
             let mut sections = MISTAKES.iter().map(|mistake| mistake.section);
             let section = sections.find(|section| rubric::number(section) == name);
@@ -265,9 +255,9 @@ fn sections(file: &TestsFile) -> Vec<Section> {
                 "" => of_course().to_owned(),
                 title => title.to_owned(),
             },
-            possible: in_cents(data.points.map_or(tested.unwrap_or(0.0), |points| points.0)),
+            possible: in_cents(file.worth(name).unwrap_or(0.0)),
             extra: data.extra,
-            by_hand: tested.is_none(),
+            by_hand: file.points_of_tests(name).is_none(),
         }
     });
     sections.collect()
@@ -285,7 +275,7 @@ fn points_by_section(
     let points = sections.iter().map(|section| {
         let key = &section.section;
         let by_tests = || {
-            let possible = of_tests(file, key)?;
+            let possible = file.points_of_tests(key)?;
             let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
             let share = if possible > 0.0 {
                 reached / possible
@@ -296,7 +286,7 @@ fn points_by_section(
         };
         let by_hand = given
             .and_then(|given| given.get(key))
-            .map(|points| in_cents(points.0));
+            .map(|points| in_cents(points.get_ref().0));
         (key.clone(), by_hand.or_else(by_tests))
     });
     points.collect()
@@ -304,12 +294,12 @@ fn points_by_section(
 
 /// Mistakes by those who made them.
 fn mistakes(submissions: &[Submission]) -> Vec<MistakeGroup> {
-    let mut groups: BTreeMap<&str, BTreeMap<String, Vec<String>>> = BTreeMap::new();
+    let mut groups: BTreeMap<&str, BTreeMap<Name, Vec<String>>> = BTreeMap::new();
     for submission in submissions {
         for test in &submission.tests {
             for id in test.causes.first().into_iter().flatten() {
                 let by = groups.entry(id).or_default();
-                let tests = by.entry(submission.name.clone()).or_default();
+                let tests = by.entry(Name::from(&*submission.name)).or_default();
                 tests.push(test.test.clone());
             }
         }
@@ -393,7 +383,7 @@ mod tests {
     fn the_same_mistake_of_several_is_one_group_and_the_most_usual_comes_first() {
         let report = report();
         let groups = report.mistakes.iter().map(|group| {
-            let who: Vec<&str> = group.submissions.keys().map(|name| &**name).collect();
+            let who: Vec<&str> = group.submissions.keys().map(Name::as_str).collect();
             (&*group.id, who)
         });
         let expected = [

@@ -81,7 +81,14 @@ pub(super) fn number(section: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{Points, Share, TestKind};
+    use crate::io::{NamedFile, Points, Position, Share, TestKind};
+
+    fn named(path: &str) -> NamedFile {
+        NamedFile {
+            path: path.into(),
+            at: Position { line: 1, column: 1 },
+        }
+    }
 
     fn test(sections: &[(&str, f64)]) -> TestData {
         let points = sections
@@ -89,8 +96,8 @@ mod tests {
             .map(|&(section, points)| (section.to_owned(), Points(points)));
         TestData {
             name: "walk".to_owned(),
-            character: "a.obj".into(),
-            pose: "b.json".into(),
+            character: named("a.obj"),
+            pose: named("b.json"),
             kind: TestKind::Mesh,
             points: points.collect(),
         }

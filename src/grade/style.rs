@@ -61,7 +61,16 @@ pre {
   margin: .5rem 0 0; font: .86rem/1.45 ui-monospace, "SF Mono", Menlo, Consolas, monospace;
   white-space: pre-wrap; overflow-wrap: anywhere;
 }
+pre span { display: block; }
+pre .told { padding-left: 11ch; text-indent: -11ch; }
 footer { margin-top: 3rem; font-size: .85rem; color: var(--dim); }
 @media (max-width: 40rem) { .test { flex-direction: column; } body { padding: 1rem .75rem 3rem; } }
-@media print { details { break-inside: avoid; } body { max-width: none; padding: 0; } }
+@media print {
+  body { max-width: none; padding: 0; font-size: 10pt; }
+  details::details-content { content-visibility: visible; block-size: auto; }
+  .wide { overflow: visible; border: 0; }
+  .wide td, .wide th { padding: .3rem .5rem; overflow-wrap: anywhere; }
+  h2, h3, summary { break-after: avoid; }
+  figure, .test, tr, .legend { break-inside: avoid; }
+}
 "#;

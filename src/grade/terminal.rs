@@ -1,6 +1,7 @@
 //! The report as text: a row a submission.
 
 use super::graded::Outcome;
+use super::name::Name;
 use super::report::Report;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +20,10 @@ impl Report {
         for submission in &self.submissions {
             let mut row = vec![
                 submission.name.clone(),
-                format!("{}/{}", submission.points, submission.possible),
+                match (submission.graded(), submission.not_graded) {
+                    (graded, 0.0) => format!("{}/{graded}", submission.points),
+                    (graded, open) => format!("{}/{graded} ({open} wait)", submission.points),
+                },
             ];
             for section in &self.sections {
                 let points = submission.sections.get(&section.section).copied().flatten();
@@ -48,7 +52,7 @@ impl Report {
             .iter()
             .filter(|group| group.submissions.len() > 1)
         {
-            let names: Vec<&str> = group.submissions.keys().map(|name| &**name).collect();
+            let names: Vec<&str> = group.submissions.keys().map(Name::as_str).collect();
             lines.push(format!(
                 "{} in {} submissions: {}",
                 group.id,
@@ -62,7 +66,7 @@ impl Report {
 
     /// Why files could not be graded, each reason once, with the submissions that it is about.
     fn reasons(&self) -> impl Iterator<Item = String> {
-        let mut by_reason: BTreeMap<(&str, String), BTreeSet<&str>> = BTreeMap::new();
+        let mut by_reason: BTreeMap<(&str, String), BTreeSet<Name>> = BTreeMap::new();
         for submission in &self.submissions {
             for test in &submission.tests {
                 if is_ungraded(test.outcome) {
@@ -70,13 +74,13 @@ impl Report {
                     by_reason
                         .entry(reason)
                         .or_default()
-                        .insert(&submission.name);
+                        .insert(Name::from(&*submission.name));
                 }
             }
         }
         let all = self.submissions.len();
         by_reason.into_iter().map(move |((word, reason), names)| {
-            let told: Vec<&str> = names.iter().copied().take(NAMES).collect();
+            let told: Vec<&str> = names.iter().map(Name::as_str).take(NAMES).collect();
             let who = match names.len() {
                 count if count == all && all > 1 => format!("all {all} submissions"),
                 count if count > NAMES => {

@@ -102,7 +102,10 @@ impl Test {
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
             return Graded::without(Outcome::Blank, "all vertices are in one place");
         }
-        match diagnose(&self.character, &self.pose, places) {
+        match diagnose(&self.character, &self.pose, &theirs) {
+            Ok(found) if found.faces.missing > 0 => {
+                Graded::without(Outcome::Unreadable, format!("{name}: {}", found.faces))
+            }
             Ok(found) => self.diagnosed_mesh(&found, &theirs),
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
         }

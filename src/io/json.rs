@@ -214,11 +214,20 @@ fn syntax_fault(text: &str, error: &ParseError) -> Fault {
         | Kind::UnexpectedWord => (range.start, "a value"),
     };
     let at = at.min(end);
-    let found = match text[at..end].chars().next() {
-        Some(found) => quoted(&found.to_string()),
-        None => "the end of the file".to_owned(),
+    let found = match word(&text[at..end]) {
+        "" => "the end of the file".to_owned(),
+        found => quoted(found),
     };
     Fault::at(at, format!("expected {expected}, found {found}"))
+}
+
+/// The word or number that `text` begins with, or else its first character.
+fn word(text: &str) -> &str {
+    let is_part = |c: char| c.is_alphanumeric() || "_+-.".contains(c);
+    match text.find(|c| !is_part(c)).unwrap_or(text.len()) {
+        0 => &text[..text.chars().next().map_or(0, char::len_utf8)],
+        end => &text[..end],
+    }
 }
 
 /// Three numbers `[x, y, z]`, each of which `check` accepts.
@@ -363,12 +372,12 @@ mod tests {
                 "{\"a\": [\"b\n",
                 "1:8: expected the closing quote, found none",
             ),
-            ("{\"a\": [tru]}", "1:8: expected a value, found “t”"),
+            ("{\"a\": [tru]}", "1:8: expected a value, found “tru”"),
             (
                 "{\"a\": [.5]}",
-                "1:8: expected a number such as -1.5 or 2e3, found “.”",
+                "1:8: expected a number such as -1.5 or 2e3, found “.5”",
             ),
-            ("{\"a\": [NaN]}", "1:8: expected a value, found “N”"),
+            ("{\"a\": [NaN]}", "1:8: expected a value, found “NaN”"),
             ("{\"a\": [,]}", "1:8: expected a value, found “,”"),
             ("{\"a\": [01]}", "1:9: expected a comma, found “1”"),
             (

@@ -64,4 +64,4 @@ pub use scene::{
 };
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};
-pub use tests_file::{CommandData, TestData, TestKind, TestsFile};
+pub use tests_file::{CommandData, NamedFile, TestData, TestKind, TestsFile};

@@ -89,11 +89,11 @@ impl PoseFile {
         Ok((pose, joints.chain(roots).collect()))
     }
 
-    /// See [`PoseData::poses_of`].
-    pub(super) fn poses_of(
-        &self,
-        skeletons: &[&SkeletalModel],
-    ) -> Result<Vec<Option<Pose>>, Diagnostic> {
+    /// The pose for each of `skeletons`, by the joints that it has; `None` for one that has none of them.
+    ///
+    /// # Errors
+    /// If a joint is in none of them; the message lists names like it. Or if two entries mean one joint.
+    pub fn poses_of(&self, skeletons: &[&SkeletalModel]) -> Result<Vec<Option<Pose>>, Diagnostic> {
         let poses = self.data.poses_of(skeletons);
         poses.map_err(|misfit| self.diagnostic(misfit))
     }

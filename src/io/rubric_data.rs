@@ -4,6 +4,7 @@ use super::scanner::quoted;
 use crate::diagnose::MISTAKES;
 use serde::de::{Deserializer, Error as _};
 use serde::{Deserialize, Serialize};
+use serde_spanned::Spanned;
 use std::borrow::Borrow;
 use std::collections::BTreeMap;
 
@@ -44,7 +45,7 @@ pub struct RubricData {
     /// vertices that are right.
     pub unexplained: Share,
     /// Points that a person gives, by submission and section.
-    pub given: BTreeMap<String, BTreeMap<String, Points>>,
+    pub given: BTreeMap<String, BTreeMap<String, Spanned<Points>>>,
 }
 
 impl Default for RubricData {

@@ -33,14 +33,23 @@ pub struct TestsFile {
 pub struct TestData {
     /// Its name, which the file of a submission has.
     pub name: String,
-    /// The character, as the file has it.
-    pub character: PathBuf,
-    /// The pose, as the file has it.
-    pub pose: PathBuf,
+    /// The character.
+    pub character: NamedFile,
+    /// The pose.
+    pub pose: NamedFile,
     /// What a submission shows.
     pub kind: TestKind,
     /// Points by section of the assignment.
     pub points: BTreeMap<String, Points>,
+}
+
+/// A file that a test names.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedFile {
+    /// Its path, as the file of tests has it.
+    pub path: PathBuf,
+    /// Where it is named there.
+    pub at: Position,
 }
 
 /// What is graded.
@@ -104,8 +113,8 @@ struct WrittenFile {
 #[serde(deny_unknown_fields)]
 struct WrittenTest {
     name: Spanned<String>,
-    character: String,
-    pose: String,
+    character: Spanned<String>,
+    pose: Spanned<String>,
     #[serde(default)]
     kind: Kind,
     camera: Option<Spanned<Vec<f32>>>,
@@ -126,7 +135,8 @@ impl TestsFile {
     ///
     /// # Errors
     /// If it is no JSON, or not of this form, or has no test; at a test whose name is no name of a
-    /// file or that another one has, and at a camera or a size of a picture that is none.
+    /// file or that another one has, at a camera or a size of a picture that is none, and at points
+    /// given by hand that are more than their section is worth.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
         let json = Json::parse(path, bytes)?;
         let text = json.text();
@@ -138,6 +148,10 @@ impl TestsFile {
         if written.tests.is_empty() {
             return Err(Diagnostic::new(path, "expected a test, found none"));
         }
+        let named = |file: Spanned<String>| NamedFile {
+            at: Position::in_text(text, file.span().start),
+            path: file.into_inner().into(),
+        };
         let mut names = HashSet::new();
         let mut tests = Vec::with_capacity(written.tests.len());
         for test in written.tests {
@@ -157,8 +171,8 @@ impl TestsFile {
             let kind = test.kind().map_err(|(at, message)| wrong(at, message))?;
             tests.push(TestData {
                 name: test.name.into_inner(),
-                character: test.character.into(),
-                pose: test.pose.into(),
+                character: named(test.character),
+                pose: named(test.pose),
                 kind,
                 points: test.points,
             });
@@ -167,12 +181,43 @@ impl TestsFile {
             let checked = command.get_ref().check();
             checked.map_err(|message| wrong(command.span().start, message))?;
         }
-        Ok(Self {
+        let file = Self {
             title: written.title,
             tests,
             rubric: written.rubric,
             command: written.command.map(Spanned::into_inner),
-        })
+        };
+        let checked = file.check_given();
+        checked.map_err(|(at, message)| wrong(at, message))?;
+        Ok(file)
+    }
+
+    /// Points that tests have for a section, by its number or name; `None` where no test has any.
+    pub fn points_of_tests(&self, section: &str) -> Option<f64> {
+        let tests = self.tests.iter();
+        let points = tests.filter_map(|test| Some(test.points.get(section)?.0));
+        points.reduce(|all, points| all + points)
+    }
+
+    /// Points that a section is worth; `None` where neither the rubric nor a test says so.
+    pub fn worth(&self, section: &str) -> Option<f64> {
+        let of_rubric = self.rubric.sections.get(section);
+        let of_rubric = of_rubric.and_then(|section| section.points);
+        let of_rubric = of_rubric.map(|points| points.0);
+        of_rubric.or_else(|| self.points_of_tests(section))
+    }
+
+    /// Whether no more points are given by hand than there are, or the first that are more: the byte
+    /// where they start, and what is wrong.
+    fn check_given(&self) -> Result<(), (usize, String)> {
+        for (section, points) in self.rubric.given.values().flatten() {
+            let found = points.get_ref().0;
+            if let Some(most) = self.worth(section).filter(|most| found > *most) {
+                let expected = format!("expected at most the {most} points of section {section}");
+                return Err((points.span().start, format!("{expected}, found {found}")));
+            }
+        }
+        Ok(())
     }
 }
 

@@ -182,7 +182,7 @@ impl MeshComparison {
         let mesh = MeshJob {
             character: Arc::clone(&character.character),
             pose: character.pose().clone(),
-            theirs: Arc::clone(&self.theirs),
+            theirs: self.geometry.mesh.clone(),
         };
         let own = Revision::new();
         let job = Job::new(Work::Diagnose { of: own, mesh });

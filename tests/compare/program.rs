@@ -207,6 +207,7 @@ fn wrong_usage_ends_with_2() {
     }
     let folder = meshes();
     let code = |arguments: &[&str]| compare(&folder, arguments).0;
+    fs::write(folder.path().join("b.png"), "no mesh").unwrap();
     assert_eq!(code(&["a.obj", "b.png"]), 2);
     assert_eq!(code(&["a.obj", "b.obj", "-o", "d.png"]), 2);
     assert_eq!(code(&["a.obj", "b.obj", "--threshold", "-1"]), 2);
@@ -230,6 +231,8 @@ fn json_is_one_object_for_wrong_usage_too() {
     }
     for (expected, line, told) in [
         (2, "a.png b.obj", "found the mesh b.obj and a.png"),
+        (1, "a.obj gone.png", "there is no such file"),
+        (1, "gone.obj a.png", "there is no such file"),
         (2, "a.png b.png --threshold 256", "found 256"),
         (2, "a.png b.png -o d.txt", "d.txt"),
         (2, "a.obj b.obj -o d.png", "--output is for pictures"),
@@ -265,6 +268,15 @@ fn meshes_are_compared_by_vertex() {
     );
     let distance = "\nlargest distance    3\n  by size           1.34 of 2.24\n";
     assert!(out.contains(distance), "{out}");
+    let vertices: Vec<&str> = out
+        .lines()
+        .filter(|line| line.starts_with("  vertex"))
+        .collect();
+    assert!(
+        vertices[0].starts_with("  vertex 0 (from 0): 3 apart"),
+        "{out}"
+    );
+    assert!(vertices[1].starts_with("  vertex 1: 3 apart"), "{out}");
     let (_, out, _) = compare(&folder, &["a.obj", "b.obj", "--json"]);
     let json: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(

@@ -106,10 +106,27 @@ impl Figure {
         pose
     }
 
-    /// What is found out about `theirs`.
+    /// What is found out about a whole mesh with the vertices `theirs`.
     #[track_caller]
     pub fn diagnose(&self, theirs: &[Vec3]) -> Diagnosis {
-        diagnose(&self.character, &self.pose(), theirs).unwrap()
+        self.diagnose_in(&self.pose(), theirs)
+    }
+
+    /// The same where `expected` is the pose that the mesh should have.
+    #[track_caller]
+    pub fn diagnose_in(&self, expected: &Pose, theirs: &[Vec3]) -> Diagnosis {
+        diagnose(&self.character, expected, &self.mesh(theirs)).unwrap()
+    }
+
+    /// The mesh with the vertices `theirs`. Repeated corners have triangles of their own.
+    pub fn mesh(&self, theirs: &[Vec3]) -> Mesh {
+        let triangles = if theirs.len() == self.positions.len() {
+            self.triangles.clone()
+        } else {
+            let corners = (0..theirs.len() as u32 / 3).map(|at| 3 * at);
+            corners.map(|at| [at, at + 1, at + 2]).collect()
+        };
+        Mesh::new(theirs.to_vec(), triangles)
     }
 }
 

@@ -4,6 +4,7 @@
 mod correct;
 mod documents;
 mod explained;
+mod faces;
 pub mod figures;
 mod mistaken;
 mod other_poses;

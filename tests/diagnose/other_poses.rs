@@ -3,13 +3,13 @@
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, with};
 use editor_core::character::Pose;
-use editor_core::diagnose::{Diagnosis, Verdict, diagnose};
+use editor_core::diagnose::{Diagnosis, Verdict};
 use editor_core::math::Euler;
 use glam::Vec3;
 
 /// What is found out about the right mesh of `figure` where `expected` is the pose that is asked for.
 fn held_against(figure: &Figure, expected: &Pose) -> Diagnosis {
-    diagnose(&figure.character, expected, &RIGHT.skin(figure)).unwrap()
+    figure.diagnose_in(expected, &RIGHT.skin(figure))
 }
 
 #[test]
@@ -39,7 +39,7 @@ fn a_mesh_that_is_held_against_the_character_at_rest_shows_its_pose() {
     let figure = Figure::builtin("adult", turned(5));
     let by = Vec3::new(0.3, -0.2, 0.5);
     let theirs: Vec<Vec3> = RIGHT.skin(&figure).iter().map(|at| *at + by).collect();
-    let found = diagnose(&figure.character, &Pose::new(), &theirs).unwrap();
+    let found = figure.diagnose_in(&Pose::new(), &theirs);
     let other = found.other_pose.expect("a pose");
     assert!(other.joints.len() > 10, "{:?}", other.joints);
     let root = &other.joints[0];
@@ -103,7 +103,7 @@ fn numbers_of_four_digits_are_enough_to_see_another_pose() {
     let figure = Figure::builtin("adult", turned(6));
     let theirs = written(&RIGHT.skin(&figure), 4);
     let expected = Figure::builtin("adult", turned(7)).pose();
-    let found = diagnose(&figure.character, &expected, &theirs).unwrap();
+    let found = figure.diagnose_in(&expected, &theirs);
     assert!(found.other_pose.is_some(), "{found}");
 }
 
@@ -132,7 +132,7 @@ fn a_mesh_that_no_pose_gives_is_not_said_to_be_of_another_one() {
             right.iter().map(|at| *at * wide).collect::<Vec<_>>(),
         ),
     ] {
-        let found = diagnose(&figure.character, &expected, &theirs).unwrap();
+        let found = figure.diagnose_in(&expected, &theirs);
         assert_eq!(found.verdict, Verdict::Unexplained, "{what}");
         assert_eq!(found.other_pose, None, "{what}");
         assert!(

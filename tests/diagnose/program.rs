@@ -78,6 +78,33 @@ unexplained: 200.0 % of the size away from the exact result in this pose, and no
 }
 
 #[test]
+fn a_file_that_is_cut_off_ends_with_1_and_is_told_to_lack_triangles() {
+    let folder = folder();
+    for (name, text) in [
+        ("man.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\nf 3 2 1\n"),
+        (
+            "right.obj",
+            "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nf 1 2 3\nf 3 2 1\n",
+        ),
+        ("cut.obj", "v 1 1 0\nv 0.25 0.5 0\nv -2 1 0\nf 1 2 3\nf 3 2"),
+    ] {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let ran = diagnose(folder.path(), "cut.obj", "man.obj", "bend.json");
+    let told = "\
+right: this is the exact result, but for less than 0.001 % of the size
+  but      1 of the model's 2 triangles is missing: the file may be cut off
+";
+    assert_eq!((ran.code, &*ran.out), (Some(1), told));
+    let (code, cut) = json(folder.path(), "cut.obj");
+    assert_eq!((code, &cut["verdict"]), (Some(1), &"right".into()));
+    let counts = ["triangles", "triangles_missing", "triangles_other"].map(|key| &cut[key]);
+    assert_eq!(counts, [2, 1, 0]);
+    let (code, right) = json(folder.path(), "right.obj");
+    assert_eq!((code, &right["triangles_missing"]), (Some(0), &0.into()));
+}
+
+#[test]
 fn json_is_one_object_with_verdict_causes_and_error() {
     let folder = folder();
     let (code, right) = json(folder.path(), "right.obj");
@@ -205,7 +232,9 @@ fn what_export_writes_is_right_and_with_four_influences_is_told_to_have_four() {
         ("builtin:humanoid", "builtin:humanoid-point"),
     ] {
         export(&[model, "--pose", pose]);
-        assert!(diagnosed(model, pose).starts_with("right: "), "{model}");
+        let told = diagnosed(model, pose);
+        assert!(told.starts_with("right: "), "{model}: {told}");
+        assert_eq!(told.lines().count(), 1, "{model}: {told}");
     }
     let posed = ["builtin:adult", "--pose", "builtin:adult-walk"];
     export(&[&posed[..], &["--influences", "4"]].concat());

@@ -3,6 +3,7 @@
 use crate::diagnose::figures::{Figure, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::diagnose::MeshJob;
+use editor_core::geometry::SharedMesh;
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -19,7 +20,7 @@ fn a_diagnosis_in_steps_is_the_one_that_is_made_at_once() {
         let job = MeshJob {
             character: Arc::clone(&figure.character),
             pose: figure.pose(),
-            theirs: theirs.as_slice().into(),
+            theirs: SharedMesh::new(figure.mesh(&theirs)),
         };
         let mut steps = job.diagnose();
         let (mut count, mut part) = (0, 0.0);

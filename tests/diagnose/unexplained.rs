@@ -6,6 +6,7 @@ use crate::diagnose::student::{RIGHT, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
 use editor_core::diagnose::{DiagnoseError, Verdict, diagnose};
+use editor_core::geometry::Mesh;
 use editor_core::math::Euler;
 use glam::Vec3;
 
@@ -148,7 +149,8 @@ fn the_search_for_a_cause_grows_in_proportion_to_the_mesh() {
         let body = character(&skel, &attach, &(obj + "f 1 2 3\n"));
         let mut theirs = body.bind_mesh().positions.clone();
         theirs.iter_mut().for_each(|place| place.x *= place.y);
-        (body, theirs)
+        let triangles = body.bind_mesh().triangles.clone();
+        (body, Mesh::new(theirs, triangles))
     };
     let mut pose = Pose::new();
     pose.set_joint_transform(3, Euler::from_degrees(Vec3::new(30.0, 20.0, 10.0)));
@@ -163,7 +165,9 @@ fn the_search_for_a_cause_grows_in_proportion_to_the_mesh() {
 #[test]
 fn another_number_of_vertices_is_an_error() {
     let figure = adult();
-    let counts = |theirs: &[Vec3]| diagnose(&figure.character, &figure.pose(), theirs).unwrap_err();
+    let counts = |theirs: &[Vec3]| {
+        diagnose(&figure.character, &figure.pose(), &figure.mesh(theirs)).unwrap_err()
+    };
     let expected = figure.positions.len();
     assert_eq!(
         counts(&figure.positions[1..]),

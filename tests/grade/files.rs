@@ -29,6 +29,18 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     let bent = obj(&bent, figure, number);
     let nan = right.replacen("v ", "v nan ", 1);
     let cut = &right[..right.len() / 3];
+    let mut lines: Vec<&str> = right.lines().collect();
+    let (vertices, faces) = (figure.positions.len(), figure.triangles.len());
+    let no_faces = lines[..vertices].join("\n");
+    // Of its last face two corners are left.
+    let last = lines[vertices + 1000].rsplit_once(' ').unwrap().0;
+    let cut_in_a_face = format!("{}\n{last}", lines[..vertices + 1000].join("\n"));
+    let cut_text = format!(
+        "adult-1.obj: {} of the model's {faces} triangles are missing: the file may be cut off",
+        faces - 1000
+    );
+    lines[vertices..].reverse();
+    let other_order = lines.join("\n");
     for (name, content) in [
         ("ada", &*right),
         ("bob", &wrong),
@@ -40,10 +52,14 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("hal", cut),
         ("ida", &nan),
         ("joe", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("max", &cut_in_a_face),
+        ("ned", &no_faces),
+        ("ole", &other_order),
     ] {
         class.write(&format!("class/{name}/adult-1.obj"), content);
     }
     class.write("class/kim/Adult.obj", &right);
+    class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
     let report = class.graded();
     for (name, outcome, text) in [
@@ -63,10 +79,18 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("joe", "unreadable", "adult-1.obj: expected "),
         ("kim", "missing", "there is no adult-1.obj"),
         (
+            "pia",
+            "missing",
+            "there is no adult-1.obj, but Adult-1.OBJ is there: the names differ in capitals",
+        ),
+        (
             "lee",
             "unreadable",
             "adult-1.obj: expected a file, found a folder",
         ),
+        ("max", "unreadable", &cut_text),
+        ("ned", "unreadable", "adult-1.obj:13301:"),
+        ("ole", "right", "right: this is the exact result"),
     ] {
         let found = result(&report, name, "adult-1");
         assert_eq!(found["outcome"], outcome, "{name}: {found}");
@@ -174,6 +198,20 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         "other.json",
         with(|tests| tests["tests"][0]["pose"] = "builtin:dog-trot".into()),
     );
+    class.write(
+        "gone.json",
+        with(|tests| tests["tests"][0]["pose"] = "no-pose.json".into()),
+    );
+    class.write(
+        "no-model.json",
+        with(|tests| tests["tests"][0]["character"] = "no-model.obj".into()),
+    );
+    class.write(
+        "given.json",
+        r#"{"tests": [{"name": "a", "character": "b", "pose": "c", "points": {"4.2": 12, "3.4": 2}}],
+            "rubric": {"sections": {"4.2": {"points": 15}, "artifact": {"points": 20}},
+                "given": {"Ada": {"artifact": 20, "4.2": 15, "3.4": 5}}}}"#,
+    );
     class.write("none.json", "{\"tests\": []}");
     class.write(
         "command.json",
@@ -203,6 +241,18 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         (
             "class --tests other.json",
             "expected the name or index of a joint",
+        ),
+        (
+            "class --tests gone.json",
+            "gone.json:1:100: expected the file of a pose, found none at no-pose.json",
+        ),
+        (
+            "class --tests no-model.json",
+            "no-model.json:1:24: expected the file of a character, found none at no-model.obj",
+        ),
+        (
+            "class --tests given.json",
+            "given.json:3:69: expected at most the 2 points of section 3.4, found 5",
         ),
         (
             "class --tests cut.json",

@@ -47,6 +47,50 @@ fn parts_that_are_joined_give_the_report_of_one_run_byte_for_byte() {
 }
 
 #[test]
+fn parts_are_not_joined_into_one_of_them() {
+    let class = class();
+    for part in 1..=2 {
+        run(
+            &class,
+            &format!("class --tests tests.json --part {part}/2 -o part-{part}"),
+        );
+    }
+    let before = class.read("part-1/grade.json");
+    for output in ["part-1", "part-2", "part-2/../part-1/"] {
+        let ran = class.run(&format!("--merge part-1 part-2 -o {output}"));
+        let told = format!(
+            "error: {output}: expected another folder for the report than those of parts\n"
+        );
+        assert_eq!((ran.code, ran.err), (Some(1), told));
+    }
+    assert_eq!(class.read("part-1/grade.json"), before);
+}
+
+#[test]
+fn submissions_are_in_the_order_in_which_people_count_in_joined_reports_too() {
+    let class = Class::new(&["robot"]);
+    for name in ["S10", "S2", "S1", "s3", "S2b", "S02"] {
+        class.write(&format!("class/{name}/notes.txt"), "no file");
+    }
+    run(&class, "class --tests tests.json -o whole");
+    let csv = String::from_utf8(class.read("whole/grade.csv")).unwrap();
+    let names: Vec<&str> = csv
+        .lines()
+        .skip(1)
+        .map(|line| &line[..line.find(',').unwrap()])
+        .collect();
+    assert_eq!(names, ["S1", "S02", "S2", "S2b", "s3", "S10"]);
+    for part in 1..=2 {
+        run(
+            &class,
+            &format!("class --tests tests.json --part {part}/2 -o part-{part}"),
+        );
+    }
+    run(&class, "--merge part-1 part-2 -o joined");
+    class.assert_same("whole", "joined");
+}
+
+#[test]
 fn reports_are_the_same_whatever_the_number_of_jobs() {
     let class = class();
     run(&class, "class --tests tests.json -o one --jobs 1");

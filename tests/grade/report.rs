@@ -33,10 +33,10 @@ fn every_submission_has_a_row_on_the_terminal_and_the_same_mistake_is_one_line()
     let ran = class.run("class --tests tests.json -o report");
     let expected = "\
 submission   points  3.2  3.4   4.2    artifact  extra credit  result
-Ada & <Bob>  40/50   8/8  12/12  20/20  -/10      -/5           right
+Ada & <Bob>  40/40 (10 wait)  8/8  12/12  20/20  -/10      -/5           right
 eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
-kim, lee     34/50   8/8  6/12  20/20  -/10      -/5           euler-zyx
-zoe          0/50    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
+kim, lee     34/40 (10 wait)  8/8  6/12  20/20  -/10      -/5           euler-zyx
+zoe          0/40 (10 wait)    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
 euler-zyx in 2 submissions: eve, kim, lee
 missing: there is no dog-2.obj (zoe)
 unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)</script>\\u{1b}[0m” (zoe)
@@ -84,11 +84,11 @@ fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     class.graded();
     let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
     let expected =
-        "submission,points,possible,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
-Ada & <Bob>,40,50,8,12,20,,,right\r
-eve,45.5,50,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
-\"kim, lee\",34,50,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r
-zoe,0,50,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
+        "submission,points,possible,not graded,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
+Ada & <Bob>,40,50,10,8,12,20,,,right\r
+eve,45.5,50,0,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
+\"kim, lee\",34,50,10,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r
+zoe,0,50,10,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
 ";
     assert_eq!(csv, expected);
 }
@@ -143,7 +143,7 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
         .collect();
     // The artifact is still to be graded for all but one, which is no loss for the others.
     for told in [
-        "Of 40 to 50 points graded so far the mean is",
+        "Of what is graded so far the mean is 69 %, the median 88 %.",
         "34 of 40, 10 more not graded yet",
         "45.5 of 50",
         "Assignment <1> & more",
@@ -153,6 +153,38 @@ fn the_page_is_well_formed_and_asks_for_nothing_from_outside() {
         "setJointTransform",
     ] {
         assert!(text.contains(told), "{told}");
+    }
+}
+
+#[test]
+fn on_paper_all_results_are_open_nothing_scrolls_and_no_picture_is_cut() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    let (_, print) = page
+        .split_once("@media print {")
+        .expect("a style for paper");
+    let (print, _) = print.split_once("</style>").unwrap();
+    for rule in [
+        "details::details-content { content-visibility: visible; block-size: auto;",
+        ".wide { overflow: visible;",
+        "figure, .test, tr, .legend { break-inside: avoid; }",
+    ] {
+        assert!(print.contains(rule), "{rule}");
+    }
+}
+
+#[test]
+fn lines_of_a_diagnosis_that_do_not_fit_go_on_below_their_words() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    for line in [
+        "<pre><span>euler-zyx: the rotation is",
+        "<span class=\"told\">  look at  setJointTransform: the order",
+        "<span class=\"told\">  shown by ",
+    ] {
+        assert!(page.contains(line), "{line}");
     }
 }
 
@@ -173,8 +205,8 @@ fn points_that_are_given_to_nobody_are_told() {
     assert_eq!(
         warnings,
         [
-            "tests.json: points are given to eva, but there is no such submission",
-            "tests.json: eve is given points for 4.3, which is no section",
+            "warning: tests.json: points are given to eva, but there is no such submission",
+            "warning: tests.json: eve is given points for 4.3, which is no section",
         ]
     );
 }
@@ -191,10 +223,7 @@ fn a_section_of_the_rubric_in_which_nobody_gets_points_is_told() {
     class.set_tests(&tests);
     let ran = class.run("class --tests tests.json -o report");
     assert_eq!(ran.code, Some(0));
-    let mut told = ran
-        .err
-        .lines()
-        .filter(|line| line.starts_with("tests.json"));
-    let warning = "tests.json: no test has points for 42, and nobody is given any by hand";
+    let mut told = ran.err.lines().filter(|line| line.contains("tests.json"));
+    let warning = "warning: tests.json: no test has points for 42, and nobody is given any by hand";
     assert_eq!((told.next(), told.next()), (Some(warning), None));
 }

@@ -207,6 +207,54 @@ fn one_joint_is_no_joints() {
 }
 
 #[test]
+fn a_joint_of_a_pose_that_no_character_beside_it_has_is_an_error() {
+    let folder = folder();
+    let elbow = "{\"joints\": {\"Elbow\": [0, 0, 50], \"Tip\": [0, 0, 9]}}";
+    std::fs::write(folder.path().join("elbow.json"), elbow).unwrap();
+    let checked = |files: &[&str]| editor_in(folder.path(), &[&["check"], files].concat());
+    let told = "error: elbow.json:1:13: expected the name or index of a joint";
+    for files in [&["man.obj", "elbow.json"][..], &["elbow.json", "a.scene"]] {
+        let ran = checked(files);
+        assert_eq!(ran.code, Some(1), "{}", ran.out);
+        assert!(ran.err.starts_with(told), "{}", ran.err);
+        assert!(!ran.out.contains("elbow.json"), "{}", ran.out);
+    }
+    // A file that is wrong may be the character that has the joint.
+    let ran = checked(&["man.obj", "elbow.json", "bad.obj"]);
+    assert!(
+        ran.code == Some(1) && !ran.err.contains("elbow.json"),
+        "{}",
+        ran.err
+    );
+    // One character has all of its joints, and without one none can be missing.
+    for files in [
+        &["bend.json", "man.obj", "builtin:adult"][..],
+        &["elbow.json", "builtin:vase"],
+        &["elbow.json"],
+    ] {
+        assert_eq!(checked(files).code, Some(0), "{files:?}");
+    }
+}
+
+#[test]
+fn a_word_that_is_no_value_is_told_whole() {
+    let folder = folder();
+    for (value, told) in [
+        ("NaN", "1:21: expected a value, found “NaN”"),
+        (
+            "-Infinity",
+            "1:21: expected a number such as -1.5 or 2e3, found “-Infinity”",
+        ),
+        ("True", "1:21: expected a value, found “True”"),
+    ] {
+        let pose = format!("{{\"joints\": {{\"Tip\": [{value}, 0, 0]}}}}");
+        std::fs::write(folder.path().join("nan.json"), pose).unwrap();
+        let ran = editor_in(folder.path(), &["check", "nan.json"]);
+        assert!(ran.err.contains(told), "{}", ran.err);
+    }
+}
+
+#[test]
 fn bounds_that_round_to_nothing_have_no_sign() {
     let folder = folder();
     let obj = "v -0.00004 -0.0001 -0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

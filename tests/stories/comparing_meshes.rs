@@ -208,6 +208,23 @@ fn what_is_right_is_gray_and_said_to_be_right_and_what_is_wrong_is_colored() {
 }
 
 #[test]
+fn a_mesh_that_is_cut_off_is_told_to_lack_triangles() {
+    let mut story = comparing(&RIGHT);
+    diagnose(&mut story);
+    assert!(!texts(&story).iter().any(|text| text.contains("missing")));
+    let whole = String::from_utf8(mine(&dog(), &RIGHT)).unwrap();
+    let lines: Vec<&str> = whole.lines().collect();
+    let cut = lines[..lines.len() - 70].join("\n");
+    story.host.files.insert("cut.obj".into(), cut.into_bytes());
+    story.click("Compare with another mesh");
+    story.choose("cut.obj");
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    let told = "In cut.obj 70 of the model's 12558 triangles are missing: the file may be cut off.";
+    text(&story, told);
+}
+
+#[test]
 fn ours_theirs_and_both_are_three_pictures_and_esc_goes_back_to_the_first() {
     let mut story = comparing(&off_by_one());
     let both = story.scene_picture();
@@ -351,7 +368,7 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
     let explained = story.node("Vertex").and_then(Node::numeric_value);
     let explained = explained.expect("the number of a vertex");
     assert!(
-        shown.starts_with(&format!("Shown by vertex {explained}")),
+        shown.starts_with(&format!("Shown by vertex {explained} (from 0)")),
         "{shown}"
     );
     assert!(!story.has("Show Its Formula"));

@@ -67,13 +67,14 @@ fn window(report: &Report) -> Option<&'static str> {
     if report.display.server == Server::None {
         return Some(
             "There is no display, so that no window can be opened: start the program in a \
-             graphical session, or log in with ssh -X. render, export, check and compare need none.",
+             graphical session, or log in with ssh -X. render, export, check, compare, diagnose \
+             and grade need none.",
         );
     }
     Some(match report.window.as_ref()?.fails()?.kind {
         FailureKind::NoDisplay => {
             "The display does not answer: check that DISPLAY or WAYLAND_DISPLAY name the session \
-             that you are in. render, export, check and compare need none."
+             that you are in. render, export, check, compare, diagnose and grade need none."
         }
         FailureKind::TooOld => {
             "The window has no OpenGL 3.3: update the graphics driver, or set \

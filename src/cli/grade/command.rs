@@ -41,7 +41,7 @@ impl TestCommand {
         }
         let mut given = BTreeMap::new();
         for test in tests {
-            for file in [&test.character, &test.pose] {
+            for file in [&test.character.path, &test.pose.path] {
                 if file.to_string_lossy().starts_with(builtin::PREFIX) {
                     let message = format!("expected files for a command, found {}", file.display());
                     return Err(Diagnostic::new(path, message).into());
@@ -53,7 +53,7 @@ impl TestCommand {
             };
             given.insert(
                 test.name.clone(),
-                [absolute(&test.character), absolute(&test.pose)],
+                [absolute(&test.character.path), absolute(&test.pose.path)],
             );
         }
         Ok(Self {

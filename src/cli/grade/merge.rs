@@ -3,7 +3,7 @@
 use super::kept::{KeptResults, KeptRun, Store};
 use super::submissions::Part;
 use crate::cli::CliError;
-use crate::grade::Graded;
+use crate::grade::{Graded, Name};
 use crate::io::{Diagnostic, TestsFile};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -57,6 +57,8 @@ pub(super) fn joined(
     check_parts(&found_parts)?;
     run.part = None;
     run.submissions = results.keys().cloned().collect();
+    run.submissions
+        .sort_by_cached_key(|name| Name::from(&**name));
     let tests = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
     let mut graded = BTreeMap::new();
     for (name, (found, folder)) in &results {

@@ -11,7 +11,7 @@ use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
 use crate::disk::{self, files};
 use crate::grade::{Graded, Report, Test};
-use crate::io::{Diagnostic, Files, PoseFile, TestData, TestsFile, builtin};
+use crate::io::{Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin};
 use command::TestCommand;
 use kept::{KeptRun, Store};
 use std::collections::{BTreeMap, BTreeSet};
@@ -77,6 +77,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     match (&args.folder, &args.tests) {
         (Some(folder), Some(tests)) => grade(args, folder, tests),
         _ => {
+            check_joined(&args.output, &args.merge)?;
             let (run, graded) = merge::joined(&args.merge, &Store::new(&args.output))?;
             report(&args.output, &run, graded)
         }
@@ -97,7 +98,7 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         .into_iter()
         .chain(empty_sections(&file))
     {
-        eprint_line(format_args!("{}: {warning}", path.display()));
+        eprint_line(format_args!("warning: {}: {warning}", path.display()));
     }
     let mine: Vec<_> = match args.part {
         Some(part) => part.of(all),
@@ -163,6 +164,15 @@ fn check_output(
     }
 }
 
+/// Makes sure that the report that joins `parts` replaces none of them.
+fn check_joined(output: &Path, parts: &[PathBuf]) -> Result<(), Diagnostic> {
+    if parts.iter().any(|part| disk::is_same_file(part, output)) {
+        let message = "expected another folder for the report than those of parts";
+        return Err(Diagnostic::new(output, message));
+    }
+    Ok(())
+}
+
 /// Points in `given` that no one gets: of submissions that are not there, and in sections that are none.
 fn given_to_none(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
     let points = file.tests.iter().flat_map(|test| test.points.keys());
@@ -206,14 +216,31 @@ fn empty_sections(file: &TestsFile) -> Vec<String> {
 /// The test with its character and pose, whose paths start at the folder of the file of tests.
 fn load(test: &TestData, tests: &Path) -> Result<Test, CliError> {
     let files = files();
-    let characters = diagnose::characters(&files, &beside(tests, &test.character))?;
-    let [character] = &characters[..] else {
+    let character = found_beside(tests, &test.character, "a character")?;
+    let characters = diagnose::characters(&files, &character)?;
+    let [only] = &characters[..] else {
         let message = format!("expected one character, found {}", characters.len());
-        return Err(Diagnostic::new(&test.character, message).into());
+        return Err(Diagnostic::new(&character, message).into());
     };
-    let pose = builtin::resolve(&beside(tests, &test.pose))?;
-    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(character.skeleton())?;
-    Ok(Test::new(test.clone(), character.clone(), pose))
+    let pose = builtin::resolve(&found_beside(tests, &test.pose, "a pose")?)?;
+    let pose = PoseFile::read(&pose, &files.read(&pose)?)?.pose_of(only.skeleton())?;
+    Ok(Test::new(test.clone(), only.clone(), pose))
+}
+
+/// The path of a file that a test names, which is `what`.
+///
+/// # Errors
+/// If it is not there, at its place in the file of tests.
+fn found_beside(tests: &Path, named: &NamedFile, what: &str) -> Result<PathBuf, Diagnostic> {
+    let path = beside(tests, &named.path);
+    let is_builtin = path.to_string_lossy().starts_with(builtin::PREFIX);
+    if is_builtin || files().exists(&path) {
+        return Ok(path);
+    }
+    let found = path.display();
+    let message = format!("expected the file of {what}, found none at {found}");
+    let Position { line, column } = named.at;
+    Err(Diagnostic::at(tests, line, column, message))
 }
 
 /// `path` as seen from the folder of `file`, unless it is built in.

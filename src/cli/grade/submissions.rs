@@ -4,6 +4,7 @@ use super::kept::Store;
 use crate::cli::CliError;
 use crate::cli::output::eprint_line;
 use crate::disk::in_words;
+use crate::grade::Name;
 use crate::io::Diagnostic;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -55,7 +56,7 @@ impl Part {
     }
 }
 
-/// The submissions in `folder` by name: its folders but for hidden ones, symbolic links and finished
+/// The submissions in `folder`, in the order of their names: its folders but for hidden ones, symbolic links and finished
 /// reports.
 ///
 /// # Errors
@@ -78,13 +79,15 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
         if path.is_symlink() {
             let path = path.display();
             eprint_line(format_args!(
-                "{path}: left out, since it is a symbolic link"
+                "warning: {path}: left out, since it is a symbolic link"
             ));
             continue;
         }
         if Store::new(&path).is_there() {
             let path = path.display();
-            eprint_line(format_args!("{path}: left out, since it is a report"));
+            eprint_line(format_args!(
+                "warning: {path}: left out, since it is a report"
+            ));
             continue;
         }
         let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
@@ -102,7 +105,7 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
             Diagnostic::new(folder, "expected a folder for each submission, found none").into(),
         );
     }
-    found.sort();
+    found.sort_by_cached_key(|submission| Name::from(&*submission.name));
     Ok(found)
 }
 

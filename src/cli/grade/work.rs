@@ -173,7 +173,7 @@ impl Work<'_> {
             test,
             &match &read {
                 Ok(bytes) => fingerprint(bytes),
-                Err(graded) => graded.outcome.word().to_owned(),
+                Err(graded) => graded.text.clone(),
             },
         );
         if let Some(known) = known.filter(|known| known.key == key) {
@@ -248,8 +248,7 @@ fn told(text: &str, submission: &Submission, name: &str) -> String {
 /// The content of the file at `path`, called `name`, or what there is in its place.
 fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
     let Ok(metadata) = std::fs::symlink_metadata(path) else {
-        let text = format!("there is no {name}");
-        return Err(Graded::without(Outcome::Missing, text));
+        return Err(Graded::without(Outcome::Missing, missing(path, name)));
     };
     // It may lead to the file of another submission.
     if metadata.is_symlink() {
@@ -263,6 +262,20 @@ fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
         };
         Graded::without(Outcome::Unreadable, told.to_string())
     })
+}
+
+/// That there is no file called `name` at `path`, and which one there is with other capitals.
+fn missing(path: &Path, name: &str) -> String {
+    let folder = path.parent().map(std::fs::read_dir);
+    let entries = folder.into_iter().flatten().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    let alike = names.filter(|found| found.to_lowercase() == name.to_lowercase());
+    match alike.min() {
+        Some(found) => {
+            format!("there is no {name}, but {found} is there: the names differ in capitals")
+        }
+        None => format!("there is no {name}"),
+    }
 }
 
 /// A text that tells `bytes` from others.

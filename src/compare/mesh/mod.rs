@@ -366,11 +366,12 @@ impl fmt::Display for MeshComparison {
             "triangles           {triangles} ({} in A)",
             self.triangles
         )?;
-        for vertex in &self.worst {
+        for (number, vertex) in self.worst.iter().enumerate() {
             let place = |[x, y, z]: [f32; 3]| format!("({x}, {y}, {z})");
+            let from = if number == 0 { " (from 0)" } else { "" };
             writeln!(
                 f,
-                "  vertex {}: {} apart, {} in A, {} in B",
+                "  vertex {}{from}: {} apart, {} in A, {} in B",
                 vertex.index,
                 length(vertex.distance),
                 place(vertex.a),

@@ -176,6 +176,10 @@ impl Parts<'_> {
     fn found(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
         let palette = Palette::of(ui.visuals());
         let off = of_size(diagnosis.error);
+        if !diagnosis.faces.is_none() {
+            let text = format!("In {} {}.", self.compare.name, diagnosis.faces);
+            say(ui, &text, palette.warning);
+        }
         let character = self.session.scene().character(self.compare.shape);
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
         let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
@@ -248,7 +252,7 @@ impl Parts<'_> {
         }
         let joint = first.joint.as_deref();
         let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
-        let text = format!("Shown by vertex {}{at}", first.vertex);
+        let text = format!("Shown by vertex {} (from 0){at}", first.vertex);
         let is_marked = self.chosen.marked == Some(first.vertex);
         let button = ui.add(Button::selectable(is_marked, text).wrap());
         if button

@@ -1,0 +1,322 @@
+//! The triangles of a mesh, held against those of the character.
+
+use super::model::Model;
+use super::search::AT_ONCE;
+use super::{Diagnosis, Verdict};
+use crate::geometry::Mesh;
+use crate::steps::Pace;
+use serde::Serialize;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::fmt;
+use std::hash::Hash;
+use std::iter::repeat_n;
+
+/// Indices of corners, the smallest first: neither where a triangle begins nor how it winds counts.
+type Triangle = [u32; 3];
+/// Indices of ends, the smaller first.
+type Edge = [u32; 2];
+
+/// The mistake with which vertices have other numbers.
+const RENUMBERED: &str = "vertices-renumbered";
+
+/// How the triangles of a mesh differ from those of the character. Their order, the corner that comes
+/// first and the way they wind do not count, nor along which diagonals polygons are cut; triangles
+/// with the same corner twice show nothing and are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct FaceDifference {
+    /// Triangles of the character.
+    pub triangles: usize,
+    /// How many of them the mesh lacks.
+    #[serde(rename = "triangles_missing")]
+    pub missing: usize,
+    /// Triangles of the mesh that the character does not have.
+    #[serde(rename = "triangles_other")]
+    pub other: usize,
+}
+
+impl FaceDifference {
+    /// The difference of `theirs`, about whose vertices so much is `found`, from a model.
+    pub(super) async fn find(
+        model: &Model<'_>,
+        found: &Diagnosis,
+        theirs: &Mesh,
+        pace: &Pace,
+    ) -> Self {
+        let knows_which_is_which = match found.verdict {
+            Verdict::Right => true,
+            Verdict::Explained => !found.causes.contains(&RENUMBERED),
+            Verdict::Unexplained => found.other_pose.is_some(),
+        };
+        let (model, theirs) = (model.triangles(), &theirs.triangles);
+        if knows_which_is_which {
+            Self::of_same_vertices(model, theirs, pace).await
+        } else {
+            Self::of_counts(model, theirs)
+        }
+    }
+
+    /// The difference of meshes that have the same vertices in the same order.
+    async fn of_same_vertices(model: &[Triangle], theirs: &[Triangle], pace: &Pace) -> Self {
+        let mut left: HashMap<Triangle, usize> = HashMap::new();
+        for part in model.chunks(AT_ONCE) {
+            for triangle in sorted(part) {
+                *left.entry(triangle).or_default() += 1;
+            }
+            pace.after(part.len()).await;
+        }
+        let triangles = left.values().sum();
+        let mut other = Vec::new();
+        for part in theirs.chunks(AT_ONCE) {
+            other.extend(sorted(part).filter(|triangle| !take(&mut left, triangle)));
+            pace.after(part.len()).await;
+        }
+        let missing = left
+            .into_iter()
+            .flat_map(|(triangle, count)| repeat_n(triangle, count));
+        let missing: Vec<Triangle> = missing.collect();
+        let same = match missing.is_empty() || other.is_empty() {
+            true => 0,
+            false => cut_otherwise((&missing, model), (&other, theirs)),
+        };
+        Self {
+            triangles,
+            missing: missing.len() - same,
+            other: other.len() - same,
+        }
+    }
+
+    /// The difference of meshes of which it is not known which vertex is which: their numbers alone tell.
+    fn of_counts(model: &[Triangle], theirs: &[Triangle]) -> Self {
+        let triangles = sorted(model).count();
+        Self {
+            triangles,
+            missing: triangles.saturating_sub(sorted(theirs).count()),
+            other: 0,
+        }
+    }
+
+    /// Whether there is none.
+    pub fn is_none(&self) -> bool {
+        self.missing == 0 && self.other == 0
+    }
+}
+
+impl fmt::Display for FaceDifference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            triangles,
+            missing,
+            other,
+        } = self;
+        let is = |count: usize| if count == 1 { "is" } else { "are" };
+        if *missing == 0 {
+            return write!(
+                f,
+                "{other} of its triangles {} none of the model's",
+                is(*other)
+            );
+        }
+        write!(
+            f,
+            "{missing} of the model's {triangles} triangles {} missing",
+            is(*missing)
+        )?;
+        if missing > other {
+            f.write_str(": the file may be cut off")
+        } else {
+            let other_ones = if *other == 1 { "other" } else { "others" };
+            write!(f, ", and {other} {other_ones} {} there", is(*other))
+        }
+    }
+}
+
+/// Triangles without a corner twice, in a form that is the same wherever they begin and however they wind.
+fn sorted(triangles: &[Triangle]) -> impl Iterator<Item = Triangle> + '_ {
+    triangles
+        .iter()
+        .filter(|[a, b, c]| a != b && b != c && c != a)
+        .map(|&(mut corners)| {
+            corners.sort_unstable();
+            corners
+        })
+}
+
+fn edges([a, b, c]: Triangle) -> [Edge; 3] {
+    [[a, b], [b, c], [a, c]]
+}
+
+/// Takes one of those that are counted by what they are; whether there was one left.
+fn take<K: Hash + Eq>(left: &mut HashMap<K, usize>, what: &K) -> bool {
+    match left.get_mut(what) {
+        Some(count) if *count > 0 => {
+            *count -= 1;
+            true
+        }
+        _ => false,
+    }
+}
+
+/// How many triangles, of those that only one mesh has, make polygons that both meshes have. Each mesh
+/// comes with these triangles first, and then with all of them.
+fn cut_otherwise(
+    (missing, model): (&[Triangle], &[Triangle]),
+    (other, theirs): (&[Triangle], &[Triangle]),
+) -> usize {
+    if outline(missing).is_some_and(|all| outline(other) == Some(all)) {
+        return missing.len();
+    }
+    let mut left: HashMap<Outline, usize> = HashMap::new();
+    for outline in patches(missing, theirs).iter().filter_map(|it| outline(it)) {
+        *left.entry(outline).or_default() += 1;
+    }
+    let others = patches(other, model);
+    let others = others.iter().filter_map(|it| outline(it));
+    let same = others.filter(|outline| take(&mut left, outline));
+    same.map(|outline| outline.triangles).sum()
+}
+
+/// What is the same for a polygon along whatever diagonals it is cut.
+#[derive(PartialEq, Eq, Hash)]
+struct Outline {
+    /// Edges of a single triangle.
+    edges: BTreeSet<Edge>,
+    corners: BTreeSet<u32>,
+    triangles: usize,
+}
+
+/// The outline of triangles; `None` for those that are closed.
+fn outline(triangles: &[Triangle]) -> Option<Outline> {
+    let mut open: BTreeSet<Edge> = BTreeSet::new();
+    for edge in triangles.iter().copied().flat_map(edges) {
+        if !open.remove(&edge) {
+            open.insert(edge);
+        }
+    }
+    (!open.is_empty()).then_some(Outline {
+        edges: open,
+        corners: triangles.iter().flatten().copied().collect(),
+        triangles: triangles.len(),
+    })
+}
+
+/// Parts of `triangles` that hang together by edges that another mesh with the triangles `beside` does
+/// not have, as those of a polygon do that is cut otherwise there.
+fn patches(triangles: &[Triangle], beside: &[Triangle]) -> Vec<Vec<Triangle>> {
+    let known: HashSet<Edge> = sorted(beside).flat_map(edges).collect();
+    let mut at_edge: HashMap<Edge, Vec<usize>> = HashMap::new();
+    for (index, &triangle) in triangles.iter().enumerate() {
+        for edge in edges(triangle)
+            .into_iter()
+            .filter(|edge| !known.contains(edge))
+        {
+            at_edge.entry(edge).or_default().push(index);
+        }
+    }
+    let mut is_seen = vec![false; triangles.len()];
+    let mut patches = Vec::new();
+    for start in 0..triangles.len() {
+        let (mut open, mut patch) = (vec![start], Vec::new());
+        while let Some(index) = open.pop() {
+            if std::mem::replace(&mut is_seen[index], true) {
+                continue;
+            }
+            patch.push(triangles[index]);
+            // All at an edge are found with the first one, however many there are.
+            let beside = edges(triangles[index]).map(|edge| at_edge.remove(&edge));
+            open.extend(beside.into_iter().flatten().flatten());
+        }
+        if !patch.is_empty() {
+            patches.push(patch);
+        }
+    }
+    patches
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::steps::at_once;
+
+    fn difference(model: &[Triangle], theirs: &[Triangle]) -> (usize, usize) {
+        let found =
+            at_once(
+                |pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await },
+            );
+        (found.missing, found.other)
+    }
+
+    /// Triangles of a row of squares above one another, each cut along one of its diagonals.
+    fn squares(is_cut_up: impl Fn(u32) -> bool, count: u32) -> Vec<Triangle> {
+        let cut = |at: u32| {
+            let [a, b, c, d] = [0, 1, 3, 2].map(|corner| 2 * at + corner);
+            match is_cut_up(at) {
+                true => [[a, b, c], [a, c, d]],
+                false => [[d, a, b], [b, c, d]],
+            }
+        };
+        (0..count).flat_map(cut).collect()
+    }
+
+    #[test]
+    fn triangles_are_the_same_in_any_order_from_any_corner_and_from_both_sides() {
+        let model = [[0, 1, 2], [2, 1, 3], [4, 4, 5]];
+        assert_eq!(difference(&model, &[[3, 2, 1], [0, 2, 1]]), (0, 0));
+        assert_eq!(difference(&model, &[[3, 2, 1]]), (1, 0));
+        assert_eq!(difference(&model, &[[3, 2, 1], [3, 2, 1]]), (1, 1));
+        let more = [[0, 1, 2], [2, 1, 3], [0, 1, 3]];
+        assert_eq!(difference(&model, &more), (0, 1));
+    }
+
+    #[test]
+    fn polygons_are_the_same_along_whatever_diagonals_they_are_cut() {
+        let model = squares(|_| true, 100);
+        for theirs in [squares(|_| false, 100), squares(|at| at % 3 == 0, 100)] {
+            assert_eq!(difference(&model, &theirs), (0, 0));
+            assert_eq!(difference(&model, &theirs[..120]), (80, 0));
+            let mut wrong = theirs[..119].to_vec();
+            wrong.push([0, 7, 90]);
+            assert_eq!(
+                difference(&model, &wrong).1,
+                1 + usize::from(theirs[118] != model[118])
+            );
+        }
+    }
+
+    #[test]
+    fn a_folded_polygon_that_both_sides_of_a_sheet_have_may_be_cut_otherwise_on_one() {
+        let sheet = [[0, 1, 2], [0, 2, 3], [0, 2, 1], [0, 3, 2]];
+        assert_eq!(
+            difference(&sheet, &[[0, 1, 3], [1, 2, 3], [0, 2, 1], [0, 3, 2]]),
+            (0, 0)
+        );
+    }
+
+    #[test]
+    fn indices_that_are_off_by_one_are_other_triangles_of_a_closed_mesh_too() {
+        let model = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+        let shifted = model.map(|corners| corners.map(|index| index + 1));
+        assert_eq!(difference(&model, &shifted), (3, 3));
+    }
+
+    #[test]
+    fn what_differs_is_told_in_one_line() {
+        let told = |missing, other| {
+            let triangles = 70;
+            let difference = FaceDifference {
+                triangles,
+                missing,
+                other,
+            };
+            difference.to_string()
+        };
+        assert_eq!(
+            told(30, 1),
+            "30 of the model's 70 triangles are missing: the file may be cut off"
+        );
+        assert_eq!(
+            told(2, 2),
+            "2 of the model's 70 triangles are missing, and 2 others are there"
+        );
+        assert_eq!(told(0, 1), "1 of its triangles is none of the model's");
+    }
+}

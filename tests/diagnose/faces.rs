@@ -1,0 +1,151 @@
+//! Meshes whose vertices are told right or wrong, and that lack triangles or have others.
+
+use crate::assignment::characters::character;
+use crate::diagnose::figures::{Figure, obj, turned};
+use crate::diagnose::student::{RIGHT, with};
+use editor_core::character::Pose;
+use editor_core::diagnose::{Diagnosis, FaceDifference, Verdict, diagnose};
+use editor_core::io::read_character_obj;
+use editor_core::math::Euler;
+use glam::Vec3;
+use std::path::Path;
+
+/// What is found out about a file with the content `text`.
+fn diagnosed(figure: &Figure, text: &str) -> Diagnosis {
+    let theirs = read_character_obj(Path::new("mine.obj"), text.as_bytes()).unwrap();
+    diagnose(&figure.character, &figure.pose(), &theirs.value).unwrap()
+}
+
+/// A difference from a character of so many triangles.
+fn difference(triangles: usize, missing: usize, other: usize) -> FaceDifference {
+    FaceDifference {
+        triangles,
+        missing,
+        other,
+    }
+}
+
+/// The lines of faces of `text` that `change` makes others of.
+fn with_faces(text: &str, change: impl Fn(Vec<String>) -> Vec<String>) -> String {
+    let is_face = |line: &&str| line.starts_with("f ");
+    let vertices = text
+        .lines()
+        .filter(|line| !is_face(line))
+        .map(str::to_owned);
+    let faces = text.lines().filter(is_face).map(str::to_owned).collect();
+    let lines: Vec<String> = vertices.chain(change(faces)).collect();
+    lines.join("\n")
+}
+
+#[test]
+fn a_file_that_is_cut_off_among_its_faces_is_told_how_many_triangles_are_missing() {
+    let figure = Figure::builtin("robot", turned(31));
+    let all = figure.triangles.len();
+    for (ids, verdict) in [
+        (&[][..], Verdict::Right),
+        (&["euler-zyx"], Verdict::Explained),
+    ] {
+        let whole = obj(&with(ids).skin(&figure), &figure, |number| {
+            number.to_string()
+        });
+        assert_eq!(diagnosed(&figure, &whole).faces, difference(all, 0, 0));
+        let left = all / 3;
+        let cut = with_faces(&whole, |mut faces| {
+            faces.truncate(left + 1);
+            // The last one has lost a corner.
+            let last = faces.pop().unwrap();
+            faces.push(last[..last.rfind(' ').unwrap()].to_owned());
+            faces
+        });
+        let found = diagnosed(&figure, &cut);
+        assert_eq!(found.verdict, verdict);
+        assert_eq!(found.faces, difference(all, all - left, 0));
+        let told = format!("{} of the model's {all} triangles are missing", all - left);
+        assert!(found.to_string().contains(&told), "{found}");
+        assert!(!found.is_right());
+    }
+}
+
+#[test]
+fn faces_in_another_order_and_from_another_corner_on_are_the_same() {
+    let figure = Figure::builtin("robot", turned(32));
+    let whole = obj(&RIGHT.skin(&figure), &figure, |number| number.to_string());
+    let turned = with_faces(&whole, |faces| {
+        let turned = faces.iter().rev().map(|face| {
+            let [_, a, b, c] = face.split(' ').collect::<Vec<_>>()[..] else {
+                panic!("{face}");
+            };
+            format!("f {b}/1 {c}/1 {a}/1")
+        });
+        turned.collect()
+    });
+    let turned = format!("vt 0 0\n{turned}");
+    let found = diagnosed(&figure, &turned);
+    assert!(found.is_right() && found.faces.is_none(), "{found}");
+    let others = with_faces(&whole, |mut faces| {
+        faces[7] = "f 1 2 900".to_owned();
+        faces
+    });
+    let found = diagnosed(&figure, &others);
+    assert_eq!(found.faces, difference(figure.triangles.len(), 1, 1));
+    let told = "1 of the model's 9580 triangles is missing, and 1 other is there";
+    assert!(found.to_string().ends_with(told), "{found}");
+}
+
+#[test]
+fn polygons_that_a_pose_makes_concave_are_those_of_the_model() {
+    // A strip of squares and a pentagon at its end, whose corners are moved by the tip.
+    let mut model = String::new();
+    for y in 0..6 {
+        model += &format!("v 0 {y} 0\nv 1 {y} 0\n");
+    }
+    model += "v 0.5 6 0\n";
+    let mut faces: Vec<String> = (0..4)
+        .map(|at| [1, 2, 4, 3].map(|corner| (2 * at + corner).to_string()))
+        .map(|corners| format!("f {}", corners.join(" ")))
+        .collect();
+    faces.push("f 9 10 12 13 11".to_owned());
+    let body = character(
+        "0 0 0 -1 # Root\n0 0 0 0 # Base\n0 5 0 1 # Tip\n",
+        &("1 0\n".repeat(12) + "0 1\n"),
+        &(model + &faces.join("\n")),
+    );
+    let mut pose = Pose::new();
+    pose.set_joint_transform(2, Euler::from_degrees(Vec3::new(0.0, 0.0, 175.0)));
+    let written = |faces: &[String]| {
+        let places = body.skin_pose(&pose).into_iter();
+        let lines = places.map(|at| format!("v {} {} {}\n", at.x, at.y, at.z));
+        let text = lines.collect::<String>() + &faces.join("\n");
+        let read = read_character_obj(Path::new("mine.obj"), text.as_bytes()).unwrap();
+        diagnose(&body, &pose, &read.value).unwrap()
+    };
+    let found = written(&faces);
+    assert_eq!(found.faces, difference(11, 0, 0), "{found}");
+    let turned: Vec<String> = faces
+        .iter()
+        .map(|face| {
+            let mut corners: Vec<&str> = face.split(' ').skip(1).collect();
+            corners.rotate_left(1);
+            format!("f {}", corners.join(" "))
+        })
+        .collect();
+    assert_eq!(written(&turned).faces, difference(11, 0, 0));
+    assert_eq!(written(&turned[..3]).faces, difference(11, 5, 0));
+    assert_eq!(written(&turned[2..]).faces, difference(11, 4, 0));
+}
+
+#[test]
+fn of_vertices_that_an_importer_repeats_the_number_of_triangles_tells() {
+    let figure = Figure::builtin("robot", turned(33));
+    let right = RIGHT.skin(&figure);
+    let corners = figure.triangles.iter().flatten();
+    let repeated: Vec<Vec3> = corners.map(|&corner| right[corner as usize]).collect();
+    let found = figure.diagnose(&repeated);
+    assert_eq!(found.causes, ["vertices-renumbered"]);
+    let all = figure.triangles.len();
+    assert_eq!(found.faces, difference(all, 0, 0));
+    let mut cut = figure.mesh(&repeated);
+    cut.triangles.truncate(all - 10);
+    let found = diagnose(&figure.character, &figure.pose(), &cut).unwrap();
+    assert_eq!(found.faces, difference(all, 10, 0));
+}
