@@ -207,16 +207,17 @@ impl ExplainState {
     }
 }
 
-/// Shows over the view what is explained in the panel.
+/// Shows over the view what is explained in the panel, with words from `top` points below its upper edge on.
+/// Returns where other words may begin.
 pub(super) fn over_view(
     ui: &mut Ui,
-    view: Rect,
+    (view, top): (Rect, f32),
     places: &ScenePlaces,
     session: &Session,
     state: &mut ExplainState,
-) {
+) -> f32 {
     let Some(explained) = state.explained(session).filter(|_| state.is_open) else {
-        return;
+        return top;
     };
     if explained.evaluated.visible {
         for place in places.iter() {
@@ -234,7 +235,12 @@ pub(super) fn over_view(
             }
         }
     }
-    if banner::show(ui, view, &explained, state.mistaken.as_ref()) {
+    let Some(mistaken) = &state.mistaken else {
+        return top;
+    };
+    let banner = banner::show(ui, view, top, &explained, mistaken);
+    if banner.ends {
         state.made = None;
     }
+    top + banner.height + 8.0
 }
