@@ -38,6 +38,7 @@ mod scene_places;
 mod screenshot;
 mod shape_list;
 mod shape_panel;
+mod shortened;
 mod start_page;
 mod state;
 mod swipe_line;
