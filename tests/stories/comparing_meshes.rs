@@ -376,6 +376,24 @@ fn with_skinning_explained_as_well_the_view_keeps_much_of_the_window() {
 }
 
 #[test]
+fn both_panels_below_the_view_are_made_higher_by_their_upper_edges() {
+    let mut story = comparing(&off_by_one());
+    story.key(Key::K);
+    let before = story.view();
+    let edge = pos2(300.0, before.bottom() + 1.0);
+    story.drag(edge, edge - vec2(0.0, 40.0));
+    let after = story.view();
+    assert!(
+        (after.height() - before.height() + 40.0).abs() < 4.0,
+        "{before} {after}"
+    );
+    let header = story.place("Close Explain").y;
+    let explained = pos2(300.0, header - 17.0);
+    story.drag(explained, explained - vec2(0.0, 40.0));
+    assert!((story.place("Close Explain").y - header + 40.0).abs() < 4.0);
+}
+
+#[test]
 fn a_character_at_rest_is_said_to_need_the_pose_first() {
     let mut story = comparing(&RIGHT);
     diagnose(&mut story);

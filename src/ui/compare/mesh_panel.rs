@@ -5,15 +5,18 @@ use super::{CompareMeshAction, CompareMeshView, MeshesShown};
 use crate::diagnose::{Diagnosis, MeshMeasure, OtherPose, Verdict, of_size};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
-use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
+use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
 
-/// At this height, what is wrong is read without scrolling in a window of 1280 points.
-const HEIGHT: f32 = 208.0;
-const LOWEST: f32 = 64.0;
+/// At the height alone, what is wrong is read without scrolling in a window of 1280 points.
+const HEIGHTS: Heights = Heights {
+    lowest: 64.0,
+    alone: 208.0,
+    beside: 0.24,
+};
 
 /// Everything that the parts of the panel need.
 struct Parts<'a> {
@@ -55,7 +58,7 @@ pub(in crate::ui) fn show(
         chosen: &mut chosen,
         actions,
     };
-    below_the_view(root, place, (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, place, HEIGHTS, |ui| {
         parts.header(ui);
         if has_room_for_columns(ui) {
             columns(ui, |number, ui| match number {

@@ -4,16 +4,19 @@ use super::{CompareReport, CompareView, masks};
 use crate::compare::{Area, Differences, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
-use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
+use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
 use egui::{Align, Button, Color32, Grid, Label, Layout, RichText, Slider, Ui, vec2};
 
-/// At this height the course's 800×600 pixels fit above it in the window's first size.
-const HEIGHT: f32 = 128.0;
-const LOWEST: f32 = 64.0;
+/// At the height alone the course's 800×600 pixels fit above it in the window's first size.
+const HEIGHTS: Heights = Heights {
+    lowest: 64.0,
+    alone: 128.0,
+    beside: 0.16,
+};
 /// Shown for what is not known yet.
 const UNKNOWN: &str = "…";
 
@@ -27,7 +30,7 @@ pub(in crate::ui) fn show(
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
-    below_the_view(root, ("compare", false), (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, ("compare", false), HEIGHTS, |ui| {
         header(ui, compare, changed, actions);
         if has_room_for_columns(ui) {
             columns(ui, |number, ui| match number {

@@ -4,18 +4,20 @@ use super::digits::Digits;
 use super::{ExplainState, Topic, mistakes, stack, table, words};
 use crate::editor::Session;
 use crate::scene::SkinningMethod;
-use crate::ui::below_view::{below_the_view, has_room_for_columns};
+use crate::ui::below_view::{Heights, below_the_view, has_room_for_columns};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
-/// Height in points.
-const HEIGHT: f32 = 280.0;
-const LOWEST: f32 = 96.0;
-/// Width of the list of mistakes beside the formula, in points.
-const MISTAKES: f32 = 320.0;
-/// Size of the formula's letters, in points.
+const HEIGHTS: Heights = Heights {
+    lowest: 96.0,
+    alone: 280.0,
+    beside: 0.29,
+};
+/// Width of the list of mistakes beside the formula, in points: a row of the formula needs more.
+const MISTAKES: f32 = 280.0;
+/// Size of the formula's letters, in points, and of those of its parts.
 const LETTERS: f32 = 15.0;
 
 /// Shows the panel below the view while it is open.
@@ -23,7 +25,8 @@ pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainS
     if !state.is_open {
         return;
     }
-    below_the_view(root, ("explain", state.compares), (LOWEST, HEIGHT), |ui| {
+    let before = state.made;
+    below_the_view(root, ("explain", state.compares), HEIGHTS, |ui| {
         header(ui, session, state);
         ui.separator();
         state.update(session);
