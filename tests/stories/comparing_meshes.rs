@@ -410,9 +410,53 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.click("Reset all");
     diagnose(&mut story);
     assert!(is_told(&story));
+    let has_verdict = |story: &Story| {
+        let verdicts = ["No known mistake", "Nearest:"];
+        let is_one = |text: &String| verdicts.iter().any(|start| text.starts_with(start));
+        texts(story).iter().any(is_one)
+    };
+    assert!(!has_verdict(&story), "the pose comes first");
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn joints_are_listed_with_the_worst_first_and_another_mesh_begins_at_the_top() {
+    let mut story = comparing(&off_by_one());
+    text(
+        &story,
+        "Vertices off, by the joint that moves them most (distances in % of the size):",
+    );
+    let rows = |story: &Story| -> Vec<String> {
+        let all = texts(story).into_iter();
+        let mut rows: Vec<_> = all.filter(|text| text.contains(" %, by up to ")).collect();
+        rows.sort_by(|a, b| story.place(a).y.total_cmp(&story.place(b).y));
+        rows
+    };
+    let worst: Vec<f32> = rows(&story)
+        .iter()
+        .filter_map(|row| row.rsplit_once("by up to ")?.1.strip_suffix(" %"))
+        .filter_map(|number| number.parse().ok())
+        .collect();
+    assert!(worst.len() > 5, "{:?}", rows(&story));
+    assert!(worst.is_sorted_by(|a, b| a >= b), "{worst:?}");
+    let first = rows(&story)[0].clone();
+    let top = story.place(&first);
+    story.point(top);
+    for _ in 0..10 {
+        story.frame(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, -3.0),
+            phase: TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        }]);
+    }
+    story.settle();
+    assert!(story.node(&first).is_none() || story.place(&first).y < top.y - 20.0);
+    story.click("Compare with another mesh");
+    story.choose("mine.obj");
+    assert_eq!(story.place(&first), top);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
 mod masks;
+mod mesh_distances;
 mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
