@@ -101,6 +101,12 @@ impl ExplainState {
         };
     }
 
+    /// Opens the panel with the formula of a vertex.
+    pub(super) fn show_formula(&mut self) {
+        self.set_open(true);
+        self.topic = Topic::Formula;
+    }
+
     /// Drops everything about shapes, and the mistake that is made.
     pub(super) fn forget_shapes(&mut self) {
         *self = Self {
@@ -112,10 +118,10 @@ impl ExplainState {
 
     /// Takes note of whether a mesh is compared with the character: no mistake is made then.
     pub(super) fn set_compares(&mut self, compares: bool) {
-        self.compares = compares;
-        if compares {
+        if compares && !self.compares {
             self.made = None;
         }
+        self.compares = compares;
     }
 
     /// Ends the mistake that is made, or else closes the panel; whether there was anything to end.

@@ -78,11 +78,21 @@ struct Row<'a> {
     is_struck: bool,
 }
 
+/// A vertex in the mesh that is compared with the character.
+#[derive(Clone, Copy)]
+pub(super) struct Compared<'a> {
+    /// File of the mesh.
+    pub name: &'a str,
+    /// In model space.
+    pub at: DVec3,
+}
+
 /// Shows the table. Returns the joint whose row is under the pointer.
 pub(super) fn show(
     ui: &mut Ui,
     explained: &Explained,
     told: &Told,
+    compared: Option<Compared>,
     unfolded: &mut BTreeSet<usize>,
 ) -> Option<usize> {
     let palette = Palette::of(ui.visuals());
@@ -128,12 +138,12 @@ pub(super) fn show(
         };
         row.show(ui, &columns, digits, &format!("{}: left out", name(joint)));
     }
-    sums(ui, &columns, told);
+    sums(ui, &columns, told, compared);
     hovered
 }
 
-/// The sum, and what it should be where a mistake is made.
-fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
+/// The sum, what it should be where a mistake is made, and what it is in a compared mesh.
+fn sums(ui: &mut Ui, columns: &Columns, told: &Told, compared: Option<Compared>) {
     let palette = Palette::of(ui.visuals());
     let (formula, digits) = (&told.vertex, told.digits);
     let line = ui.cursor().min + vec2(0.0, 1.0);
@@ -153,6 +163,12 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
         let name = format!("v' should be here, {off} away");
         let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
         exact.show(ui, columns, digits, "Right");
+    }
+    if let Some(compared) = compared {
+        let off = digits.length(compared.at.distance(told.exact.sum));
+        let name = format!("v' in {}, {off} off", compared.name);
+        let theirs = Row::plain(&name, vec![compared.at], palette.weak);
+        theirs.show(ui, columns, digits, &name);
     }
     if formula.terms.is_empty() {
         let why = if told.exact.terms.is_empty() {
