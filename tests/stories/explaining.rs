@@ -97,6 +97,20 @@ fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
 }
 
 #[test]
+fn until_the_pose_changes_the_panel_says_that_its_numbers_follow() {
+    let says = "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+    let mut story = bent();
+    assert!(story.has_text(says));
+    story.type_into("Vertex", "2");
+    assert!(story.has_text(says), "the pose is the same");
+    story.type_into("Elbow Z", "60");
+    assert!(!story.has_text(says));
+    story.key(Key::K);
+    story.key(Key::K);
+    assert!(story.has_text(says), "it was opened anew");
+}
+
+#[test]
 fn a_tiny_character_has_its_numbers_in_a_power_of_ten() {
     let host = MemoryHost {
         stored: [super::started_before()].into(),

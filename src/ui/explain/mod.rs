@@ -50,6 +50,10 @@ pub(super) struct ExplainState {
     made: Option<Made>,
     /// Whether a mesh is compared with the character, for which it has to be shown right.
     compares: bool,
+    /// The character and its mesh when it was seen last.
+    seen: Option<(ShapeId, Revision)>,
+    /// Whether the pose has changed while the panel is open.
+    was_posed: bool,
     /// The mesh with it.
     mistaken: Option<Mistaken>,
     /// The formula at work on the vertex.
@@ -116,7 +120,7 @@ impl ExplainState {
         };
     }
 
-    /// Takes note of whether a mesh is compared with the character: no mistake is made then.
+    /// Takes note of whether a mesh is compared with the character: that ends the mistake that is made.
     pub(super) fn set_compares(&mut self, compares: bool) {
         if compares && !self.compares {
             self.made = None;
@@ -199,6 +203,11 @@ impl ExplainState {
             (self.mistaken, self.told) = (None, None);
             return;
         };
+        let seen = (explained.id, explained.revision());
+        self.was_posed |= self
+            .seen
+            .is_some_and(|(id, of)| id == seen.0 && of != seen.1);
+        self.seen = Some(seen);
         let made = self.made;
         let is_of = |mistaken: &Mistaken| Some(mistaken.made) == made && mistaken.is_of(&explained);
         if !self.mistaken.as_ref().is_some_and(is_of) {

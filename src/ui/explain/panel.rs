@@ -24,6 +24,9 @@ const MISTAKES: f32 = 280.0;
 const LETTERS: f32 = 15.0;
 const SMALLER: f32 = 12.5;
 
+const FOLLOWS: &str =
+    "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+
 /// Shows the panel below the view while it is open.
 pub(in crate::ui) fn show(
     root: &mut Ui,
@@ -167,6 +170,10 @@ fn numbers(
     let compared = compare.filter(|compare| compare.shape == explained.id);
     let compared = compared.and_then(|compare| compared_vertex(compare, told.vertex.vertex));
     let hovered = table::show(ui, &explained, &told, compared, &mut state.unfolded);
+    if !state.was_posed {
+        ui.add_space(4.0);
+        weak(ui, FOLLOWS);
+    }
     let character = explained.id;
     state.hovered = hovered;
     state.told = Some(told);
