@@ -20,6 +20,7 @@ pub struct Comparing {
     reference: Picture,
     live: Picture,
     report: CompareReport,
+    look: Look,
 }
 
 impl Comparing {
@@ -34,6 +35,7 @@ impl Comparing {
             reference: filled([26, 26, 26, 255]),
             live: filled([90, 80, 70, 128]),
             report: CompareReport::default(),
+            look: Look::Course,
         }
     }
 
@@ -41,6 +43,7 @@ impl Comparing {
         let shown = |picture, texture| ShownPicture { picture, texture };
         CompareView {
             name: "sample.png",
+            look: self.look,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),
@@ -290,6 +293,12 @@ fn hints_name_what_a_user_can_do_about_the_differences() {
     assert_eq!(hints(&editor), [false, true, false]);
     editor.view(View::SetLook(Look::Studio));
     assert_eq!(hints(&editor), [true, false, false]);
+    for (look, is_told) in [(Look::Studio, false), (Look::Course, true)] {
+        let comparing = &mut editor.harness.state_mut().comparing;
+        comparing.as_mut().expect("a comparison").look = look;
+        editor.settle();
+        assert_eq!(hints(&editor)[0], is_told, "A has the look {look:?}");
+    }
     editor.click("Course look");
     let without_background = CompareReport {
         differences: Some(Differences {

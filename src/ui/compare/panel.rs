@@ -32,20 +32,23 @@ pub(in crate::ui) fn show(
     let look_is_course = session.view().look == Look::Course;
     below_the_view(root, ("compare", false), HEIGHTS, |ui| {
         header(ui, compare, changed, actions);
-        if has_room_for_columns(ui) {
-            columns(ui, |number, ui| match number {
-                0 => findings(ui, session, compare, outlined),
-                1 => numbers(ui, compare.report),
-                _ => settings(ui, look_is_course, compare, changed, actions),
-            });
-        } else {
-            scrolled(ui, |ui| {
-                findings(ui, session, compare, outlined);
-                numbers(ui, compare.report);
-                ui.separator();
-                settings(ui, look_is_course, compare, changed, actions);
-            });
-        }
+        // What is scrolled is so for one picture.
+        ui.push_id(compare.reference.texture, |ui| {
+            if has_room_for_columns(ui) {
+                columns(ui, |number, ui| match number {
+                    0 => findings(ui, session, compare, outlined),
+                    1 => numbers(ui, compare.report),
+                    _ => settings(ui, look_is_course, compare, changed, actions),
+                });
+            } else {
+                scrolled(ui, |ui| {
+                    findings(ui, session, compare, outlined);
+                    numbers(ui, compare.report);
+                    ui.separator();
+                    settings(ui, look_is_course, compare, changed, actions);
+                });
+            }
+        });
     });
 }
 
@@ -246,7 +249,6 @@ pub(super) fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &
 
 /// What is wrong, in words.
 fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mut Outlined) {
-    let look_is_course = session.view().look == Look::Course;
     let palette = Palette::of(ui.visuals());
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
     let is_still_told = |area: &Area| areas.clone().any(|f| f.area() == Some(*area));
@@ -297,7 +299,8 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 say(ui, &text, palette.weak);
             }
         }
-        for hint in hints(look_is_course, compare.settings, counts) {
+        let look = session.view().look;
+        for hint in hints(compare, look, counts) {
             say(ui, hint, palette.text);
         }
     });
@@ -331,14 +334,16 @@ const SMOOTH: &str =
 
 /// What the person at the panel can do about differences.
 fn hints(
-    look_is_course: bool,
-    settings: &CompareSettings,
+    compare: &CompareView,
+    look: Look,
     counts: &Differences,
 ) -> impl Iterator<Item = &'static str> {
+    let settings = compare.settings;
+    let look_is_course = look == Look::Course;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     [
-        (!look_is_course, OTHER_LOOK),
+        (!look_is_course && compare.look == Look::Course, OTHER_LOOK),
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
     ]
