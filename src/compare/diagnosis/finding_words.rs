@@ -75,10 +75,7 @@ impl fmt::Display for Finding {
                 };
                 write!(f, "the background differs: {a} in A, {b} in B{rest}")
             }
-            Self::Axes { only_in } => write!(
-                f,
-                "the axes are drawn only in {only_in}: apart from them nothing differs (View ⏵ Toggle Axis, or --axis)"
-            ),
+            Self::Axes { only_in, alone } => fmt_axes(f, *only_in, *alone),
             Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
             Self::Brightness { factors } => fmt_brightness(f, *factors),
             Self::Gamma { lighter } => write!(
@@ -169,6 +166,18 @@ impl HighlightChange {
             ],
         }
     }
+}
+
+fn fmt_axes(f: &mut fmt::Formatter<'_>, only_in: Which, alone: bool) -> fmt::Result {
+    f.write_str(match only_in {
+        Which::A => "A shows the axes, B does not",
+        Which::B => "B shows the axes, A does not",
+        Which::Both => "both show the axes",
+    })?;
+    if alone {
+        f.write_str(": apart from them nothing differs")?;
+    }
+    f.write_str(" (View ⏵ Toggle Axis, T, or --axis)")
 }
 
 fn moved(dx: i32, dy: i32) -> String {
