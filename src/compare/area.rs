@@ -50,6 +50,19 @@ impl Area {
         .inside(size)
     }
 
+    /// Its columns and rows in words, such as `x 3 to 9, y 4`.
+    pub fn in_words(self) -> String {
+        let along = |axis, first: u32, count: u32| match count {
+            0 | 1 => format!("{axis} {first}"),
+            _ => format!("{axis} {first} to {}", first + (count - 1)),
+        };
+        let (columns, rows) = (
+            along("x", self.x, self.width),
+            along("y", self.y, self.height),
+        );
+        format!("{columns}, {rows}")
+    }
+
     /// The smallest area around all pixels `(x, y)`; `None` without any.
     pub fn around(pixels: impl IntoIterator<Item = (u32, u32)>) -> Option<Self> {
         let mut ends: Option<[u32; 4]> = None;
@@ -109,6 +122,13 @@ mod tests {
         for wrong in ["", "1,2,3", "1,2,3,4,5", "-1,2,3,4", "1,2,0,4", "1,2,x,4"] {
             assert!(wrong.parse::<Area>().is_err(), "{wrong}");
         }
+    }
+
+    #[test]
+    fn in_words_an_area_is_its_first_and_last_columns_and_rows() {
+        let words = |text: &str| text.parse::<Area>().unwrap().in_words();
+        assert_eq!(words("227,53,507,631"), "x 227 to 733, y 53 to 683");
+        assert_eq!(words("5,7,1,2"), "x 5, y 7 to 8");
     }
 
     #[test]

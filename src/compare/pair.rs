@@ -212,6 +212,18 @@ impl Pair<'_> {
         })
     }
 
+    /// Leaves out what A, or else B, has at `pixels`: what the other has is there then.
+    pub(super) fn leave_out(&mut self, pixels: &[bool], in_a: bool) {
+        let (from, into) = match in_a {
+            true => (&self.b, &mut self.a),
+            false => (&self.a, &mut self.b),
+        };
+        let places = into.to_mut().iter_mut().zip(from.iter()).zip(pixels);
+        for ((pixel, other), _) in places.filter(|(_, is_left_out)| **is_left_out) {
+            *pixel = *other;
+        }
+    }
+
     /// How far B's pixels may be from its background and still belong to it: programs fill it
     /// evenly, so that only noise along the border asks for more than nothing.
     fn background_slack(&self, background: [u8; 3]) -> u8 {

@@ -159,11 +159,18 @@ impl fmt::Display for Shown {
     }
 }
 
+impl Region {
+    /// In words which joint it is of, and which part of it is off.
+    pub fn extent(&self) -> String {
+        let joint = self.joint.as_deref().unwrap_or("vertices without weights");
+        format!("{joint}: {}", percent(self.share))
+    }
+}
+
 impl fmt::Display for Region {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let joint = self.joint.as_deref().unwrap_or("vertices without weights");
-        let (share, worst) = (percent(self.share), of_size(self.worst));
-        write!(f, "{joint}: {share} of its vertices, by up to {worst}")
+        let worst = of_size(self.worst);
+        write!(f, "{} of its vertices, by up to {worst}", self.extent())
     }
 }
 
@@ -184,11 +191,19 @@ fn percent(share: f64) -> String {
 
 /// A distance in words, which is given by the size.
 pub fn of_size(error: f64) -> String {
+    match part_of_size(error) {
+        part if part.ends_with('%') => part + " of the size",
+        words => words,
+    }
+}
+
+/// The same where it is said already what it is a part of.
+pub fn part_of_size(error: f64) -> String {
     match 100.0 * error {
         percent if percent.is_infinite() => "more than any number".to_owned(),
-        percent if percent < 0.001 => "less than 0.001 % of the size".to_owned(),
-        percent if percent < 1.0 => format!("{percent:.3} % of the size"),
-        percent => format!("{percent:.1} % of the size"),
+        percent if percent < 0.001 => "less than 0.001 %".to_owned(),
+        percent if percent < 1.0 => format!("{percent:.3} %"),
+        percent => format!("{percent:.1} %"),
     }
 }
 

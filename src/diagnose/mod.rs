@@ -20,7 +20,9 @@ mod silhouette;
 mod skin;
 mod vertex_formula;
 
-pub use diagnosis::{Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict, of_size};
+pub use diagnosis::{
+    Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
+};
 pub use faces::FaceDifference;
 pub use formula::{
     Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,

@@ -161,6 +161,7 @@ impl Comparison {
         let judging = running.filter(|running| running.half == Half::Judge);
         Some(CompareView {
             name: &self.name,
+            look: self.looks.0,
             settings: &self.settings,
             reference: self.reference.shown()?,
             live: self.live.as_ref().and_then(Textured::shown),

@@ -5,26 +5,37 @@ use egui::{Frame, Id, Margin, Panel, ScrollArea, Ui, UiBuilder};
 /// Width, in points, below which a panel shows its parts one below the other.
 const ROOM_FOR_COLUMNS: f32 = 760.0;
 
-/// Part of the window's height that a panel takes at most, alone and with another one below the view.
+/// Part of the height above it that a panel takes at most, alone and with another one below the view.
 const HIGHEST: f32 = 0.6;
-const HIGHEST_OF_TWO: f32 = 0.24;
+const HIGHEST_OF_TWO: f32 = 0.5;
 
-/// A panel below the view, at first of `height`, and never lower than `lowest`, both in points. With another
-/// one it is lower, and has a height of its own, so that the view stays of use and each panel has the
-/// height from before when the other one is closed.
+/// Heights of a panel, which its upper edge changes.
+pub(in crate::ui) struct Heights {
+    /// Never lower, in points.
+    pub lowest: f32,
+    /// At first, in points.
+    pub alone: f32,
+    /// At first with another panel below the view, as a part of the window's height.
+    pub beside: f32,
+}
+
+/// A panel below the view. With another one it is lower, and has a height of its own, so that the view stays
+/// of use and each panel has the height from before when the other one is closed.
 pub(in crate::ui) fn below_the_view(
     root: &mut Ui,
     (id, with_another): (&'static str, bool),
-    (lowest, height): (f32, f32),
+    heights: Heights,
     contents: impl FnOnce(&mut Ui),
 ) {
     let frame = Frame::side_top_panel(root.style()).inner_margin(Margin::symmetric(8, 4));
-    let highest = match with_another {
-        true => root.ctx().content_rect().height() * HIGHEST_OF_TWO,
-        false => root.available_height() * HIGHEST,
+    let window = root.ctx().content_rect().height();
+    let (height, part) = match with_another {
+        true => (heights.beside * window, HIGHEST_OF_TWO),
+        false => (heights.alone, HIGHEST),
     };
-    let highest = highest.max(lowest);
-    let height = height.min(highest);
+    let lowest = heights.lowest;
+    let highest = (root.available_height() * part).max(lowest);
+    let height = height.clamp(lowest, highest);
     Panel::bottom(Id::new((id, with_another)))
         .frame(frame)
         .resizable(true)

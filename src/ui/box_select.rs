@@ -113,7 +113,7 @@ fn begin(view: &Response, places: &ScenePlaces) -> Option<Drawn> {
     Some(Drawn {
         from,
         to: from,
-        index: places.index_at(from)?,
+        index: places.live_index_at(from)?,
         cancelled: false,
     })
 }

@@ -293,7 +293,7 @@ pub(super) fn show_clicked(ui: &Ui, places: &ScenePlaces, session: &Session, sta
     let color = Palette::of(ui.visuals()).accent;
     for place in places.iter() {
         if let Some(pixel) = place.screen(session).pixel(world) {
-            let painter = ui.painter().with_clip_rect(place.rect);
+            let painter = ui.painter().with_clip_rect(place.seen);
             painter.circle_stroke(place.position(pixel), 8.0, Stroke::new(2.0, color));
         }
     }
@@ -308,6 +308,6 @@ fn mark(session: &Session, point: Option<(usize, usize)>, actions: &mut Vec<Acti
 
 fn hovered(view: &Response, places: &ScenePlaces, session: &Session) -> Option<(usize, usize)> {
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    let place = places.at(position)?;
+    let place = places.live_at(position)?;
     control_point_at(session, place.pixel(position), place.size())
 }

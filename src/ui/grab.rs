@@ -73,7 +73,7 @@ impl<H> Grab<H> {
             return None;
         }
         let pressed = view.ctx.input(|input| input.pointer.press_origin())?;
-        let index = places.index_at(pressed)?;
+        let index = places.live_index_at(pressed)?;
         let place = places.get(index)?;
         let held = take(place, place.pixel(pressed), actions)?;
         actions.push(Action::Gesture(GestureStep::Begin));

@@ -2,8 +2,9 @@
 
 use super::joint_tree::Row;
 use super::number_field::ROOM_FOR_LETTER_AND_ANGLE;
+use super::shortened::{shortened, text_width};
 use crate::character::SkeletalModel;
-use egui::{Color32, FontId, Rect, TextStyle, Ui, pos2, vec2};
+use egui::{FontId, Rect, TextStyle, Ui, pos2, vec2};
 
 const HEIGHT: f32 = 20.0;
 /// So many levels are indented by so many points each; deeper ones no further: names need the room,
@@ -143,50 +144,13 @@ pub(super) fn font(ui: &Ui) -> FontId {
     }
 }
 
-fn text_width(ui: &Ui, text: &str, font: &FontId) -> f32 {
-    ui.painter()
-        .layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE)
-        .size()
-        .x
-}
-
-/// `text`, or as much of its beginning and end as fits into `room` points, with a mark between
-/// them: joints of one name differ at its end.
-pub(super) fn shortened(ui: &Ui, text: &str, room: f32) -> String {
-    let font = font(ui);
-    if text_width(ui, text, &font) <= room {
-        return text.to_owned();
-    }
-    shortened_to(text, |text| text_width(ui, text, &font) <= room)
-}
-
 /// A joint and another one that is folded away in it, of which the latter is shortened last.
 pub(super) fn shortened_path(ui: &Ui, folded: &str, inside: &str, room: f32) -> String {
     let end = format!(" › {inside}");
-    let left = room - text_width(ui, &end, &font(ui));
-    let path = shortened(ui, folded, left) + &end;
-    shortened(ui, &path, room)
-}
-
-fn shortened_to(text: &str, fits: impl Fn(&str) -> bool) -> String {
-    let letters: Vec<char> = text.chars().collect();
-    let with = |kept: usize| -> String {
-        let start = kept.div_ceil(2);
-        let end = letters.len() - kept / 2;
-        let (start, end) = (letters[..start].iter(), letters[end..].iter());
-        start.chain(&['…']).chain(end).collect()
-    };
-    // Less is never wider. Names may be of any length, so that not every one is tried.
-    let (mut fitting, mut too_long) = (0, letters.len());
-    while fitting + 1 < too_long {
-        let middle = fitting.midpoint(too_long);
-        if fits(&with(middle)) {
-            fitting = middle;
-        } else {
-            too_long = middle;
-        }
-    }
-    with(fitting)
+    let font = font(ui);
+    let left = room - text_width(ui, &end, &font);
+    let path = shortened(ui, folded, &font, left) + &end;
+    shortened(ui, &path, &font, room)
 }
 
 /// Number of bytes of the namespace, such as `mixamorig:`, that all names begin with.
@@ -228,13 +192,5 @@ mod tests {
     fn deeper_joints_are_indented_further_but_ever_less() {
         let at = [0, 1, 8, 9, 16, 17, 48, 1000].map(indent);
         assert_eq!(at, [0.0, 4.0, 32.0, 34.0, 48.0, 49.0, 80.0, 80.0]);
-    }
-
-    #[test]
-    fn a_name_that_is_too_long_keeps_its_beginning_and_its_end() {
-        let up_to = |count: usize| move |text: &str| text.chars().count() <= count;
-        assert_eq!(shortened_to("RightToeBase_End", up_to(9)), "Righ…_End");
-        assert_eq!(shortened_to("RightToeBase_End", up_to(1)), "…");
-        assert_eq!(shortened_to("é", up_to(0)), "…");
     }
 }

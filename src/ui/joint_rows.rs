@@ -1,10 +1,9 @@
 //! Rows of the joint list: angles of a joint, offset of a root.
 
-use super::joint_columns::{
-    Columns, OFFSET, arrow, font, name_left, offset_left, shortened, shortened_path,
-};
+use super::joint_columns::{Columns, OFFSET, arrow, font, name_left, offset_left, shortened_path};
 use super::joint_tree::Row;
 use super::number_field::NumberField;
+use super::shortened::shortened;
 use super::theme::{Palette, number_font};
 use super::widgets::{ListMove, list_move, named, spoken, tip_beside_panel};
 use crate::character::{Pose, SkeletalModel};
@@ -158,7 +157,7 @@ fn paint_name(ui: &Ui, label: &Response, name: &str, columns: &Columns, look: Lo
     let room = label.rect.width() - if look.changed_inside { DOT } else { 0.0 };
     let shown = match look.inside {
         Some(inside) => shortened_path(ui, whole, columns.written(inside), room),
-        None => shortened(ui, whole, room),
+        None => shortened(ui, whole, &font(ui), room),
     };
     let visible = label.rect.intersect(ui.clip_rect());
     let painter = ui.painter().with_clip_rect(visible);

@@ -38,6 +38,7 @@ mod scene_places;
 mod screenshot;
 mod shape_list;
 mod shape_panel;
+mod shortened;
 mod start_page;
 mod state;
 mod swipe_line;
@@ -215,7 +216,13 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if input.compare.is_some() || input.compare_mesh.is_some() {
         state.methods.end();
     }
-    explain::show(root, session, &mut state.explain);
+    explain::show(
+        root,
+        session,
+        input.compare_mesh,
+        &mut state.explain,
+        &mut actions,
+    );
     match input.compare_mesh {
         Some(compare) => {
             let area = view_overlay::fit_area(state, aspect(last_view));
@@ -227,8 +234,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
             };
             let after = compare::mesh_panel(root, session, compare, area, before, &mut actions);
             state.marked_vertex = after.marked.map(|vertex| (compare.mesh, vertex));
-            if after.explains != before.explains {
-                state.explain.set_open(after.explains);
+            if after.explains && !before.explains {
+                state.explain.show_formula();
             }
             // What is wrong there is seen in its formula.
             if let Some(vertex) = after.marked.filter(|_| after != before) {

@@ -11,6 +11,11 @@ use glam::Vec2;
 pub struct ScenePlaces {
     /// In points. All have the same size, and do not overlap.
     pub rects: Vec<Rect>,
+    /// Part of each, in points, that is the live view, in which bones and the like can be taken; none where
+    /// another picture is.
+    live: Vec<Rect>,
+    /// Whether that is seen now. Of two pictures that blink, the live view is only in turn.
+    is_live_seen: bool,
     /// Size of a pixel of the picture, in points, for drags that move the camera.
     pub points_per_pixel: f32,
 }
@@ -20,13 +25,40 @@ impl ScenePlaces {
     pub fn whole(rect: Rect) -> Self {
         Self {
             rects: vec![rect],
+            live: vec![rect],
+            is_live_seen: true,
             points_per_pixel: 1.0,
+        }
+    }
+
+    /// The pictures of a comparison in `rects`, whose parts `live` are the live view.
+    pub(super) fn compared(
+        rects: Vec<Rect>,
+        points_per_pixel: f32,
+        live: Vec<Rect>,
+        is_live_seen: bool,
+    ) -> Self {
+        Self {
+            rects,
+            live,
+            is_live_seen,
+            points_per_pixel,
         }
     }
 
     /// Index of the picture under a point of the window.
     pub fn index_at(&self, position: Pos2) -> Option<usize> {
         self.rects.iter().position(|rect| rect.contains(position))
+    }
+
+    /// Index of the picture whose live view is under a point of the window.
+    pub(super) fn live_index_at(&self, position: Pos2) -> Option<usize> {
+        self.live.iter().position(|live| live.contains(position))
+    }
+
+    /// The picture whose live view is under a point of the window.
+    pub(super) fn live_at(&self, position: Pos2) -> Option<Place> {
+        self.get(self.live_index_at(position)?)
     }
 
     /// The picture under a point of the window.
@@ -41,7 +73,16 @@ impl ScenePlaces {
 
     /// All pictures.
     pub(super) fn iter(&self) -> impl Iterator<Item = Place> {
-        self.rects.iter().map(|&rect| Place { rect })
+        let parts = self.rects.iter().zip(&self.live);
+        parts.map(|(&rect, &live)| Place {
+            rect,
+            live,
+            seen: if self.is_live_seen {
+                live
+            } else {
+                Rect::NOTHING
+            },
+        })
     }
 }
 
@@ -50,6 +91,10 @@ impl ScenePlaces {
 pub(super) struct Place {
     /// In points of the window.
     pub rect: Rect,
+    /// Part of it that is the live view.
+    pub live: Rect,
+    /// Part of it in which the live view is seen now, and marks belong.
+    pub seen: Rect,
 }
 
 impl Place {

@@ -75,11 +75,7 @@ pub(super) fn show(
     }
     control_points::show_clicked(&over, &places, session, &state.curves);
     box_select::show(&over, &places, &state.box_select);
-    explain::over_view(&mut over, rect, &places, session, &mut state.explain);
-    // The mistake is what is seen then.
-    if !state.explain.makes_mistake() {
-        method_view::over_view(&mut over, rect, &mut state.methods);
-    }
+    what_is_seen(&mut over, rect, &places, session, state, input);
     // Over the pictures of a comparison they would hide what is compared; its panel has the looks.
     if input.compare.is_none() {
         axis_ball::show(&mut over, rect, &session.view().camera, actions);
@@ -90,14 +86,6 @@ pub(super) fn show(
         start_page::show(&mut over, rect, input, actions);
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
-    }
-    let is_empty = session.scene().shapes().is_empty();
-    if let Some(legend) = input
-        .legend
-        .filter(|_| input.compare.is_none() && !is_empty)
-    {
-        let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
-        mesh_colors::legend(&mut over, rect, below_tools, legend);
     }
     messages::notices(&mut over, rect, session, &mut state.notices, actions);
     if let Some(work) = input.progress {
@@ -112,6 +100,32 @@ pub(super) fn show(
         state.first_help = !(closed || gesture);
     }
     (rect, response, places)
+}
+
+/// Says over the view what it shows otherwise than the scene is: what is explained, methods of skinning, and
+/// the colors of meshes, one below the other.
+fn what_is_seen(
+    over: &mut Ui,
+    rect: Rect,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut UiState,
+    input: &ViewInput,
+) {
+    let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
+    let explain = &mut state.explain;
+    let top = explain::over_view(over, (rect, below_tools), places, session, explain);
+    // The mistake is what is seen then.
+    if !state.explain.makes_mistake() {
+        method_view::over_view(over, rect, &mut state.methods);
+    }
+    let is_empty = session.scene().shapes().is_empty();
+    if let Some(legend) = input
+        .legend
+        .filter(|_| input.compare.is_none() && !is_empty)
+    {
+        mesh_colors::legend(over, rect, top, legend);
+    }
 }
 
 /// The one button of a scene without panels; whether it was clicked.

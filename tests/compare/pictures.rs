@@ -279,7 +279,7 @@ fn rounding_and_another_background_are_told_apart() {
     assert_eq!(
         found.last().map(ToString::to_string).as_deref(),
         Some(
-            "apart from the background, the pictures are the same except for rounding (at most 2 of 255) and 1 pixel that differs by more than 8, within 0,0,1,1"
+            "apart from the background, the pictures are the same except for rounding (at most 2 of 255) and 1 pixel that differs by more than 8, within x 0, y 0"
         )
     );
 }
@@ -891,7 +891,7 @@ fn differences_in_color_are_told_with_their_place_and_no_cause_that_is_not_known
     assert!(
         text.starts_with("the outlines agree, but 5.")
             && text.ends_with(
-                "within 60,50,20,10: shape, depth or shading (normals, light, material)"
+                "within x 60 to 79, y 50 to 59: shape, depth or shading (normals, light, material)"
             ),
         "{text}"
     );
@@ -912,7 +912,7 @@ fn differences_along_edges_are_told_with_their_place() {
         panic!("{found:?}");
     };
     assert!(area.y >= 20 && area.y + area.height <= 55, "{area}");
-    assert!(found[0].to_string().contains(&area.to_string()));
+    assert!(found[0].to_string().contains(&area.in_words()));
 }
 
 #[test]
@@ -1039,19 +1039,19 @@ fn rounding_reads_as_such_and_names_the_few_pixels_that_are_more() {
     let far = [([5, 5], 128), ([6, 7], 128), ([7, 5], 128)];
     assert_eq!(
         text(&with_spots(&rounded, &far)),
-        "the pictures are the same except for rounding (at most 2 of 255) and 3 pixels that differ by more than 8, within 5,5,3,3"
+        "the pictures are the same except for rounding (at most 2 of 255) and 3 pixels that differ by more than 8, within x 5 to 7, y 5 to 7"
     );
     assert_eq!(
         text(&with_spots(&rounded, &[([5, 5], 128), ([6, 5], 4)])),
-        "the pictures are the same except for rounding (at most 2 of 255) and 2 pixels that differ by more, 1 of them by more than 8, within 5,5,2,1"
+        "the pictures are the same except for rounding (at most 2 of 255) and 2 pixels that differ by more, 1 of them by more than 8, within x 5 to 6, y 5"
     );
     assert_eq!(
         text(&with_spots(&a, &far[..1])),
-        "the pictures are the same except for 1 pixel, within 5,5,1,1"
+        "the pictures are the same except for 1 pixel, within x 5, y 5"
     );
     let near = text(&with_spots(&rounded, &[([6, 5], 4)]));
     assert!(
-        near.ends_with("and 1 pixel that differs by more, up to 8, within 6,5,1,1"),
+        near.ends_with("and 1 pixel that differs by more, up to 8, within x 6, y 5"),
         "{near}"
     );
     // As many as a small thing has.

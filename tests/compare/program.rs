@@ -77,7 +77,7 @@ fn equal_pictures_end_with_0_and_different_ones_with_1() {
     assert_eq!((code, err.as_str()), (1, ""));
     assert!(out.contains("360 of 19200"), "{out}");
     assert!(
-        out.contains("found: 360 pixels are drawn only in A, within 20,92,30,12"),
+        out.contains("found: 360 pixels are drawn only in A, within x 20 to 49, y 92 to 103"),
         "{out}"
     );
 }

@@ -9,7 +9,7 @@ use editor_core::ui::{
     Ask, CompareAction, CompareMode, CompareReport, CompareSettings, CompareView, DARK, LIGHT,
     ShownPicture, course_panels,
 };
-use egui::{Key, Rect, TextureId, pos2, vec2};
+use egui::{Color32, Key, Rect, TextureId, Vec2, pos2, vec2};
 
 /// Textures of the reference, of the live view and of their differences.
 const TEXTURES: [TextureId; 3] = [TextureId::User(1), TextureId::User(2), TextureId::User(3)];
@@ -20,6 +20,7 @@ pub struct Comparing {
     reference: Picture,
     live: Picture,
     report: CompareReport,
+    look: Look,
 }
 
 impl Comparing {
@@ -34,6 +35,7 @@ impl Comparing {
             reference: filled([26, 26, 26, 255]),
             live: filled([90, 80, 70, 128]),
             report: CompareReport::default(),
+            look: Look::Course,
         }
     }
 
@@ -41,6 +43,7 @@ impl Comparing {
         let shown = |picture, texture| ShownPicture { picture, texture };
         CompareView {
             name: "sample.png",
+            look: self.look,
             settings: &self.settings,
             reference: shown(&self.reference, TEXTURES[0]),
             live: Some(shown(&self.live, TEXTURES[1])),
@@ -290,6 +293,12 @@ fn hints_name_what_a_user_can_do_about_the_differences() {
     assert_eq!(hints(&editor), [false, true, false]);
     editor.view(View::SetLook(Look::Studio));
     assert_eq!(hints(&editor), [true, false, false]);
+    for (look, is_told) in [(Look::Studio, false), (Look::Course, true)] {
+        let comparing = &mut editor.harness.state_mut().comparing;
+        comparing.as_mut().expect("a comparison").look = look;
+        editor.settle();
+        assert_eq!(hints(&editor)[0], is_told, "A has the look {look:?}");
+    }
     editor.click("Course look");
     let without_background = CompareReport {
         differences: Some(Differences {
@@ -622,6 +631,80 @@ fn the_place_of_a_finding_is_outlined_in_both_pictures() {
     check(&editor);
     report(&mut editor, CompareReport::default());
     assert_eq!(outlines(&editor), [], "what is not told any more");
+}
+
+/// Joints that are marked over the pictures, as far as they are seen.
+fn marks(editor: &Editor) -> Vec<Rect> {
+    const SELECTED: Color32 = Color32::from_rgb(0xff, 0x9e, 0x1c);
+    let shapes = editor.harness.output().shapes.iter();
+    let dots = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Circle(dot) if dot.fill == SELECTED => {
+            let place = Rect::from_center_size(dot.center, Vec2::splat(2.0 * dot.radius));
+            Some(place.intersect(clipped.clip_rect))
+        }
+        _ => None,
+    });
+    dots.filter(|seen| seen.is_positive()).collect()
+}
+
+/// A comparison with a selected joint, in hands that pose.
+fn posing(joint: usize) -> Editor {
+    let mut editor = Editor::with_hands(Key::B);
+    editor.view(View::SelectJoint(Some(joint)));
+    editor.harness.state_mut().comparing = Some(Comparing::new());
+    editor.settle();
+    editor
+}
+
+const LEFT_SHOULDER: usize = 16;
+
+#[test]
+fn bones_are_marked_where_the_live_view_is_seen_and_nowhere_else() {
+    let mut editor = posing(LEFT_SHOULDER);
+    let choose = |editor: &mut Editor, mode, swipe| {
+        let comparing = &mut editor.harness.state_mut().comparing;
+        let settings = &mut comparing.as_mut().expect("a comparison").settings;
+        (settings.mode, settings.swipe) = (mode, swipe);
+        editor.settle();
+    };
+    choose(&mut editor, CompareMode::SideBySide, 0.5);
+    let live = shown(&editor)[1].1;
+    let seen = marks(&editor);
+    assert!(!seen.is_empty() && seen.iter().all(|mark| live.contains_rect(*mark)));
+    for (mode, swipe, is_marked) in [
+        (CompareMode::Swipe, 0.0, true),
+        (CompareMode::Swipe, 1.0, false),
+        (CompareMode::OnionSkin, 0.5, true),
+        (CompareMode::Difference, 0.5, false),
+    ] {
+        choose(&mut editor, mode, swipe);
+        assert_eq!(!marks(&editor).is_empty(), is_marked, "{mode:?} {swipe}");
+    }
+    choose(&mut editor, CompareMode::Blink, 0.5);
+    for (time, is_marked) in [(12.1, false), (12.7, true)] {
+        editor.harness.input_mut().time = Some(time);
+        editor.harness.step();
+        assert_eq!(
+            !marks(&editor).is_empty(),
+            is_marked,
+            "after {time} seconds"
+        );
+    }
+}
+
+#[test]
+fn a_bone_is_turned_in_the_live_view_and_not_in_the_picture_beside_it() {
+    let mut editor = posing(LEFT_SHOULDER);
+    let pictures: Vec<Rect> = shown(&editor).iter().map(|shown| shown.1).collect();
+    let before = editor.joint(LEFT_SHOULDER);
+    let live = editor.on_bone(LEFT_SHOULDER);
+    let reference = pictures[0].min + (live - pictures[1].min);
+    let by = vec2(-10.0, 30.0);
+    editor.hand(reference, reference + by);
+    assert_eq!(editor.joint(LEFT_SHOULDER), before);
+    let live = editor.on_bone(LEFT_SHOULDER);
+    editor.hand(live, live + by);
+    assert_ne!(editor.joint(LEFT_SHOULDER), before);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 mod bones;
 mod compare;
 mod curves;
+mod explaining;
 mod figure;
 mod ik;
 mod joints;

@@ -1,5 +1,6 @@
 //! Characters in the colors of numbers, with a legend, and their bind pose beside them.
 
+use super::explaining::{NO_INVERSE, make};
 use super::{Story, differing};
 use editor_core::scene::scale_color;
 use egui::vec2;
@@ -59,6 +60,22 @@ fn the_selected_joints_weight_colors_the_mesh_and_follows_the_selection() {
     assert!(!story.has_text("Weight of Hip"));
     story.key(egui::Key::Escape);
     assert_eq!(differing(&before, &story.scene_picture()), 0);
+}
+
+#[test]
+fn the_legend_is_below_what_says_that_the_character_is_shown_wrong() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.choose_colors("Weight of the Selected Joint");
+    story.type_into("Elbow Z", "90");
+    story.click("Elbow");
+    let alone = story.text_place("Weight of Elbow");
+    story.key(egui::Key::K);
+    make(&mut story, NO_INVERSE);
+    let legend = story.text_place("Weight of Elbow");
+    assert!(legend.top() > story.place("Back to Correct").y + 12.0);
+    story.click("Back to Correct");
+    assert!(!story.has("Back to Correct"));
+    assert_eq!(story.text_place("Weight of Elbow"), alone);
 }
 
 #[test]

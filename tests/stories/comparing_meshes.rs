@@ -1,15 +1,18 @@
 //! Comparing a character with a mesh that another program posed.
 
+use super::explaining::{self, NO_INVERSE};
 use super::{Story, differing};
 use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity, View};
+use editor_core::geometry::Picture;
 use editor_core::io::PoseData;
 use editor_core::program::Purpose;
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::accesskit::Node;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, TouchPhase, pos2, vec2};
 use glam::Vec3;
+use std::path::Path;
 
 /// A dog in a pose.
 fn dog() -> Figure {
@@ -68,6 +71,22 @@ fn diagnose(story: &mut Story) {
     story.wait(0.2);
     assert!(story.host.run_jobs() > 0, "a job");
     story.settle();
+}
+
+/// What is seen around the middle of the view, marks included.
+fn middle_of_view(story: &Story) -> Picture {
+    let (whole, middle) = (story.picture(), story.view().center());
+    let (width, height) = (480, 420);
+    let (left, top) = (middle.x as u32 - width / 2, middle.y as u32 - height / 2);
+    let row = |y: u32| {
+        let start = 4 * (y * whole.width + left) as usize;
+        &whole.rgba[start..start + 4 * width as usize]
+    };
+    Picture {
+        width,
+        height,
+        rgba: (top..top + height).flat_map(row).copied().collect(),
+    }
 }
 
 /// The texts and labels that are shown.
@@ -316,14 +335,11 @@ fn a_renumbered_mesh_is_laid_over_ours_without_distances_and_explained() {
 }
 
 #[test]
-fn while_meshes_are_compared_skinning_is_explained_without_mistakes() {
+fn a_comparison_ends_the_mistake_that_is_made_and_a_mistake_the_comparison() {
     let mut story = comparing(&RIGHT);
     story.click("Stop comparing with the mesh");
     story.key(Key::K);
-    let mistake = texts(&story)
-        .into_iter()
-        .find(|text| text.starts_with("Column c"));
-    let mistake = mistake.expect("the list of mistakes");
+    let mistake = text(&story, "Column c");
     story.click(&mistake);
     assert!(story.has("Back to Correct"));
     story.key_with(Modifiers::SHIFT, Key::F8);
@@ -332,10 +348,74 @@ fn while_meshes_are_compared_skinning_is_explained_without_mistakes() {
         !story.has("Back to Correct"),
         "the character is shown as it is"
     );
-    assert!(!story.has(&mistake));
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
-    story.click("Stop comparing with the mesh");
-    assert!(story.has(&mistake) && !story.has("Back to Correct"));
+    text(&story, "Making one ends the comparison");
+    explaining::make(&mut story, NO_INVERSE);
+    assert!(!story.has("Stop comparing with the mesh"));
+    assert!(story.has("Back to Correct") && story.has("v' = Σ w · T · v"));
+}
+
+#[test]
+fn the_mistake_that_was_found_is_made_by_one_click_in_the_way_that_was_found() {
+    let not_at_all = Student {
+        row: |row| row.iter().skip(1).copied().chain([0.0]).collect(),
+        ..RIGHT
+    };
+    let mut story = comparing(&not_at_all);
+    story.key(Key::K);
+    assert!(!story.has_text("Found in mine.obj:"));
+    diagnose(&mut story);
+    text(&story, "Found in mine.obj:");
+    let found = "Column c of the weights is taken for joint c instead of joint c + 1: the first one not at all.";
+    story.click(found);
+    assert!(!story.has("Stop comparing with the mesh") && story.has("Back to Correct"));
+    assert!(story.has_text(found), "what is made");
+}
+
+#[test]
+fn the_formula_has_the_place_of_the_vertex_in_the_compared_mesh_as_well() {
+    let mut story = comparing(&off_by_one());
+    diagnose(&mut story);
+    // The stack was looked at before.
+    story.key(Key::K);
+    story.click("Matrix Stack");
+    story.key(Key::K);
+    story.click("Show Its Formula");
+    let vertex = story.node("Vertex").and_then(Node::numeric_value);
+    let vertex = vertex.expect("the number of a vertex") as usize;
+    let figure = dog();
+    let [ours, theirs] = [RIGHT, off_by_one()].map(|student| student.skin(&figure)[vertex]);
+    let row = text(&story, "v' in mine.obj, ");
+    let off = format!("v' in mine.obj, {:.3} off (", ours.distance(theirs));
+    assert!(row.starts_with(&off), "{row}, not {off}");
+    let written = row
+        .trim_start_matches(&off)
+        .trim_end_matches(')')
+        .split(", ");
+    let written: Vec<f32> = written.map(|number| number.parse().unwrap()).collect();
+    assert!(
+        Vec3::from_slice(&written).abs_diff_eq(theirs, 6e-4),
+        "{row}"
+    );
+    // All of it is seen at once.
+    let sum = text(&story, "Sum (");
+    for row in [sum, row] {
+        assert!(story.place(&row).y < 764.0, "{row}");
+    }
+}
+
+#[test]
+fn the_place_of_a_vertex_in_the_compared_mesh_has_the_name_of_its_file() {
+    let mut story = comparing(&off_by_one());
+    story.click("Show the Worst Vertex");
+    let mine = middle_of_view(&story);
+    let file = story.host.files[Path::new("mine.obj")].clone();
+    story.host.files.insert("alas.obj".into(), file);
+    story.click("Compare with another mesh");
+    story.choose("alas.obj");
+    story.click("Show the Worst Vertex");
+    let alas = middle_of_view(&story);
+    assert!(differing(&mine, &alas) > 20);
 }
 
 #[test]
@@ -393,6 +473,24 @@ fn with_skinning_explained_as_well_the_view_keeps_much_of_the_window() {
 }
 
 #[test]
+fn both_panels_below_the_view_are_made_higher_by_their_upper_edges() {
+    let mut story = comparing(&off_by_one());
+    story.key(Key::K);
+    let before = story.view();
+    let edge = pos2(300.0, before.bottom() + 1.0);
+    story.drag(edge, edge - vec2(0.0, 40.0));
+    let after = story.view();
+    assert!(
+        (after.height() - before.height() + 40.0).abs() < 4.0,
+        "{before} {after}"
+    );
+    let header = story.place("Close Explain").y;
+    let explained = pos2(300.0, header - 17.0);
+    story.drag(explained, explained - vec2(0.0, 40.0));
+    assert!((story.place("Close Explain").y - header + 40.0).abs() < 4.0);
+}
+
+#[test]
 fn a_character_at_rest_is_said_to_need_the_pose_first() {
     let mut story = comparing(&RIGHT);
     diagnose(&mut story);
@@ -409,9 +507,53 @@ fn a_character_at_rest_is_said_to_need_the_pose_first() {
     story.click("Reset all");
     diagnose(&mut story);
     assert!(is_told(&story));
+    let has_verdict = |story: &Story| {
+        let verdicts = ["No known mistake", "Nearest:"];
+        let is_one = |text: &String| verdicts.iter().any(|start| text.starts_with(start));
+        texts(story).iter().any(is_one)
+    };
+    assert!(!has_verdict(&story), "the pose comes first");
     story.key_with(Modifiers::COMMAND, Key::Z);
     diagnose(&mut story);
     assert!(!is_told(&story));
+}
+
+#[test]
+fn joints_are_listed_with_the_worst_first_and_another_mesh_begins_at_the_top() {
+    let mut story = comparing(&off_by_one());
+    text(
+        &story,
+        "Vertices off, by the joint that moves them most (distances in % of the size):",
+    );
+    let rows = |story: &Story| -> Vec<String> {
+        let all = texts(story).into_iter();
+        let mut rows: Vec<_> = all.filter(|text| text.contains(" %, by up to ")).collect();
+        rows.sort_by(|a, b| story.place(a).y.total_cmp(&story.place(b).y));
+        rows
+    };
+    let worst: Vec<f32> = rows(&story)
+        .iter()
+        .filter_map(|row| row.rsplit_once("by up to ")?.1.strip_suffix(" %"))
+        .filter_map(|number| number.parse().ok())
+        .collect();
+    assert!(worst.len() > 5, "{:?}", rows(&story));
+    assert!(worst.is_sorted_by(|a, b| a >= b), "{worst:?}");
+    let first = rows(&story)[0].clone();
+    let top = story.place(&first);
+    story.point(top);
+    for _ in 0..10 {
+        story.frame(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, -3.0),
+            phase: TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        }]);
+    }
+    story.settle();
+    assert!(story.node(&first).is_none() || story.place(&first).y < top.y - 20.0);
+    story.click("Compare with another mesh");
+    story.choose("mine.obj");
+    assert_eq!(story.place(&first), top);
 }
 
 #[test]

@@ -79,7 +79,9 @@ fn a_click_on_the_mesh_shows_the_formula_of_the_nearest_vertex_in_numbers() {
 #[test]
 fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
     let mut story = Story::start(&["builtin:adult"]);
-    story.type_into("Left elbow Z", "30");
+    story.size = (1280, 1000);
+    story.settle();
+    story.click("Left elbow");
     assert!(story.session().selected_joint().is_some());
     story.click("View");
     story.click("Explain Skinning");
@@ -92,6 +94,20 @@ fn the_first_vertex_is_one_that_the_joint_at_hand_moves() {
     let before = numbers(&story);
     story.type_into("Left elbow Z", "60");
     assert!(before.is_some() && numbers(&story).is_some() && numbers(&story) != before);
+}
+
+#[test]
+fn until_the_pose_changes_the_panel_says_that_its_numbers_follow() {
+    let says = "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
+    let mut story = bent();
+    assert!(story.has_text(says));
+    story.type_into("Vertex", "2");
+    assert!(story.has_text(says), "the pose is the same");
+    story.type_into("Elbow Z", "60");
+    assert!(!story.has_text(says));
+    story.key(Key::K);
+    story.key(Key::K);
+    assert!(story.has_text(says), "it was opened anew");
 }
 
 #[test]
@@ -315,6 +331,44 @@ fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
     }
     story.click("Formula");
     assert!(story.has("v' = Σ w · T · B⁻¹ · v"));
+}
+
+#[test]
+fn the_heading_of_a_matrix_is_one_line_however_many_are_on_the_stack() {
+    let mut story = bent();
+    story.click("Matrix Stack");
+    for _ in 0..5 {
+        story.click("Step");
+    }
+    for heading in ["Top: Elbow", "Elbow, own"] {
+        let height = story.text_place(heading).height();
+        assert!(height < 20.0, "{heading}: {height}");
+    }
+}
+
+#[test]
+fn the_row_of_the_joint_of_a_step_is_in_sight() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.key(Key::K);
+    story.click("Matrix Stack");
+    for _ in 0..40 {
+        story.click("Step");
+    }
+    story.wait(1.0);
+    let room = |story: &Story| story.place("Step").y + 40.0..story.size.1 as f32 - 24.0;
+    let joint = story
+        .session()
+        .hovered_joint()
+        .expect("the joint of the step");
+    let name = &story.character().character.skeleton().joints()[joint].name;
+    let states = ["on the stack", "drawn"].map(|state| format!("{name}, {state}"));
+    let row = states.iter().find(|row| story.has(row)).expect("its row");
+    let at = story.place(row).y;
+    assert!(room(&story).contains(&at), "{row}: {at}");
+    story.click("To Start");
+    story.wait(1.0);
+    let at = story.place("Root, not yet").y;
+    assert!(room(&story).contains(&at), "{at}");
 }
 
 #[test]

@@ -210,6 +210,18 @@ impl Story {
             .any(|(_, node)| node.value() == Some(text))
     }
 
+    /// Where a text is shown, in points.
+    fn text_place(&self, text: &str) -> Rect {
+        let nodes = self.widgets.iter().flat_map(|update| &update.nodes);
+        let mut bounds = nodes.filter(|(_, node)| node.value() == Some(text));
+        let node = bounds.find_map(|(_, node)| node.bounds());
+        let bounds = node.unwrap_or_else(|| panic!("there is no text “{text}”"));
+        Rect::from_min_max(
+            pos2(bounds.x0 as f32, bounds.y0 as f32),
+            pos2(bounds.x1 as f32, bounds.y1 as f32),
+        )
+    }
+
     /// The middle of the widget of that name.
     fn place(&self, label: &str) -> Pos2 {
         let node = self.node(label);

@@ -1,57 +1,243 @@
-use super::evidence::{Evidence, FEWEST_PIXELS, UNEXPLAINED_ONE_IN};
+//! Axes that are drawn in one picture alone: thin straight lines in red, green or blue that leave it.
+
+use super::evidence::{FEWEST_PIXELS, UNEXPLAINED_ONE_IN, count};
 use super::{Finding, Which};
-use crate::compare::pair::Pixel;
+use crate::compare::pair::{Pair, Pixel};
+use crate::steps::Pace;
 
 /// Least distance, of 255, of the strongest channel of an axis from the others, also where the edge of
 /// its line is mixed with what is behind it.
 const LEAST_COLOR: u8 = 24;
+/// How far from the middle of an axis its pixels are, at most.
+const HALF_WIDTH: i32 = 2;
+/// Fewest pixels along a line that go on without a gap, and fewest of all of them: others are chance.
+const LEAST_RUN: usize = 8;
+const LEAST_LENGTH: usize = 16;
+/// Most pixels that an axis may have, by the width and height of the picture: more are no thin line.
+const MOST_OF_SIDES: u64 = 4;
+/// Number of places from which and through which a line is tried.
+const STARTS: usize = 16;
+const ENDS: usize = 48;
 
-/// Axes drawn in one picture alone: all that differs are thin lines that leave the picture, each in red,
-/// green or blue.
-pub(super) async fn axes(evidence: &Evidence<'_>) -> Option<Finding> {
-    let (pair, lines) = (evidence.pair(), evidence.other_colors());
-    let pixels = evidence.pixels_of_other_color();
-    let area = evidence.area_of(lines)?;
-    let few = pixels / UNEXPLAINED_ONE_IN;
-    let is_solid = |&at: &usize| pair.around(at).all(|near| lines[near]);
-    let mut thick = 0;
-    let pace = evidence.pace;
-    pace.bands(lines.len(), |band| {
-        thick += band.filter(is_solid).count() as u64;
-    })
-    .await;
-    let leaves = area.x == 0
-        || area.y == 0
-        || (area.x + area.width, area.y + area.height) == (pair.width(), pair.height());
-    if pixels < FEWEST_PIXELS || thick > few || !leaves {
-        return None;
-    }
-    let mut are_in = [true; 2];
-    let sides = [(pair.a(), pair.b()), (pair.b(), pair.a())];
-    for (is_in, (with, without)) in are_in.iter_mut().zip(sides) {
-        let mut others = 0;
-        pace.bands(lines.len(), |band| {
-            let pixels = with[band.clone()].iter().zip(&without[band.clone()]);
-            let differing = pixels.zip(&lines[band]).filter(|(_, line)| **line);
-            let other = differing.filter(|((with, without), _)| !is_axis(**with, **without));
-            others += other.count() as u64;
-        })
-        .await;
-        *is_in = others <= few;
-    }
-    let only_in = Which::of(are_in)?;
-    (only_in != Which::Both).then_some(Finding::Axes { only_in })
+/// Axes that one picture shows and the other does not.
+pub(super) struct Axes {
+    pub only_in: Which,
+    /// Whether each pixel is one of theirs.
+    pub pixels: Vec<bool>,
+    /// Whether next to nothing else differs.
+    pub alone: bool,
 }
 
-/// Whether a color may be that of an axis over another color: more of one channel, less of the others.
-fn is_axis(over: Pixel, under: Pixel) -> bool {
-    (0..3).any(|channel| {
-        let others = (0..3).filter(|&other| other != channel);
-        others.into_iter().all(|other| {
-            let stands_out = over[channel] >= over[other].saturating_add(LEAST_COLOR);
-            let stood_out = i16::from(under[channel]) - i16::from(under[other]);
-            let stands_out_by = i16::from(over[channel]) - i16::from(over[other]);
-            stands_out && stands_out_by > stood_out
+impl Axes {
+    /// The axes in `pair`, of which the pixels `other_colors` differ. Where something else differs as well,
+    /// a single line is not taken for an axis.
+    pub(super) async fn find(pair: &Pair<'_>, other_colors: &[bool], pace: &Pace) -> Option<Self> {
+        let sides = [(pair.a(), pair.b()), (pair.b(), pair.a())];
+        let mut are_in = [false; 2];
+        let mut pixels = vec![false; other_colors.len()];
+        let mut lines = 0;
+        for (is_in, (with, without)) in are_in.iter_mut().zip(sides) {
+            let mut channels = Vec::with_capacity(other_colors.len());
+            pace.bands(other_colors.len(), |band| {
+                let colors = with[band.clone()].iter().zip(&without[band.clone()]);
+                let colors = colors.zip(&other_colors[band]);
+                channels.extend(colors.map(|((with, without), differs)| match differs {
+                    true => axis_channel(*with, *without),
+                    false => None,
+                }));
+            })
+            .await;
+            for channel in 0..3 {
+                let colored = Mask::of_channel(pair, &channels, channel).thin();
+                pace.after(other_colors.len()).await;
+                if let Some(line) = colored.longest_line(pace).await {
+                    colored.cover(line, other_colors, &mut pixels);
+                    (*is_in, lines) = (true, lines + 1);
+                }
+            }
+        }
+        let only_in = Which::of(are_in).filter(|only_in| *only_in != Which::Both)?;
+        let (own, all) = (count(&pixels), count(other_colors));
+        let alone = all - own <= all / UNEXPLAINED_ONE_IN;
+        let are_axes = own >= FEWEST_PIXELS && (alone || lines > 1);
+        are_axes.then_some(Self {
+            only_in,
+            pixels,
+            alone,
         })
-    })
+    }
+
+    pub(super) fn finding(&self) -> Finding {
+        let Self { only_in, alone, .. } = *self;
+        Finding::Axes { only_in, alone }
+    }
+}
+
+/// The channel of an axis that a color may be of, over another color: more of that one, less of the others.
+fn axis_channel(over: Pixel, under: Pixel) -> Option<u8> {
+    let channel = (1..3).fold(0, |most, channel| match over[channel] > over[most] {
+        true => channel,
+        false => most,
+    });
+    let mut others = (0..3).filter(|&other| other != channel);
+    let is_axis = others.all(|other| {
+        let stands_out = over[channel] >= over[other].saturating_add(LEAST_COLOR);
+        let stood_out = i16::from(under[channel]) - i16::from(under[other]);
+        let stands_out_by = i16::from(over[channel]) - i16::from(over[other]);
+        stands_out && stands_out_by > stood_out
+    });
+    is_axis.then_some(channel as u8)
+}
+
+/// A straight line through a picture, by whole steps along the side that it goes along more.
+#[derive(Clone, Copy)]
+struct Line {
+    from: [i32; 2],
+    to: [i32; 2],
+    /// The side that it goes along more: 0 for columns, 1 for rows.
+    along: usize,
+}
+
+impl Line {
+    fn through(from: [i32; 2], to: [i32; 2]) -> Self {
+        let by = [to[0] - from[0], to[1] - from[1]].map(i32::abs);
+        let along = usize::from(by[1] > by[0]);
+        Self { from, to, along }
+    }
+
+    /// The pixel `across` beside the line where it is at `at` along it.
+    fn pixel(self, at: i32, across: i32) -> [i32; 2] {
+        let (from, to, side) = (self.from, self.to, 1 - self.along);
+        let part = (at - from[self.along]) as f32 / (to[self.along] - from[self.along]) as f32;
+        let rise = part * (to[side] - from[side]) as f32;
+        let mut pixel = [at; 2];
+        pixel[side] = from[side] + rise.round() as i32 + across;
+        pixel
+    }
+}
+
+/// Pixels of one color that differ.
+struct Mask {
+    size: [i32; 2],
+    inside: Vec<bool>,
+}
+
+impl Mask {
+    fn of_channel(pair: &Pair, channels: &[Option<u8>], channel: u8) -> Self {
+        let is_inside = |of: &Option<u8>| *of == Some(channel);
+        Self {
+            size: [pair.width() as i32, pair.height() as i32],
+            inside: channels.iter().map(is_inside).collect(),
+        }
+    }
+
+    fn index(&self, [x, y]: [i32; 2]) -> Option<usize> {
+        let is_in = (0..self.size[0]).contains(&x) && (0..self.size[1]).contains(&y);
+        is_in.then(|| y as usize * self.size[0] as usize + x as usize)
+    }
+
+    fn has(&self, pixel: [i32; 2]) -> bool {
+        self.index(pixel).is_some_and(|index| self.inside[index])
+    }
+
+    fn pixels(&self) -> impl Iterator<Item = [i32; 2]> + '_ {
+        let width = self.size[0] as usize;
+        let inside = self
+            .inside
+            .iter()
+            .enumerate()
+            .filter(|(_, inside)| **inside);
+        inside.map(move |(index, _)| [(index % width) as i32, (index / width) as i32])
+    }
+
+    /// The pixels that have none of the others near them on two opposite sides.
+    fn thin(&self) -> Self {
+        const BESIDE: i32 = HALF_WIDTH + 1;
+        let mut inside = vec![false; self.inside.len()];
+        for [x, y] in self.pixels() {
+            let is_free = |by: [i32; 2]| {
+                !self.has([x - by[0], y - by[1]]) && !self.has([x + by[0], y + by[1]])
+            };
+            if (is_free([BESIDE, 0]) || is_free([0, BESIDE]))
+                && let Some(index) = self.index([x, y])
+            {
+                inside[index] = true;
+            }
+        }
+        Self { inside, ..*self }
+    }
+
+    /// The line with the most of the pixels, of those that leave the picture; `None` without any that is
+    /// long enough.
+    async fn longest_line(&self, pace: &Pace) -> Option<Line> {
+        let most = MOST_OF_SIDES * (self.size[0] + self.size[1]) as u64;
+        if !(FEWEST_PIXELS..=most).contains(&count(&self.inside)) {
+            return None;
+        }
+        let is_at_border = |pixel: &[i32; 2]| {
+            let sides = pixel.iter().zip(self.size);
+            sides
+                .into_iter()
+                .any(|(&at, size)| at == 0 || at + 1 == size)
+        };
+        let starts = some_of(self.pixels().filter(is_at_border).collect(), STARTS);
+        let ends = some_of(self.pixels().collect(), ENDS);
+        let mut longest: Option<(usize, Line)> = None;
+        for from in starts {
+            for &to in &ends {
+                let line = Line::through(from, to);
+                if (to[line.along] - from[line.along]).unsigned_abs() as usize >= LEAST_LENGTH {
+                    let runs = || self.runs(line).flatten();
+                    let own = runs().map(|at| self.across(line, at).count()).sum();
+                    let is_long = runs().count() >= LEAST_LENGTH;
+                    if is_long && longest.is_none_or(|(known, _)| known < own) {
+                        longest = Some((own, line));
+                    }
+                    pace.after(self.size[line.along] as usize).await;
+                }
+            }
+        }
+        longest.map(|(_, line)| line)
+    }
+
+    /// Its pixels in and beside a line where that is at `at`.
+    fn across(&self, line: Line, at: i32) -> impl Iterator<Item = [i32; 2]> + '_ {
+        let across = (-1..=1).map(move |across| line.pixel(at, across));
+        across.filter(|pixel| self.has(*pixel))
+    }
+
+    /// Where along a line its pixels go on without a gap.
+    fn runs(&self, line: Line) -> impl Iterator<Item = std::ops::Range<i32>> + '_ {
+        let end = self.size[line.along];
+        let is_on = move |at: i32| self.across(line, at).next().is_some();
+        let mut at = 0;
+        let runs = std::iter::from_fn(move || {
+            let first = (at..end).find(|&at| is_on(at))?;
+            at = (first..end).find(|&at| !is_on(at)).unwrap_or(end);
+            Some(first..at)
+        });
+        runs.filter(|run| run.len() >= LEAST_RUN)
+    }
+
+    /// Marks the pixels of an axis along `line` that differ.
+    fn cover(&self, line: Line, other_colors: &[bool], covered: &mut [bool]) {
+        let (mut first, mut end) = (self.size[line.along], 0);
+        for run in self.runs(line) {
+            (first, end) = (first.min(run.start), end.max(run.end));
+        }
+        // Where axes cross, a pixel has the colors of both.
+        for at in first..end {
+            for across in -HALF_WIDTH..=HALF_WIDTH {
+                if let Some(index) = self.index(line.pixel(at, across)) {
+                    covered[index] |= other_colors[index];
+                }
+            }
+        }
+    }
+}
+
+/// At most `count` of `all`, evenly.
+fn some_of(all: Vec<[i32; 2]>, count: usize) -> Vec<[i32; 2]> {
+    let step = all.len().div_ceil(count).max(1);
+    all.into_iter().step_by(step).collect()
 }

@@ -1,3 +1,5 @@
+use super::Which;
+use super::axes::Axes;
 use crate::compare::Area;
 use crate::compare::differences::difference;
 use crate::compare::pair::{DRAWN_THRESHOLD, Pair, Pixel, is_drawn};
@@ -29,7 +31,10 @@ pub(super) struct Evidence<'a> {
     pub(super) given: &'a Pair<'a>,
     /// How the work goes on.
     pub(super) pace: &'a Pace,
-    over_same_background: Option<Pair<'a>>,
+    /// The pictures without what hides nothing else that is wrong, if there is any.
+    without: Option<Pair<'a>>,
+    backgrounds_differ: bool,
+    axes: Option<Axes>,
     other_colors: Vec<bool>,
     pixels_of_other_color: u64,
     drawn_masks: OnceCell<Option<[Vec<bool>; 2]>>,
@@ -47,17 +52,29 @@ pub(super) struct Outline {
 
 impl<'a> Evidence<'a> {
     pub(super) async fn new(given: &'a Pair<'a>, pace: &'a Pace) -> Self {
-        let over_same_background = given.over_background_of_a(pace).await;
-        let pair = over_same_background.as_ref().unwrap_or(given);
+        let mut without = given.over_background_of_a(pace).await;
+        let backgrounds_differ = without.is_some();
+        let pair = without.as_ref().unwrap_or(given);
         let mut other_colors = Vec::with_capacity(given.kept().len());
         pace.bands(given.kept().len(), |band| {
             other_colors.extend(different(&pair.a()[band.clone()], &pair.b()[band]));
         })
         .await;
+        let axes = Axes::find(pair, &other_colors, pace).await;
+        if let Some(axes) = &axes {
+            let pair = without.get_or_insert_with(|| given.clone());
+            pair.leave_out(&axes.pixels, axes.only_in == Which::A);
+            pace.after(axes.pixels.len()).await;
+            for (differs, is_axis) in other_colors.iter_mut().zip(&axes.pixels) {
+                *differs &= !is_axis;
+            }
+        }
         Self {
             given,
             pace,
-            over_same_background,
+            without,
+            backgrounds_differ,
+            axes,
             pixels_of_other_color: count(&other_colors),
             other_colors,
             drawn_masks: OnceCell::new(),
@@ -65,15 +82,20 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The pictures with B over A's background, so that another background hides nothing else
-    /// that is wrong. All methods below are about these.
+    /// The pictures with B over A's background, and without axes that only one has, so that these hide
+    /// nothing else that is wrong. All methods below are about these.
     pub(super) fn pair(&self) -> &Pair<'a> {
-        self.over_same_background.as_ref().unwrap_or(self.given)
+        self.without.as_ref().unwrap_or(self.given)
     }
 
     /// Whether B had to be put over A's background.
     pub(super) fn backgrounds_differ(&self) -> bool {
-        self.over_same_background.is_some()
+        self.backgrounds_differ
+    }
+
+    /// Axes that only one of the pictures shows.
+    pub(super) fn axes(&self) -> Option<&Axes> {
+        self.axes.as_ref()
     }
 
     /// Whether each pixel has a different color in B than in A.

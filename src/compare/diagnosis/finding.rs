@@ -69,10 +69,12 @@ pub enum Finding {
         /// Whether nothing else differs by more than 8 of 255.
         alone: bool,
     },
-    /// The axes are drawn in one picture alone, and nothing else differs.
+    /// The axes are drawn in one picture alone.
     Axes {
         /// Which.
         only_in: Which,
+        /// Whether nothing else differs.
+        alone: bool,
     },
     /// Pixels differ in opacity.
     Opacity {

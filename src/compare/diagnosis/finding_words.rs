@@ -75,10 +75,7 @@ impl fmt::Display for Finding {
                 };
                 write!(f, "the background differs: {a} in A, {b} in B{rest}")
             }
-            Self::Axes { only_in } => write!(
-                f,
-                "the axes are drawn only in {only_in}: apart from them nothing differs (View ⏵ Toggle Axis, or --axis)"
-            ),
+            Self::Axes { only_in, alone } => fmt_axes(f, *only_in, *alone),
             Self::Opacity { pixels } => write!(f, "{pixels} pixels differ in opacity"),
             Self::Brightness { factors } => fmt_brightness(f, *factors),
             Self::Gamma { lighter } => write!(
@@ -90,23 +87,28 @@ impl fmt::Display for Finding {
                 area,
             } => write!(
                 f,
-                "B has a highlight that A does not have, around {area}: the specular term of the light"
+                "B has a highlight that A does not have, around {area}: the specular term of the light",
+                area = area.in_words()
             ),
             Self::Highlight { missing_in, area } => write!(
                 f,
-                "a highlight is missing in {missing_in}, around {area}: the specular term of the light"
+                "a highlight is missing in {missing_in}, around {area}: the specular term of the light",
+                area = area.in_words()
             ),
             Self::HighlightChanged { in_b, area } => {
-                write!(f, "{}, around {area}: {}", in_b.words()[0], in_b.words()[1])
+                let [seen, from] = in_b.words();
+                write!(f, "{seen}, around {}: {from}", area.in_words())
             }
             Self::Edges { share, area } => write!(
                 f,
                 "{:.1} % of the differences lie along edges, all within {area}: antialiasing, or a movement of less than about a pixel",
-                100.0 * share
+                100.0 * share,
+                area = area.in_words()
             ),
             Self::Detail { max, area } => write!(
                 f,
-                "only fine detail differs, by at most {max}, within {area}: averaged over 16×16 pixels the colors agree, as after compression (JPEG), blurring, scaling or smoothing of edges"
+                "only fine detail differs, by at most {max}, within {area}: averaged over 16×16 pixels the colors agree, as after compression (JPEG), blurring, scaling or smoothing of edges",
+                area = area.in_words()
             ),
             Self::Outline {
                 only_a,
@@ -136,7 +138,8 @@ impl fmt::Display for Finding {
                 write!(
                     f,
                     "{before}{:.1} % of what is drawn{both} has a different color, within {area}: shape, depth or shading (normals, light, material)",
-                    100.0 * share
+                    100.0 * share,
+                    area = area.in_words()
                 )
             }
         }
@@ -163,6 +166,18 @@ impl HighlightChange {
             ],
         }
     }
+}
+
+fn fmt_axes(f: &mut fmt::Formatter<'_>, only_in: Which, alone: bool) -> fmt::Result {
+    f.write_str(match only_in {
+        Which::A => "A shows the axes, B does not",
+        Which::B => "B shows the axes, A does not",
+        Which::Both => "both show the axes",
+    })?;
+    if alone {
+        f.write_str(": apart from them nothing differs")?;
+    }
+    f.write_str(" (View ⏵ Toggle Axis, T, or --axis)")
 }
 
 fn moved(dx: i32, dy: i32) -> String {
@@ -233,7 +248,10 @@ fn fmt_outline(f: &mut fmt::Formatter<'_>, parts: [(u64, Option<Area>); 2]) -> f
         } else {
             "pixels are"
         };
-        area.map(|area| format!("{pixels} {are} drawn only in {which}, within {area}"))
+        area.map(|area| {
+            let area = area.in_words();
+            format!("{pixels} {are} drawn only in {which}, within {area}")
+        })
     });
     f.write_str(&parts.collect::<Vec<_>>().join("; "))
 }
@@ -279,5 +297,5 @@ fn fmt_nearly_same(
             pixels(others)
         )?,
     }
-    write!(f, ", within {area}")
+    write!(f, ", within {}", area.in_words())
 }

@@ -17,6 +17,7 @@ use super::Pair;
 use super::rules::Beside::{self, Nothing, Only};
 use super::rules::{Rule, found_by, without_names};
 use crate::steps::{Pace, at_once};
+use axes::Axes;
 use evidence::Evidence;
 use std::future::ready;
 use std::pin::Pin;
@@ -56,7 +57,7 @@ impl Evidence<'_> {
     /// 3. one cause for what is drawn, those that leave less unexplained first: rounding, then
     ///    color, then the finest structures before coarse ones;
     /// 4. what remains to be said without a cause: outlines and colors that differ.
-    const RULES: [Rule<Applies<Self>>; 19] = [
+    const RULES: [Rule<Applies<Self>>; 20] = [
         rule("transparent", Nothing, |e| {
             Box::pin(ready(color::transparent(e)))
         }),
@@ -76,22 +77,25 @@ impl Evidence<'_> {
         rule("background", WHOLE_PICTURE, |e| {
             Box::pin(ready(color::background_too(e)))
         }),
-        rule("axes", BACKGROUND, |e| Box::pin(axes::axes(e))),
+        rule("axes", BACKGROUND, |e| Box::pin(ready(axes_if(e, true)))),
+        rule("axes_too", BACKGROUND, |e| {
+            Box::pin(ready(axes_if(e, false)))
+        }),
         rule("nearly_same", BACKGROUND, |e| {
             Box::pin(detail::nearly_same(e))
         }),
-        rule("gamma", BACKGROUND, |e| Box::pin(color::gamma(e))),
-        rule("brightness", BACKGROUND, |e| Box::pin(color::brightness(e))),
-        rule("highlight", BACKGROUND, |e| {
-            Box::pin(highlight::highlight(e))
-        }),
-        rule("edges", BACKGROUND, |e| Box::pin(detail::edges(e))),
-        rule("detail", BACKGROUND, |e| Box::pin(detail::detail(e))),
-        rule("placed", BACKGROUND, |e| Box::pin(placed::placed(e))),
-        rule("outline", BACKGROUND, |e| Box::pin(outline::outline(e))),
-        rule("shading", Only(&["background", "outline"]), |e| {
-            Box::pin(outline::shading(e))
-        }),
+        rule("gamma", AXES, |e| Box::pin(color::gamma(e))),
+        rule("brightness", AXES, |e| Box::pin(color::brightness(e))),
+        rule("highlight", AXES, |e| Box::pin(highlight::highlight(e))),
+        rule("edges", AXES, |e| Box::pin(detail::edges(e))),
+        rule("detail", AXES, |e| Box::pin(detail::detail(e))),
+        rule("placed", AXES, |e| Box::pin(placed::placed(e))),
+        rule("outline", AXES, |e| Box::pin(outline::outline(e))),
+        rule(
+            "shading",
+            Only(&["background", "axes_too", "outline"]),
+            |e| Box::pin(outline::shading(e)),
+        ),
     ];
 }
 
@@ -106,6 +110,14 @@ const WHOLE_PICTURE: Beside = Only(&[
 ]);
 /// Another background hides nothing else that is wrong.
 const BACKGROUND: Beside = Only(&["background"]);
+/// Nor do axes.
+const AXES: Beside = Only(&["background", "axes_too"]);
+
+/// Axes of one picture alone, if they are all that differs or are not, as `alone` says.
+fn axes_if(evidence: &Evidence, alone: bool) -> Option<Finding> {
+    let axes = evidence.axes().filter(|axes| axes.alone == alone);
+    axes.map(Axes::finding)
+}
 
 const fn rule<'a>(
     name: &'static str,
@@ -200,6 +212,7 @@ mod tests {
             "only_background",
             "background",
             "axes",
+            "axes_too",
             "nearly_same",
             "gamma",
             "brightness",
@@ -344,8 +357,15 @@ mod tests {
             false => pixel,
         });
         assert_eq!(names(&scene(), &elsewhere), ["background", "outline"]);
+        let with_axes = changed(&scene(), |x, y, pixel| match (x, y) {
+            (4, _) => [77, 204, 77, 255],
+            (_, 4) => [128, 26, 26, 255],
+            _ if y > 38 => DARK,
+            _ => pixel,
+        });
+        assert_eq!(names(&scene(), &with_axes), ["axes_too", "outline"]);
         let mut tried: Vec<_> = provoking().into_iter().map(|(name, _)| name).collect();
-        tried.extend(["placed", "background"]);
+        tried.extend(["placed", "background", "axes_too"]);
         for rule in Evidence::RULES {
             assert!(
                 tried.contains(&rule.name),

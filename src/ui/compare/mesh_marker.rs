@@ -10,8 +10,9 @@ use egui::{Color32, Stroke, Ui, vec2};
 const RING: f32 = 9.0;
 const DOT: f32 = 4.0;
 
-/// Marks `vertex` where ours has it and where theirs does, with a line from one to the other, and with its
-/// number unless it `is_explained`: the words of its formula are in that place then.
+/// Marks `vertex` where ours has it and where theirs does, with a line from one to the other, with the name
+/// of their file, and with its number unless it `is_explained`: the words of its formula are in that place
+/// then.
 pub(in crate::ui) fn show(
     ui: &Ui,
     places: &ScenePlaces,
@@ -47,5 +48,8 @@ pub(in crate::ui) fn show(
             let corner = ours + vec2(RING + 6.0, -RING - 6.0);
             word_over_scene(&painter, corner, &format!("vertex {vertex}"));
         }
+        // On the side away from ours, where the words of that are not.
+        let beside = if theirs.y < ours.y { -6.0 } else { 22.0 };
+        word_over_scene(&painter, theirs + vec2(10.0, beside), compare.name);
     }
 }

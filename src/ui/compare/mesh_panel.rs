@@ -1,26 +1,29 @@
 //! The panel below the view while a character is compared with a mesh.
 
-use super::panel::{line, of_which, say};
+use super::panel::say;
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
-use crate::diagnose::{Diagnosis, MeshMeasure, OtherPose, Verdict, of_size};
+use crate::diagnose::{Diagnosis, OtherPose, Shown, Verdict, of_size};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
-use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
+use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
-use egui::{Align, Button, Grid, Label, Layout, RichText, Ui};
+use egui::{Align, Button, Label, Layout, RichText, Ui};
 
-/// At this height, what is wrong is read without scrolling in a window of 1280 points.
-const HEIGHT: f32 = 208.0;
-const LOWEST: f32 = 64.0;
+/// At the height alone, what is wrong is read without scrolling in a window of 1280 points.
+const HEIGHTS: Heights = Heights {
+    lowest: 64.0,
+    alone: 208.0,
+    beside: 0.24,
+};
 
 /// Everything that the parts of the panel need.
-struct Parts<'a> {
+pub(super) struct Parts<'a> {
     session: &'a Session,
-    compare: &'a CompareMeshView<'a>,
+    pub compare: &'a CompareMeshView<'a>,
     area: FitArea,
-    chosen: &'a mut MeshPanelState,
+    pub chosen: &'a mut MeshPanelState,
     actions: &'a mut Vec<Action>,
 }
 
@@ -55,21 +58,24 @@ pub(in crate::ui) fn show(
         chosen: &mut chosen,
         actions,
     };
-    below_the_view(root, place, (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, place, HEIGHTS, |ui| {
         parts.header(ui);
-        if has_room_for_columns(ui) {
-            columns(ui, |number, ui| match number {
-                0 => parts.diagnosis(ui),
-                1 => parts.numbers(ui),
-                _ => parts.regions(ui),
-            });
-        } else {
-            scrolled(ui, |ui| {
-                parts.diagnosis(ui);
-                parts.numbers(ui);
-                parts.regions(ui);
-            });
-        }
+        // What is scrolled is so for one mesh.
+        ui.push_id(compare.mesh, |ui| {
+            if has_room_for_columns(ui) {
+                columns(ui, |number, ui| match number {
+                    0 => parts.diagnosis(ui),
+                    1 => parts.numbers(ui),
+                    _ => parts.regions(ui),
+                });
+            } else {
+                scrolled(ui, |ui| {
+                    parts.diagnosis(ui);
+                    parts.numbers(ui);
+                    parts.regions(ui);
+                });
+            }
+        });
     });
     chosen
 }
@@ -119,37 +125,8 @@ impl Parts<'_> {
         self.actions.push(Action::Ask(Ask::CompareMesh(action)));
     }
 
-    /// How far off theirs is, and a way to where it is farthest.
-    fn numbers(&mut self, ui: &mut Ui) {
-        let Some(measure) = self.compare.measure else {
-            let text = format!(
-                "{} has another number of vertices, so that none is known to be one of the exact mesh: \
-                 there are no distances.",
-                self.compare.name
-            );
-            return say(ui, &text, Palette::of(ui.visuals()).text);
-        };
-        let color = Palette::of(ui.visuals()).text;
-        Grid::new("distances")
-            .num_columns(2)
-            .spacing([12.0, 1.0])
-            .min_row_height(16.0)
-            .show(ui, |ui| {
-                for (name, value, hint) in lines(measure) {
-                    line(ui, name, &value, color, hint);
-                }
-            });
-        if let Some(vertex) = measure.worst_vertex {
-            ui.add_space(4.0);
-            let button = ui.button("Show the Worst Vertex");
-            let tip = "Move the camera to the vertex that is farthest off, and mark it";
-            if button.on_hover_text(tip).clicked() {
-                self.go_to(vertex);
-            }
-        }
-    }
-
-    fn go_to(&mut self, vertex: usize) {
+    /// Moves the camera to a vertex, and marks it.
+    pub(super) fn go_to(&mut self, vertex: usize) {
         self.chosen.marked = Some(vertex);
         let camera = self.compare.camera(self.session, vertex, self.area);
         let camera = camera.map(|camera| Action::View(View::SetCamera(camera)));
@@ -183,7 +160,8 @@ impl Parts<'_> {
         let character = self.session.scene().character(self.compare.shape);
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
         let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
-        if is_at_rest && !is_of_pose {
+        let lacks_pose = is_at_rest && !is_of_pose;
+        if lacks_pose {
             // What a student forgets first.
             let text = format!(
                 "The character is at rest, but {} seems to be posed: load the pose that it was made in.",
@@ -206,35 +184,9 @@ impl Parts<'_> {
                 let text = format!("That explains {} to within {off}.", self.compare.name);
                 say(ui, &text, palette.weak);
             }
-            Verdict::Unexplained => {
-                match &diagnosis.other_pose {
-                    Some(other) => self.other_pose(ui, other),
-                    None => {
-                        let text =
-                            "No known mistake gives this mesh in this pose, nor do two of them.";
-                        say(ui, text, palette.strong);
-                        if !is_at_rest {
-                            let text = format!(
-                                "Is this the pose that {} was made in? If not, load that one.",
-                                self.compare.name
-                            );
-                            say(ui, &text, palette.text);
-                            self.load_pose(ui);
-                        }
-                    }
-                }
-                for finding in &diagnosis.findings {
-                    say(ui, finding, palette.text);
-                }
-                if let Some(nearest) = &diagnosis.nearest {
-                    let text = format!(
-                        "Nearest: {}; that explains {:.0} % of it",
-                        nearest.mistake,
-                        100.0 * nearest.explains
-                    );
-                    say(ui, &text, palette.text);
-                }
-            }
+            // Nothing can be said of a mesh in a pose that is not there.
+            Verdict::Unexplained if lacks_pose => {}
+            Verdict::Unexplained => self.unexplained(ui, diagnosis),
         }
         if !diagnosis.same_as.is_empty() {
             let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
@@ -244,11 +196,45 @@ impl Parts<'_> {
             );
             say(ui, &text, palette.weak);
         }
-        let Some(first) = &diagnosis.first else {
-            return;
-        };
+        if let Some(first) = &diagnosis.first {
+            self.shown_by(ui, first);
+        }
+    }
+
+    /// What is known of a mesh that no mistake gives.
+    fn unexplained(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
+        let palette = Palette::of(ui.visuals());
+        match &diagnosis.other_pose {
+            Some(other) => self.other_pose(ui, other),
+            None => {
+                let text = "No known mistake gives this mesh in this pose, nor do two of them.";
+                say(ui, text, palette.strong);
+                let text = format!(
+                    "Is this the pose that {} was made in? If not, load that one.",
+                    self.compare.name
+                );
+                say(ui, &text, palette.text);
+                self.load_pose(ui);
+            }
+        }
+        for finding in &diagnosis.findings {
+            say(ui, finding, palette.text);
+        }
+        if let Some(nearest) = &diagnosis.nearest {
+            let text = format!(
+                "Nearest: {}; that explains {:.0} % of it",
+                nearest.mistake,
+                100.0 * nearest.explains
+            );
+            say(ui, &text, palette.text);
+        }
+    }
+
+    /// The vertex that shows what is wrong, and ways to it and to its formula.
+    fn shown_by(&mut self, ui: &mut Ui, first: &Shown) {
         if self.compare.measure.is_none() {
-            return say(ui, &format!("Shown by {first}"), palette.text);
+            let color = Palette::of(ui.visuals()).text;
+            return say(ui, &format!("Shown by {first}"), color);
         }
         let joint = first.joint.as_deref();
         let at = joint.map_or(String::new(), |joint| format!(", the first at {joint}"));
@@ -310,27 +296,6 @@ impl Parts<'_> {
             say(ui, &format!("… and {more} more joints"), palette.weak);
         }
     }
-
-    /// Where vertices are off, by joints: each leads to its worst vertex.
-    fn regions(&mut self, ui: &mut Ui) {
-        let palette = Palette::of(ui.visuals());
-        let Some(measure) = self.compare.measure else {
-            return;
-        };
-        if measure.regions.is_empty() {
-            return say(ui, "Every vertex is in its place.", palette.text);
-        }
-        say(ui, "Off, by the joint that moves them most:", palette.weak);
-        for region in &measure.regions {
-            let is_marked = self.chosen.marked == Some(region.worst_vertex);
-            let text = RichText::new(region.to_string()).small();
-            let button = ui.add(Button::selectable(is_marked, text).wrap());
-            let tip = "Go to its vertex that is farthest off, and mark it";
-            if button.on_hover_text(tip).clicked() {
-                self.go_to(region.worst_vertex);
-            }
-        }
-    }
 }
 
 fn explained(shown: MeshesShown, name: &str) -> String {
@@ -349,32 +314,4 @@ fn shortened(name: &str) -> String {
         return name.to_owned();
     }
     name.chars().take(LONGEST_NAME - 1).chain(['…']).collect()
-}
-
-type Line = (&'static str, String, &'static str);
-
-fn lines(measure: &MeshMeasure) -> [Line; 4] {
-    let by_size = |distance: f64| of_size(distance / measure.size);
-    [
-        (
-            "Vertices off",
-            of_which(measure.off as u64, measure.distances.len() as u64),
-            "Vertices that are farther from their place than the meshes agree",
-        ),
-        (
-            "Farthest",
-            format!("{} ({:.6})", by_size(measure.worst), measure.worst),
-            "The largest distance, by the diagonal of the box around the exact mesh, and as it is",
-        ),
-        (
-            "Mean",
-            format!("{} ({:.6})", by_size(measure.mean), measure.mean),
-            "The mean distance of all vertices",
-        ),
-        (
-            "Agree up to",
-            format!("{} ({:.6})", by_size(measure.tolerance), measure.tolerance),
-            "What computing in single precision and the digits of the file are off by",
-        ),
-    ]
 }

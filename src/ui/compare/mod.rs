@@ -4,6 +4,7 @@
 //! The measuring is done elsewhere; [`CompareView`] brings its results.
 
 mod masks;
+mod mesh_distances;
 mod mesh_marker;
 mod mesh_panel;
 mod mesh_view;
@@ -23,6 +24,7 @@ pub use settings::{CompareAction, CompareMode, CompareSettings, course_panels};
 
 use crate::compare::{CompareError, Differences, Judgment};
 use crate::geometry::Picture;
+use crate::scene::Look;
 use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, TextureOptions};
 
 /// A comparison as the panels show it. A is the reference, B the live view.
@@ -30,6 +32,8 @@ use egui::{ColorImage, Context, TextureFilter, TextureHandle, TextureId, Texture
 pub struct CompareView<'a> {
     /// The reference's file.
     pub name: &'a str,
+    /// Look of the reference, as far as it can be told.
+    pub look: Look,
     /// What is chosen now.
     pub settings: &'a CompareSettings,
     /// A.

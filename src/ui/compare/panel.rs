@@ -4,16 +4,19 @@ use super::{CompareReport, CompareView, masks};
 use crate::compare::{Area, Differences, Judgment};
 use crate::editor::{Session, View};
 use crate::scene::{Look, Shading};
-use crate::ui::below_view::{below_the_view, columns, has_room_for_columns, scrolled};
+use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
 use egui::{Align, Button, Color32, Grid, Label, Layout, RichText, Slider, Ui, vec2};
 
-/// At this height the course's 800×600 pixels fit above it in the window's first size.
-const HEIGHT: f32 = 128.0;
-const LOWEST: f32 = 64.0;
+/// At the height alone the course's 800×600 pixels fit above it in the window's first size.
+const HEIGHTS: Heights = Heights {
+    lowest: 64.0,
+    alone: 128.0,
+    beside: 0.16,
+};
 /// Shown for what is not known yet.
 const UNKNOWN: &str = "…";
 
@@ -27,22 +30,25 @@ pub(in crate::ui) fn show(
     actions: &mut Vec<Action>,
 ) {
     let look_is_course = session.view().look == Look::Course;
-    below_the_view(root, ("compare", false), (LOWEST, HEIGHT), |ui| {
+    below_the_view(root, ("compare", false), HEIGHTS, |ui| {
         header(ui, compare, changed, actions);
-        if has_room_for_columns(ui) {
-            columns(ui, |number, ui| match number {
-                0 => findings(ui, session, compare, outlined),
-                1 => numbers(ui, compare.report),
-                _ => settings(ui, look_is_course, compare, changed, actions),
-            });
-        } else {
-            scrolled(ui, |ui| {
-                findings(ui, session, compare, outlined);
-                numbers(ui, compare.report);
-                ui.separator();
-                settings(ui, look_is_course, compare, changed, actions);
-            });
-        }
+        // What is scrolled is so for one picture.
+        ui.push_id(compare.reference.texture, |ui| {
+            if has_room_for_columns(ui) {
+                columns(ui, |number, ui| match number {
+                    0 => findings(ui, session, compare, outlined),
+                    1 => numbers(ui, compare.report),
+                    _ => settings(ui, look_is_course, compare, changed, actions),
+                });
+            } else {
+                scrolled(ui, |ui| {
+                    findings(ui, session, compare, outlined);
+                    numbers(ui, compare.report);
+                    ui.separator();
+                    settings(ui, look_is_course, compare, changed, actions);
+                });
+            }
+        });
     });
 }
 
@@ -243,7 +249,6 @@ pub(super) fn line(ui: &mut Ui, name: &str, value: &str, color: Color32, hint: &
 
 /// What is wrong, in words.
 fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mut Outlined) {
-    let look_is_course = session.view().look == Look::Course;
     let palette = Palette::of(ui.visuals());
     let areas = compare.report.judgment.iter().flat_map(|j| &j.findings);
     let is_still_told = |area: &Area| areas.clone().any(|f| f.area() == Some(*area));
@@ -294,7 +299,8 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
                 say(ui, &text, palette.weak);
             }
         }
-        for hint in hints(look_is_course, compare.settings, counts) {
+        let look = session.view().look;
+        for hint in hints(compare, look, counts) {
             say(ui, hint, palette.text);
         }
     });
@@ -328,14 +334,16 @@ const SMOOTH: &str =
 
 /// What the person at the panel can do about differences.
 fn hints(
-    look_is_course: bool,
-    settings: &CompareSettings,
+    compare: &CompareView,
+    look: Look,
     counts: &Differences,
 ) -> impl Iterator<Item = &'static str> {
+    let settings = compare.settings;
+    let look_is_course = look == Look::Course;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
     [
-        (!look_is_course, OTHER_LOOK),
+        (!look_is_course && compare.look == Look::Course, OTHER_LOOK),
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
     ]

@@ -35,11 +35,13 @@ pub(in crate::ui) fn show(
         CompareMode::SideBySide => places_of_two(area, pixels, pixels_per_point).to_vec(),
         _ => vec![place_of_one(area, pixels, pixels_per_point)],
     };
-    let places = ScenePlaces {
-        points_per_pixel: rects[0].width() / pixels.x.max(1.0),
-        rects,
-    };
     let blinked = blinked(ui, compare.settings.mode);
+    let places = ScenePlaces::compared(
+        rects.clone(),
+        rects[0].width() / pixels.x.max(1.0),
+        live(ui, &rects, compare.settings),
+        blinked || compare.settings.mode != CompareMode::Blink,
+    );
     paint(ui, &places.rects, compare, blinked);
     masks::show_over(ui, &places, size, &mut settings.masks);
     if let Some(outlined) = outlined {
@@ -69,6 +71,23 @@ fn blinked(ui: &Ui, mode: CompareMode) -> bool {
     ui.ctx()
         .request_repaint_after(Duration::from_secs_f64(left));
     turns as u64 % 2 == 1
+}
+
+/// Part of each of the pictures at `places` that is the live view.
+fn live(ui: &Ui, places: &[Rect], settings: &CompareSettings) -> Vec<Rect> {
+    let place = places[0];
+    match settings.mode {
+        CompareMode::SideBySide => [Rect::NOTHING]
+            .into_iter()
+            .chain(places[1..].iter().copied())
+            .collect(),
+        CompareMode::Swipe => {
+            let x = swipe_line::x(ui, place, settings.swipe);
+            vec![place.split_left_right_at_x(x).1]
+        }
+        CompareMode::Blink | CompareMode::OnionSkin => vec![place],
+        CompareMode::Difference => vec![Rect::NOTHING],
+    }
 }
 
 fn paint(ui: &Ui, places: &[Rect], compare: &CompareView, blinked: bool) {

@@ -2,24 +2,29 @@
 
 use super::Explained;
 use super::shown::Mistaken;
-use crate::ui::posing::BAR_HEIGHT;
 use crate::ui::theme::Palette;
 use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
 
 /// Widest banner, in points.
 const WIDEST: f32 = 336.0;
 
-/// Shows the banner while a mistake is made; whether to end it.
+/// The banner as it was shown.
+pub(super) struct Shown {
+    /// Its height, in points.
+    pub height: f32,
+    /// Whether to end the mistake.
+    pub ends: bool,
+}
+
+/// Shows the banner of a mistake from `top` points below the upper edge of `view` on.
 pub(super) fn show(
     ui: &mut Ui,
     view: Rect,
+    top: f32,
     explained: &Explained,
-    mistaken: Option<&Mistaken>,
-) -> bool {
-    let Some(mistaken) = mistaken else {
-        return false;
-    };
-    let corner = view.min + vec2(8.0, BAR_HEIGHT + 8.0);
+    mistaken: &Mistaken,
+) -> Shown {
+    let corner = view.min + vec2(8.0, top);
     let width = (view.right() - corner.x - 128.0).clamp(160.0, WIDEST);
     // Clicks beside the button must not reach the scene behind it.
     let builder = UiBuilder::new()
@@ -44,7 +49,10 @@ pub(super) fn show(
             .on_hover_text("Show the character as it is (Esc)")
             .clicked()
     });
-    shown.inner
+    Shown {
+        height: shown.response.rect.height(),
+        ends: shown.inner,
+    }
 }
 
 /// Why nothing can be seen of the mistake, if so.

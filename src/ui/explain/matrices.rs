@@ -3,8 +3,8 @@
 use super::digits::Digits;
 use crate::ui::theme::{Palette, number_font};
 use egui::{
-    Align2, Frame, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, WidgetText, WidgetType, pos2,
-    vec2,
+    Align2, Frame, Label, Margin, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, WidgetText,
+    WidgetType, pos2, vec2,
 };
 use glam::DMat4;
 
@@ -34,7 +34,9 @@ pub(super) fn show(
         .inner_margin(Margin::symmetric(6, 4));
     frame.show(ui, |ui| {
         ui.vertical(|ui| {
-            ui.label(title);
+            // In what room is left, a title would break letter by letter.
+            ui.set_width(4.0 * CELL.x);
+            ui.add(Label::new(title).truncate());
             let (rect, cells) = ui.allocate_exact_size(CELL * 4.0, Sense::hover());
             let rows = digits.rows(matrix);
             for (row, cells) in rows.iter().enumerate() {

@@ -2,24 +2,30 @@
 
 use super::shown::{Made, capitalized};
 use crate::diagnose::{MISTAKES, Mistake};
+use crate::scene::ShapeId;
+use crate::ui::CompareMeshView;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::{named, section};
 use egui::{Button, Label, RichText, Ui};
 use std::collections::BTreeSet;
 
-/// Shows the list by the sections of the assignment, the section of the formula first. A click makes a
-/// mistake, another ends it. While a mesh `compares` itself with the character there is none to make.
-pub(super) fn show(ui: &mut Ui, compares: bool, made: &mut Option<Made>) {
+/// Shows the list by the sections of the assignment, the section of the formula first, below what was found
+/// in the mesh that is compared with `character`. A click makes a mistake, another ends it.
+pub(super) fn show(
+    ui: &mut Ui,
+    compare: Option<&CompareMeshView>,
+    character: Option<ShapeId>,
+    made: &mut Option<Made>,
+) {
     section(ui, "Make this mistake");
     let weak = Palette::of(ui.visuals()).weak;
-    let hint = if compares {
-        "A mesh is compared with the character, which is therefore shown as it is."
-    } else {
-        "The view shows what comes of it. Nothing in the document changes."
+    let hint = match compare {
+        Some(_) => "Making one ends the comparison, in which the character is shown as it is.",
+        None => "The view shows what comes of it. Nothing in the document changes.",
     };
     ui.add(Label::new(RichText::new(hint).small().color(weak)).wrap());
-    if compares {
-        return;
+    if let Some(compare) = compare.filter(|compare| Some(compare.shape) == character) {
+        found(ui, compare, made);
     }
     let mut sections: Vec<&str> = MISTAKES.iter().map(|mistake| mistake.section).collect();
     let mut known = BTreeSet::new();
@@ -30,6 +36,30 @@ pub(super) fn show(ui: &mut Ui, compares: bool, made: &mut Option<Made>) {
         let mistakes = MISTAKES.iter().filter(|mistake| mistake.section == section);
         for mistake in mistakes {
             row(ui, mistake, made);
+        }
+    }
+}
+
+/// What was found in the compared mesh, each mistake in the way in which it was made there.
+fn found(ui: &mut Ui, compare: &CompareMeshView, made: &mut Option<Made>) {
+    let Some(Ok(diagnosis)) = compare.diagnosis else {
+        return;
+    };
+    let mut all = diagnosis.mistakes.iter().filter_map(Made::told).peekable();
+    if all.peek().is_none() {
+        return;
+    }
+    ui.add_space(4.0);
+    let weak = Palette::of(ui.visuals()).weak;
+    let title = format!("Found in {}:", compare.name);
+    ui.add(Label::new(RichText::new(title).small().color(weak)).truncate());
+    for own in all {
+        let button = Button::selectable(false, own.sentence())
+            .wrap()
+            .min_size(egui::vec2(ui.available_width(), 0.0));
+        let tip = "End the comparison, and make it in this way";
+        if ui.add(button).on_hover_text(tip).clicked() {
+            *made = Some(own);
         }
     }
 }

@@ -50,6 +50,10 @@ pub(super) struct ExplainState {
     made: Option<Made>,
     /// Whether a mesh is compared with the character, for which it has to be shown right.
     compares: bool,
+    /// The character and its mesh when it was seen last.
+    seen: Option<(ShapeId, Revision)>,
+    /// Whether the pose has changed while the panel is open.
+    was_posed: bool,
     /// The mesh with it.
     mistaken: Option<Mistaken>,
     /// The formula at work on the vertex.
@@ -101,6 +105,12 @@ impl ExplainState {
         };
     }
 
+    /// Opens the panel with the formula of a vertex.
+    pub(super) fn show_formula(&mut self) {
+        self.set_open(true);
+        self.topic = Topic::Formula;
+    }
+
     /// Drops everything about shapes, and the mistake that is made.
     pub(super) fn forget_shapes(&mut self) {
         *self = Self {
@@ -110,12 +120,12 @@ impl ExplainState {
         };
     }
 
-    /// Takes note of whether a mesh is compared with the character: no mistake is made then.
+    /// Takes note of whether a mesh is compared with the character: that ends the mistake that is made.
     pub(super) fn set_compares(&mut self, compares: bool) {
-        self.compares = compares;
-        if compares {
+        if compares && !self.compares {
             self.made = None;
         }
+        self.compares = compares;
     }
 
     /// Ends the mistake that is made, or else closes the panel; whether there was anything to end.
@@ -193,6 +203,11 @@ impl ExplainState {
             (self.mistaken, self.told) = (None, None);
             return;
         };
+        let seen = (explained.id, explained.revision());
+        self.was_posed |= self
+            .seen
+            .is_some_and(|(id, of)| id == seen.0 && of != seen.1);
+        self.seen = Some(seen);
         let made = self.made;
         let is_of = |mistaken: &Mistaken| Some(mistaken.made) == made && mistaken.is_of(&explained);
         if !self.mistaken.as_ref().is_some_and(is_of) {
@@ -207,16 +222,17 @@ impl ExplainState {
     }
 }
 
-/// Shows over the view what is explained in the panel.
+/// Shows over the view what is explained in the panel, with words from `top` points below its upper edge on.
+/// Returns where other words may begin.
 pub(super) fn over_view(
     ui: &mut Ui,
-    view: Rect,
+    (view, top): (Rect, f32),
     places: &ScenePlaces,
     session: &Session,
     state: &mut ExplainState,
-) {
+) -> f32 {
     let Some(explained) = state.explained(session).filter(|_| state.is_open) else {
-        return;
+        return top;
     };
     if explained.evaluated.visible {
         for place in places.iter() {
@@ -234,7 +250,12 @@ pub(super) fn over_view(
             }
         }
     }
-    if banner::show(ui, view, &explained, state.mistaken.as_ref()) {
+    let Some(mistaken) = &state.mistaken else {
+        return top;
+    };
+    let banner = banner::show(ui, view, top, &explained, mistaken);
+    if banner.ends {
         state.made = None;
     }
+    top + banner.height + 8.0
 }

@@ -1,37 +1,57 @@
 //! The panel below the view.
 
 use super::digits::Digits;
+use super::table::Compared;
+use super::vertex::Told;
 use super::{ExplainState, Topic, mistakes, stack, table, words};
 use crate::editor::Session;
 use crate::scene::SkinningMethod;
-use crate::ui::below_view::{below_the_view, has_room_for_columns};
+use crate::ui::below_view::{Heights, below_the_view, has_room_for_columns};
 use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
+use crate::ui::{Action, Ask, CompareMeshAction, CompareMeshView};
 use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
-/// Height in points.
-const HEIGHT: f32 = 280.0;
-const LOWEST: f32 = 96.0;
-/// Width of the list of mistakes beside the formula, in points.
-const MISTAKES: f32 = 320.0;
-/// Size of the formula's letters, in points.
+const HEIGHTS: Heights = Heights {
+    lowest: 96.0,
+    alone: 280.0,
+    beside: 0.29,
+};
+/// Width of the list of mistakes beside the formula, in points: a row of the formula needs more.
+const MISTAKES: f32 = 280.0;
+/// Size of the formula's letters, in points, and of those of its parts.
 const LETTERS: f32 = 15.0;
+const SMALLER: f32 = 12.5;
+
+const FOLLOWS: &str =
+    "Drag a joint's numbers at the right, or its bone (B), and watch these change.";
 
 /// Shows the panel below the view while it is open.
-pub(in crate::ui) fn show(root: &mut Ui, session: &Session, state: &mut ExplainState) {
+pub(in crate::ui) fn show(
+    root: &mut Ui,
+    session: &Session,
+    compare: Option<&CompareMeshView>,
+    state: &mut ExplainState,
+    actions: &mut Vec<Action>,
+) {
     if !state.is_open {
         return;
     }
-    below_the_view(root, ("explain", state.compares), (LOWEST, HEIGHT), |ui| {
+    let before = state.made;
+    below_the_view(root, ("explain", state.compares), HEIGHTS, |ui| {
         header(ui, session, state);
         ui.separator();
         state.update(session);
         match state.topic {
-            Topic::Formula => formula(ui, session, state),
+            Topic::Formula => formula(ui, session, compare, state),
             Topic::Stack => steps(ui, session, state),
         }
     });
+    if compare.is_some() && state.made != before {
+        let close = Ask::CompareMesh(CompareMeshAction::Close);
+        actions.push(Action::Ask(close));
+    }
 }
 
 fn header(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
@@ -73,7 +93,12 @@ fn header(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
 
 const NOBODY: &str = "There is no character to explain. Insert one.";
 
-fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+fn formula(
+    ui: &mut Ui,
+    session: &Session,
+    compare: Option<&CompareMeshView>,
+    state: &mut ExplainState,
+) {
     if state.explained(session).is_none() {
         ui.label(NOBODY);
         return;
@@ -83,9 +108,9 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
             .id_salt("formula")
             .auto_shrink(false)
             .show(ui, |ui| {
-                numbers(ui, session, state);
+                numbers(ui, session, compare, state);
                 ui.separator();
-                mistakes::show(ui, state.compares, &mut state.made);
+                mistakes::show(ui, compare, state.character, &mut state.made);
             });
         return;
     }
@@ -95,31 +120,27 @@ fn formula(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
     let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
         ui.shrink_clip_rect(left);
-        area("formula").show(ui, |ui| numbers(ui, session, state));
+        area("formula").show(ui, |ui| numbers(ui, session, compare, state));
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
-        area("mistakes").show(ui, |ui| mistakes::show(ui, state.compares, &mut state.made));
+        area("mistakes").show(ui, |ui| {
+            mistakes::show(ui, compare, state.character, &mut state.made)
+        });
     });
 }
 
 /// The formula in letters, and below it in numbers.
-fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
+fn numbers(
+    ui: &mut Ui,
+    session: &Session,
+    compare: Option<&CompareMeshView>,
+    state: &mut ExplainState,
+) {
     state.hovered = None;
     let (Some(explained), Some(told)) = (state.explained(session), state.told.take()) else {
         return;
     };
-    let [vertex, current, bind] = words::lines(&told.formula);
-    let line = |ui: &mut Ui, line: &words::Line, size: f32| {
-        let color = Palette::of(ui.visuals()).text;
-        let label = ui.add(Label::new(line.laid_out(ui, size, color)).wrap());
-        named(label, &line.spoken());
-    };
-    line(ui, &vertex, LETTERS);
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 24.0;
-        line(ui, &current, 12.5);
-        line(ui, &bind, 12.5);
-    });
+    letters(ui, &told);
     if explained.shape.skinning_method() != SkinningMethod::LinearBlend {
         let hint = "The character is skinned with dual quaternions; this is linear blending.";
         let color = Palette::of(ui.visuals()).warning;
@@ -141,20 +162,52 @@ fn numbers(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
         if let Some(note) = told.digits.note() {
             ui.label(note);
         }
-        if !state.compares {
+        if compare.is_none() {
             // Beside a comparison the lines are few.
-            let hint = "Click another on the mesh, or a row for its matrices.";
-            let color = Palette::of(ui.visuals()).weak;
-            ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+            weak(ui, "Click another on the mesh, or a row for its matrices.");
         }
     });
-    let hovered = table::show(ui, &explained, &told, &mut state.unfolded);
+    let compared = compare.filter(|compare| compare.shape == explained.id);
+    let compared = compared.and_then(|compare| compared_vertex(compare, told.vertex.vertex));
+    let hovered = table::show(ui, &explained, &told, compared, &mut state.unfolded);
+    if !state.was_posed {
+        ui.add_space(4.0);
+        weak(ui, FOLLOWS);
+    }
     let character = explained.id;
     state.hovered = hovered;
     state.told = Some(told);
     if let Some(vertex) = chosen {
         state.pick(character, vertex as usize);
     }
+}
+
+/// The formula in letters.
+fn letters(ui: &mut Ui, told: &Told) {
+    let [vertex, current, bind] = words::lines(&told.formula);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 24.0;
+        let color = Palette::of(ui.visuals()).text;
+        for (line, size) in [(vertex, LETTERS), (current, SMALLER), (bind, SMALLER)] {
+            let label = ui.add(Label::new(line.laid_out(ui, size, color)).wrap());
+            named(label, &line.spoken());
+        }
+    });
+}
+
+/// A hint that stands back.
+fn weak(ui: &mut Ui, hint: &str) {
+    let color = Palette::of(ui.visuals()).weak;
+    ui.add(Label::new(RichText::new(hint).small().color(color)).wrap());
+}
+
+/// The vertex in the compared mesh, if its vertices are numbered as the character's are.
+fn compared_vertex<'a>(compare: &CompareMeshView<'a>, vertex: usize) -> Option<Compared<'a>> {
+    compare.measure?;
+    Some(Compared {
+        name: compare.name,
+        at: compare.theirs.get(vertex)?.as_dvec3(),
+    })
 }
 
 fn steps(ui: &mut Ui, session: &Session, state: &mut ExplainState) {

@@ -1,7 +1,7 @@
 //! A mistake that is made on purpose, and the mesh with it.
 
 use super::Explained;
-use crate::diagnose::{Formula, Mistake, Reading, skin_by};
+use crate::diagnose::{Formula, Mistake, Reading, ToldMistake, skin_by};
 use crate::math::Aabb;
 use crate::revision::Revision;
 use crate::scene::EvaluatedGeometry;
@@ -24,6 +24,14 @@ impl PartialEq for Made {
 }
 
 impl Made {
+    /// One that was found in a mesh.
+    pub(super) fn told(told: &ToldMistake) -> Option<Self> {
+        let mistake = Mistake::find(told.id)?;
+        let mut readings = mistake.readings.iter();
+        let reading = readings.find(|reading| reading.how == told.how)?;
+        Some(Self { mistake, reading })
+    }
+
     /// The formula with the mistake.
     pub(super) fn formula(self) -> Formula {
         let mut formula = Formula::default();

@@ -21,9 +21,9 @@ const INDENT: f32 = 12.0;
 pub(super) fn show(ui: &mut Ui, explained: &Explained, stepper: &mut Stepper, digits: Digits) {
     let skeleton = explained.shape.character.skeleton();
     let steps = steps_of(skeleton);
+    let before = stepper.done;
     buttons(ui, stepper, steps.len());
     let now = ui.input(|input| input.time);
-    let before = stepper.done;
     stepper.advance(&steps, now);
     if let Some(wait) = stepper.wait(now) {
         ui.ctx()
@@ -83,7 +83,8 @@ fn buttons(ui: &mut Ui, stepper: &mut Stepper, count: usize) {
     });
 }
 
-/// The joints as a tree: those on the stack stand out, a dot is before those that have been drawn.
+/// The joints as a tree: those on the stack stand out, a dot is before those that have been drawn. If a
+/// step has `moved` on, its joint scrolls into sight, or the first one before any step.
 fn tree(ui: &mut Ui, explained: &Explained, done: &[StackStep], moved: bool) {
     let skeleton = explained.shape.character.skeleton();
     let palette = Palette::of(ui.visuals());
@@ -95,8 +96,10 @@ fn tree(ui: &mut Ui, explained: &Explained, done: &[StackStep], moved: bool) {
     let stack = stack_after(done, skeleton, explained.shape.pose());
     let on_stack: BTreeSet<usize> = stack.iter().map(|&(joint, _)| joint).collect();
     let lit = done.last().map(|step| step.joint());
+    let steps = steps_of(skeleton);
+    let in_sight = lit.or_else(|| Some(steps.first()?.joint()));
     let mut depth = 0;
-    for step in steps_of(skeleton) {
+    for step in steps {
         let joint = match step {
             StackStep::Push(joint) => joint,
             StackStep::Draw(_) => continue,
@@ -109,9 +112,9 @@ fn tree(ui: &mut Ui, explained: &Explained, done: &[StackStep], moved: bool) {
         let is_lit = lit == Some(joint);
         if is_lit {
             ui.painter().rect_filled(rect, 3.0, palette.selection);
-            if moved {
-                row.scroll_to_me(None);
-            }
+        }
+        if moved && in_sight == Some(joint) {
+            row.scroll_to_me(None);
         }
         let color = match (is_lit, on_stack.contains(&joint)) {
             (true, _) => palette.on_selection,

@@ -7,6 +7,7 @@ use super::matrices;
 use super::vertex::Told;
 use super::words::{Line, product};
 use crate::diagnose::{Factor, Factors, Step, Term};
+use crate::ui::shortened::shortened;
 use crate::ui::theme::{Palette, number_font};
 use egui::{
     Align2, Color32, FontId, Painter, Rect, Response, Sense, Stroke, TextStyle, Ui, WidgetInfo,
@@ -21,6 +22,8 @@ const WEIGHT: f32 = 44.0;
 const COORDINATE: f32 = 46.0;
 const GAP: f32 = 10.0;
 const LEAST_NAME: f32 = 92.0;
+/// Least space between a name and the first number, in points.
+const BESIDE_NAME: f32 = 4.0;
 /// Width of the triangle and the swatch before a name.
 const MARKS: f32 = 32.0;
 /// Place of the matrices below a row.
@@ -75,11 +78,21 @@ struct Row<'a> {
     is_struck: bool,
 }
 
+/// A vertex in the mesh that is compared with the character.
+#[derive(Clone, Copy)]
+pub(super) struct Compared<'a> {
+    /// File of the mesh.
+    pub name: &'a str,
+    /// In model space.
+    pub at: DVec3,
+}
+
 /// Shows the table. Returns the joint whose row is under the pointer.
 pub(super) fn show(
     ui: &mut Ui,
     explained: &Explained,
     told: &Told,
+    compared: Option<Compared>,
     unfolded: &mut BTreeSet<usize>,
 ) -> Option<usize> {
     let palette = Palette::of(ui.visuals());
@@ -106,10 +119,7 @@ pub(super) fn show(
             color: palette.text,
             is_struck: false,
         };
-        let mut response = row.show(ui, &columns, digits, &spoken(told, term, &own));
-        if term.joint != term.weight_of {
-            response = response.on_hover_text(&own);
-        }
+        let response = row.show(ui, &columns, digits, &spoken(told, term, &own));
         if response.hovered() {
             hovered = Some(term.joint);
         }
@@ -128,12 +138,12 @@ pub(super) fn show(
         };
         row.show(ui, &columns, digits, &format!("{}: left out", name(joint)));
     }
-    sums(ui, &columns, told);
+    sums(ui, &columns, told, compared);
     hovered
 }
 
-/// The sum, and what it should be where a mistake is made.
-fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
+/// The sum, what it should be where a mistake is made, and what it is in a compared mesh.
+fn sums(ui: &mut Ui, columns: &Columns, told: &Told, compared: Option<Compared>) {
     let palette = Palette::of(ui.visuals());
     let (formula, digits) = (&told.vertex, told.digits);
     let line = ui.cursor().min + vec2(0.0, 1.0);
@@ -153,6 +163,12 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told) {
         let name = format!("v' should be here, {off} away");
         let exact = Row::plain(&name, vec![told.exact.sum], palette.weak);
         exact.show(ui, columns, digits, "Right");
+    }
+    if let Some(compared) = compared {
+        let off = digits.length(compared.at.distance(told.exact.sum));
+        let name = format!("v' in {}, {off} off", compared.name);
+        let theirs = Row::plain(&name, vec![compared.at], palette.weak);
+        theirs.show(ui, columns, digits, &name);
     }
     if formula.terms.is_empty() {
         let why = if told.exact.terms.is_empty() {
@@ -269,16 +285,13 @@ impl<'a> Row<'a> {
             let place = Rect::from_center_size(pos2(rect.left() + 22.0, middle), vec2(10.0, 10.0));
             painter.rect_filled(place, 2.0, swatch);
         }
-        let numbers = columns.weight(rect) - WEIGHT;
-        let for_name = painter.with_clip_rect(rect.with_max_x(numbers).intersect(ui.clip_rect()));
         let font = TextStyle::Body.resolve(ui.style());
-        self.text(
-            &for_name,
-            pos2(rect.left() + MARKS, middle),
-            Align2::LEFT_CENTER,
-            self.name,
-            font,
-        );
+        let from = rect.left() + MARKS;
+        let room = self.numbers_from(columns, rect) - from - BESIDE_NAME;
+        let name = shortened(ui, self.name, &font, room);
+        let is_shortened = name != self.name;
+        let at = pos2(from, middle);
+        self.text(&painter, at, Align2::LEFT_CENTER, &name, font);
         let text = |right: f32, value: String| {
             self.text(
                 &painter,
@@ -291,7 +304,7 @@ impl<'a> Row<'a> {
         if let Some(of_joint) = self.weight {
             text(columns.weight(rect), weight(of_joint));
         }
-        let first = columns.count() - self.points.len().min(columns.count());
+        let first = self.first_column(columns);
         for (index, at) in self.points.iter().enumerate() {
             for (axis, value) in at.to_array().into_iter().enumerate() {
                 text(
@@ -306,7 +319,25 @@ impl<'a> Row<'a> {
             None => format!("{called} {}", points.join(" ")),
         };
         response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, &called));
+        if is_shortened {
+            return response.on_hover_text(self.name);
+        }
         response
+    }
+
+    /// Index of the column that its first point is in.
+    fn first_column(&self, columns: &Columns) -> usize {
+        columns.count() - self.points.len().min(columns.count())
+    }
+
+    /// Left end of its numbers in `rect`.
+    fn numbers_from(&self, columns: &Columns, rect: Rect) -> f32 {
+        let first = self.first_column(columns);
+        match self.weight {
+            Some(_) => columns.weight(rect) - WEIGHT,
+            None if first < columns.count() => columns.right(rect, first, 0) - COORDINATE,
+            None => rect.right(),
+        }
     }
 
     fn text(&self, painter: &Painter, at: egui::Pos2, align: Align2, text: &str, font: FontId) {

@@ -87,7 +87,7 @@ pub(super) fn show(
     let mut hot = None;
     let gesture = state.gesture.as_ref();
     for place in places.iter() {
-        let clip = place.rect.intersect(ui.clip_rect());
+        let clip = place.seen.intersect(ui.clip_rect());
         let painter = ui.painter().with_clip_rect(clip);
         paint::selected_bones(&painter, place, session, state.tool);
         if !state.shows_chain() {
@@ -123,7 +123,7 @@ fn show_gizmo(
     let held = state.held_handle();
     let under = view
         .hover_pos()
-        .filter(|&at| state.gesture.is_none() && place.rect.contains(at));
+        .filter(|&at| state.gesture.is_none() && place.live.contains(at));
     let hot = held.or_else(|| Some(gizmo.hit(place.pixel(under?))?.handle));
     paint_gizmo::gizmo(painter, place, &gizmo, hot, held.is_some());
     hot

@@ -118,7 +118,7 @@ enum Under {
 }
 
 fn under(session: &Session, state: &mut PoseState, places: &ScenePlaces, at: Pos2) -> Under {
-    let Some(place) = places.at(at) else {
+    let Some(place) = places.live_at(at) else {
         return Under::Nothing;
     };
     let pixel = place.pixel(at);
