@@ -95,12 +95,16 @@ pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {
     all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
 }
 
-/// Height, in the world, of the lowest point of all characters that are seen.
+/// Height, in the world, of the lowest point of all characters that are seen, at rest: a leg that is lifted
+/// leaves the ground where it is.
 fn ground_of_characters(session: &Session) -> Option<f32> {
     let shapes = session.scene().shapes().iter();
     let characters = shapes.filter(|shape| shape.visible && shape.front().is_some());
     let evaluated = characters.filter_map(|shape| session.evaluated().shape(shape.id));
-    let lowest = evaluated.map(|shape| shape.world_bounds().min.y);
+    let lowest = evaluated.map(|shape| {
+        let at_rest = shape.geometry.mesh.bounds();
+        at_rest.transformed(shape.world_from_model).min.y
+    });
     lowest.reduce(f32::min).filter(|height| height.is_finite())
 }
 

@@ -13,7 +13,9 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
     let change = Change::between(before, after);
     let shape = |scene: &Scene, id| scene.shape(id).cloned();
     match (&*change.added, &*change.removed, &*change.altered) {
-        ([added], [], []) => shape(after, *added).map_or_else(String::new, |s| inserted(&s)),
+        ([added], [], []) => {
+            shape(after, *added).map_or_else(String::new, |shape| inserted(&shape, before))
+        }
         (added, [], []) if !added.is_empty() => format!("Insert {} shapes", added.len()),
         ([], [removed], []) => shape(before, *removed)
             .map_or_else(String::new, |shape| format!("Delete {}", shape.name)),
@@ -36,10 +38,30 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
     }
 }
 
-fn inserted(shape: &Shape) -> String {
+fn inserted(shape: &Shape, before: &Scene) -> String {
     let from_file = shape.source.as_ref().is_some_and(|s| !s.is_builtin());
-    let verb = if from_file { "Import" } else { "Insert" };
+    let verb = match from_file {
+        _ if before
+            .shapes()
+            .iter()
+            .any(|other| shares_character(shape, other)) =>
+        {
+            "Duplicate"
+        }
+        true => "Import",
+        false => "Insert",
+    };
     format!("{verb} {}", shape.name)
+}
+
+/// Whether both shapes have one character in memory: a file that is read again makes another.
+fn shares_character(one: &Shape, other: &Shape) -> bool {
+    match (&one.kind, &other.kind) {
+        (ShapeKind::Character(one), ShapeKind::Character(other)) => {
+            std::sync::Arc::ptr_eq(&one.character, &other.character)
+        }
+        _ => false,
+    }
 }
 
 fn altered_shape(was: &Shape, is: &Shape) -> Named {

@@ -337,12 +337,17 @@ impl<'a> NumberField<'a> {
             }
         });
         if !typing && !response.dragged() {
-            let tip = format!(
+            let mut tip = format!(
                 "{}: {whole}\nDrag, with Shift finer · click to type · right click for {}{}",
                 self.name,
                 precise(self.rest),
                 self.unit
             );
+            let (least, most) = (*self.range.start(), *self.range.end());
+            if least > -FARTHEST && most < FARTHEST {
+                let (least, most) = (precise(least), precise(most));
+                tip = format!("{tip}\nFrom {least}{} to {most}{}", self.unit, self.unit);
+            }
             tip_beside_panel(ui, &response, &tip);
         }
     }
