@@ -4,7 +4,7 @@ use editor_core::editor::Session;
 use editor_core::geometry::Picture;
 use editor_core::io::Loaded;
 use editor_core::io::builtin::WithBuiltin;
-use editor_core::scene::bones_in_world;
+use editor_core::scene::{Look, bones_in_world};
 use editor_core::ui::{
     self, CompareReport, CompareSettings, CompareView, ShownPicture, UiState, ViewInput,
 };
@@ -56,6 +56,7 @@ fn middle_in(
         .build_ui(move |ui| {
             let compare = compared.as_ref().map(|picture| CompareView {
                 name: "reference.png",
+                look: Look::Course,
                 settings: &settings,
                 reference: ShownPicture {
                     picture,
