@@ -157,13 +157,17 @@ pub(super) fn press(
             actions.push(Action::View(deselect));
             return;
         }
-        let ends_the_program = state.navigation.quits_by_esc() && is_there(command, input);
-        if pressed.at - state.busy_at < ESC_RESTS || !ends_the_program {
+        if !state.navigation.quits_by_esc() || !is_there(command, input) {
             return;
         }
-        let before = state.escaped_at.replace(pressed.at);
-        if !before.is_some_and(|before| pressed.at - before < ESC_AGAIN) {
-            return actions.push(Action::View(View::Tell("Esc again ends the program")));
+        // Nothing was open since the first press.
+        let is_second = |first: f64| pressed.at - first < ESC_AGAIN && state.busy_at <= first;
+        if !state.escaped_at.take().is_some_and(is_second) {
+            if pressed.at - state.busy_at >= ESC_RESTS {
+                state.escaped_at = Some(pressed.at);
+                actions.push(Action::View(View::Tell("Esc again ends the program")));
+            }
+            return;
         }
     }
     if state.windows.is_open(windows::Dialog::Screenshot) || !is_there(command, input) {

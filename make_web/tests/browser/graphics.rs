@@ -7,7 +7,7 @@ use super::picture::{assert_not_blank, difference};
 fn the_page_starts_with_a_picture_of_the_showcase() {
     let browser = Browser::open();
     assert_not_blank(&browser.picture(), VIEW);
-    assert_eq!(browser.script("return document.title"), "Editor");
+    assert_eq!(browser.script("return document.title"), "showcase — Editor");
     browser.finish();
 }
 
