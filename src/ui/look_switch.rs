@@ -13,7 +13,7 @@ const LOOKS: [(Look, &str, &str); 3] = [
     (Look::Mannequin, "Mannequin", "Mannequin look"),
 ];
 /// Width and height, in points.
-const SIZE: egui::Vec2 = vec2(178.0, 24.0);
+const SIZE: egui::Vec2 = vec2(184.0, 24.0);
 /// Views lower than this, in points, have no switch.
 const ROOM: f32 = 320.0;
 
