@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluator, NewShape, Scene};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -67,10 +67,8 @@ pub fn set_on_ground(session: &Session, shape: &mut NewShape) {
 
 /// Height, in the world, of the lowest point of a shape that is in no scene yet, control points included.
 fn lowest_point(shape: &NewShape) -> f32 {
-    let mut alone = Scene::new();
-    alone.add(shape.clone());
-    let evaluated = Evaluator::new().evaluate(&alone, 0.0);
-    let lowest = evaluated.shapes.iter().map(|shape| {
+    let alone = evaluated_alone(std::slice::from_ref(shape));
+    let lowest = alone.shapes.iter().map(|shape| {
         let curves = shape
             .geometry
             .curves
@@ -86,13 +84,17 @@ fn lowest_point(shape: &NewShape) -> f32 {
 /// Bounds of shapes that are in no scene yet, in the world. Those that are hidden take their place,
 /// too.
 pub(super) fn bounds_of(shapes: &[NewShape]) -> Aabb {
+    let alone = evaluated_alone(shapes);
+    let all = alone.shapes.iter();
+    all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
+}
+
+fn evaluated_alone(shapes: &[NewShape]) -> Evaluated {
     let mut alone = Scene::new();
     for shape in shapes {
         alone.add(shape.clone());
     }
-    let evaluated = Evaluator::new().evaluate(&alone, 0.0);
-    let all = evaluated.shapes.iter();
-    all.fold(Aabb::EMPTY, |all, shape| all.union(shape.world_bounds()))
+    Evaluator::new().evaluate(&alone, 0.0)
 }
 
 /// Height, in the world, of the lowest point of all characters that are seen, at rest: a leg that is lifted

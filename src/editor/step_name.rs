@@ -40,16 +40,13 @@ pub(super) fn step_name(before: &Scene, after: &Scene) -> String {
 
 fn inserted(shape: &Shape, before: &Scene) -> String {
     let from_file = shape.source.as_ref().is_some_and(|s| !s.is_builtin());
-    let verb = match from_file {
-        _ if before
-            .shapes()
-            .iter()
-            .any(|other| shares_character(shape, other)) =>
-        {
-            "Duplicate"
-        }
-        true => "Import",
-        false => "Insert",
+    let mut others = before.shapes().iter();
+    let verb = if others.any(|other| shares_character(shape, other)) {
+        "Duplicate"
+    } else if from_file {
+        "Import"
+    } else {
+        "Insert"
     };
     format!("{verb} {}", shape.name)
 }

@@ -18,6 +18,9 @@ use super::{ContextError, GpuError, Info, driver};
 /// Messages kept between two checks; more would only repeat what the first ones say.
 pub(in crate::gpu) const MAX_MESSAGES: usize = 64;
 
+/// Whether errors are asked for only by `Gl::keep_errors`, as on a page.
+const ASKS_WHEN_IDLE: bool = cfg!(target_arch = "wasm32");
+
 /// A context: the driver's entry points, and below them the platform's side.
 struct Inner {
     /// Shared with the interface's painter, which holds a [`Gl`] and so never is the last owner.
@@ -28,8 +31,6 @@ struct Inner {
     viewport: Cell<[i32; 4]>,
     /// Whether the driver has said that the context is lost. It may say so only once.
     is_lost: Cell<bool>,
-    /// Whether errors are asked for only by [`Gl::keep_errors`].
-    asks_when_idle: bool,
     native: OwnedNative,
 }
 
@@ -81,7 +82,7 @@ impl Gl {
         let mut glow = unsafe { glow::Context::from_loader_function_cstr(load) };
         // SAFETY: the context is current, and `glow` is dropped while it is: see `Inner`.
         let driver_messages = unsafe { native_driver::collect_messages(&mut glow) };
-        Ok(Self::of(native, Arc::new(glow), driver_messages, false))
+        Ok(Self::of(native, Arc::new(glow), driver_messages))
     }
 
     /// Shares the context of a canvas with whoever else draws there.
@@ -92,7 +93,7 @@ impl Gl {
     ) -> Result<Self, ContextError> {
         let native = OwnedNative::new(native);
         native.make_current().map_err(ContextError::Native)?;
-        Ok(Self::of(native, glow, Arc::default(), true))
+        Ok(Self::of(native, glow, Arc::default()))
     }
 
     /// A handle to `native`, which is current and whose entry points are `glow`.
@@ -100,7 +101,6 @@ impl Gl {
         native: OwnedNative,
         glow: Arc<glow::Context>,
         driver_messages: Arc<Mutex<Vec<String>>>,
-        asks_when_idle: bool,
     ) -> Self {
         // SAFETY: the context is current.
         let info = unsafe { driver::read_info(&glow) };
@@ -112,7 +112,6 @@ impl Gl {
                 faults: RefCell::default(),
                 viewport: Cell::new([0; 4]),
                 is_lost: Cell::new(false),
-                asks_when_idle,
                 native,
             }),
         }
@@ -152,7 +151,7 @@ impl Gl {
 
     /// Everything that went wrong since the last check, each fault once. `what` is what was done
     /// in between, for the message. A browser tells errors once everything is drawn: there, those are
-    /// returned that [`keep_errors`](Self::keep_errors) has found.
+    /// returned that `Gl::keep_errors` has found.
     ///
     /// # Errors
     /// [`GpuError::Faults`] with the driver's error codes and messages of errors or high severity,
@@ -161,7 +160,7 @@ impl Gl {
     pub fn check(&self, what: &str) -> Result<(), GpuError> {
         let glow = self.current_for(what)?;
         let mut faults = Vec::new();
-        if !self.inner.asks_when_idle {
+        if !ASKS_WHEN_IDLE {
             faults.extend(self.take_error_flags(glow).map(error_name));
         }
         if self.inner.is_lost.get() {
@@ -176,8 +175,9 @@ impl Gl {
         Err(GpuError::Faults { what, faults })
     }
 
-    /// Asks for the driver's errors, for the next check. On a page this waits until everything is drawn,
-    /// and is for moments when that is so.
+    /// Asks for the driver's errors, for the next check. It waits until everything is drawn, and is for
+    /// moments when that is so.
+    #[cfg(target_arch = "wasm32")]
     pub fn keep_errors(&self) {
         if let Some(glow) = self.current() {
             let errors = self.take_error_flags(glow).map(error_name);
@@ -198,7 +198,7 @@ impl Gl {
     /// that nothing is read that is not there.
     pub(in crate::gpu) fn check_memory(&self, what: &'static str) -> Result<(), GpuError> {
         let glow = self.current_for("reserving memory")?;
-        if self.inner.asks_when_idle {
+        if ASKS_WHEN_IDLE {
             return Ok(());
         }
         let (exhausted, others): (Vec<u32>, Vec<u32>) = self

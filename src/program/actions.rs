@@ -59,7 +59,7 @@ impl Program {
         match self.session.edit(edit) {
             Ok(change) => {
                 if !change.added.is_empty() {
-                    self.show_import(&change.added, None);
+                    self.show_added(&change.added, None);
                 }
                 !change.is_nothing()
             }

@@ -2,6 +2,7 @@
 
 use super::awaited::Awaited;
 use super::document_file::{DocumentFile, Writing, digest_at};
+use super::document_name::{free_name, is_archive, is_scene};
 use super::preferences::MOST_RECENT;
 use super::questions::Asked;
 use super::reading::{Opened, Use};
@@ -13,9 +14,6 @@ use crate::scene::{ShapeId, Source, ViewSettings};
 use crate::ui::Answer;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-
-/// Name of a document that has no file yet.
-const UNTITLED: &str = "Untitled";
 
 /// Something that replaces the document or ends the program, and so waits until nothing is unsaved.
 #[derive(Clone)]
@@ -36,36 +34,6 @@ impl Program {
     /// Whether there are changes that are not in the document's file.
     pub fn is_modified(&self) -> bool {
         self.session.document() != self.document.saved
-    }
-
-    /// Name of the document: that of its file, else that of what was opened.
-    pub(super) fn document_name(&self) -> String {
-        let name = self.document.path.as_deref().and_then(Path::file_name);
-        let name = name.map(|name| name.to_string_lossy().into_owned());
-        let name = name.or_else(|| self.document.stem.clone());
-        name.unwrap_or_else(|| UNTITLED.to_owned())
-    }
-
-    /// Name of the document without its extension, for files that are made from it.
-    pub(super) fn document_stem(&self) -> String {
-        let stem = self.document.path.as_deref().and_then(Path::file_stem);
-        let stem = stem.map(|stem| stem.to_string_lossy().into_owned());
-        let stem = stem.or_else(|| self.document.stem.clone());
-        stem.unwrap_or_else(|| "scene".to_owned())
-    }
-
-    /// Title of the window: the document, with a mark if it is modified, and the program. A
-    /// document that has no name and is not modified is not mentioned.
-    pub(super) fn title(&self) -> String {
-        let mark = if self.is_modified() { "*" } else { "" };
-        let file = &self.document;
-        let is_named = file.path.is_some() || file.stem.is_some();
-        let is_nothing_to_tell = !is_named && mark.is_empty();
-        // A picture of the panels has no title at all.
-        if is_nothing_to_tell || self.program_title.is_empty() {
-            return self.program_title.clone();
-        }
-        format!("{mark}{} — {}", self.document_name(), self.program_title)
     }
 
     /// Does `next`, after asking about changes that are not saved.
@@ -401,30 +369,4 @@ impl Program {
         recent.insert(0, path.to_owned());
         recent.truncate(MOST_RECENT);
     }
-}
-
-/// `name`, or with a number, or a higher one, if there is such a file in `folder` already.
-fn free_name(name: &str, folder: Option<&Path>, files: &dyn Files) -> String {
-    let path = Path::new(name);
-    let [stem, extension] =
-        [path.file_stem(), path.extension()].map(|part| part.unwrap_or_default().to_string_lossy());
-    let last = stem.rsplit_once(' ');
-    let last = last.and_then(|(words, number)| Some((words, number.parse::<u16>().ok()?)));
-    let (words, number) = last.unwrap_or((&stem, 1));
-    let higher = (1..1000).map(|more| u32::from(number) + more);
-    let numbered = higher.map(|number| format!("{words} {number}.{extension}"));
-    let mut names = std::iter::once(name.to_owned()).chain(numbered);
-    let folder = folder.unwrap_or(Path::new(""));
-    let free = names.find(|name| !files.exists(&folder.join(name)));
-    free.unwrap_or_else(|| name.to_owned())
-}
-
-/// Whether the name of a file is that of an archive, in which a scene has its files with it.
-pub(super) fn is_archive(path: &Path) -> bool {
-    io::expect_extension(path, "zip").is_ok()
-}
-
-/// Whether the name of a file is that of a scene.
-pub(super) fn is_scene(path: &Path) -> bool {
-    io::expect_extension(path, "scene").is_ok()
 }

@@ -2,8 +2,9 @@
 
 use super::awaited::Awaited;
 use super::comparison::Comparison;
-use super::document::{Next, is_scene};
+use super::document::Next;
 use super::document_file::DocumentFile;
+use super::document_name::is_scene;
 use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous, Purpose};
@@ -172,7 +173,7 @@ impl Program {
         let mut shapes = loaded.shapes;
         let first = self.view_of_import(&mut shapes);
         match self.session.edit(Edit::Insert(shapes)) {
-            Ok(change) => self.show_import(&change.added, first),
+            Ok(change) => self.show_added(&change.added, first),
             Err(refused) => self.tell(Severity::Error, refused.to_string()),
         }
         self.tell_all(Severity::Warning, loaded.warnings);

@@ -126,9 +126,9 @@ impl Program {
         None
     }
 
-    /// Shows shapes that have just been imported: the first in a document through its `first` view,
-    /// others through the view as it is, if they can be seen in it.
-    pub(super) fn show_import(&mut self, added: &[ShapeId], first: Option<ViewSettings>) {
+    /// Shows shapes that have just been added: the first that are imported into a document through its `first`
+    /// view, others through the view as it is, if they can be seen in it.
+    pub(super) fn show_added(&mut self, added: &[ShapeId], first: Option<ViewSettings>) {
         if let Some(view) = first {
             self.session.look(View::SetLook(view.look));
             self.session.look(View::SetAxis(view.axis));

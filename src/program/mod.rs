@@ -13,6 +13,7 @@ mod clipboard;
 mod comparison;
 mod document;
 mod document_file;
+mod document_name;
 mod exports;
 mod files;
 mod first_view;

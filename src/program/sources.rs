@@ -1,8 +1,9 @@
 //! The files that shapes came from: found again, read again when another program has changed them,
 //! and saved together with the scene.
 
-use super::document::{Next, is_archive};
+use super::document::Next;
 use super::document_file::Writing;
+use super::document_name::is_archive;
 use super::exports::needed_error;
 use super::running::Program;
 use super::{Host, Purpose};

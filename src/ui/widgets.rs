@@ -5,7 +5,7 @@ use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
     Align, Align2, Button, Color32, EventFilter, FontId, Id, Key, Label, Layout, Modifiers,
-    Painter, Pos2, RectAlign, Response, RichText, Tooltip, Ui, Vec2, vec2,
+    Painter, Popup, Pos2, RectAlign, Response, RichText, Tooltip, Ui, Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -43,12 +43,7 @@ pub(super) fn tip_beside(item: &Response, text: &str, why_disabled: Option<&str>
     } else {
         (RectAlign::LEFT_START, left)
     };
-    tooltip.popup = tooltip
-        .popup
-        .align(side)
-        .align_alternatives(&[])
-        .gap(TIP_GAP)
-        .width(room.clamp(*TIP.start(), *TIP.end()));
+    tooltip.popup = aside(tooltip.popup, side, room);
     tooltip.show(|ui| ui.add(Label::new(why_disabled.unwrap_or(text)).wrap()));
 }
 
@@ -60,15 +55,18 @@ pub(super) fn tip_beside_panel(ui: &Ui, item: &Response, text: &str) {
     let mut tooltip = Tooltip::for_enabled(item);
     if room >= *TIP.start() {
         let row = item.rect.with_min_x(panel.left()).with_max_x(panel.right());
-        tooltip.popup = tooltip
-            .popup
-            .anchor(row)
-            .align(RectAlign::LEFT_START)
-            .align_alternatives(&[])
-            .gap(TIP_GAP)
-            .width(room.min(*TIP.end()));
+        tooltip.popup = aside(tooltip.popup.anchor(row), RectAlign::LEFT_START, room);
     }
     tooltip.show(|ui| ui.add(Label::new(text).wrap()));
+}
+
+/// A tooltip on one side of what it is about, and on no other, where it has so much room.
+fn aside(tip: Popup<'_>, side: RectAlign, room: f32) -> Popup<'_> {
+    let width = room.clamp(*TIP.start(), *TIP.end());
+    tip.align(side)
+        .align_alternatives(&[])
+        .gap(TIP_GAP)
+        .width(width)
 }
 
 /// Selects the whole text of a field, so that typing replaces it.

@@ -33,6 +33,24 @@ fn with_bent_elbow() -> Story {
 }
 
 #[test]
+fn what_was_changed_in_an_archive_comes_back_as_that_of_the_archive() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("work/bent.zip");
+    assert_eq!(story.host.title, "bent.zip — Editor");
+    story.type_into("Elbow Z", "77");
+    assert!(stored(&story).is_some());
+    let mut story = after_crash(story);
+    story.click("Restore");
+    assert_eq!(story.host.title, "*bent.zip — Editor");
+    assert!((story.degrees("Elbow").z - 77.0).abs() < 1e-3);
+    story.key_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(story.host.title, "bent.zip — Editor");
+    assert!(story.host.requests.is_empty(), "where to is known");
+}
+
+#[test]
 fn work_is_kept_after_a_gesture_and_at_most_every_ten_seconds() {
     let mut story = Story::start(&["models/strip.obj"]);
     assert!(stored(&story).is_none(), "nothing was done");

@@ -10,7 +10,7 @@ use editor_core::io::PoseData;
 use editor_core::program::Purpose;
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::accesskit::Node;
-use egui::{Event, Key, Modifiers, MouseWheelUnit, TouchPhase, pos2, vec2};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, TouchPhase, pos2, vec2};
 use glam::Vec3;
 use std::path::Path;
 
@@ -123,6 +123,20 @@ fn scaled_and_gray(story: &Story) -> (usize, usize) {
         }
     }
     counts
+}
+
+/// Scrolls what is at a place far down.
+fn scroll_down(story: &mut Story, at: Pos2) {
+    story.point(at);
+    for _ in 0..10 {
+        story.frame(vec![Event::MouseWheel {
+            unit: MouseWheelUnit::Line,
+            delta: vec2(0.0, -3.0),
+            phase: TouchPhase::Move,
+            modifiers: Modifiers::NONE,
+        }]);
+    }
+    story.settle();
 }
 
 #[test]
@@ -430,16 +444,7 @@ fn the_mistake_is_read_without_scrolling_and_its_formula_one_click_away() {
         .expect("×")
         .bounds();
     let right = list.expect("a place").x0 as f32 - 60.0;
-    story.point(pos2(right, formula.y));
-    for _ in 0..10 {
-        story.frame(vec![Event::MouseWheel {
-            unit: MouseWheelUnit::Line,
-            delta: vec2(0.0, -3.0),
-            phase: TouchPhase::Move,
-            modifiers: Modifiers::NONE,
-        }]);
-    }
-    story.settle();
+    scroll_down(&mut story, pos2(right, formula.y));
     assert_eq!(story.place("Show Its Formula"), formula);
 
     let shown = text(&story, "Shown by vertex ");
@@ -540,16 +545,7 @@ fn joints_are_listed_with_the_worst_first_and_another_mesh_begins_at_the_top() {
     assert!(worst.is_sorted_by(|a, b| a >= b), "{worst:?}");
     let first = rows(&story)[0].clone();
     let top = story.place(&first);
-    story.point(top);
-    for _ in 0..10 {
-        story.frame(vec![Event::MouseWheel {
-            unit: MouseWheelUnit::Line,
-            delta: vec2(0.0, -3.0),
-            phase: TouchPhase::Move,
-            modifiers: Modifiers::NONE,
-        }]);
-    }
-    story.settle();
+    scroll_down(&mut story, top);
     assert!(story.node(&first).is_none() || story.place(&first).y < top.y - 20.0);
     story.click("Compare with another mesh");
     story.choose("mine.obj");

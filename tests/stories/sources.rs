@@ -431,17 +431,20 @@ fn an_archive_is_a_document_that_save_writes_again() {
     let saved = file(&other, "mail/bent.zip");
     let mut third = elsewhere(&[("usb/bent.zip", saved)]);
     open(&mut third, "usb/bent.zip");
-    assert_eq!(third.shape().name, "Strip");
-    assert!(third.has("Elbow Z"));
-    let turned = third.session().scene().shapes()[0].id;
-    let character = third.session().scene().character(turned).unwrap();
-    let joint = character.character.skeleton().joints().iter();
-    let elbow = joint
-        .clone()
-        .position(|joint| joint.name == "Elbow")
-        .unwrap();
-    let degrees = character.pose().rotation(elbow).degrees();
-    assert!((degrees.z - 77.0).abs() < 1e-3, "{degrees}");
+    assert!((third.degrees("Elbow").z - 77.0).abs() < 1e-3);
+
+    // What another program has written is not overwritten without a question.
+    other.type_into("Elbow Z", "66");
+    other
+        .host
+        .files
+        .insert("mail/bent.zip".into(), archive.clone());
+    other.key_with(CTRL, Key::S);
+    assert!(other.has("Overwrite"));
+    assert_eq!(file(&other, "mail/bent.zip"), archive);
+    other.click("Overwrite");
+    assert_ne!(file(&other, "mail/bent.zip"), archive);
+    assert_eq!(other.host.title, "bent.zip — Editor");
 }
 
 #[test]

@@ -129,9 +129,9 @@ fn tab_goes_through_the_angles_of_one_joint_and_on_to_the_next() {
         story.frame(vec![Event::Text(text.to_owned())]);
         story.key(Key::Tab);
     }
-    let typed = |x, y, z| Vec3::new(x, y, z);
-    assert_eq!(story.degrees("Right knee").round(), typed(20.0, 5.0, 6.0));
-    assert_eq!(story.degrees("Right foot").round(), typed(7.0, 0.0, 0.0));
+    let degrees = |story: &Story, joint| story.degrees(joint).round();
+    assert_eq!(degrees(&story, "Right knee"), Vec3::new(20.0, 5.0, 6.0));
+    assert_eq!(degrees(&story, "Right foot"), Vec3::new(7.0, 0.0, 0.0));
     assert_eq!(story.session().view().camera, camera, "7 is no view");
 }
 
