@@ -21,7 +21,7 @@ const ROUNDS: usize = 3;
 /// Steps of a drag, and the time between them: enough for a frame each on two cores, and too little for
 /// a picture at rest.
 const STEPS: usize = 60;
-const STEP: Duration = Duration::from_millis(100);
+const STEP: Duration = Duration::from_millis(90);
 
 pub fn run(report: &mut Report) {
     for (what, file) in [

@@ -109,7 +109,14 @@ struct Running {
     host: WindowHost,
     /// Unsaved document that is at hand for a panic.
     remembered: Option<Revision>,
+    /// When the window was last given a picture.
+    presented: Option<Instant>,
 }
+
+/// Time after which a window is given a picture again that it shows already, if there is a frame. X servers
+/// without a compositor forget what other windows have covered, and ask for it in a way that cannot be told
+/// from a frame that the program itself has asked for.
+const SHOWN: Duration = Duration::from_millis(250);
 
 impl Running {
     fn new(
@@ -138,6 +145,7 @@ impl Running {
             graphics,
             host,
             remembered: None,
+            presented: None,
         })
     }
 
@@ -156,6 +164,13 @@ impl Running {
         }
     }
 
+    /// Time for which the window need not be given a picture that it shows already; `None` once that is over.
+    fn shown_for(&self) -> Option<Duration> {
+        let until = self.presented? + SHOWN;
+        let left = until.saturating_duration_since(Instant::now());
+        (!left.is_zero()).then_some(left)
+    }
+
     /// Draws one frame and shows it. Returns how long no frame is needed unless an event comes.
     fn redraw(&mut self) -> Result<Duration, AppError> {
         let PhysicalSize { width, height } = self.host.window().window().inner_size();
@@ -171,6 +186,10 @@ impl Running {
             .program
             .frame(&mut self.graphics, input, &mut self.host)?;
         self.remember_unsaved();
+        let is_new = self.graphics.take_is_new();
+        if let Some(left) = self.shown_for().filter(|_| !is_new) {
+            return Ok(wait.min(left));
+        }
         if let Some(picture) = self.graphics.window_picture() {
             let window = self.host.window();
             picture.blit_to_window(Rect {
@@ -181,6 +200,7 @@ impl Running {
             });
             window.window().pre_present_notify();
             window.swap_buffers()?;
+            self.presented = Some(Instant::now());
         }
         Ok(wait)
     }

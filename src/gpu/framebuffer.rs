@@ -19,6 +19,39 @@ pub struct Rect {
     pub height: i32,
 }
 
+impl Rect {
+    /// Whether all of another lies in it.
+    pub fn has(&self, other: &Self) -> bool {
+        self.around(*other) == *self
+    }
+
+    /// The smallest that has both.
+    pub fn around(self, other: Self) -> Self {
+        let (x, y) = (self.x.min(other.x), self.y.min(other.y));
+        let right = (self.x + self.width).max(other.x + other.width);
+        let top = (self.y + self.height).max(other.y + other.height);
+        Self {
+            x,
+            y,
+            width: right - x,
+            height: top - y,
+        }
+    }
+
+    /// What lies in both, if anything does.
+    pub fn meeting(&self, other: &Self) -> Option<Self> {
+        let (x, y) = (self.x.max(other.x), self.y.max(other.y));
+        let right = (self.x + self.width).min(other.x + other.width);
+        let top = (self.y + self.height).min(other.y + other.height);
+        (right > x && top > y).then_some(Self {
+            x,
+            y,
+            width: right - x,
+            height: top - y,
+        })
+    }
+}
+
 /// Color (RGBA, 8 bits each) and depth (24 bits) in memory of the graphics card.
 ///
 /// With samples, drawing goes to a multisampled picture, which every reading operation first
@@ -152,6 +185,24 @@ impl Framebuffer {
             // whichever there is.
             glow.clear_depth(1.0);
             glow.clear(glow::COLOR_BUFFER_BIT | glow::DEPTH_BUFFER_BIT);
+        }
+    }
+
+    /// Binds it and fills a part of it with `color`, as [`Framebuffer::clear`] does; its depth stays.
+    pub fn clear_area(&self, area: Rect, [red, green, blue, alpha]: [f32; 4]) {
+        self.bind();
+        let Some(glow) = self.gl.current() else {
+            return;
+        };
+        // SAFETY: current context.
+        unsafe {
+            prepare_whole(glow, self.gl.info().is_gles);
+            glow.enable(glow::SCISSOR_TEST);
+            glow.scissor(area.x, area.y, area.width, area.height);
+            glow.color_mask(true, true, true, true);
+            glow.clear_color(red, green, blue, alpha);
+            glow.clear(glow::COLOR_BUFFER_BIT);
+            glow.disable(glow::SCISSOR_TEST);
         }
     }
 
@@ -360,7 +411,7 @@ impl Framebuffer {
         self.gl.is_same(gl)
     }
 
-    fn rect(&self) -> Rect {
+    pub(crate) fn rect(&self) -> Rect {
         let side = |pixels| i32::try_from(pixels).unwrap_or(i32::MAX);
         Rect {
             x: 0,

@@ -3,6 +3,7 @@
 use std::mem::ManuallyDrop;
 
 use super::{ContextError, Framebuffer, Gl};
+use egui::epaint::{ClippedPrimitive, ClippedShape, Primitive};
 
 /// Paints what egui shows over a picture.
 pub struct InterfacePainter {
@@ -62,20 +63,36 @@ impl InterfacePainter {
             self.gl.report(fault.to_owned());
             return self.skip(output);
         }
-        let pixels_per_point = output.pixels_per_point;
-        let mut primitives = context.tessellate(output.shapes, pixels_per_point);
-        primitives.retain(|shape| matches!(shape.primitive, egui::epaint::Primitive::Mesh(_)));
         if self.gl.current().is_none() {
             output.textures_delta.clear();
             return;
         }
+        let primitives = primitives(context, output.shapes, output.pixels_per_point);
         target.bind();
         self.painter.paint_and_update_textures(
             [target.width(), target.height()],
-            pixels_per_point,
+            output.pixels_per_point,
             &primitives,
             &mut output.textures_delta,
         );
+    }
+
+    /// Paints shapes as [`InterfacePainter::paint`] does, with the textures that there are; the target is
+    /// one that this has painted on before.
+    pub(crate) fn paint_again(
+        &mut self,
+        context: &egui::Context,
+        shapes: Vec<ClippedShape>,
+        pixels_per_point: f32,
+        target: &Framebuffer,
+    ) {
+        if self.gl.current().is_none() {
+            return;
+        }
+        let primitives = primitives(context, shapes, pixels_per_point);
+        target.bind();
+        let size = [target.width(), target.height()];
+        (self.painter).paint_primitives(size, pixels_per_point, &primitives);
     }
 
     /// Applies the textures of an output that is not painted.
@@ -93,6 +110,17 @@ impl InterfacePainter {
             self.painter.free_texture(id);
         }
     }
+}
+
+/// The triangles of shapes, without callbacks.
+fn primitives(
+    context: &egui::Context,
+    shapes: Vec<ClippedShape>,
+    pixels_per_point: f32,
+) -> Vec<ClippedPrimitive> {
+    let mut primitives = context.tessellate(shapes, pixels_per_point);
+    primitives.retain(|shape| matches!(shape.primitive, Primitive::Mesh(_)));
+    primitives
 }
 
 impl Drop for InterfacePainter {

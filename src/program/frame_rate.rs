@@ -6,6 +6,9 @@ const PAUSE: Duration = Duration::from_millis(250);
 const SHARE: f32 = 0.1;
 /// Frames in a row before their rate says anything.
 const ENOUGH: u32 = 8;
+/// Time for which a rate is shown: one that changed with every frame could not be read, and would have the
+/// panels painted anew for its own sake.
+const SHOWN: Duration = Duration::from_millis(500);
 
 /// How fast frames are drawn while they follow each other.
 #[derive(Debug, Default)]
@@ -15,6 +18,8 @@ pub(super) struct FrameRate {
     /// Frames in a row, and their mean distance in seconds.
     row: u32,
     mean: f32,
+    /// The rate that is shown, and since when.
+    shown: Option<(f32, Duration)>,
 }
 
 impl FrameRate {
@@ -34,11 +39,16 @@ impl FrameRate {
             }
             _ => self.row = 0,
         }
+        let rate = (self.row >= ENOUGH && self.mean > 0.0).then(|| 1.0 / self.mean);
+        self.shown = match (rate, self.shown) {
+            (Some(_), Some((shown, since))) if now < since + SHOWN => Some((shown, since)),
+            (rate, _) => rate.map(|rate| (rate, now)),
+        };
     }
 
-    /// Frames in a second; none before there were enough in a row.
+    /// Frames in a second, as they were half a second ago at most; none before there were enough in a row.
     pub fn shown(&self) -> Option<f32> {
-        (self.row >= ENOUGH && self.mean > 0.0).then(|| 1.0 / self.mean)
+        self.shown.map(|(rate, _)| rate)
     }
 }
 
@@ -69,11 +79,29 @@ mod tests {
                 now += Duration::from_millis(milliseconds);
                 rate.count(now);
             }
-            rate.shown().unwrap()
+            1.0 / rate.mean
         };
         frames(20, 20);
         // A tenth of 100 ms and nine tenths of 20 ms are 28 ms.
         assert!((frames(1, 100) - 1.0 / 0.028).abs() < 0.1);
         assert!((frames(100, 100) - 10.0).abs() < 0.1);
+    }
+
+    #[test]
+    fn a_rate_stands_for_half_a_second() {
+        let mut rate = FrameRate::default();
+        let mut shown = Vec::new();
+        // Frames that take longer and longer, for two seconds.
+        let mut now = Duration::ZERO;
+        let mut distance = 10.0;
+        while now < Duration::from_secs(2) {
+            distance += 0.2;
+            now += Duration::from_secs_f32(distance / 1000.0);
+            rate.count(now);
+            shown.extend(rate.shown());
+        }
+        shown.dedup();
+        assert!((3..=4).contains(&shown.len()), "{shown:?}");
+        assert!(shown.is_sorted_by(|one, other| one > other), "{shown:?}");
     }
 }

@@ -3,8 +3,8 @@ use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
 use crate::render::{
-    Backdrop, Frame, InterfacePainter, LargePicture, Marks, PictureParts, RenderError, Renderer,
-    compose, read_picture,
+    Backdrop, Composer, Frame, InterfacePainter, LargePicture, Marks, PictureParts, Placed,
+    RenderError, Renderer, read_picture,
 };
 use crate::revision::Revision;
 use crate::scene::{Evaluated, Skinning, ViewSettings};
@@ -43,6 +43,11 @@ pub struct Graphics {
 struct Window {
     picture: Option<Framebuffer>,
     painter: InterfacePainter,
+    composer: Composer,
+    /// Whether the picture of the scene was drawn since it was composed.
+    has_new_scene: bool,
+    /// Whether anything was painted since [`Graphics::take_is_new`] was called.
+    is_new: bool,
 }
 
 /// Properties of the graphics that the program shows and keeps to.
@@ -166,7 +171,10 @@ impl Graphics {
 
     /// Draws the scene anew when it is shown next.
     pub(super) fn forget_scene(&mut self) {
-        self.shown = None;
+        let was_shown = self.shown.take().is_some();
+        if let Some(window) = &mut self.window {
+            window.has_new_scene |= was_shown;
+        }
     }
 
     /// Makes the picture of the window fit its `size` in pixels, and the painter of the panels if
@@ -180,8 +188,14 @@ impl Graphics {
             none => none.insert(Window {
                 picture: None,
                 painter: InterfacePainter::new(&self.gl)?,
+                composer: Composer::default(),
+                has_new_scene: true,
+                is_new: false,
             }),
         };
+        if !fits(window.picture.as_ref(), size, 0) {
+            window.composer.forget();
+        }
         fit(&self.gl, &mut window.picture, size, 0)?;
         Ok(())
     }
@@ -231,6 +245,9 @@ impl Graphics {
             Some(Some(_)) => false,
             None => drafts,
         };
+        if let Some(window) = &mut self.window {
+            window.has_new_scene = true;
+        }
         self.shown = Some(Shown {
             key,
             draft_since: is_draft.then_some(now),
@@ -344,27 +361,41 @@ impl Graphics {
         parts.draw_next(&self.gl, &mut self.renderer, frame)
     }
 
-    /// Puts the scene's picture at `place` of the window's and paints the panels over it.
+    /// Puts the scene's picture at `place` of the window's and paints the panels over it, as far as they
+    /// changed: egui asks for two frames after each that had input, which mostly are as that one.
     ///
     /// # Errors
-    /// See [`compose`].
+    /// See [`Composer::compose`].
     pub(super) fn compose(
         &mut self,
         place: Rect,
         context: &egui::Context,
         output: FullOutput,
     ) -> Result<(), GpuError> {
-        let Some(Window { picture, painter }) = &mut self.window else {
+        let Some(window) = &mut self.window else {
             return Ok(());
         };
+        let painter = &mut window.painter;
         let scene = shown_picture(&self.split, &self.scene);
-        match (scene, picture) {
-            (Some(scene), Some(target)) => compose(scene, place, painter, context, output, target),
-            _ => {
-                painter.skip(output);
-                Ok(())
-            }
-        }
+        let (Some(scene), Some(target)) = (scene, &window.picture) else {
+            painter.skip(output);
+            window.composer.forget();
+            return Ok(());
+        };
+        let placed = Placed {
+            scene,
+            is_new: std::mem::take(&mut window.has_new_scene),
+            place,
+        };
+        let composed = (window.composer).compose(placed, painter, context, output, target);
+        window.is_new |= *composed.as_ref().unwrap_or(&true);
+        composed.map(drop)
+    }
+
+    /// Whether the window's picture has been composed anew since the last call.
+    pub fn take_is_new(&mut self) -> bool {
+        let window = self.window.as_mut();
+        window.is_some_and(|window| std::mem::take(&mut window.is_new))
     }
 
     /// The window's picture as it was composed last.

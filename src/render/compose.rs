@@ -2,31 +2,201 @@
 
 use super::InterfacePainter;
 use crate::gpu::{Framebuffer, GpuError, Rect};
+use egui::epaint::{ClippedShape, Primitive};
 
-/// Puts a picture of the scene into `target` at `place` (pixels from the bottom left) and paints
-/// the panels over it, as in the window and in pictures with panels. A picture of another size is
-/// scaled.
-///
-/// # Errors
-/// When `target` has samples.
-pub fn compose(
-    scene: &Framebuffer,
+/// Puts pictures of the scene and the panels over them into one, as in the window and in pictures with
+/// panels, and paints again only the parts in which something has changed: most frames of a window have
+/// a new picture of the scene or a few new numbers, and all the rest as in the one before.
+#[derive(Debug, Default)]
+pub struct Composer {
+    /// What is in the picture; `None` if nothing is known of it.
+    shown: Option<Shown>,
+}
+
+/// What a picture shows beside the scene.
+#[derive(Debug, PartialEq)]
+struct Shown {
+    /// Width and height of the picture, in pixels.
+    size: (u32, u32),
     place: Rect,
+    pixels_per_point: f32,
+    shapes: Vec<ClippedShape>,
+}
+
+/// Picture of a scene, and its place in the whole in pixels from the bottom left; it is scaled to fit.
+#[derive(Clone, Copy, Debug)]
+pub struct Placed<'a> {
+    /// The picture.
+    pub scene: &'a Framebuffer,
+    /// Whether it was drawn anew since it was composed last.
+    pub is_new: bool,
+    /// Its place.
+    pub place: Rect,
+}
+
+impl Composer {
+    /// Has all be painted with the next picture, as if this were another target.
+    pub fn forget(&mut self) {
+        self.shown = None;
+    }
+
+    /// Puts a picture of the scene into `target` and paints the panels over it. Returns whether anything
+    /// had to be painted. `target` is the same as the last time, or [`Composer::forget`] was called.
+    ///
+    /// # Errors
+    /// When `target` has samples.
+    pub fn compose(
+        &mut self,
+        placed: Placed,
+        painter: &mut InterfacePainter,
+        context: &egui::Context,
+        output: egui::FullOutput,
+        target: &Framebuffer,
+    ) -> Result<bool, GpuError> {
+        let Placed { scene, place, .. } = placed;
+        let now = Shown {
+            size: (target.width(), target.height()),
+            place,
+            pixels_per_point: output.pixels_per_point,
+            shapes: output.shapes.clone(),
+        };
+        let is_to_scale = (scene.width(), scene.height())
+            == (place.width.unsigned_abs(), place.height.unsigned_abs());
+        let before = self.shown.take();
+        // Letters may have gone elsewhere in a texture.
+        let before = before.filter(|_| is_to_scale && output.textures_delta.is_empty());
+        let areas = before.and_then(|before| changed_areas(context, &before, &now, placed.is_new));
+        let mut composed = Ok(());
+        if let Some(areas) = &areas {
+            for &area in areas {
+                composed = composed.and(paint_area(placed, painter, context, &now, area, target));
+            }
+        } else {
+            target.clear(BEHIND);
+            composed = scene.blit_into(target, scene.rect(), place);
+            painter.paint(context, output, target);
+        }
+        self.shown = Some(now);
+        composed.map(|()| areas.is_none_or(|areas| !areas.is_empty()))
+    }
+}
+
+/// Changed shapes up to which it is worth finding out where they are.
+const MOST: usize = 200;
+
+/// Pixels by which rounding may move an edge.
+const ROUNDING: f32 = 1.0;
+
+/// Color where neither scene nor panels are.
+const BEHIND: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
+
+/// The areas of a picture, in pixels from the bottom left, outside of which it stays as it is; `None` for
+/// all of it.
+fn changed_areas(
+    context: &egui::Context,
+    before: &Shown,
+    now: &Shown,
+    scene_is_new: bool,
+) -> Option<Vec<Rect>> {
+    let rest = |shown: &Shown| (shown.size, shown.place, shown.pixels_per_point.to_bits());
+    if rest(before) != rest(now) {
+        return None;
+    }
+    let view = scene_is_new.then_some(now.place);
+    let changed = changed_shapes(&before.shapes, &now.shapes);
+    let changed: Vec<_> = changed.take(MOST + 1).collect();
+    if changed.len() > MOST {
+        return None;
+    }
+    let changed = changed
+        .into_iter()
+        .filter_map(|shape| pixels_of(context, shape, now));
+    let beside = changed.filter(|area| view.is_none_or(|view| !view.has(area)));
+    let areas: Vec<Rect> = view
+        .into_iter()
+        .chain(beside.reduce(Rect::around))
+        .collect();
+    let pixels = |area: &Rect| i64::from(area.width) * i64::from(area.height);
+    let changed = areas.iter().map(pixels).sum::<i64>();
+    let all = i64::from(now.size.0) * i64::from(now.size.1);
+    (changed < all).then_some(areas)
+}
+
+/// The shapes of two frames that are not in both at one place in the order in which they are painted.
+fn changed_shapes<'a>(
+    before: &'a [ClippedShape],
+    now: &'a [ClippedShape],
+) -> impl Iterator<Item = &'a ClippedShape> {
+    // What was inserted, such as a tooltip, moves all that comes after it.
+    let pairs = before.iter().zip(now);
+    let first = pairs.take_while(|(before, now)| before == now).count();
+    let (before, now) = (&before[first..], &now[first..]);
+    let pairs = before.iter().rev().zip(now.iter().rev());
+    let last = pairs.take_while(|(before, now)| before == now).count();
+    let (before, now) = (&before[..before.len() - last], &now[..now.len() - last]);
+    let in_pairs = before.len() == now.len();
+    let is_same = move |at: usize| in_pairs && before[at] == now[at];
+    let changed = (0..before.len().max(now.len())).filter(move |&at| !is_same(at));
+    changed.flat_map(move |at| before.get(at).into_iter().chain(now.get(at)))
+}
+
+/// The pixels that a shape may cover, from the bottom left. Its triangles tell: its bounds leave out corners of
+/// thick lines.
+fn pixels_of(context: &egui::Context, shape: &ClippedShape, of: &Shown) -> Option<Rect> {
+    let triangles = context.tessellate(vec![shape.clone()], of.pixels_per_point);
+    let bounds = triangles.iter().map(|part| match &part.primitive {
+        Primitive::Mesh(mesh) => mesh.calc_bounds(),
+        Primitive::Callback(_) => egui::Rect::NOTHING,
+    });
+    let bounds = bounds.fold(egui::Rect::NOTHING, egui::Rect::union);
+    let bounds = bounds.intersect(shape.clip_rect) * of.pixels_per_point;
+    let bounds = bounds.expand(ROUNDING);
+    let (width, height) = (of.size.0 as f32, of.size.1 as f32);
+    let picture = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(width, height));
+    let bounds = bounds.intersect(picture);
+    let (min, max) = (bounds.min.floor(), bounds.max.ceil());
+    bounds.is_positive().then_some(Rect {
+        x: min.x as i32,
+        y: (height - max.y) as i32,
+        width: (max.x - min.x) as i32,
+        height: (max.y - min.y) as i32,
+    })
+}
+
+/// Composes a part of a picture anew.
+fn paint_area(
+    Placed { scene, place, .. }: Placed,
     painter: &mut InterfacePainter,
     context: &egui::Context,
-    output: egui::FullOutput,
+    now: &Shown,
+    area: Rect,
     target: &Framebuffer,
 ) -> Result<(), GpuError> {
-    target.clear([0.0, 0.0, 0.0, 1.0]);
-    let whole = Rect {
-        x: 0,
-        y: 0,
-        width: scene.width() as i32,
-        height: scene.height() as i32,
-    };
-    let placed = scene.blit_into(target, whole, place);
-    painter.paint(context, output, target);
-    placed
+    if !place.has(&area) {
+        target.clear_area(area, BEHIND);
+    }
+    let mut composed = Ok(());
+    if let Some(seen) = place.meeting(&area) {
+        let source = Rect {
+            x: seen.x - place.x,
+            y: seen.y - place.y,
+            ..seen
+        };
+        composed = scene.blit_into(target, source, seen);
+    }
+    let top = now.size.1 as i32 - area.y - area.height;
+    let min = egui::pos2(area.x as f32, top as f32) / now.pixels_per_point;
+    let size = egui::vec2(area.width as f32, area.height as f32) / now.pixels_per_point;
+    let clip = egui::Rect::from_min_size(min, size);
+    let shapes = now.shapes.iter().filter_map(|shape| {
+        let clip_rect = shape.clip_rect.intersect(clip);
+        clip_rect.is_positive().then(|| ClippedShape {
+            clip_rect,
+            shape: shape.shape.clone(),
+        })
+    });
+    painter.paint_again(context, shapes.collect(), now.pixels_per_point, target);
+    composed
 }
 
 /// Rectangle of the view in a picture, in whole pixels, from its corners in the interface, in points
@@ -54,6 +224,7 @@ pub fn view_place(
 mod tests {
     use super::*;
     use crate::gpu::{Backend, HeadlessContext};
+    use proptest::prelude::*;
 
     #[test]
     fn the_view_s_rectangle_is_in_pixels_from_the_bottom_left_and_inside_of_the_picture() {
@@ -75,8 +246,14 @@ mod tests {
         let mut painter = InterfacePainter::new(gl).unwrap();
         let egui = egui::Context::default();
         let output = egui.run_ui(egui::RawInput::default(), |_| {});
-        let place = rect(1, 0, 3, 2);
-        compose(&scene, place, &mut painter, &egui, output, &target).unwrap();
+        let placed = Placed {
+            scene: &scene,
+            is_new: true,
+            place: rect(1, 0, 3, 2),
+        };
+        let mut composer = Composer::default();
+        let composed = composer.compose(placed, &mut painter, &egui, output, &target);
+        assert!(composed.unwrap());
         let pixels = target.read_rgba().unwrap();
         for (index, pixel) in pixels.chunks_exact(4).enumerate() {
             let (x, y) = (index % 8, index / 8);
@@ -89,6 +266,162 @@ mod tests {
             };
             assert_eq!(pixel, expected, "at {x}, {y}");
         }
+    }
+
+    /// One thing that panels paint.
+    #[derive(Clone, Debug, PartialEq)]
+    struct Painted {
+        at: (f32, f32),
+        size: (f32, f32),
+        kind: u8,
+        color: [u8; 4],
+        /// Where it may be seen.
+        clip: (f32, f32),
+    }
+
+    impl Painted {
+        fn paint(&self, ui: &egui::Ui) {
+            let [r, g, b, a] = self.color;
+            let color = egui::Color32::from_rgba_unmultiplied(r, g, b, a);
+            let (at, size) = (egui::Pos2::from(self.at), egui::Vec2::from(self.size));
+            let place = egui::Rect::from_min_size(at, size);
+            let whole = ui.ctx().content_rect();
+            let clip = egui::Rect::from_min_max(egui::pos2(self.clip.0, self.clip.1), whole.max);
+            let painter = ui.painter().with_clip_rect(clip);
+            let stroke = egui::Stroke::new(size.x * 0.1, color);
+            match self.kind {
+                0 => drop(painter.rect_filled(place, 3.0, color)),
+                1 => drop(painter.circle_stroke(at, size.y, stroke)),
+                2 => drop(painter.line_segment([at, at + size], stroke)),
+                _ => {
+                    let font = egui::FontId::proportional(12.0);
+                    painter.text(at, egui::Align2::LEFT_TOP, "12.5°", font, color);
+                }
+            }
+        }
+    }
+
+    fn painted() -> impl Strategy<Value = Painted> {
+        let at = (-10.0..110.0_f32, -10.0..80.0_f32);
+        let size = (1.0..60.0_f32, 1.0..40.0_f32);
+        let clip = (0.0..80.0_f32, 0.0..50.0_f32);
+        (at, size, 0..4_u8, any::<[u8; 4]>(), clip).prop_map(|(at, size, kind, color, clip)| {
+            Painted {
+                at,
+                size,
+                kind,
+                color,
+                clip,
+            }
+        })
+    }
+
+    /// What changes from one frame to the next.
+    #[derive(Clone, Debug)]
+    enum Step {
+        Nothing,
+        Scene([f32; 3]),
+        Insert(usize, Painted),
+        Remove(usize),
+        Replace(usize, Painted),
+    }
+
+    fn steps() -> impl Strategy<Value = Vec<Step>> {
+        let step = prop_oneof![
+            1 => Just(Step::Nothing),
+            2 => prop::array::uniform3(0.0..1.0_f32).prop_map(Step::Scene),
+            1 => (0..9_usize, painted()).prop_map(|(at, it)| Step::Insert(at, it)),
+            1 => (0..9_usize).prop_map(Step::Remove),
+            3 => (0..9_usize, painted()).prop_map(|(at, it)| Step::Replace(at, it)),
+        ];
+        let several = proptest::collection::vec(step, 0..3);
+        let frames = proptest::collection::vec(several, 2..8);
+        frames.prop_map(|frames| frames.concat())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(60))]
+
+        #[test]
+        fn a_picture_of_which_parts_are_painted_again_has_the_pixels_of_one_that_is_painted_as_a_whole(
+            first in proptest::collection::vec(painted(), 1..9),
+            steps in steps(),
+            pixels_per_point in prop::sample::select(vec![1.0_f32, 1.25, 2.0]),
+            (x, y) in (0..40_i32, 0..30_i32),
+        ) {
+            let headless = HeadlessContext::new(Backend::Auto).unwrap();
+            let gl = headless.gl();
+            let scene = Framebuffer::new(gl, 60, 40, 0).unwrap();
+            scene.clear([0.2, 0.3, 0.4, 1.0]);
+            let [parts, whole] = [(); 2].map(|()| Framebuffer::new(gl, 123, 97, 0).unwrap());
+            let mut painter = InterfacePainter::new(gl).unwrap();
+            let egui = egui::Context::default();
+            egui.set_pixels_per_point(pixels_per_point);
+            let (mut composer, mut shapes) = (Composer::default(), first);
+            let place = rect(x, y, 60, 40);
+            // The first frames load letters.
+            for step in std::iter::repeat_n(Step::Nothing, 3).chain(steps) {
+                let mut is_new = false;
+                let at = |at: usize, shapes: &[Painted]| at.min(shapes.len() - 1);
+                match step.clone() {
+                    Step::Nothing => {}
+                    Step::Scene([r, g, b]) => {
+                        scene.clear([r, g, b, 1.0]);
+                        is_new = true;
+                    }
+                    Step::Insert(index, it) => shapes.insert(at(index, &shapes), it),
+                    Step::Remove(index) if shapes.len() > 1 => {
+                        shapes.remove(at(index, &shapes));
+                    }
+                    Step::Remove(_) => {}
+                    Step::Replace(index, it) => {
+                        let index = at(index, &shapes);
+                        shapes[index] = it;
+                    }
+                }
+                let size = egui::vec2(123.0, 97.0) / pixels_per_point;
+                let input = egui::RawInput {
+                    screen_rect: Some(egui::Rect::from_min_size(egui::Pos2::ZERO, size)),
+                    ..egui::RawInput::default()
+                };
+                let output = egui.run_ui(input, |ui| {
+                    shapes.iter().for_each(|it| it.paint(ui));
+                });
+                let mut again = output.clone();
+                again.textures_delta.clear();
+                let placed = Placed { scene: &scene, is_new, place };
+                composer.compose(placed, &mut painter, &egui, output, &parts).unwrap();
+                let all = Composer::default().compose(placed, &mut painter, &egui, again, &whole);
+                prop_assert!(all.unwrap());
+                let [found, expected] = [&parts, &whole].map(|it| it.read_rgba().unwrap());
+                let pairs = found.iter().zip(&expected).enumerate();
+                let off: Vec<_> = pairs.filter(|(_, (a, b))| a != b).collect();
+                prop_assert!(off.is_empty(), "after {step:?}: {off:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_painted_where_nothing_has_changed() {
+        let context = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = context.gl();
+        let [scene, target] = [(2, 2), (8, 6)].map(|(w, h)| Framebuffer::new(gl, w, h, 0).unwrap());
+        let mut painter = InterfacePainter::new(gl).unwrap();
+        let (egui, mut composer) = (egui::Context::default(), Composer::default());
+        let mut compose = |is_new| {
+            let output = egui.run_ui(egui::RawInput::default(), |_| {});
+            let placed = Placed {
+                scene: &scene,
+                is_new,
+                place: rect(1, 0, 2, 2),
+            };
+            composer
+                .compose(placed, &mut painter, &egui, output, &target)
+                .unwrap()
+        };
+        assert!(compose(true));
+        assert!(!compose(false));
+        assert!(compose(true));
     }
 
     fn rect(x: i32, y: i32, width: i32, height: i32) -> Rect {

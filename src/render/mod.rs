@@ -45,7 +45,7 @@ mod upload_cache;
 
 pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use backdrop::Backdrop;
-pub use compose::{compose, view_place};
+pub use compose::{Composer, Placed, view_place};
 pub use frame::{Background, Frame, Marks};
 pub use number_marks::{Ghost, GhostPaint, ShapeNumbers};
 #[cfg(not(target_arch = "wasm32"))]
