@@ -116,7 +116,7 @@ fn a_step_is_named_for_what_it_changed() {
         (vec![Edit::SetIk(MAN, pins(&[1]))], "Pin Left elbow"),
         (
             vec![Edit::SetDisplay(MAN, skeleton)],
-            "Change the display of Man",
+            "Show the skeleton of Man",
         ),
         (
             vec![Edit::SetSkinningMethod(MAN, SkinningMethod::DualQuaternion)],

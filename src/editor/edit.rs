@@ -195,6 +195,8 @@ pub enum View {
     SetAxis(bool),
     /// Shows or hides the Studio look's grid.
     SetGrid(bool),
+    /// Shows or hides the bones of the Mannequin look.
+    SetBones(bool),
     /// Sets lights and background.
     SetLook(Look),
     /// Sets the normals that surfaces are shaded with.

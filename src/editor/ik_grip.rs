@@ -86,17 +86,41 @@ impl IkGrip {
         Some(evaluated.world_from_model.transform_point3(in_model))
     }
 
+    /// Whether limbs meet at the second joint above the grip: a knee follows the thigh, and does not turn the
+    /// hips with all that hangs on them.
+    fn ends_limb(self, skeleton: &SkeletalModel) -> bool {
+        let parent = |joint: usize| skeleton.joints().get(joint).and_then(|j| j.parent);
+        let last = match self {
+            Self::Joint(joint) => parent(joint),
+            Self::Tip { joint, .. } => Some(joint),
+        };
+        let above = last.and_then(parent);
+        let fork = |joint: Option<usize>| joint.is_some_and(|joint| is_fork(skeleton, joint));
+        fork(above) && !fork(last)
+    }
+
     /// Chain that moves the grip; `None` for a root, and if no joint above it can turn, as below a
     /// pin.
     pub fn chain(self, session: &Session, shape: ShapeId) -> Option<IkChain> {
         let character = session.scene().character(shape)?;
         let (skeleton, pose) = (character.character.skeleton(), character.pose());
-        let (length, pins) = (character.ik.length, &character.ik.pins);
+        let pins = &character.ik.pins;
+        let length = match character.ik.length {
+            2 if self.ends_limb(skeleton) => 1,
+            length => length,
+        };
         match self {
             Self::Joint(joint) => IkChain::to_joint(skeleton, pose, joint, length, pins),
             Self::Tip { joint, tip } => IkChain::to_point(skeleton, pose, joint, tip, length, pins),
         }
     }
+}
+
+/// Whether limbs meet at a joint, as at the hips: more than one branch goes on with joints of its own.
+fn is_fork(skeleton: &SkeletalModel, joint: usize) -> bool {
+    let children = skeleton.children(joint).iter();
+    let limbs = children.filter(|&&child| !skeleton.children(child).is_empty());
+    limbs.count() > 1
 }
 
 /// Index of the uppermost of the joints that are in the same place as `joint`.
@@ -136,7 +160,7 @@ mod tests {
     use crate::character::{Attachments, Character, Joint};
     use crate::editor::Edit;
     use crate::geometry::Mesh;
-    use crate::scene::{Camera, CharacterShape, NewShape, ShapeKind};
+    use crate::scene::{Camera, CharacterShape, IkSettings, NewShape, ShapeKind};
     use glam::Vec2;
     use std::sync::Arc;
 
@@ -199,20 +223,47 @@ mod tests {
         assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
     }
 
-    /// Grip of the bone of `joint`, hit close to its end, where it is `pixels` long.
-    fn grip(skeleton: SkeletalModel, joint: usize, pixels: f32) -> IkGrip {
+    /// A session with a character of this skeleton.
+    fn session(skeleton: SkeletalModel) -> (Session, ShapeId) {
         let mesh = Mesh::new(Vec::new(), Vec::new());
         let character = Character::new(skeleton, Attachments::new(), mesh).unwrap();
-        let bones = character.bones();
-        let bone = bones.iter().position(|bone| bone.joint == joint).unwrap();
         let mut session = Session::new();
         let kind = ShapeKind::Character(CharacterShape::new(Arc::new(character)));
         let insert = Edit::Insert(vec![NewShape::new("Figure", kind)]);
         session.edit(insert).unwrap();
         let shape = session.selected().unwrap();
+        (session, shape)
+    }
+
+    #[test]
+    fn of_the_usual_two_joints_none_turns_another_limb() {
+        let (mut session, shape) = session(body());
+        let chain = |session: &Session, joint| {
+            let chain = IkGrip::Joint(joint).chain(session, shape);
+            chain.map(|chain| chain.joints().to_vec()).unwrap()
+        };
+        assert_eq!(chain(&session, 4), [2, 3], "a wrist");
+        assert_eq!(chain(&session, 3), [2], "an elbow, and not the chest");
+        assert_eq!(
+            chain(&session, 2),
+            [0, 1],
+            "a shoulder, which the chest turns"
+        );
+        let ik = IkSettings {
+            length: 3,
+            ..IkSettings::default()
+        };
+        session.edit(Edit::SetIk(shape, ik)).unwrap();
+        assert_eq!(chain(&session, 3), [0, 1, 2], "as long as is asked for");
+    }
+
+    /// Grip of the bone of `joint`, hit close to its end, where it is `pixels` long.
+    fn grip(skeleton: SkeletalModel, joint: usize, pixels: f32) -> IkGrip {
+        let (session, shape) = session(skeleton);
         let start = IkGrip::Joint(joint).place(&session, shape).unwrap();
-        let known = session.scene().character(shape).unwrap();
-        let tip = known.character.bones()[bone].tip;
+        let bones = session.scene().character(shape).unwrap().character.bones();
+        let bone = bones.iter().position(|bone| bone.joint == joint).unwrap();
+        let tip = bones[bone].tip;
         // A picture 1000 pixels high shows 2 tan(45°/2) of a length at the distance 1.
         let seen = 2.0 * 22.5_f32.to_radians().tan() / 1000.0;
         let camera = Camera {

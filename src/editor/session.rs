@@ -28,6 +28,8 @@ pub struct Session {
     view: ViewSettings,
     /// Revision of the document as it was opened.
     opened: Revision,
+    /// Scene as it was opened.
+    start: Scene,
     /// Camera with which the document was opened.
     start_camera: Camera,
     /// Messages to the user.
@@ -59,6 +61,7 @@ impl Default for Session {
             hovered_control_point: None,
             view: ViewSettings::default(),
             opened: Revision::new(),
+            start: Scene::new(),
             start_camera: Camera::default(),
             messages: Messages::default(),
             evaluator: Evaluator::new(),
@@ -120,6 +123,7 @@ impl Session {
         }
         if change.opened {
             self.opened = self.document;
+            self.start = self.scene.clone();
             self.gesture = None;
             self.history = History::new(self.present());
         } else if self.gesture.is_none() {
@@ -248,6 +252,7 @@ impl Session {
             }
             View::SetAxis(axis) => self.view.axis = axis,
             View::SetGrid(grid) => self.view.grid = grid,
+            View::SetBones(bones) => self.view.bones = bones,
             View::SetLook(look) => self.view.look = look,
             View::SetShading(shading) => self.view.shading = shading,
             View::Select(selected) => {
@@ -278,7 +283,7 @@ impl Session {
     }
 
     /// Revision of the document. Changes with every edit that changes something, and returns to its
-    /// old value when a gesture is canceled or a step undone. The camera, the selection and the pointer do not
+    /// old value when a gesture is canceled, a step undone, or the scene as it was opened made again. The camera, the selection and the pointer do not
     /// affect it.
     pub fn document(&self) -> Revision {
         self.document
@@ -342,6 +347,11 @@ impl Session {
         &self.start_camera
     }
 
+    /// Scene as it was opened.
+    pub fn start_scene(&self) -> &Scene {
+        &self.start
+    }
+
     /// Evaluated document: matrices, deformed meshes and bounds.
     pub fn evaluated(&self) -> &Evaluated {
         &self.evaluated
@@ -371,8 +381,12 @@ impl Session {
         self.evaluate();
     }
 
-    /// Makes the change from an earlier state a step that can be undone.
+    /// Makes the change from an earlier state a step that can be undone. A scene that is as it was
+    /// opened has that revision again.
     fn record(&mut self, before: State, selection: Selection) {
+        if self.scene.is_back_at(&self.start) {
+            self.document = self.opened;
+        }
         let name = step_name(&before.scene, &self.scene);
         let present = self.present();
         let after = self.selection.clone();

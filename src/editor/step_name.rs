@@ -3,7 +3,10 @@
 
 use super::Change;
 use crate::character::{Mirror, Pose, SkeletalModel};
-use crate::scene::{CharacterShape, CurveShape, Scene, Shape, ShapeKind};
+use crate::scene::{
+    BoneStyle, CharacterDisplay, CharacterShape, CurveDisplay, CurveShape, CurveVisibility,
+    JointStyle, ModelDisplay, Scene, Shape, ShapeKind, SurfaceVisibility,
+};
 
 /// Change of a shape: a verb, and what it is done to.
 type Named = (&'static str, String);
@@ -174,7 +177,32 @@ fn altered_character(was: &CharacterShape, is: &CharacterShape, name: &str) -> N
     if was.ik != is.ik {
         return ("Change the IK of", name.to_owned());
     }
-    ("Change the display of", name.to_owned())
+    displayed(was.display, is.display, name)
+}
+
+fn displayed(was: CharacterDisplay, is: CharacterDisplay, name: &str) -> Named {
+    let verb = if was.mode != is.mode {
+        match is.mode {
+            ModelDisplay::Skeleton => "Show the skeleton of",
+            ModelDisplay::Mesh => "Show the mesh of",
+            ModelDisplay::Both => "Show mesh and skeleton of",
+        }
+    } else if was.joints != is.joints {
+        match is.joints {
+            JointStyle::Points => "Show points as joints of",
+            JointStyle::Spheres => "Show spheres as joints of",
+        }
+    } else if was.bones != is.bones {
+        match is.bones {
+            BoneStyle::Lines => "Show lines as bones of",
+            BoneStyle::Boxes => "Show boxes as bones of",
+        }
+    } else if was.point_size != is.point_size {
+        "Change the point size of"
+    } else {
+        "Change the line width of"
+    };
+    (verb, name.to_owned())
 }
 
 fn posed(skeleton: &SkeletalModel, was: &Pose, is: &Pose, name: &str) -> Named {
@@ -214,6 +242,31 @@ fn altered_curves(was: &CurveShape, is: &CurveShape, name: &str) -> Named {
     let changed = before.iter().zip(after).find(|(was, is)| was != is);
     match changed {
         Some((_, item)) => ("Edit", item.name.clone()),
-        None => ("Change the display of", name.to_owned()),
+        None => displayed_curves(was.display, is.display, name),
     }
+}
+
+fn displayed_curves(was: CurveDisplay, is: CurveDisplay, name: &str) -> Named {
+    let verb = if was.control_points != is.control_points {
+        match is.control_points {
+            true => "Show the control points of",
+            false => "Hide the control points of",
+        }
+    } else if was.curve != is.curve {
+        match is.curve {
+            CurveVisibility::Off => "Hide the curves of",
+            CurveVisibility::On => "Show the curves of",
+            CurveVisibility::OnWithFrames => "Show curves with frames of",
+        }
+    } else if was.surface != is.surface {
+        match is.surface {
+            SurfaceVisibility::Off => "Hide the surfaces of",
+            SurfaceVisibility::WireframeWithNormals => "Show the wireframe of",
+            SurfaceVisibility::Shaded => "Shade the surfaces of",
+        }
+    } else {
+        // Frames of a closed curve meet, or do not any more.
+        "Change the frames of"
+    };
+    (verb, name.to_owned())
 }

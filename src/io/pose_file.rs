@@ -71,6 +71,18 @@ impl PoseFile {
         Ok(pose.unwrap_or_default())
     }
 
+    /// Whether `skeleton` has any of its joints.
+    pub fn fits(&self, skeleton: &SkeletalModel) -> bool {
+        self.data.pose_of(skeleton).is_some()
+    }
+
+    /// Name or index of the first joint in it, as it is written; `None` if there is none.
+    pub fn first_joint(&self) -> Option<&str> {
+        let joints = self.data.joints.keys();
+        let first = joints.chain(self.data.roots.keys()).next();
+        first.map(Key::as_str)
+    }
+
     /// As much of the pose as `skeleton` has joints for, and the joints and roots that it has
     /// not, as the file has them.
     ///

@@ -56,10 +56,17 @@ impl Program {
     /// Edits the document; a refusal becomes a message. Returns whether there is something new to
     /// show.
     pub(super) fn edit(&mut self, edit: Edit) -> bool {
+        let kept = match &edit {
+            Edit::KeepPose { name, .. } => Some(name.clone()),
+            _ => None,
+        };
         match self.session.edit(edit) {
             Ok(change) => {
                 if !change.added.is_empty() {
                     self.show_added(&change.added, None);
+                }
+                if let Some(name) = kept.filter(|_| !change.is_nothing()) {
+                    self.tell(Severity::Info, format!("Kept the pose as {name}"));
                 }
                 !change.is_nothing()
             }

@@ -306,8 +306,8 @@ const BONE_EDGE_WIDTH: f32 = 4.0;
 const BONE_WIDTH: f32 = 2.0;
 const CYAN_BONE: Vec3 = Vec3::new(0.0, 1.0, 1.0);
 
-/// Draws the bones of all characters in the Mannequin look: red lines with dark edges over everything, cyan under
-/// the pointer.
+/// Draws the bones of characters in the Mannequin look: red lines with dark edges over everything, cyan under
+/// the pointer. Where bones are hidden, only those of shown skeletons and that under the pointer are drawn.
 pub(super) fn draw_mannequin_bones(
     gl: &Gl,
     context: &PassContext,
@@ -328,11 +328,14 @@ pub(super) fn draw_mannequin_bones(
         for (_, shape) in frame.shapes() {
             let is_selected = frame.marks.selected == Some(shape.id);
             let hovered = frame.marks.hovered_joint.filter(|_| is_selected);
+            let shows_skeleton = (frame.scene.character(shape.id))
+                .is_some_and(|character| character.display.mode != ModelDisplay::Mesh);
+            let are_shown = frame.view.bones || shows_skeleton;
             for (joint, start, end) in bones_in_world(frame.scene, shape) {
-                let own = if hovered == Some(joint) {
-                    CYAN_BONE
-                } else {
-                    RED_BONE
+                let own = match hovered == Some(joint) {
+                    true => CYAN_BONE,
+                    false if are_shown => RED_BONE,
+                    false => continue,
                 };
                 immediate.color(edge.unwrap_or(own));
                 immediate.vertex(start);

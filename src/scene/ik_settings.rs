@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 /// Settings of inverse kinematics of a character, with its pins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IkSettings {
-    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first.
+    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first, and of two only
+    /// one if the other is where limbs meet.
     pub length: usize,
     /// Direction in which knees and elbows point.
     pub pole: IkPole,

@@ -116,6 +116,12 @@ impl Scene {
         self.next_id = self.next_id.max(state.next_id);
     }
 
+    /// Whether it is as an earlier state of it, and no shape was added in between: one that was and is gone
+    /// again may still be wanted.
+    pub fn is_back_at(&self, earlier: &Self) -> bool {
+        self.next_id == earlier.next_id && self.shapes == earlier.shapes
+    }
+
     /// Estimated memory in bytes. Data that states of a scene share counts once: `counted` holds
     /// the addresses of what has been counted already.
     pub fn memory(&self, counted: &mut HashSet<usize>) -> usize {

@@ -13,6 +13,9 @@ pub struct ViewSettings {
     pub axis: bool,
     /// Whether the Studio look draws its grid on the ground, and the Mannequin look its floor.
     pub grid: bool,
+    /// Whether the Mannequin look draws the bones of characters that show their mesh alone, and not only
+    /// the one under the pointer.
+    pub bones: bool,
     /// Normals that surfaces are shaded with.
     pub shading: Shading,
 }
@@ -24,6 +27,7 @@ impl Default for ViewSettings {
             look: Look::Course,
             axis: true,
             grid: true,
+            bones: true,
             shading: Shading::AsAuthored,
         }
     }

@@ -102,6 +102,9 @@ pub(super) fn takes_keys(ctx: &egui::Context) -> bool {
 /// whoever presses it once too often must not lose the window.
 const ESC_RESTS: f64 = 1.0;
 
+/// Notice after the first press.
+const ESC_ENDS: &str = "Esc again ends the program";
+
 /// Seconds within which Esc has to be pressed again to end the program: the history of the document goes with it.
 const ESC_AGAIN: f64 = 4.0;
 
@@ -162,10 +165,15 @@ pub(super) fn press(
         }
         // Nothing was open since the first press.
         let is_second = |first: f64| pressed.at - first < ESC_AGAIN && state.busy_at <= first;
-        if !state.escaped_at.take().is_some_and(is_second) {
+        let is_second = state.escaped_at.take().is_some_and(is_second);
+        // A question about unsaved work takes its place.
+        let fresh = session.messages.fresh().iter();
+        let told = fresh.enumerate().filter(|(_, m)| m.text == ESC_ENDS).rev();
+        actions.extend(told.map(|(index, _)| Action::View(View::DismissMessage(index))));
+        if !is_second {
             if pressed.at - state.busy_at >= ESC_RESTS {
                 state.escaped_at = Some(pressed.at);
-                actions.push(Action::View(View::Tell("Esc again ends the program")));
+                actions.push(Action::View(View::Tell(ESC_ENDS)));
             }
             return;
         }

@@ -81,7 +81,8 @@ pub(super) fn show(
         axis_ball::show(&mut over, rect, &session.view().camera, actions);
     }
     let is_busy = input.compare.is_some() || input.question.is_some() || input.is_starting;
-    if start_page::has_start_page(session, is_busy) {
+    let is_start = start_page::has_start_page(session, is_busy);
+    if is_start {
         // It takes the place of the switch, which has nothing to show here.
         start_page::show(&mut over, rect, input, actions);
     } else if input.compare.is_none() {
@@ -91,10 +92,12 @@ pub(super) fn show(
     if let Some(work) = input.progress {
         progress::show(&mut over, rect, work, actions);
     }
-    // It must not hide messages, nor what a panel below the view is about.
-    let is_explained =
-        input.compare.is_some() || input.compare_mesh.is_some() || state.explain.is_open();
-    if state.first_help && session.messages.fresh().is_empty() && !is_explained {
+    // It must not hide messages, nor what a panel below the view is about, nor what to begin with.
+    let covers = is_start
+        || input.compare.is_some()
+        || input.compare_mesh.is_some()
+        || state.explain.is_open();
+    if state.first_help && session.messages.fresh().is_empty() && !covers {
         let gesture = response.dragged() || response.clicked() || input.gesture_under_way;
         let closed = first_help::show(&mut over, rect, session, state);
         state.first_help = !(closed || gesture);

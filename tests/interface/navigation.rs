@@ -1,8 +1,11 @@
 //! Ways of moving the camera that hands bring along from other programs.
 
 use crate::interface::Editor;
-use editor_core::editor::View;
-use editor_core::scene::Camera;
+use crate::interface::figure::figure;
+use editor_core::character::Pose;
+use editor_core::editor::{Edit, View};
+use editor_core::math::{Euler, Transform};
+use editor_core::scene::{Camera, CharacterShape, NewShape, ShapeKind};
 use editor_core::ui::Ask;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2};
 use glam::{Vec3, vec2};
@@ -135,7 +138,7 @@ fn in_the_mannequin_keys_walk_and_r_puts_view_and_pose_back() {
         let off = (moved.normalize_or_zero() - along).length();
         assert!(moved.length() >= 0.0999 && off < 1e-4, "{key:?} {moved}");
     }
-    editor.add_character(crate::interface::figure::figure());
+    editor.add_character(figure());
     editor.type_into("Neck X", "30");
     assert!(!editor.character().pose().is_bind());
     editor.key(Key::R);
@@ -311,10 +314,35 @@ fn a_short_stroke_over_a_touchpad_is_less_than_a_notch_of_the_wheel() {
 }
 
 #[test]
+fn r_puts_characters_back_to_where_and_as_they_were_opened() {
+    let mut editor = empty("Mannequin");
+    let mut pose = Pose::new();
+    pose.set_joint_transform(1, Euler::from_degrees(Vec3::new(20.0, 0.0, 0.0)));
+    let mut character = CharacterShape::new(figure());
+    character.set_pose(pose.clone());
+    let mut posed = NewShape::new("Posed", ShapeKind::Character(character));
+    posed.placement.transform.position = Vec3::X;
+    editor.edit(Edit::Open(vec![posed]));
+    let opened = editor.session().document();
+    let shape = editor.shape().id;
+    editor.edit(Edit::ResetPose(shape));
+    let elsewhere = Transform {
+        position: Vec3::Y,
+        ..editor.shape().placement.transform
+    };
+    editor.edit(Edit::SetTransform(shape, elsewhere));
+    assert_ne!(editor.session().document(), opened);
+    editor.key(Key::R);
+    assert_eq!(editor.shape().placement.transform.position, Vec3::X);
+    assert_eq!(*editor.character().pose(), pose);
+    assert_eq!(editor.session().document(), opened, "nothing is unsaved");
+}
+
+#[test]
 fn r_puts_every_character_back_to_rest() {
     let mut editor = empty("Mannequin");
     for _ in 0..3 {
-        editor.add_character(crate::interface::figure::figure());
+        editor.add_character(figure());
         editor.type_into("Neck X", "30");
         editor.type_into("Root Offset Y", "2");
     }

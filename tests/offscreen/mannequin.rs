@@ -155,3 +155,33 @@ fn bones_are_red_over_everything_and_cyan_under_the_pointer() {
         }
     });
 }
+
+#[test]
+fn where_bones_are_hidden_those_of_shown_skeletons_and_the_one_under_the_pointer_are_seen() {
+    on_each_backend(|gl| {
+        let mut scene = boxed_bones();
+        let id = scene.shapes()[0].id;
+        let without = ViewSettings {
+            bones: false,
+            ..first_view()
+        };
+        let hovered = Marks {
+            selected: Some(id),
+            hovered_joint: Some(1),
+            ..Marks::default()
+        };
+        for (mode, shown) in [
+            (ModelDisplay::Mesh, false),
+            (ModelDisplay::Both, true),
+            (ModelDisplay::Skeleton, true),
+        ] {
+            scene.character_mut(id).expect("the box").display.mode = mode;
+            let picture = draw(gl, &scene, &without, Marks::default());
+            let bones = picture.count(|pixel| pixel == BONE);
+            assert_eq!(bones > 0, shown, "{mode:?}: {bones}");
+            let marked = draw(gl, &scene, &without, hovered.clone());
+            let cyan = marked.count(|pixel| pixel == HOVERED_BONE);
+            assert!(cyan > 36, "{mode:?}: {cyan}");
+        }
+    });
+}

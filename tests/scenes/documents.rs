@@ -331,12 +331,13 @@ pub fn view() -> impl Strategy<Value = ViewSettings> {
     );
     let look = select(vec![Look::Course, Look::Studio, Look::Mannequin]);
     let shading = select(vec![Shading::AsAuthored, Shading::Flat, Shading::Smooth]);
-    (camera, look, shading, any::<bool>(), any::<bool>()).prop_map(
-        |(camera, look, shading, axis, grid)| ViewSettings {
+    (camera, look, shading, any::<[bool; 3]>()).prop_map(
+        |(camera, look, shading, [axis, grid, bones])| ViewSettings {
             camera,
             look,
             axis,
             grid,
+            bones,
             shading,
         },
     )

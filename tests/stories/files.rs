@@ -290,6 +290,27 @@ fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
 }
 
 #[test]
+fn the_pose_of_another_character_on_the_clipboard_is_refused_in_plain_words() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.host.clipboard = r#"{"joints": {"Left wing": [0, 0, 50]}}"#.into();
+    let paste = Action::Ask(Ask::PastePose(story.shape().id));
+    story.program.carry_out(vec![paste], &mut story.host);
+    story.settle();
+    let words = "The pose on the clipboard is another character's: Strip has none of its joints, \
+                 such as Left wing";
+    assert_eq!(story.messages(), [(Severity::Warning, words)]);
+    assert!(!story.program.is_modified());
+}
+
+#[test]
+fn keeping_a_pose_says_under_which_name() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key_with(Modifiers::COMMAND, Key::K);
+    let words = "Kept the pose as Pose 1";
+    assert_eq!(story.messages(), [(Severity::Info, words)]);
+}
+
+#[test]
 fn opening_a_file_without_a_camera_of_its_own_shows_it_from_the_front() {
     let mut story = Story::start(&["builtin:gem"]);
     story.key_with(Modifiers::COMMAND, Key::Num3);

@@ -227,6 +227,23 @@ fn esc_ends_the_program_where_nothing_else_is_to_end() {
 }
 
 #[test]
+fn the_question_about_unsaved_work_takes_the_place_of_the_notice_about_esc() {
+    let mut story = Story::start(&[]);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    story.key(Key::Escape);
+    story.wait(1.1);
+    let told = |story: &Story| {
+        let mut fresh = story.session().messages.fresh().iter();
+        fresh.any(|message| message.text == "Esc again ends the program")
+    };
+    story.press_escape();
+    assert!(told(&story));
+    story.press_escape();
+    assert!(story.has("Don't Save"), "the question");
+    assert!(!told(&story) && !story.host.quits);
+}
+
+#[test]
 fn nothing_is_drawn_and_nothing_waits_while_nothing_changes() {
     let mut story = Story::start(&["models/strip.obj"]);
     let before = story.scene_picture();

@@ -45,6 +45,19 @@ fn the_drag_of_a_slider_is_one_step_that_is_undone_and_done_again() {
 }
 
 #[test]
+fn a_document_that_is_as_it_was_opened_has_nothing_unsaved() {
+    let mut story = with_bent_elbow();
+    assert!(story.program.is_modified());
+    let field = story.place("Elbow Z");
+    story.drag(field, field - vec2(90.0, 0.0));
+    assert_eq!(story.degrees("Elbow"), Vec3::ZERO);
+    assert_eq!(done(&story), 2);
+    assert!(!story.program.is_modified());
+    story.key_with(CTRL, Key::Z);
+    assert!(story.program.is_modified());
+}
+
+#[test]
 fn the_edit_menu_names_the_step() {
     let mut story = with_bent_elbow();
     story.click("Edit");

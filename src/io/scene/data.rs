@@ -85,6 +85,7 @@ pub(super) struct ViewData<A> {
     look: Look,
     axis: bool,
     grid: bool,
+    bones: bool,
     shading: Shading,
 }
 
@@ -95,6 +96,7 @@ impl<A> Default for ViewData<A> {
             look,
             axis,
             grid,
+            bones,
             shading,
         } = ViewSettings::default();
         Self {
@@ -102,6 +104,7 @@ impl<A> Default for ViewData<A> {
             look,
             axis,
             grid,
+            bones,
             shading,
         }
     }
@@ -114,6 +117,7 @@ impl<A> ViewData<A> {
             look: self.look,
             axis: self.axis,
             grid: self.grid,
+            bones: self.bones,
             shading: self.shading,
         }
     }

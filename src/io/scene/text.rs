@@ -116,6 +116,7 @@ fn view_members(view: &ViewSettings) -> Result<Members, SceneError> {
     members.push("shading", word(view.shading));
     members.push("axis", view.axis);
     members.push("grid", view.grid);
+    members.push_unless("bones", view.bones, true);
     Ok(members)
 }
 

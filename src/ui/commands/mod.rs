@@ -113,6 +113,8 @@ pub enum Command {
     ToggleAxis,
     /// Shows or hides the grid on the ground.
     ToggleGrid,
+    /// Shows or hides the bones of the Mannequin look.
+    ToggleBones,
     /// Folds the shape panel away, or unfolds it.
     TogglePanel,
     /// Chooses the look: light and background.

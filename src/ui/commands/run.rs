@@ -19,6 +19,7 @@ use crate::ui::windows::Dialog;
 use crate::ui::{
     Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, posing, view_overlay,
 };
+use std::sync::Arc;
 
 /// Runs a command: changes of `state` at once, all else as the actions that it returns. `aspect` is
 /// the width of the view over its height.
@@ -31,12 +32,29 @@ pub(in crate::ui) fn run(
     let action = action(command, session, state, aspect);
     if command == Command::ResetViewAndPose {
         let shapes = session.scene().shapes().iter();
-        let characters = shapes.filter(|shape| matches!(shape.kind, ShapeKind::Character(_)));
-        let to_rest = characters.map(|shape| Edit::ResetPose(shape.id));
-        let all = Action::Edit(Edit::Together(to_rest.collect()));
+        let back = shapes.flat_map(|shape| to_start(session, shape));
+        let all = Action::Edit(Edit::Together(back.collect()));
         return std::iter::once(all).chain(action).collect();
     }
     action.into_iter().collect()
+}
+
+/// Puts a character where it was, and as it was posed, when the document was opened; one that came later,
+/// where it started, at rest.
+fn to_start(session: &Session, shape: &Shape) -> Vec<Edit> {
+    let ShapeKind::Character(character) = &shape.kind else {
+        return Vec::new();
+    };
+    let opened = session.start_scene();
+    let placement = opened.shape(shape.id).map_or(shape.start, |s| s.placement);
+    // A model that was read again may have other joints.
+    let same = |opened: &&CharacterShape| Arc::ptr_eq(&opened.character, &character.character);
+    let posed = opened.character(shape.id).filter(same);
+    let pose = match posed.filter(|opened| !opened.is_at_rest()) {
+        Some(opened) => Edit::SetPose(shape.id, opened.pose().clone()),
+        None => Edit::ResetPose(shape.id),
+    };
+    vec![Edit::SetTransform(shape.id, placement.transform), pose]
 }
 
 fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32) -> Option<Action> {
@@ -159,6 +177,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::ToggleAxis => return Some(Action::View(View::SetAxis(!view.axis))),
         Command::ToggleGrid => return Some(Action::View(View::SetGrid(!view.grid))),
+        Command::ToggleBones => return Some(Action::View(View::SetBones(!view.bones))),
         Command::SetLook(look) => return Some(Action::View(View::SetLook(look))),
         Command::SetShading(shading) => return Some(Action::View(View::SetShading(shading))),
     }
@@ -235,6 +254,7 @@ pub(in crate::ui) fn is_on(command: Command, session: &Session, state: &UiState)
     match command {
         Command::ToggleAxis => Some(view.axis),
         Command::ToggleGrid => Some(view.grid && view.look != Look::Course),
+        Command::ToggleBones => Some(view.bones && view.look == Look::Mannequin),
         Command::TogglePanel => Some(!state.is_panel_folded()),
         Command::Explain => Some(state.explain.is_open()),
         Command::SetLook(look) => Some(view.look == look),
