@@ -24,6 +24,9 @@ pub struct Graphics {
     compared_reading: Option<Reading>,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
+    /// The full picture of the scene without the lines round marked shapes, where drawing it takes so long that
+    /// these are drawn over it when the pointer moves from shape to shape.
+    without_outlines: Option<Framebuffer>,
     /// What the picture of the scene shows: it is drawn again only when this changes.
     shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
@@ -83,6 +86,16 @@ struct SceneKey {
     marks: Marks,
 }
 
+impl SceneKey {
+    /// The same without the marks that are lines round shapes and nothing else.
+    fn without_outlines(&self) -> Self {
+        let mut key = self.clone();
+        key.marks.hovered = None;
+        key.marks.also_selected.clear();
+        key
+    }
+}
+
 impl Graphics {
     /// Compiles the shaders in the context of `gl`.
     ///
@@ -95,6 +108,7 @@ impl Graphics {
             compared: None,
             compared_reading: None,
             split: None,
+            without_outlines: None,
             shown: None,
             window: None,
             has_wrong_size: false,
@@ -248,10 +262,20 @@ impl Graphics {
         if let Some(window) = &mut self.window {
             window.has_new_scene = true;
         }
+        let other_outlines = self.shown.as_ref().is_some_and(|shown| {
+            shown.draft_since.is_none() && shown.key.without_outlines() == key.without_outlines()
+        });
         self.shown = Some(Shown {
             key,
             draft_since: is_draft.then_some(now),
         });
+        if is_draft || !other_outlines {
+            self.without_outlines = None;
+        }
+        if let Some(kept) = &self.without_outlines {
+            kept.blit_into(target, kept.rect(), kept.rect())?;
+            return self.renderer.draw_outlines_over(frame, target);
+        }
         let has_own_samples = self.drafts && self.samples > 0 && !is_draft;
         let (full, room) = match has_own_samples
             .then(|| Framebuffer::new(&self.gl, size.0, size.1, self.samples))
@@ -268,21 +292,21 @@ impl Graphics {
             split.draw(&self.gl, &mut self.renderer, (frame, picture), right)
         } else {
             self.split = None;
-            if is_draft {
-                self.renderer.draw_moving(frame, picture)
-            } else {
-                self.renderer.draw(frame, picture)
+            match &full {
+                None if is_draft => self.renderer.draw_moving(frame, picture),
+                None => self.renderer.draw(frame, picture),
+                Some(full) => {
+                    let drawn = self.renderer.draw_without_outlines(frame, full);
+                    full.blit_into(target, full.rect(), full.rect())?;
+                    // Without room for it, the next picture is drawn as a whole.
+                    if let Ok(kept) = Framebuffer::new(&self.gl, size.0, size.1, 0) {
+                        target.blit_into(&kept, target.rect(), kept.rect())?;
+                        self.without_outlines = Some(kept);
+                    }
+                    drawn.and(self.renderer.draw_outlines_over(frame, target))
+                }
             }
         };
-        if let Some(full) = &full {
-            let whole = Rect {
-                x: 0,
-                y: 0,
-                width: size.0.cast_signed(),
-                height: size.1.cast_signed(),
-            };
-            full.blit_into(target, whole, whole)?;
-        }
         drawn.and(room)
     }
 

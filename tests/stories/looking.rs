@@ -53,6 +53,26 @@ impl Story {
 }
 
 #[test]
+fn the_line_round_the_shape_under_the_pointer_is_as_in_a_picture_that_is_drawn_anew() {
+    let mut story = Story::start(&["models/strip.obj", "builtin:gem"]);
+    let plain = story.scene_picture();
+    let view = story.place("View of the scene");
+    for at in [view, view + vec2(30.0, 40.0), view + vec2(300.0, 0.0), view] {
+        story.point(at);
+        story.settle();
+        let hovered = story.scene_picture();
+        for _ in 0..2 {
+            story.key(Key::F4);
+        }
+        assert_eq!(differing(&hovered, &story.scene_picture()), 0, "{at}");
+    }
+    assert!(
+        differing(&plain, &story.scene_picture()) > 50,
+        "a shape is marked"
+    );
+}
+
+#[test]
 fn the_six_views_look_at_the_origin_from_five_away_along_their_axis() {
     let mut story = Story::start(&["builtin:gem"]);
     // Axis that the eye is on, and the one that points right in the picture.
