@@ -71,7 +71,7 @@ struct Shown {
 }
 
 /// Time for which nothing has to move before the full picture takes the place of a draft.
-const REST: Duration = Duration::from_millis(100);
+const REST: Duration = Duration::from_millis(130);
 
 /// State that a picture of the scene follows from.
 #[derive(Clone, Debug, PartialEq)]
