@@ -283,8 +283,8 @@ impl Session {
     }
 
     /// Revision of the document. Changes with every edit that changes something, and returns to its
-    /// old value when a gesture is canceled, a step undone, or the scene as it was opened made again. The camera, the selection and the pointer do not
-    /// affect it.
+    /// old value when a gesture is canceled, a step undone, or the scene as it was opened made again. The
+    /// camera, the selection and the pointer do not affect it.
     pub fn document(&self) -> Revision {
         self.document
     }
