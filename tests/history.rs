@@ -6,8 +6,9 @@ use editor_core::editor::{Edit, Session, View};
 use editor_core::geometry::{Basis, Curve};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{
-    CharacterDisplay, CurveSet, CurveShape, IkSettings, ModelDisplay, NewShape, Scene, ShapeColor,
-    ShapeId, ShapeKind, SkinningMethod, ViewSettings,
+    BoneStyle, CharacterDisplay, CurveDisplay, CurveSet, CurveShape, CurveVisibility, IkSettings,
+    JointStyle, ModelDisplay, NewShape, Scene, ShapeColor, ShapeId, ShapeKind, SkinningMethod,
+    SurfaceVisibility, ViewSettings,
 };
 use glam::Vec3;
 use proptest::prelude::*;
@@ -70,9 +71,15 @@ fn a_step_is_named_for_what_it_changed() {
         point: 0,
         position: Vec3::X * x,
     };
-    let skeleton = CharacterDisplay {
-        mode: ModelDisplay::Skeleton,
-        ..CharacterDisplay::default()
+    let display = |change: fn(&mut CharacterDisplay)| {
+        let mut display = CharacterDisplay::default();
+        change(&mut display);
+        Edit::SetDisplay(MAN, display)
+    };
+    let curves = |change: fn(&mut CurveDisplay)| {
+        let mut display = CurveDisplay::default();
+        change(&mut display);
+        Edit::SetCurveDisplay(CURVES, display)
     };
     let root = |x| Edit::SetRootOffset {
         shape: MAN,
@@ -115,8 +122,54 @@ fn a_step_is_named_for_what_it_changed() {
         (vec![keep], "Keep Wave"),
         (vec![Edit::SetIk(MAN, pins(&[1]))], "Pin Left elbow"),
         (
-            vec![Edit::SetDisplay(MAN, skeleton)],
+            vec![display(|d| d.mode = ModelDisplay::Skeleton)],
             "Show the skeleton of Man",
+        ),
+        (
+            vec![display(|d| d.mode = ModelDisplay::Both)],
+            "Show mesh and skeleton of Man",
+        ),
+        (
+            vec![display(|d| d.joints = JointStyle::Points)],
+            "Show points as joints of Man",
+        ),
+        (
+            vec![display(|d| d.bones = BoneStyle::Lines)],
+            "Show lines as bones of Man",
+        ),
+        (
+            vec![display(|d| d.point_size = 12.0)],
+            "Change the point size of Man",
+        ),
+        (
+            vec![display(|d| d.line_width = 3.0)],
+            "Change the line width of Man",
+        ),
+        (
+            vec![curves(|d| d.control_points = false)],
+            "Hide the control points of Curve",
+        ),
+        (
+            vec![curves(|d| d.curve = CurveVisibility::Off)],
+            "Hide the curves of Curve",
+        ),
+        (
+            vec![curves(|d| d.curve = CurveVisibility::OnWithFrames)],
+            "Show curves with frames of Curve",
+        ),
+        (
+            vec![curves(|d| d.surface = SurfaceVisibility::Off)],
+            "Hide the surfaces of Curve",
+        ),
+        (
+            vec![curves(|d| {
+                d.surface = SurfaceVisibility::WireframeWithNormals
+            })],
+            "Show the wireframe of Curve",
+        ),
+        (
+            vec![Edit::SetFrameClosing(CURVES, false)],
+            "Change the frames of Curve",
         ),
         (
             vec![Edit::SetSkinningMethod(MAN, SkinningMethod::DualQuaternion)],

@@ -1,7 +1,7 @@
 use super::{Screen, Session};
 use crate::character::ik::IkChain;
 use crate::character::{JointBone, SkeletalModel};
-use crate::scene::{BoneHit, ShapeId};
+use crate::scene::{BoneHit, IkSettings, ShapeId};
 use glam::Vec3;
 
 /// Distance between the end of a bone and a child, relative to the bone's length, up to which the
@@ -106,7 +106,7 @@ impl IkGrip {
         let (skeleton, pose) = (character.character.skeleton(), character.pose());
         let pins = &character.ik.pins;
         let length = match character.ik.length {
-            2 if self.ends_limb(skeleton) => 1,
+            IkSettings::LIMB if self.ends_limb(skeleton) => 1,
             length => length,
         };
         match self {
@@ -160,7 +160,7 @@ mod tests {
     use crate::character::{Attachments, Character, Joint};
     use crate::editor::Edit;
     use crate::geometry::Mesh;
-    use crate::scene::{Camera, CharacterShape, IkSettings, NewShape, ShapeKind};
+    use crate::scene::{Camera, CharacterShape, NewShape, ShapeKind};
     use glam::Vec2;
     use std::sync::Arc;
 

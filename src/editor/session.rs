@@ -26,10 +26,8 @@ pub struct Session {
     hovered_bone: Option<(ShapeId, usize)>,
     hovered_control_point: Option<(usize, usize)>,
     view: ViewSettings,
-    /// Revision of the document as it was opened.
-    opened: Revision,
-    /// Scene as it was opened.
-    start: Scene,
+    /// Document as it was opened.
+    opened: State,
     /// Camera with which the document was opened.
     start_camera: Camera,
     /// Messages to the user.
@@ -55,13 +53,12 @@ impl Default for Session {
             scene: state.scene.clone(),
             document: state.document,
             gesture: None,
+            opened: state.clone(),
             history: History::new(state),
             selection: Selection::default(),
             hovered_bone: None,
             hovered_control_point: None,
             view: ViewSettings::default(),
-            opened: Revision::new(),
-            start: Scene::new(),
             start_camera: Camera::default(),
             messages: Messages::default(),
             evaluator: Evaluator::new(),
@@ -122,10 +119,9 @@ impl Session {
             self.select(next.map(|next| self.scene.shapes()[next].id));
         }
         if change.opened {
-            self.opened = self.document;
-            self.start = self.scene.clone();
+            self.opened = self.present();
             self.gesture = None;
-            self.history = History::new(self.present());
+            self.history = History::new(self.opened.clone());
         } else if self.gesture.is_none() {
             self.record(before, selection);
         } else if !change.added.is_empty() || !change.removed.is_empty() {
@@ -339,7 +335,7 @@ impl Session {
     /// Revision that changes when another document is opened. Identifiers start again then, so what
     /// is stored by [`ShapeId`] outside of the session is valid only until this changes.
     pub fn opened(&self) -> Revision {
-        self.opened
+        self.opened.document
     }
 
     /// Camera with which the document was opened.
@@ -349,7 +345,7 @@ impl Session {
 
     /// Scene as it was opened.
     pub fn start_scene(&self) -> &Scene {
-        &self.start
+        &self.opened.scene
     }
 
     /// Evaluated document: matrices, deformed meshes and bounds.
@@ -384,8 +380,8 @@ impl Session {
     /// Makes the change from an earlier state a step that can be undone. A scene that is as it was
     /// opened has that revision again.
     fn record(&mut self, before: State, selection: Selection) {
-        if self.scene.is_back_at(&self.start) {
-            self.document = self.opened;
+        if self.scene.is_back_at(&self.opened.scene) {
+            self.document = self.opened.document;
         }
         let name = step_name(&before.scene, &self.scene);
         let present = self.present();

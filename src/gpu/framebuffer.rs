@@ -3,54 +3,9 @@
 use glow::HasContext as _;
 use std::cell::Cell;
 
+use super::blit::{Rect, blit, prepare_whole};
 use super::framebuffer_object::FramebufferObject;
 use super::{Gl, GpuError};
-
-/// A rectangle of pixels, counted from the bottom left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Rect {
-    /// Left side.
-    pub x: i32,
-    /// Lower side.
-    pub y: i32,
-    /// In pixels.
-    pub width: i32,
-    /// In pixels.
-    pub height: i32,
-}
-
-impl Rect {
-    /// Whether all of another lies in it.
-    pub fn has(&self, other: &Self) -> bool {
-        self.around(*other) == *self
-    }
-
-    /// The smallest that has both.
-    pub fn around(self, other: Self) -> Self {
-        let (x, y) = (self.x.min(other.x), self.y.min(other.y));
-        let right = (self.x + self.width).max(other.x + other.width);
-        let top = (self.y + self.height).max(other.y + other.height);
-        Self {
-            x,
-            y,
-            width: right - x,
-            height: top - y,
-        }
-    }
-
-    /// What lies in both, if anything does.
-    pub fn meeting(&self, other: &Self) -> Option<Self> {
-        let (x, y) = (self.x.max(other.x), self.y.max(other.y));
-        let right = (self.x + self.width).min(other.x + other.width);
-        let top = (self.y + self.height).min(other.y + other.height);
-        (right > x && top > y).then_some(Self {
-            x,
-            y,
-            width: right - x,
-            height: top - y,
-        })
-    }
-}
 
 /// Color (RGBA, 8 bits each) and depth (24 bits) in memory of the graphics card.
 ///
@@ -434,57 +389,5 @@ fn turn_rows(pixels: &mut [u8], row: usize) {
         let (upper, lower) = pixels.split_at_mut(bottom * row);
         upper[top * row..(top + 1) * row].swap_with_slice(&mut lower[..row]);
         top += 1;
-    }
-}
-
-/// Switches the scissor test and sRGB conversion off, which copying and clearing obey.
-///
-/// # Safety
-/// The context is current, and `is_gles` says truly whether it is one of OpenGL ES.
-unsafe fn prepare_whole(glow: &glow::Context, is_gles: bool) {
-    // SAFETY: by this function's contract; OpenGL ES has no such conversion to switch.
-    unsafe {
-        glow.disable(glow::SCISSOR_TEST);
-        glow.disable(glow::RASTERIZER_DISCARD);
-        glow.disable(glow::DITHER);
-        if !is_gles {
-            glow.disable(glow::FRAMEBUFFER_SRGB);
-        }
-    }
-}
-
-fn blit(
-    gl: &Gl,
-    from: glow::Framebuffer,
-    source: Rect,
-    to: Option<glow::Framebuffer>,
-    target: Rect,
-) {
-    let Some(glow) = gl.current() else {
-        return;
-    };
-    let same_size = (source.width, source.height) == (target.width, target.height);
-    let filter = if same_size {
-        glow::NEAREST
-    } else {
-        glow::LINEAR
-    };
-    // SAFETY: current context, which both are of; the driver leaves out parts outside of a picture.
-    unsafe {
-        prepare_whole(glow, gl.info().is_gles);
-        glow.bind_framebuffer(glow::READ_FRAMEBUFFER, Some(from));
-        glow.bind_framebuffer(glow::DRAW_FRAMEBUFFER, to);
-        glow.blit_framebuffer(
-            source.x,
-            source.y,
-            source.x.saturating_add(source.width),
-            source.y.saturating_add(source.height),
-            target.x,
-            target.y,
-            target.x.saturating_add(target.width),
-            target.y.saturating_add(target.height),
-            glow::COLOR_BUFFER_BIT,
-            filter,
-        );
     }
 }

@@ -34,6 +34,7 @@
 #![doc(alias = "ErrorHandling")]
 
 mod attribute;
+mod blit;
 mod buffer;
 mod context;
 mod display_list;
@@ -58,6 +59,7 @@ mod texture;
 mod vertex_array;
 
 pub use attribute::Attribute;
+pub use blit::Rect;
 pub use buffer::{Buffer, IndexBuffer, Usage};
 pub use context::Api;
 #[cfg(target_arch = "wasm32")]
@@ -68,7 +70,7 @@ pub use display_list::DisplayList;
 pub use draw_state::{Blend, DepthTest, DrawState};
 pub use driver::Info;
 pub use fence::Fence;
-pub use framebuffer::{Framebuffer, Rect};
+pub use framebuffer::Framebuffer;
 pub use gl::Gl;
 pub use gpu_error::{ContextError, GpuError};
 pub use immediate::{Immediate, Mode, PointShape};

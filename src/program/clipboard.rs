@@ -9,7 +9,6 @@ use super::reading::Use;
 use super::running::Program;
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
 use crate::io::{self, Loaded, Missing, PoseFile, ReadJob, Wanted};
-use crate::scene::ShapeId;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -59,9 +58,6 @@ impl Program {
         let is_scene = text.contains("\"editor-scene\"");
         let path = Path::new(CLIPBOARD);
         let posed = shape.filter(|&shape| self.session.scene().character(shape).is_some());
-        if let Some(text) = posed.and_then(|shape| self.whose_pose(shape, text)) {
-            return self.tell(Severity::Warning, text);
-        }
         let neither = match posed {
             _ if text.trim().is_empty() => {
                 "There is nothing on the clipboard: Copy and Copy Pose put something there"
@@ -77,21 +73,6 @@ impl Program {
             _ => "There are no shapes and no pose on the clipboard",
         };
         self.tell(Severity::Warning, neither);
-    }
-
-    /// Words for a pose of which the character has none of the joints; `None` for any other text.
-    fn whose_pose(&self, shape: ShapeId, text: &str) -> Option<String> {
-        let pose = PoseFile::read(Path::new(CLIPBOARD), text.as_bytes()).ok()?;
-        let scene = self.session.scene();
-        let (shape, character) = scene.shape(shape).zip(scene.character(shape))?;
-        let first = pose.first_joint()?;
-        let fits = pose.fits(character.character.skeleton());
-        (!fits).then(|| {
-            let name = &shape.name;
-            format!(
-                "The pose on the clipboard is another character's: {name} has none of its joints, such as {first}"
-            )
-        })
     }
 
     pub(super) fn paste_shapes(&mut self, text: &str, host: &mut dyn Host) {

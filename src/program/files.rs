@@ -255,6 +255,17 @@ impl Program {
             Ok(file) => file,
             Err(error) => return self.tell(Severity::Error, error.to_string()),
         };
+        if let Some(joint) = file.first_joint()
+            && path == Path::new(CLIPBOARD)
+            && !file.fits(skeleton)
+        {
+            let shape = self.session.scene().shape(shape);
+            let name = shape.map_or("the character", |shape| &shape.name);
+            let text = format!(
+                "The pose on the clipboard is another character's: {name} has none of its joints, such as {joint}"
+            );
+            return self.tell(Severity::Warning, text);
+        }
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
                 if !missing.is_empty() {

@@ -1,10 +1,10 @@
 use super::split_view::SplitView;
+use super::window_picture::WindowPicture;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
 use crate::render::{
-    Backdrop, Composer, Frame, InterfacePainter, LargePicture, Marks, PictureParts, Placed,
-    RenderError, Renderer, read_picture,
+    Backdrop, Frame, LargePicture, Marks, PictureParts, RenderError, Renderer, read_picture,
 };
 use crate::revision::Revision;
 use crate::scene::{Evaluated, Skinning, ViewSettings};
@@ -30,7 +30,7 @@ pub struct Graphics {
     /// What the picture of the scene shows: it is drawn again only when this changes.
     shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
-    window: Option<Window>,
+    window: Option<WindowPicture>,
     /// Whether the last frame could not have pictures of the size it needed.
     has_wrong_size: bool,
     /// Samples a pixel of pictures of the scene.
@@ -39,18 +39,6 @@ pub struct Graphics {
     /// then its picture has none, and those of the full one are there only while it is drawn.
     drafts: bool,
     gl: Gl,
-}
-
-/// The panels' painter and what it paints on.
-#[derive(Debug)]
-struct Window {
-    picture: Option<Framebuffer>,
-    painter: InterfacePainter,
-    composer: Composer,
-    /// Whether the picture of the scene was drawn since it was composed.
-    has_new_scene: bool,
-    /// Whether anything was painted since [`Graphics::take_is_new`] was called.
-    is_new: bool,
 }
 
 /// Properties of the graphics that the program shows and keeps to.
@@ -149,7 +137,7 @@ impl Graphics {
 
     /// Scene and panels as they were composed last, as large as the window.
     pub fn window_picture(&self) -> Option<&Framebuffer> {
-        self.window.as_ref()?.picture.as_ref()
+        self.window.as_ref()?.picture()
     }
 
     /// Chooses what deforms characters; whether pictures have to be drawn again.
@@ -185,10 +173,7 @@ impl Graphics {
 
     /// Draws the scene anew when it is shown next.
     pub(super) fn forget_scene(&mut self) {
-        let was_shown = self.shown.take().is_some();
-        if let Some(window) = &mut self.window {
-            window.has_new_scene |= was_shown;
-        }
+        self.shown = None;
     }
 
     /// Makes the picture of the window fit its `size` in pixels, and the painter of the panels if
@@ -199,19 +184,9 @@ impl Graphics {
     pub(super) fn fit_window(&mut self, size: (u32, u32)) -> Result<(), ProgramError> {
         let window = match &mut self.window {
             Some(window) => window,
-            none => none.insert(Window {
-                picture: None,
-                painter: InterfacePainter::new(&self.gl)?,
-                composer: Composer::default(),
-                has_new_scene: true,
-                is_new: false,
-            }),
+            none => none.insert(WindowPicture::new(&self.gl)?),
         };
-        if !fits(window.picture.as_ref(), size, 0) {
-            window.composer.forget();
-        }
-        fit(&self.gl, &mut window.picture, size, 0)?;
-        Ok(())
+        Ok(window.fit(&self.gl, size)?)
     }
 
     /// Whether the last pictures could not have the size that was needed; `wrong` is the same for
@@ -260,7 +235,7 @@ impl Graphics {
             None => drafts,
         };
         if let Some(window) = &mut self.window {
-            window.has_new_scene = true;
+            window.scene_changes();
         }
         let other_outlines = self.shown.as_ref().is_some_and(|shown| {
             shown.draft_since.is_none() && shown.key.without_outlines() == key.without_outlines()
@@ -396,30 +371,20 @@ impl Graphics {
         context: &egui::Context,
         output: FullOutput,
     ) -> Result<(), GpuError> {
-        let Some(window) = &mut self.window else {
-            return Ok(());
-        };
-        let painter = &mut window.painter;
-        let scene = shown_picture(&self.split, &self.scene);
-        let (Some(scene), Some(target)) = (scene, &window.picture) else {
-            painter.skip(output);
-            window.composer.forget();
-            return Ok(());
-        };
-        let placed = Placed {
-            scene,
-            is_new: std::mem::take(&mut window.has_new_scene),
-            place,
-        };
-        let composed = (window.composer).compose(placed, painter, context, output, target);
-        window.is_new |= *composed.as_ref().unwrap_or(&true);
-        composed.map(drop)
+        match (&mut self.window, shown_picture(&self.split, &self.scene)) {
+            (Some(window), Some(scene)) => window.compose(scene, place, context, output),
+            (Some(window), None) => {
+                window.skip(output);
+                Ok(())
+            }
+            (None, _) => Ok(()),
+        }
     }
 
     /// Whether the window's picture has been composed anew since the last call.
     pub fn take_is_new(&mut self) -> bool {
         let window = self.window.as_mut();
-        window.is_some_and(|window| std::mem::take(&mut window.is_new))
+        window.is_some_and(WindowPicture::take_is_new)
     }
 
     /// The window's picture as it was composed last.
@@ -447,7 +412,11 @@ fn revisions(evaluated: &Evaluated) -> Vec<Revision> {
 }
 
 /// Whether there is a picture of this size, in pixels, and with so many samples.
-fn fits(picture: Option<&Framebuffer>, (width, height): (u32, u32), samples: u32) -> bool {
+pub(super) fn fits(
+    picture: Option<&Framebuffer>,
+    (width, height): (u32, u32),
+    samples: u32,
+) -> bool {
     picture.is_some_and(|p| (p.width(), p.height(), p.samples()) == (width, height, samples))
 }
 

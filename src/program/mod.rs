@@ -36,6 +36,7 @@ mod scene_link;
 mod sources;
 mod split_view;
 mod start_pictures;
+mod window_picture;
 
 pub use autosave::Unsaved;
 pub use frame::{FrameInput, Pass, ProgramError};

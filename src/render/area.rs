@@ -28,6 +28,12 @@ impl Area {
         self.first[0] >= self.end[0] || self.first[1] >= self.end[1]
     }
 
+    /// Number of its pixels.
+    pub fn pixels(&self) -> u64 {
+        let [_, _, width, height] = self.rectangle().map(i32::unsigned_abs);
+        u64::from(width) * u64::from(height)
+    }
+
     /// The smallest area with both.
     pub fn union(self, other: Self) -> Self {
         let axes = [0, 1];

@@ -1,8 +1,10 @@
 //! The picture of the scene and the panels over it, in one.
 
 use super::InterfacePainter;
+use super::area::Area;
+use super::changed_shapes::ChangedShapes;
 use crate::gpu::{Framebuffer, GpuError, Rect};
-use egui::epaint::{ClippedShape, Primitive};
+use egui::epaint::ClippedShape;
 
 /// Puts pictures of the scene and the panels over them into one, as in the window and in pictures with
 /// panels, and paints again only the parts in which something has changed: most frames of a window have
@@ -14,10 +16,9 @@ pub struct Composer {
 }
 
 /// What a picture shows beside the scene.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 struct Shown {
-    /// Width and height of the picture, in pixels.
-    size: (u32, u32),
+    /// The scene's.
     place: Rect,
     pixels_per_point: f32,
     shapes: Vec<ClippedShape>,
@@ -55,17 +56,26 @@ impl Composer {
     ) -> Result<bool, GpuError> {
         let Placed { scene, place, .. } = placed;
         let now = Shown {
-            size: (target.width(), target.height()),
             place,
             pixels_per_point: output.pixels_per_point,
             shapes: output.shapes.clone(),
         };
         let is_to_scale = (scene.width(), scene.height())
             == (place.width.unsigned_abs(), place.height.unsigned_abs());
-        let before = self.shown.take();
         // Letters may have gone elsewhere in a texture.
-        let before = before.filter(|_| is_to_scale && output.textures_delta.is_empty());
-        let areas = before.and_then(|before| changed_areas(context, &before, &now, placed.is_new));
+        let may_stay = is_to_scale && output.textures_delta.is_empty();
+        let before = self.shown.take().filter(|before| {
+            let is_there = before.place == place;
+            may_stay && is_there && before.pixels_per_point == now.pixels_per_point
+        });
+        let areas = before.and_then(|before| {
+            let size = [target.width(), target.height()];
+            // A view that is folded away has a pixel that may be beyond the picture.
+            let view = area_of(place).within(Area::whole(size));
+            let view = placed.is_new.then_some(view);
+            let changed = ChangedShapes::between(&before.shapes, &now.shapes);
+            changed.areas(context, now.pixels_per_point, size, view)
+        });
         let mut composed = Ok(());
         if let Some(areas) = &areas {
             for &area in areas {
@@ -81,87 +91,8 @@ impl Composer {
     }
 }
 
-/// Changed shapes up to which it is worth finding out where they are.
-const MOST: usize = 200;
-
-/// Pixels by which rounding may move an edge.
-const ROUNDING: f32 = 1.0;
-
 /// Color where neither scene nor panels are.
 const BEHIND: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
-
-/// The areas of a picture, in pixels from the bottom left, outside of which it stays as it is; `None` for
-/// all of it.
-fn changed_areas(
-    context: &egui::Context,
-    before: &Shown,
-    now: &Shown,
-    scene_is_new: bool,
-) -> Option<Vec<Rect>> {
-    let rest = |shown: &Shown| (shown.size, shown.place, shown.pixels_per_point.to_bits());
-    if rest(before) != rest(now) {
-        return None;
-    }
-    let view = scene_is_new.then_some(now.place);
-    let changed = changed_shapes(&before.shapes, &now.shapes);
-    let changed: Vec<_> = changed.take(MOST + 1).collect();
-    if changed.len() > MOST {
-        return None;
-    }
-    let changed = changed
-        .into_iter()
-        .filter_map(|shape| pixels_of(context, shape, now));
-    let beside = changed.filter(|area| view.is_none_or(|view| !view.has(area)));
-    let areas: Vec<Rect> = view
-        .into_iter()
-        .chain(beside.reduce(Rect::around))
-        .collect();
-    let pixels = |area: &Rect| i64::from(area.width) * i64::from(area.height);
-    let changed = areas.iter().map(pixels).sum::<i64>();
-    let all = i64::from(now.size.0) * i64::from(now.size.1);
-    (changed < all).then_some(areas)
-}
-
-/// The shapes of two frames that are not in both at one place in the order in which they are painted.
-fn changed_shapes<'a>(
-    before: &'a [ClippedShape],
-    now: &'a [ClippedShape],
-) -> impl Iterator<Item = &'a ClippedShape> {
-    // What was inserted, such as a tooltip, moves all that comes after it.
-    let pairs = before.iter().zip(now);
-    let first = pairs.take_while(|(before, now)| before == now).count();
-    let (before, now) = (&before[first..], &now[first..]);
-    let pairs = before.iter().rev().zip(now.iter().rev());
-    let last = pairs.take_while(|(before, now)| before == now).count();
-    let (before, now) = (&before[..before.len() - last], &now[..now.len() - last]);
-    let in_pairs = before.len() == now.len();
-    let is_same = move |at: usize| in_pairs && before[at] == now[at];
-    let changed = (0..before.len().max(now.len())).filter(move |&at| !is_same(at));
-    changed.flat_map(move |at| before.get(at).into_iter().chain(now.get(at)))
-}
-
-/// The pixels that a shape may cover, from the bottom left. Its triangles tell: its bounds leave out corners of
-/// thick lines.
-fn pixels_of(context: &egui::Context, shape: &ClippedShape, of: &Shown) -> Option<Rect> {
-    let triangles = context.tessellate(vec![shape.clone()], of.pixels_per_point);
-    let bounds = triangles.iter().map(|part| match &part.primitive {
-        Primitive::Mesh(mesh) => mesh.calc_bounds(),
-        Primitive::Callback(_) => egui::Rect::NOTHING,
-    });
-    let bounds = bounds.fold(egui::Rect::NOTHING, egui::Rect::union);
-    let bounds = bounds.intersect(shape.clip_rect) * of.pixels_per_point;
-    let bounds = bounds.expand(ROUNDING);
-    let (width, height) = (of.size.0 as f32, of.size.1 as f32);
-    let picture = egui::Rect::from_min_size(egui::Pos2::ZERO, egui::vec2(width, height));
-    let bounds = bounds.intersect(picture);
-    let (min, max) = (bounds.min.floor(), bounds.max.ceil());
-    bounds.is_positive().then_some(Rect {
-        x: min.x as i32,
-        y: (height - max.y) as i32,
-        width: (max.x - min.x) as i32,
-        height: (max.y - min.y) as i32,
-    })
-}
 
 /// Composes a part of a picture anew.
 fn paint_area(
@@ -169,14 +100,16 @@ fn paint_area(
     painter: &mut InterfacePainter,
     context: &egui::Context,
     now: &Shown,
-    area: Rect,
+    area: Area,
     target: &Framebuffer,
 ) -> Result<(), GpuError> {
-    if !place.has(&area) {
-        target.clear_area(area, BEHIND);
+    let seen = area.within(area_of(place));
+    if seen != area {
+        target.clear_area(rect_of(area), BEHIND);
     }
     let mut composed = Ok(());
-    if let Some(seen) = place.meeting(&area) {
+    if !seen.is_empty() {
+        let seen = rect_of(seen);
         let source = Rect {
             x: seen.x - place.x,
             y: seen.y - place.y,
@@ -184,10 +117,10 @@ fn paint_area(
         };
         composed = scene.blit_into(target, source, seen);
     }
-    let top = now.size.1 as i32 - area.y - area.height;
-    let min = egui::pos2(area.x as f32, top as f32) / now.pixels_per_point;
-    let size = egui::vec2(area.width as f32, area.height as f32) / now.pixels_per_point;
-    let clip = egui::Rect::from_min_size(min, size);
+    let ([left, bottom], [right, top]) = (area.first, area.end);
+    let point =
+        |x: u32, y: u32| egui::pos2(x as f32, (target.height() - y) as f32) / now.pixels_per_point;
+    let clip = egui::Rect::from_min_max(point(left, top), point(right, bottom));
     let shapes = now.shapes.iter().filter_map(|shape| {
         let clip_rect = shape.clip_rect.intersect(clip);
         clip_rect.is_positive().then(|| ClippedShape {
@@ -197,6 +130,24 @@ fn paint_area(
     });
     painter.paint_again(context, shapes.collect(), now.pixels_per_point, target);
     composed
+}
+
+/// The pixels of a rectangle whose corner is none left of or below a picture.
+fn area_of(rect: Rect) -> Area {
+    let [x, y, right, top] = [rect.x, rect.y, rect.x + rect.width, rect.y + rect.height];
+    let first = [x, y].map(i32::unsigned_abs);
+    let end = [right, top].map(i32::unsigned_abs);
+    Area { first, end }
+}
+
+fn rect_of(area: Area) -> Rect {
+    let [x, y, width, height] = area.rectangle();
+    Rect {
+        x,
+        y,
+        width,
+        height,
+    }
 }
 
 /// Rectangle of the view in a picture, in whole pixels, from its corners in the interface, in points
@@ -347,7 +298,8 @@ mod tests {
             first in proptest::collection::vec(painted(), 1..9),
             steps in steps(),
             pixels_per_point in prop::sample::select(vec![1.0_f32, 1.25, 2.0]),
-            (x, y) in (0..40_i32, 0..30_i32),
+            // Also partly beyond the picture.
+            (x, y) in (0..124_i32, 0..98_i32),
         ) {
             let headless = HeadlessContext::new(Backend::Auto).unwrap();
             let gl = headless.gl();

@@ -7,6 +7,7 @@ mod backdrop;
 mod backdrop_pass;
 mod batches;
 mod cached_mesh;
+mod changed_shapes;
 mod compose;
 mod coverage;
 #[cfg(test)]
@@ -26,6 +27,7 @@ mod number_marks;
 #[cfg(not(target_arch = "wasm32"))]
 mod offscreen;
 mod outline_pass;
+mod outlines_over;
 mod palettes;
 mod picture_parts;
 mod read_back;

@@ -90,43 +90,6 @@ impl Renderer {
         self.draw_tile(frame, target, tile, Background::Look)
     }
 
-    /// As [`Renderer::draw`], without the lines round marked shapes, which
-    /// [`Renderer::draw_outlines_over`] adds.
-    ///
-    /// # Errors
-    /// As [`Renderer::draw`].
-    pub fn draw_without_outlines(
-        &mut self,
-        frame: &Frame,
-        target: &Framebuffer,
-    ) -> Result<(), RenderError> {
-        self.layer = StillLayer::default();
-        let tile = Tile::whole((target.width(), target.height()));
-        let tile = (tile, Background::Look);
-        self.draw_by(frame, target, tile, |renderer, context| {
-            renderer.draw_shapes(frame, target, context)
-        })
-    }
-
-    /// Draws the lines round marked shapes over what [`Renderer::draw_without_outlines`] has drawn: the
-    /// pixels of both are those of [`Renderer::draw`], also where `target` has the averages of samples,
-    /// since the lines cover whole pixels.
-    ///
-    /// # Errors
-    /// When a GL error occurred. Meshes that the driver does not take have no line.
-    pub fn draw_outlines_over(
-        &mut self,
-        frame: &Frame,
-        target: &Framebuffer,
-    ) -> Result<(), RenderError> {
-        let tile = Tile::whole((target.width(), target.height()));
-        let context = self.context(frame, target, tile, Background::Look);
-        // Surfaces are not drawn: none of their triangles need be chosen, as for samples.
-        let chosen = self.choose_triangles(frame, &context, 1);
-        let drawn = chosen.and_then(|()| self.draw_outlines(frame, target, &context));
-        Ok(drawn.and(self.gl.check("drawing outlines"))?)
-    }
-
     /// As [`Renderer::draw`], but only the part `tile` of the picture, which `target` is as large as.
     ///
     /// # Errors
@@ -162,7 +125,7 @@ impl Renderer {
             context = grounded;
             updated = updated.and(self.update_meshes(frame, &Sight::new(&context, frame)));
         }
-        let chosen = self.choose_triangles(frame, &context, target.samples());
+        let chosen = self.choose_triangles(frame, &context, target.samples() > 0);
         self.curves.update(&self.gl, frame, &mut self.immediate);
         let drawn = chosen.and_then(|()| passes(self, &context));
         let after = self.gl.check("drawing the scene");
@@ -177,22 +140,22 @@ impl Renderer {
 
     /// Leaves out what is not seen of meshes. Software OpenGL spends most of its time on triangles, also
     /// on those in which there is no sample; a graphics card takes them as they come.
-    fn choose_triangles(
+    pub(super) fn choose_triangles(
         &mut self,
         frame: &Frame,
         context: &PassContext,
-        samples: u32,
+        has_samples: bool,
     ) -> Result<(), GpuError> {
         let info = self.gl.info();
         let middle = info.is_software.then(|| Samples::middle(info));
-        let of_surfaces = middle.as_ref().filter(|_| samples == 0);
+        let of_surfaces = middle.as_ref().filter(|_| !has_samples);
         let sight = Sight::new(context, frame);
         let size = [context.width, context.height];
         let samples = (of_surfaces, middle.as_ref());
         (self.meshes).choose_triangles(&self.gl, frame, &sight, size, samples)
     }
 
-    fn context(
+    pub(super) fn context(
         &self,
         frame: &Frame,
         target: &Framebuffer,
@@ -222,7 +185,7 @@ impl Renderer {
     }
 
     /// Draws all but the lines round marked shapes.
-    fn draw_shapes(
+    pub(super) fn draw_shapes(
         &mut self,
         frame: &Frame,
         target: &Framebuffer,
@@ -314,7 +277,7 @@ mod tests {
     use crate::geometry::{Basis, Mesh, Picture};
     use crate::gpu::test_driver::TestDriver;
     use crate::gpu::{Backend, HeadlessContext};
-    use crate::render::{Marks, read_picture};
+    use crate::render::read_picture;
     use crate::scene::{
         CharacterShape, CurveSet, CurveShape, Evaluator, NewShape, Scene, ShapeKind, Skinning,
         ViewSettings,
@@ -359,54 +322,6 @@ mod tests {
         let target = Framebuffer::new(gl, 64, 48, 0).unwrap();
         let result = renderer.draw(&frame, &target);
         (result, read_picture(&target).unwrap())
-    }
-
-    #[test]
-    fn outlines_over_the_averages_of_samples_have_the_pixels_of_those_under_them() {
-        let headless = HeadlessContext::new(Backend::Auto).unwrap();
-        let gl = headless.gl();
-        let mut scene = moved_triangle();
-        let curve = ShapeKind::Curve(CurveShape::new(CurveSet::start_spline(Basis::Bezier)));
-        for (kind, at) in [
-            (ShapeKind::Cube, Vec3::X),
-            (ShapeKind::Sphere, Vec3::new(0.7, 0.4, 0.6)),
-            (curve, Vec3::Y * 0.5),
-        ] {
-            let id = scene.add(NewShape::new("A", kind));
-            scene.shape_mut(id).unwrap().placement.transform.position = at;
-        }
-        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
-        let ids: Vec<_> = scene.shapes().iter().map(|shape| shape.id).collect();
-        for look in [Look::Course, Look::Studio, Look::Mannequin] {
-            let view = ViewSettings {
-                look,
-                ..ViewSettings::default()
-            };
-            for (at, &hovered) in ids.iter().enumerate() {
-                let marks = Marks {
-                    selected: Some(ids[(at + 1) % ids.len()]),
-                    also_selected: vec![ids[(at + 2) % ids.len()]],
-                    hovered: Some(hovered),
-                    ..Marks::default()
-                };
-                let frame = Frame {
-                    marks,
-                    ..Frame::plain(&scene, &evaluated, &view)
-                };
-                let full = [(); 2].map(|()| Framebuffer::new(gl, 150, 110, 4).unwrap());
-                let averages = Framebuffer::new(gl, 150, 110, 0).unwrap();
-                let mut renderer = Renderer::new(gl).unwrap();
-                renderer.draw(&frame, &full[0]).unwrap();
-                renderer.draw_without_outlines(&frame, &full[1]).unwrap();
-                let before = full[1].read_rgba().unwrap();
-                let whole = averages.rect();
-                full[1].blit_into(&averages, whole, whole).unwrap();
-                renderer.draw_outlines_over(&frame, &averages).unwrap();
-                let [expected, found] = [&full[0], &averages].map(|it| it.read_rgba().unwrap());
-                assert!(found == expected, "{look:?}, {at}");
-                assert!(found != before, "{look:?}, {at}: there are outlines");
-            }
-        }
     }
 
     #[test]

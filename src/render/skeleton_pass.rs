@@ -332,10 +332,12 @@ pub(super) fn draw_mannequin_bones(
                 .is_some_and(|character| character.display.mode != ModelDisplay::Mesh);
             let are_shown = frame.view.bones || shows_skeleton;
             for (joint, start, end) in bones_in_world(frame.scene, shape) {
-                let own = match hovered == Some(joint) {
-                    true => CYAN_BONE,
-                    false if are_shown => RED_BONE,
-                    false => continue,
+                let own = if hovered == Some(joint) {
+                    CYAN_BONE
+                } else if are_shown {
+                    RED_BONE
+                } else {
+                    continue;
                 };
                 immediate.color(edge.unwrap_or(own));
                 immediate.vertex(start);

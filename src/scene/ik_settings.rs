@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 /// Settings of inverse kinematics of a character, with its pins.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IkSettings {
-    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first, and of two only
-    /// one if the other is where limbs meet.
+    /// Number of joints that turn, at least 1; fewer if a root or a pin comes first, and of
+    /// [`IkSettings::LIMB`] only one if the other is where limbs meet.
     pub length: usize,
     /// Direction in which knees and elbows point.
     pub pole: IkPole,
@@ -19,13 +19,14 @@ pub struct IkSettings {
 impl IkSettings {
     /// Greatest length of a chain, in joints.
     pub const LONGEST: usize = 999;
+    /// Usual length of a chain: thigh and shin, upper arm and forearm.
+    pub const LIMB: usize = 2;
 }
 
 impl Default for IkSettings {
     fn default() -> Self {
         Self {
-            // Thigh and shin, upper arm and forearm.
-            length: 2,
+            length: Self::LIMB,
             pole: IkPole::default(),
             keep_orientation: true,
             pins: BTreeSet::new(),

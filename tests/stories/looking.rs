@@ -53,6 +53,65 @@ impl Story {
 }
 
 #[test]
+fn a_window_of_which_parts_were_painted_again_looks_as_one_that_is_painted_as_a_whole() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let view = story.place("View of the scene");
+    let whole = |story: &mut Story, step: &str| {
+        let parts = story.picture();
+        let size = story.size;
+        for other in [(size.0 + 40, size.1), size] {
+            story.size = other;
+            story.settle();
+        }
+        assert_eq!(differing(&parts, &story.picture()), 0, "{step}");
+    };
+    story.point(view);
+    story.settle();
+    whole(&mut story, "a shape under the pointer");
+    story.click("View");
+    whole(&mut story, "a menu");
+    story.key(Key::Escape);
+    whole(&mut story, "no menu any more");
+    let field = story.place("Elbow Z");
+    story.press_and_drag(field, field + vec2(30.0, 0.0));
+    whole(&mut story, "a number that is dragged");
+    story.button(false);
+    story.settle();
+    let tool = story.place("Rotate Tool");
+    story.point(tool);
+    story.wait(1.0);
+    whole(&mut story, "a tooltip");
+    story.point(view + vec2(0.0, 60.0));
+    story.settle();
+    whole(&mut story, "no tooltip any more");
+    story.key(Key::K);
+    whole(&mut story, "a panel below the view");
+}
+
+#[test]
+fn the_bones_of_the_mannequin_look_are_hidden_and_shown_by_the_view_menu() {
+    let mut story = Story::start(&["builtin:mannequin-1"]);
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    let red = |story: &Story| {
+        let picture = story.scene_picture();
+        let pixels = picture.rgba.chunks_exact(4);
+        pixels.filter(|pixel| *pixel == [255, 0, 0, 255]).count()
+    };
+    assert!(red(&story) > 50, "{}", red(&story));
+    for (shown, step) in [(false, "off"), (true, "on"), (false, "off")] {
+        story.click("View");
+        story.click("Bones");
+        assert_eq!(story.session().view().bones, shown, "{step}");
+        assert_eq!(red(&story) > 0, shown, "{step}");
+    }
+    // In another look there are none: the item does nothing.
+    story.key(Key::F2);
+    story.click("View");
+    story.click("Bones");
+    assert!(!story.session().view().bones);
+}
+
+#[test]
 fn the_line_round_the_shape_under_the_pointer_is_as_in_a_picture_that_is_drawn_anew() {
     let mut story = Story::start(&["models/strip.obj", "builtin:gem"]);
     let plain = story.scene_picture();

@@ -1,0 +1,106 @@
+//! The lines round marked shapes, drawn after all else into a picture whose samples were averaged before.
+
+use super::frame::{Background, Frame};
+use super::renderer::{RenderError, Renderer};
+use super::still_layer::StillLayer;
+use super::tile::Tile;
+use crate::gpu::Framebuffer;
+
+impl Renderer {
+    /// As [`Renderer::draw`], without the lines round marked shapes, which
+    /// [`Renderer::draw_outlines_over`] adds.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub fn draw_without_outlines(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+    ) -> Result<(), RenderError> {
+        self.layer = StillLayer::default();
+        let tile = Tile::whole((target.width(), target.height()));
+        let tile = (tile, Background::Look);
+        self.draw_by(frame, target, tile, |renderer, context| {
+            renderer.draw_shapes(frame, target, context)
+        })
+    }
+
+    /// Draws the lines round marked shapes over what [`Renderer::draw_without_outlines`] has drawn: the
+    /// pixels of both are those of [`Renderer::draw`], also where `target` has the averages of samples,
+    /// since the lines cover whole pixels.
+    ///
+    /// # Errors
+    /// When a GL error occurred. Meshes that the driver does not take have no line.
+    pub fn draw_outlines_over(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+    ) -> Result<(), RenderError> {
+        let tile = Tile::whole((target.width(), target.height()));
+        let context = self.context(frame, target, tile, Background::Look);
+        // None of the triangles of surfaces need be chosen: they are not drawn.
+        let chosen = self.choose_triangles(frame, &context, true);
+        let drawn = chosen.and_then(|()| self.draw_outlines(frame, target, &context));
+        Ok(drawn.and(self.gl.check("drawing outlines"))?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::geometry::Basis;
+    use crate::gpu::{Backend, Framebuffer, HeadlessContext};
+    use crate::render::{Frame, Marks, Renderer};
+    use crate::scene::{
+        CurveSet, CurveShape, Evaluator, Look, NewShape, Scene, ShapeKind, ViewSettings,
+    };
+    use glam::Vec3;
+
+    #[test]
+    fn outlines_over_the_averages_of_samples_have_the_pixels_of_those_under_them() {
+        let headless = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = headless.gl();
+        let mut scene = Scene::new();
+        let curve = ShapeKind::Curve(CurveShape::new(CurveSet::start_spline(Basis::Bezier)));
+        for (kind, at) in [
+            (ShapeKind::Cube, Vec3::X),
+            (ShapeKind::Pyramid, Vec3::ZERO),
+            (ShapeKind::Sphere, Vec3::new(0.7, 0.4, 0.6)),
+            (curve, Vec3::Y * 0.5),
+        ] {
+            let id = scene.add(NewShape::new("A", kind));
+            scene.shape_mut(id).unwrap().placement.transform.position = at;
+        }
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+        let ids: Vec<_> = scene.shapes().iter().map(|shape| shape.id).collect();
+        for look in [Look::Course, Look::Studio, Look::Mannequin] {
+            let view = ViewSettings {
+                look,
+                ..ViewSettings::default()
+            };
+            for (at, &hovered) in ids.iter().enumerate() {
+                let marks = Marks {
+                    selected: Some(ids[(at + 1) % ids.len()]),
+                    also_selected: vec![ids[(at + 2) % ids.len()]],
+                    hovered: Some(hovered),
+                    ..Marks::default()
+                };
+                let frame = Frame {
+                    marks,
+                    ..Frame::plain(&scene, &evaluated, &view)
+                };
+                let full = [(); 2].map(|()| Framebuffer::new(gl, 150, 110, 4).unwrap());
+                let averages = Framebuffer::new(gl, 150, 110, 0).unwrap();
+                let mut renderer = Renderer::new(gl).unwrap();
+                renderer.draw(&frame, &full[0]).unwrap();
+                renderer.draw_without_outlines(&frame, &full[1]).unwrap();
+                let before = full[1].read_rgba().unwrap();
+                let whole = averages.rect();
+                full[1].blit_into(&averages, whole, whole).unwrap();
+                renderer.draw_outlines_over(&frame, &averages).unwrap();
+                let [expected, found] = [&full[0], &averages].map(|it| it.read_rgba().unwrap());
+                assert!(found == expected, "{look:?}, {at}");
+                assert!(found != before, "{look:?}, {at}: there are outlines");
+            }
+        }
+    }
+}
