@@ -1,13 +1,11 @@
-use super::split_view::SplitView;
+use super::scene_picture::ScenePicture;
 use super::window_picture::WindowPicture;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
-use crate::render::{
-    Backdrop, Frame, LargePicture, Marks, PictureParts, RenderError, Renderer, read_picture,
-};
+use crate::render::{Frame, LargePicture, PictureParts, RenderError, Renderer, read_picture};
 use crate::revision::Revision;
-use crate::scene::{Evaluated, Skinning, ViewSettings};
+use crate::scene::{Evaluated, Skinning};
 use egui::FullOutput;
 use std::time::Duration;
 
@@ -16,28 +14,15 @@ use std::time::Duration;
 #[derive(Debug)]
 pub struct Graphics {
     renderer: Renderer,
-    /// The scene, as large as the view.
-    scene: Option<Framebuffer>,
+    scene: ScenePicture,
     /// The scene, as large as the picture that it is compared with.
     compared: Option<Framebuffer>,
     /// That on its way back.
     compared_reading: Option<Reading>,
-    /// Both parts of the view, while it is split.
-    split: Option<SplitView>,
-    /// The full picture of the scene without the lines round marked shapes, where drawing it takes so long that
-    /// these are drawn over it when the pointer moves from shape to shape.
-    without_outlines: Option<Framebuffer>,
-    /// What the picture of the scene shows: it is drawn again only when this changes.
-    shown: Option<Shown>,
     /// Scene and panels together, in hosts that leave painting the panels to the program.
     window: Option<WindowPicture>,
     /// Whether the last frame could not have pictures of the size it needed.
     has_wrong_size: bool,
-    /// Samples a pixel of pictures of the scene.
-    samples: u32,
-    /// Whether the scene is drawn as a draft, without samples, while something moves, as on software OpenGL;
-    /// then its picture has none, and those of the full one are there only while it is drawn.
-    drafts: bool,
     gl: Gl,
 }
 
@@ -50,58 +35,20 @@ pub struct GraphicsInfo {
     pub max_texture_side: usize,
 }
 
-/// What the picture of the scene shows.
-#[derive(Debug)]
-struct Shown {
-    key: SceneKey,
-    /// When a draft was drawn; `None` for the full picture.
-    draft_since: Option<Duration>,
-}
-
-/// Time for which nothing has to move before the full picture takes the place of a draft.
-const REST: Duration = Duration::from_millis(130);
-
-/// State that a picture of the scene follows from.
-#[derive(Clone, Debug, PartialEq)]
-struct SceneKey {
-    document: Revision,
-    /// Geometry of each shape, which is not the document's while the view shows another one.
-    geometry: Vec<Revision>,
-    /// The same at the right of a line, and the column of the line, while the view is split.
-    right: Option<(Vec<Revision>, i32)>,
-    view: ViewSettings,
-    backdrop: Backdrop,
-    marks: Marks,
-}
-
-impl SceneKey {
-    /// The same without the marks that are lines round shapes and nothing else.
-    fn without_outlines(&self) -> Self {
-        let mut key = self.clone();
-        key.marks.hovered = None;
-        key.marks.also_selected.clear();
-        key
-    }
-}
-
 impl Graphics {
     /// Compiles the shaders in the context of `gl`.
     ///
     /// # Errors
     /// When the driver refuses a shader or a buffer.
     pub fn new(gl: &Gl) -> Result<Self, GpuError> {
+        let samples = globals::SAMPLES.min(gl.info().max_samples);
         Ok(Self {
             renderer: Renderer::new(gl)?,
-            scene: None,
+            scene: ScenePicture::new(samples, gl.info().is_software),
             compared: None,
             compared_reading: None,
-            split: None,
-            without_outlines: None,
-            shown: None,
             window: None,
             has_wrong_size: false,
-            samples: globals::SAMPLES.min(gl.info().max_samples),
-            drafts: gl.info().is_software,
             gl: gl.clone(),
         })
     }
@@ -110,8 +57,7 @@ impl Graphics {
     /// the driver has, also while something is dragged.
     pub fn for_pictures(self, samples: u32) -> Self {
         Self {
-            samples,
-            drafts: false,
+            scene: ScenePicture::new(samples, false),
             ..self
         }
     }
@@ -132,7 +78,7 @@ impl Graphics {
 
     /// The scene as it was drawn last, as large as the view.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
-        shown_picture(&self.split, &self.scene)
+        self.scene.picture()
     }
 
     /// Scene and panels as they were composed last, as large as the window.
@@ -152,28 +98,17 @@ impl Graphics {
         self.renderer.take_notices()
     }
 
-    /// Makes the scene's picture fit the view, whose size is in pixels. Where that cannot be, the
-    /// one before stays and is stretched; without any it is a single pixel, so that the panels can
-    /// be shown.
+    /// See [`ScenePicture::fit`].
     ///
     /// # Errors
     /// If the picture cannot be made.
     pub(super) fn fit_view(&mut self, size: (u32, u32)) -> Result<(), GpuError> {
-        let samples = if self.drafts { 0 } else { self.samples };
-        let fresh = !fits(self.scene.as_ref(), size, samples);
-        let fitted = fit(&self.gl, &mut self.scene, size, samples).map(drop);
-        if self.scene.is_none() {
-            fit(&self.gl, &mut self.scene, (1, 1), 0)?;
-        }
-        if fresh && fitted.is_ok() {
-            self.forget_scene();
-        }
-        fitted
+        self.scene.fit(&self.gl, size)
     }
 
     /// Draws the scene anew when it is shown next.
     pub(super) fn forget_scene(&mut self) {
-        self.shown = None;
+        self.scene.forget();
     }
 
     /// Makes the picture of the window fit its `size` in pixels, and the painter of the panels if
@@ -195,13 +130,10 @@ impl Graphics {
         std::mem::replace(&mut self.has_wrong_size, wrong)
     }
 
-    /// Draws `frame` into the scene's picture, unless it shows just that already: at the time `now`,
-    /// and while something `moves` on software OpenGL as a draft without samples, which cost it as much
-    /// as all else. With `right` the part at the right of a line, at a share of the width, shows another
-    /// evaluation of the scene.
+    /// See [`ScenePicture::draw`].
     ///
     /// # Errors
-    /// See [`Renderer::draw`], and when there is no room for a split view. What failed is not tried again before something changes.
+    /// When something cannot be drawn.
     pub(super) fn draw_scene(
         &mut self,
         frame: &Frame,
@@ -210,85 +142,19 @@ impl Graphics {
         moves: bool,
         now: Duration,
     ) -> Result<(), RenderError> {
-        let Some(target) = &self.scene else {
-            return Ok(());
-        };
-        let size = (target.width(), target.height());
-        let right = right.map(|(evaluated, line)| {
-            let column = (size.0 as f32 * line.clamp(0.0, 1.0)).round() as i32;
-            (evaluated, column)
-        });
-        let key = SceneKey {
-            document,
-            geometry: revisions(frame.evaluated),
-            right: right.map(|(evaluated, column)| (revisions(evaluated), column)),
-            view: *frame.view,
-            backdrop: frame.backdrop,
-            marks: frame.marks.clone(),
-        };
-        let drafts = moves && self.drafts && self.samples > 0;
-        let shown = self.shown.as_ref().filter(|shown| shown.key == key);
-        let is_draft = match shown.map(|shown| shown.draft_since) {
-            Some(None) => return Ok(()),
-            Some(Some(since)) if drafts && now < since + REST => return Ok(()),
-            Some(Some(_)) => false,
-            None => drafts,
-        };
-        if let Some(window) = &mut self.window {
+        let context = (&self.gl, &mut self.renderer);
+        let drawn = (self.scene).draw(context, frame, right, document, moves, now);
+        if let Some(window) = &mut self.window
+            && self.scene.take_is_new()
+        {
             window.scene_changes();
         }
-        let other_outlines = self.shown.as_ref().is_some_and(|shown| {
-            shown.draft_since.is_none() && shown.key.without_outlines() == key.without_outlines()
-        });
-        self.shown = Some(Shown {
-            key,
-            draft_since: is_draft.then_some(now),
-        });
-        if is_draft || !other_outlines {
-            self.without_outlines = None;
-        }
-        if let Some(kept) = &self.without_outlines {
-            kept.blit_into(target, kept.rect(), kept.rect())?;
-            return self.renderer.draw_outlines_over(frame, target);
-        }
-        let has_own_samples = self.drafts && self.samples > 0 && !is_draft;
-        let (full, room) = match has_own_samples
-            .then(|| Framebuffer::new(&self.gl, size.0, size.1, self.samples))
-            .transpose()
-        {
-            Ok(full) => (full, Ok(())),
-            // Edges are rough then, and the rest is there.
-            Err(error) => (None, Err(error.into())),
-        };
-        let picture = full.as_ref().unwrap_or(target);
-        let drawn = if let Some((evaluated, column)) = right {
-            let split = self.split.get_or_insert_default();
-            let right = (evaluated, column);
-            split.draw(&self.gl, &mut self.renderer, (frame, picture), right)
-        } else {
-            self.split = None;
-            match &full {
-                None if is_draft => self.renderer.draw_moving(frame, picture),
-                None => self.renderer.draw(frame, picture),
-                Some(full) => {
-                    let drawn = self.renderer.draw_without_outlines(frame, full);
-                    full.blit_into(target, full.rect(), full.rect())?;
-                    // Without room for it, the next picture is drawn as a whole.
-                    if let Ok(kept) = Framebuffer::new(&self.gl, size.0, size.1, 0) {
-                        target.blit_into(&kept, target.rect(), kept.rect())?;
-                        self.without_outlines = Some(kept);
-                    }
-                    drawn.and(self.renderer.draw_outlines_over(frame, target))
-                }
-            }
-        };
-        drawn.and(room)
+        drawn
     }
 
-    /// Time after which the full picture has to take the place of a draft, if one is shown.
+    /// See [`ScenePicture::full_picture_after`].
     pub(super) fn full_picture_after(&self, now: Duration) -> Duration {
-        let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
-        since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
+        self.scene.full_picture_after(now)
     }
 
     /// Draws `frame` in a size of its own, for a comparison. Pictures of the same size share their
@@ -302,7 +168,7 @@ impl Graphics {
         size: (u32, u32),
         smooth_edges: bool,
     ) -> Result<(), RenderError> {
-        let samples = if smooth_edges { self.samples } else { 0 };
+        let samples = if smooth_edges { self.samples() } else { 0 };
         let target = fit(&self.gl, &mut self.compared, size, samples)?;
         self.renderer.draw(frame, target)?;
         self.compared_reading = Some(Reading::begin(target, &self.gl)?);
@@ -334,13 +200,12 @@ impl Graphics {
 
     /// Width and height of the view in pixels.
     pub(super) fn view_size(&self) -> (u32, u32) {
-        let view = self.scene.as_ref().map(|s| (s.width(), s.height()));
-        view.unwrap_or((800, 600))
+        self.scene.size().unwrap_or((800, 600))
     }
 
     /// Samples a pixel of pictures of the scene, 0 for none.
     pub(super) fn samples(&self) -> u32 {
-        self.samples
+        self.scene.samples()
     }
 
     /// The parts that `asked` is drawn in.
@@ -371,7 +236,7 @@ impl Graphics {
         context: &egui::Context,
         output: FullOutput,
     ) -> Result<(), GpuError> {
-        match (&mut self.window, shown_picture(&self.split, &self.scene)) {
+        match (&mut self.window, self.scene.picture()) {
             (Some(window), Some(scene)) => window.compose(scene, place, context, output),
             (Some(window), None) => {
                 window.skip(output);
@@ -394,21 +259,6 @@ impl Graphics {
     pub(super) fn read_window(&self) -> Result<Option<Picture>, GpuError> {
         self.window_picture().map(read_picture).transpose()
     }
-}
-
-/// Both parts of a view that is split, else the picture of the scene.
-fn shown_picture<'a>(
-    split: &'a Option<SplitView>,
-    scene: &'a Option<Framebuffer>,
-) -> Option<&'a Framebuffer> {
-    let both = split.as_ref().and_then(SplitView::picture);
-    both.or(scene.as_ref())
-}
-
-/// Revisions of the geometry of each shape.
-fn revisions(evaluated: &Evaluated) -> Vec<Revision> {
-    let shapes = evaluated.shapes.iter();
-    shapes.map(|shape| shape.geometry.revision).collect()
 }
 
 /// Whether there is a picture of this size, in pixels, and with so many samples.

@@ -33,6 +33,7 @@ mod questions;
 mod reading;
 mod running;
 mod scene_link;
+mod scene_picture;
 mod sources;
 mod split_view;
 mod start_pictures;

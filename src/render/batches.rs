@@ -4,6 +4,7 @@ use super::cached_mesh::CachedMesh;
 use super::mesh_cache::MeshCache;
 use super::shown_triangles::Purpose;
 use crate::scene::{EvaluatedShape, Shape};
+use std::ops::Range;
 use std::rc::Rc;
 
 /// Copies that are drawn at once. `shaders/skinning.glsl` has room for so many.
@@ -39,6 +40,16 @@ impl<'a> Batch<'a> {
             mesh,
             instances: instance.flatten().into_iter().collect(),
         })
+    }
+
+    /// Number of meshes that it draws.
+    pub fn copies(&self) -> u32 {
+        self.instances.len().max(1) as u32
+    }
+
+    /// All triangles of each mesh.
+    pub fn triangles(&self) -> Range<u32> {
+        0..self.evaluated.geometry.mesh.triangles.len() as u32
     }
 
     /// Whether the same draw can draw `other` too, after this. Meshes of several materials are drawn

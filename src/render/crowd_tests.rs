@@ -2,7 +2,7 @@
 
 use super::batches::batches;
 use super::shown_triangles::Purpose;
-use super::{Frame, Renderer};
+use super::{Frame, GradualPicture, Renderer};
 use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
 use crate::geometry::{Mesh, Picture, Poles, sphere};
 use crate::gpu::test_driver::TestDriver;
@@ -125,6 +125,18 @@ fn copies_drawn_at_once_look_as_those_drawn_one_by_one() {
                 Skinning::Cpu => 70,
             };
             assert_eq!(draws(&renderer, &copies), expected);
+            // 70 times 480 triangles, the copies of each at once.
+            let mut gradual = GradualPicture::new(gl, (200, 150), 0).unwrap();
+            gradual.step = 9_000;
+            let evaluated = Evaluator::new().evaluate(&copies, 0.0);
+            let frame = Frame::plain(&copies, &evaluated, &view);
+            for step in 0..5 {
+                assert!(!gradual.is_complete(), "{step}");
+                gradual.draw_next(&mut renderer, &frame).unwrap();
+            }
+            assert!(gradual.is_complete());
+            let in_steps = read_picture(gradual.picture()).unwrap();
+            assert!(at_once == in_steps, "{look:?} {skinning:?}");
             let mut renderer = skinning_by(gl, skinning);
             let one_by_one = drawn(&mut renderer, gl, &others, &view);
             assert_eq!(draws(&renderer, &others), 70);

@@ -35,7 +35,7 @@ impl<'a> Frame<'a> {
     }
 
     /// The visible shapes, but for one that another mesh takes the place of.
-    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
+    pub(crate) fn shapes(&self) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape)> {
         let shapes = self.scene.shapes().iter().zip(&self.evaluated.shapes);
         shapes
             .filter(|(shape, evaluated)| evaluated.visible && self.marks.replaced != Some(shape.id))

@@ -72,8 +72,9 @@ impl ShadowPass {
             meshes.place(program, &batch);
             program.set_mat4("clip_from_world", clip_from_world);
             program.set_f32("ground", context.ground);
-            let copies = batch.instances.len().max(1) as u32;
-            batch.mesh.draw_whole(program, Purpose::Shadow, copies);
+            batch
+                .mesh
+                .draw_whole(program, Purpose::Shadow, batch.copies());
         }
         Ok(shadows)
     }

@@ -16,6 +16,7 @@ mod curve_pass;
 mod edge_pass;
 mod frame;
 mod ghost_pass;
+mod gradual_picture;
 mod ground_pass;
 mod mesh_cache;
 mod mesh_numbers;
@@ -49,6 +50,7 @@ pub use crate::gpu::interface_painter::{InterfaceError, InterfacePainter};
 pub use backdrop::Backdrop;
 pub use compose::{Composer, Placed, view_place};
 pub use frame::{Background, Frame, Marks};
+pub use gradual_picture::GradualPicture;
 pub use number_marks::{Ghost, GhostPaint, ShapeNumbers};
 #[cfg(not(target_arch = "wasm32"))]
 pub use offscreen::{Offscreen, OffscreenError};

@@ -48,7 +48,8 @@ impl Renderer {
         let (width, height) = (context.width, context.height);
         let picture = Framebuffer::fitting(&mut layer.picture, gl, width, height)?;
         self.background.draw(gl, context, still.view.look, picture);
-        self.surfaces.draw_opaque(gl, context, still, meshes);
+        self.surfaces
+            .draw_opaque(gl, context, still, meshes, 0..u64::MAX);
         if !has_ground(still) {
             return Ok(());
         }
@@ -85,7 +86,8 @@ impl Renderer {
         let size = [context.width, context.height];
         let kept = Framebuffer::fitting(&mut layer.picture, gl, size[0], size[1])?;
         kept.copy_into(target)?;
-        self.surfaces.draw_opaque(gl, context, moving, meshes);
+        self.surfaces
+            .draw_opaque(gl, context, moving, meshes, 0..u64::MAX);
         if has_ground(frame) {
             let others = layer.shadows.as_ref();
             let picture = self.shadows.draw(gl, context, moving, meshes, others)?;

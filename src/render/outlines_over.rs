@@ -2,30 +2,11 @@
 
 use super::frame::{Background, Frame};
 use super::renderer::{RenderError, Renderer};
-use super::still_layer::StillLayer;
 use super::tile::Tile;
 use crate::gpu::Framebuffer;
 
 impl Renderer {
-    /// As [`Renderer::draw`], without the lines round marked shapes, which
-    /// [`Renderer::draw_outlines_over`] adds.
-    ///
-    /// # Errors
-    /// As [`Renderer::draw`].
-    pub fn draw_without_outlines(
-        &mut self,
-        frame: &Frame,
-        target: &Framebuffer,
-    ) -> Result<(), RenderError> {
-        self.layer = StillLayer::default();
-        let tile = Tile::whole((target.width(), target.height()));
-        let tile = (tile, Background::Look);
-        self.draw_by(frame, target, tile, |renderer, context| {
-            renderer.draw_shapes(frame, target, context)
-        })
-    }
-
-    /// Draws the lines round marked shapes over what [`Renderer::draw_without_outlines`] has drawn: the
+    /// Draws the lines round marked shapes over a [`GradualPicture`](super::GradualPicture): the
     /// pixels of both are those of [`Renderer::draw`], also where `target` has the averages of samples,
     /// since the lines cover whole pixels.
     ///
@@ -49,7 +30,7 @@ impl Renderer {
 mod tests {
     use crate::geometry::Basis;
     use crate::gpu::{Backend, Framebuffer, HeadlessContext};
-    use crate::render::{Frame, Marks, Renderer};
+    use crate::render::{Frame, GradualPicture, Marks, Renderer};
     use crate::scene::{
         CurveSet, CurveShape, Evaluator, Look, NewShape, Scene, ShapeKind, ViewSettings,
     };
@@ -88,16 +69,22 @@ mod tests {
                     marks,
                     ..Frame::plain(&scene, &evaluated, &view)
                 };
-                let full = [(); 2].map(|()| Framebuffer::new(gl, 150, 110, 4).unwrap());
+                let full = Framebuffer::new(gl, 150, 110, 4).unwrap();
+                let mut without = GradualPicture::new(gl, (150, 110), 4).unwrap();
                 let averages = Framebuffer::new(gl, 150, 110, 0).unwrap();
                 let mut renderer = Renderer::new(gl).unwrap();
-                renderer.draw(&frame, &full[0]).unwrap();
-                renderer.draw_without_outlines(&frame, &full[1]).unwrap();
-                let before = full[1].read_rgba().unwrap();
+                renderer.draw(&frame, &full).unwrap();
+                while !without.is_complete() {
+                    without.draw_next(&mut renderer, &frame).unwrap();
+                }
+                let before = without.picture().read_rgba().unwrap();
                 let whole = averages.rect();
-                full[1].blit_into(&averages, whole, whole).unwrap();
+                without
+                    .picture()
+                    .blit_into(&averages, whole, whole)
+                    .unwrap();
                 renderer.draw_outlines_over(&frame, &averages).unwrap();
-                let [expected, found] = [&full[0], &averages].map(|it| it.read_rgba().unwrap());
+                let [expected, found] = [&full, &averages].map(|it| it.read_rgba().unwrap());
                 assert!(found == expected, "{look:?}, {at}");
                 assert!(found != before, "{look:?}, {at}: there are outlines");
             }

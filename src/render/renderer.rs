@@ -17,6 +17,7 @@ use super::surface_pass::SurfacePass;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError, Immediate};
 use crate::scene::Look;
+use std::ops::Range;
 
 /// Why a picture is not, or not as a whole, as it should be.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -191,6 +192,47 @@ impl Renderer {
         target: &Framebuffer,
         context: &PassContext,
     ) -> Result<(), GpuError> {
+        self.draw_surfaces(frame, target, context, 0..u64::MAX);
+        self.draw_others(frame, target, context)
+    }
+
+    /// Draws, of what comes before all else, the surfaces that hide what is behind them, those `triangles` which
+    /// [`SurfacePass::draw_opaque`] counts, and the background before the first of them. Returns their number.
+    pub(super) fn draw_surfaces(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+        triangles: Range<u64>,
+    ) -> u64 {
+        let Self {
+            gl,
+            meshes,
+            immediate,
+            ..
+        } = self;
+        if triangles.start == 0 {
+            self.background.draw(gl, context, frame.view.look, target);
+            let has_floor = frame.view.grid && frame.view.look == Look::Mannequin;
+            if has_floor && context.background == Background::Look {
+                self.floor.draw(gl, context, &frame.view.camera);
+            }
+            // A ground with lines of its own comes under the axes.
+            if frame.view.axis && !has_ground(frame) {
+                draw_axis(gl, immediate, context, None);
+            }
+        }
+        self.surfaces
+            .draw_opaque(gl, context, frame, meshes, triangles)
+    }
+
+    /// Draws what comes after the surfaces.
+    pub(super) fn draw_others(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
         let Self {
             gl,
             meshes,
@@ -199,18 +241,9 @@ impl Renderer {
             ..
         } = self;
         let camera = &frame.view.camera;
-        self.background.draw(gl, context, frame.view.look, target);
         let is_mannequin = frame.view.look == Look::Mannequin;
-        if frame.view.grid && is_mannequin && context.background == Background::Look {
-            self.floor.draw(gl, context, camera);
-        }
-        // A ground with lines of its own comes under the axes.
         let has_ground = has_ground(frame);
-        if frame.view.axis && !has_ground {
-            draw_axis(gl, immediate, context, None);
-        }
         let mut drawn = Ok(());
-        self.surfaces.draw_opaque(gl, context, frame, meshes);
         ghosts.draw_opaque(gl, context, frame, &self.surfaces);
         self.curves.draw(gl, context, frame, immediate);
         if is_mannequin {

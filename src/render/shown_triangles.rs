@@ -224,7 +224,7 @@ mod tests {
                 let target = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
                 DrawState::opaque(SIZE.0, SIZE.1).apply(gl);
                 target.clear([0.3, 0.4, 0.5, 1.0]);
-                surfaces.draw_opaque(gl, &context, &frame, meshes);
+                surfaces.draw_opaque(gl, &context, &frame, meshes, 0..u64::MAX);
                 let shadows = shadows.draw(gl, &context, &frame, meshes, None).unwrap();
                 [&target, shadows].map(|picture| picture.read_rgba().unwrap())
             };

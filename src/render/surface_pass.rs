@@ -53,8 +53,16 @@ impl SurfacePass {
         Ok(())
     }
 
-    /// Draws the meshes that hide what lies behind them.
-    pub fn draw_opaque(&self, gl: &Gl, context: &PassContext, frame: &Frame, meshes: &MeshCache) {
+    /// Draws the meshes that hide what lies behind them: of their triangles, counted mesh by mesh and as often as a
+    /// mesh is drawn, those within `triangles`. Returns how many there are.
+    pub fn draw_opaque(
+        &self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        meshes: &MeshCache,
+        triangles: Range<u64>,
+    ) -> u64 {
         DrawState::opaque(context.width, context.height).apply(gl);
         self.prepare(context, frame);
         // The mannequin's bones are seen through every mesh.
@@ -62,9 +70,22 @@ impl SurfacePass {
             Look::Mannequin => surfaces(frame).collect(),
             Look::Course | Look::Studio => shapes(frame, ModelDisplay::Mesh).collect(),
         };
+        let mut first = 0;
         for batch in batches(opaque.into_iter(), meshes, Purpose::Surface) {
-            self.draw_batch(&batch, meshes, frame.view.look, 1.0);
+            let copies = u64::from(batch.copies());
+            let all = batch.triangles();
+            // Copies are drawn together: each triangle of the mesh as often as there are copies.
+            let before = |end: u64| {
+                let before = end.saturating_sub(first).div_ceil(copies);
+                before.min(u64::from(all.end)) as u32
+            };
+            let part = before(triangles.start)..before(triangles.end);
+            if !part.is_empty() {
+                self.draw_batch(&batch, meshes, frame.view.look, (1.0, part));
+            }
+            first += u64::from(all.end) * copies;
         }
+        first
     }
 
     /// Draws the meshes of characters shown together with their skeletons, which are drawn already.
@@ -82,7 +103,8 @@ impl SurfacePass {
         for batch in shapes.filter_map(single) {
             for state in nearest_blended(context) {
                 state.apply(gl);
-                self.draw_batch(&batch, meshes, frame.view.look, SEEN_THROUGH);
+                let opacity = (SEEN_THROUGH, batch.triangles());
+                self.draw_batch(&batch, meshes, frame.view.look, opacity);
             }
         }
     }
@@ -142,14 +164,21 @@ impl SurfacePass {
         }
     }
 
-    fn draw_batch(&self, batch: &Batch, meshes: &MeshCache, look: Look, alpha: f32) {
-        let (mesh, copies) = (batch.mesh, batch.instances.len().max(1) as u32);
+    /// Draws those `triangles` of each mesh of a batch, with an opacity.
+    fn draw_batch(
+        &self,
+        batch: &Batch,
+        meshes: &MeshCache,
+        look: Look,
+        (alpha, triangles): (f32, Range<u32>),
+    ) {
+        let (mesh, copies) = (batch.mesh, batch.copies());
         let world_from_model = batch.evaluated.world_from_model;
         if let (Some(numbers), Some(colors)) = (mesh.numbers(), &self.numbers) {
             let program = colors.program(mesh, numbers);
             meshes.place(program, batch);
             prepare_mesh(program, mesh, world_from_model, alpha);
-            return mesh.draw_whole(program, Purpose::Surface, copies);
+            return mesh.draw(program, Purpose::Surface, triangles, copies);
         }
         let program = |textured: bool| self.programs.of(look, textured).of(mesh);
         // The vertex shader that skins knows the color of each copy.
@@ -160,6 +189,11 @@ impl SurfacePass {
         };
         let mut prepared = None;
         for part in parts(&batch.evaluated.geometry.mesh, mesh, own) {
+            let first = triangles.start.max(part.triangles.start as u32);
+            let own = first..triangles.end.min(part.triangles.end as u32);
+            if own.is_empty() {
+                continue;
+            }
             let textured = part.texture.is_some();
             let program = program(textured);
             if prepared.replace(textured) != Some(textured) {
@@ -170,8 +204,7 @@ impl SurfacePass {
             if let Some(texture) = part.texture {
                 texture.bind(PICTURE);
             }
-            let triangles = part.triangles.start as u32..part.triangles.end as u32;
-            mesh.draw(program, Purpose::Surface, triangles, copies);
+            mesh.draw(program, Purpose::Surface, own, copies);
         }
     }
 }
