@@ -21,7 +21,7 @@ pub use arguments::SkinningName;
 pub use output::{CliError, print};
 
 use crate::io::builtin;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -76,6 +76,12 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => {
+            // What options are wrong of a command that is none is not worth telling.
+            let first = std::env::args_os().nth(1).map(PathBuf::from);
+            if let Some(error) = unknown(first.as_slice()) {
+                error.report();
+                return error.exit_code();
+            }
             // Help that was asked for is a result, all else an error; if even that cannot be
             // printed, there is nowhere left to report it.
             let _ = error.print();
@@ -109,15 +115,25 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
 
 /// Error for a word that does not look like a file, and does not exist: it was meant as a command.
 fn unknown(files: &[PathBuf]) -> Option<CliError> {
+    let commands = Cli::command();
     let word = files.iter().find(|file| {
-        let is_builtin = file.to_string_lossy().starts_with(builtin::PREFIX);
+        let text = file.to_string_lossy();
+        let is_command = text == "help" || commands.find_subcommand(&*text).is_some();
         file.components().count() == 1
             && file.extension().is_none()
-            && !is_builtin
+            && !text.starts_with(builtin::PREFIX)
+            && !text.starts_with('-')
+            && !is_command
             && !file.exists()
     })?;
+    let text = word.to_string_lossy();
+    let names = commands.get_subcommands().map(clap::Command::get_name);
+    let distances = names.map(|name| (strsim::osa_distance(name, &text), name));
+    let meant = match distances.min() {
+        Some((distance, name)) if distance * 3 <= name.len() => format!("; did you mean {name}?"),
+        _ => String::new(),
+    };
     Some(CliError::Usage(format!(
-        "there is neither a command nor a file called {}",
-        word.display()
+        "there is neither a command nor a file called {text}{meant}"
     )))
 }

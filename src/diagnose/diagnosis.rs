@@ -45,6 +45,9 @@ pub struct Diagnosis {
     pub mistakes: Vec<ToldMistake>,
     /// Mistakes that give the same mesh here, each with those that are made beside it.
     pub same_as: Vec<Vec<&'static str>>,
+    /// Of a mesh that is right, mistakes that give it as well here, each by itself: the pose or the character does
+    /// not show them.
+    pub unseen: Vec<&'static str>,
     /// Where it shows first; `None` if the mesh is right.
     pub first: Option<Shown>,
     /// How its triangles differ, which the verdict does not count.
@@ -232,22 +235,34 @@ impl fmt::Display for Diagnosis {
         match self.verdict {
             Verdict::Right => {
                 let error = of_size(self.error);
-                write!(f, "right: this is the exact result, but for {error}")
+                let what = if self.is_right() {
+                    "right: this is"
+                } else {
+                    "right but for its triangles: its vertices are"
+                };
+                write!(f, "{what} the exact result, but for {error}")
             }
             Verdict::Explained => self.fmt_explained(f),
             Verdict::Unexplained => self.fmt_unexplained(f),
         }?;
-        if self.faces.is_none() {
-            return Ok(());
+        if !self.faces.is_none() {
+            write!(f, "\n  but      {}", self.faces)?;
         }
-        write!(f, "\n  but      {}", self.faces)
+        if !self.unseen.is_empty() {
+            let unseen = self.unseen.join(", ");
+            write!(
+                f,
+                "\n  unseen   {unseen}: with these mistakes it would be the same here"
+            )?;
+        }
+        Ok(())
     }
 }
 
 impl Diagnosis {
-    /// Whether vertices are the exact ones and no triangle is missing.
+    /// Whether vertices are the exact ones, no triangle is missing and none winds the other way.
     pub fn is_right(&self) -> bool {
-        self.verdict == Verdict::Right && self.faces.missing == 0
+        self.verdict == Verdict::Right && self.faces.missing == 0 && self.faces.turned == 0
     }
 
     /// Names of the mistakes that together give the mesh.
@@ -299,6 +314,7 @@ impl Diagnosis {
         }
         match self.regions.len().saturating_sub(TOLD) {
             0 => Ok(()),
+            1 => write!(f, "\n  off      and at 1 more joint"),
             more => write!(f, "\n  off      and at {more} more joints"),
         }
     }
@@ -315,8 +331,10 @@ fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) ->
     for joint in told {
         write!(f, "\n  turned   {joint}")?;
     }
-    if more > 0 {
-        write!(f, "\n  turned   and {more} more joints")?;
+    match more {
+        0 => {}
+        1 => f.write_str("\n  turned   and 1 more joint")?,
+        more => write!(f, "\n  turned   and {more} more joints")?,
     }
     write!(f, "\n  look at  {LOOK_AT_POSE}")
 }

@@ -19,9 +19,9 @@ type Edge = [u32; 2];
 /// The mistake with which vertices have other numbers.
 const RENUMBERED: &str = "vertices-renumbered";
 
-/// How the triangles of a mesh differ from those of the character. Their order, the corner that comes
-/// first and the way they wind do not count, nor along which diagonals polygons are cut; triangles
-/// with the same corner twice show nothing and are left out.
+/// How the triangles of a mesh differ from those of the character. Their order and the corner that comes
+/// first do not count, nor along which diagonals polygons are cut; triangles with the same corner twice
+/// show nothing and are left out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct FaceDifference {
     /// Triangles of the character.
@@ -32,6 +32,10 @@ pub struct FaceDifference {
     /// Triangles of the mesh that the character does not have.
     #[serde(rename = "triangles_other")]
     pub other: usize,
+    /// Triangles that both have and that wind the other way, so that their normals point the other way. Those of
+    /// polygons that are cut along other diagonals are not known to.
+    #[serde(rename = "triangles_turned")]
+    pub turned: usize,
 }
 
 impl FaceDifference {
@@ -57,9 +61,9 @@ impl FaceDifference {
 
     /// The difference of meshes that have the same vertices in the same order.
     async fn of_same_vertices(model: &[Triangle], theirs: &[Triangle], pace: &Pace) -> Self {
-        let mut left: HashMap<Triangle, usize> = HashMap::new();
+        let mut left: HashMap<Wound, usize> = HashMap::new();
         for part in model.chunks(AT_ONCE) {
-            for triangle in sorted(part) {
+            for triangle in wound(part) {
                 *left.entry(triangle).or_default() += 1;
             }
             pace.after(part.len()).await;
@@ -67,12 +71,17 @@ impl FaceDifference {
         let triangles = left.values().sum();
         let mut other = Vec::new();
         for part in theirs.chunks(AT_ONCE) {
-            other.extend(sorted(part).filter(|triangle| !take(&mut left, triangle)));
+            other.extend(wound(part).filter(|triangle| !take(&mut left, triangle)));
             pace.after(part.len()).await;
         }
+        // Those that both sides of a sheet have are known by the way they wind: it counts first.
+        let both = other.len();
+        other.retain(|&(corners, way)| !take(&mut left, &(corners, !way)));
+        let turned = both - other.len();
+        let other: Vec<Triangle> = other.into_iter().map(|(corners, _)| corners).collect();
         let missing = left
             .into_iter()
-            .flat_map(|(triangle, count)| repeat_n(triangle, count));
+            .flat_map(|((corners, _), count)| repeat_n(corners, count));
         let missing: Vec<Triangle> = missing.collect();
         let same = match missing.is_empty() || other.is_empty() {
             true => 0,
@@ -82,6 +91,7 @@ impl FaceDifference {
             triangles,
             missing: missing.len() - same,
             other: other.len() - same,
+            turned,
         }
     }
 
@@ -92,12 +102,13 @@ impl FaceDifference {
             triangles,
             missing: triangles.saturating_sub(sorted(theirs).count()),
             other: 0,
+            turned: 0,
         }
     }
 
     /// Whether there is none.
     pub fn is_none(&self) -> bool {
-        self.missing == 0 && self.other == 0
+        self.missing == 0 && self.other == 0 && self.turned == 0
     }
 }
 
@@ -107,38 +118,72 @@ impl fmt::Display for FaceDifference {
             triangles,
             missing,
             other,
-        } = self;
+            turned,
+        } = *self;
         let is = |count: usize| if count == 1 { "is" } else { "are" };
-        if *missing == 0 {
-            return write!(
+        if missing > 0 {
+            let are = is(missing);
+            write!(
+                f,
+                "{missing} of the model's {triangles} triangles {are} missing"
+            )?;
+            if missing > other {
+                f.write_str(": the file may be cut off")?;
+            } else {
+                let others = if other == 1 { "other" } else { "others" };
+                write!(f, ", and {other} {others} {} there", is(other))?;
+            }
+        } else if other > 0 {
+            write!(
                 f,
                 "{other} of its triangles {} none of the model's",
-                is(*other)
-            );
+                is(other)
+            )?;
         }
+        if turned == 0 {
+            return Ok(());
+        }
+        if missing + other > 0 {
+            f.write_str("; ")?;
+        }
+        let (all, wind) = match turned {
+            _ if turned == triangles => ("all of its triangles".to_owned(), "wind"),
+            1 => ("1 of its triangles".to_owned(), "winds"),
+            _ => (format!("{turned} of its triangles"), "wind"),
+        };
         write!(
             f,
-            "{missing} of the model's {triangles} triangles {} missing",
-            is(*missing)
-        )?;
-        if missing > other {
-            f.write_str(": the file may be cut off")
-        } else {
-            let other_ones = if *other == 1 { "other" } else { "others" };
-            write!(f, ", and {other} {other_ones} {} there", is(*other))
-        }
+            "{all} {wind} the other way, so that normals point the other way"
+        )
     }
 }
 
-/// Triangles without a corner twice, in a form that is the same wherever they begin and however they wind.
-fn sorted(triangles: &[Triangle]) -> impl Iterator<Item = Triangle> + '_ {
-    triangles
+/// Corners of a triangle, the smallest index first, and whether an even number of swaps brings them into that order.
+type Wound = (Triangle, bool);
+
+/// Triangles without a corner twice, in a form that is the same wherever they begin.
+fn wound(triangles: &[Triangle]) -> impl Iterator<Item = Wound> + '_ {
+    let real = triangles
         .iter()
-        .filter(|[a, b, c]| a != b && b != c && c != a)
-        .map(|&(mut corners)| {
-            corners.sort_unstable();
-            corners
-        })
+        .filter(|[a, b, c]| a != b && b != c && c != a);
+    real.map(|&corners| {
+        let [a, b, c] = corners;
+        let swaps = [a > b, a > c, b > c]
+            .into_iter()
+            .filter(|&swap| swap)
+            .count();
+        (in_order(corners), swaps % 2 == 0)
+    })
+}
+
+fn in_order(mut corners: Triangle) -> Triangle {
+    corners.sort_unstable();
+    corners
+}
+
+/// The same however they wind.
+fn sorted(triangles: &[Triangle]) -> impl Iterator<Item = Triangle> + '_ {
+    wound(triangles).map(|(corners, _)| corners)
 }
 
 fn edges([a, b, c]: Triangle) -> [Edge; 3] {
@@ -245,6 +290,26 @@ mod tests {
         (found.missing, found.other)
     }
 
+    fn turned(model: &[Triangle], theirs: &[Triangle]) -> usize {
+        let found =
+            at_once(
+                |pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await },
+            );
+        found.turned
+    }
+
+    #[test]
+    fn triangles_that_wind_the_other_way_are_counted_and_not_missing() {
+        let model = [[0, 1, 2], [2, 1, 3], [3, 4, 5]];
+        let theirs = [[0, 2, 1], [2, 1, 3], [4, 3, 5]];
+        assert_eq!(difference(&model, &theirs), (0, 0));
+        assert_eq!(turned(&model, &theirs), 2);
+        // A sheet that is seen from both sides has each triangle both ways.
+        let sheet = [[0, 1, 2], [2, 1, 0]];
+        assert_eq!(turned(&sheet, &[[1, 0, 2], [1, 2, 0]]), 0);
+        assert_eq!(turned(&sheet, &[[0, 1, 2], [1, 2, 0]]), 1);
+    }
+
     /// Triangles of a row of squares above one another, each cut along one of its diagonals.
     fn squares(is_cut_up: impl Fn(u32) -> bool, count: u32) -> Vec<Triangle> {
         let cut = |at: u32| {
@@ -258,9 +323,10 @@ mod tests {
     }
 
     #[test]
-    fn triangles_are_the_same_in_any_order_from_any_corner_and_from_both_sides() {
+    fn triangles_are_the_same_in_any_order_and_from_any_corner_on() {
         let model = [[0, 1, 2], [2, 1, 3], [4, 4, 5]];
-        assert_eq!(difference(&model, &[[3, 2, 1], [0, 2, 1]]), (0, 0));
+        assert_eq!(difference(&model, &[[3, 2, 1], [1, 2, 0]]), (0, 0));
+        assert_eq!(turned(&model, &[[3, 2, 1], [1, 2, 0]]), 0);
         assert_eq!(difference(&model, &[[3, 2, 1]]), (1, 0));
         assert_eq!(difference(&model, &[[3, 2, 1], [3, 2, 1]]), (1, 1));
         let more = [[0, 1, 2], [2, 1, 3], [0, 1, 3]];
@@ -306,6 +372,7 @@ mod tests {
                 triangles,
                 missing,
                 other,
+                turned: 0,
             };
             difference.to_string()
         };
@@ -318,5 +385,23 @@ mod tests {
             "2 of the model's 70 triangles are missing, and 2 others are there"
         );
         assert_eq!(told(0, 1), "1 of its triangles is none of the model's");
+        let turned = |turned, missing| {
+            let difference = FaceDifference {
+                triangles: 70,
+                missing,
+                other: 0,
+                turned,
+            };
+            difference.to_string()
+        };
+        assert_eq!(
+            turned(70, 0),
+            "all of its triangles wind the other way, so that normals point the other way"
+        );
+        assert_eq!(
+            turned(1, 30),
+            "30 of the model's 70 triangles are missing: the file may be cut off; \
+             1 of its triangles winds the other way, so that normals point the other way"
+        );
     }
 }

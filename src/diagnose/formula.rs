@@ -28,8 +28,8 @@ pub struct Formula {
 pub struct JointFormula {
     /// Factor of the angles about X, Y and Z.
     pub angles: [f64; 3],
-    /// Whether the number of degrees is taken for one of radians.
-    pub degrees_as_radians: bool,
+    /// What the angles are converted to.
+    pub units: AngleUnits,
     /// Axes of the rotations in the order in which they are multiplied: `[0, 1, 2]` is Rx · Ry · Rz.
     pub order: [usize; 3],
     /// Whether the rotation is transposed, which turns it the other way.
@@ -42,6 +42,17 @@ pub struct JointFormula {
     pub has_bind_offset: bool,
     /// Whether the pose counts.
     pub has_pose: bool,
+}
+
+/// The numbers that are given to sine and cosine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AngleUnits {
+    /// Radians.
+    Radians,
+    /// Degrees, which are not converted.
+    Degrees,
+    /// What comes of converting degrees to radians and the result once more.
+    ConvertedTwice,
 }
 
 /// How a joint's transform follows from its own and its parent's.
@@ -190,7 +201,7 @@ impl Default for Formula {
         Self {
             joint: JointFormula {
                 angles: [1.0; 3],
-                degrees_as_radians: false,
+                units: AngleUnits::Radians,
                 order: [0, 1, 2],
                 is_transposed: false,
                 rotates_first: false,

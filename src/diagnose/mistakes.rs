@@ -1,7 +1,7 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, VertexOrder,
+    AngleUnits, Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, VertexOrder,
 };
 
 /// A mistake that programs make in skinning a character.
@@ -178,7 +178,14 @@ pub static MISTAKES: &[Mistake] = &[
         SLIDERS,
         "angles in degrees are used as if they were radians",
         "setJointTransform: what the functions that make rotations expect",
-        |formula| formula.joint.degrees_as_radians = true
+        |formula| formula.joint.units = AngleUnits::Degrees
+    ),
+    one_way!(
+        "radians-as-degrees",
+        SLIDERS,
+        "angles in radians are converted once more, as if they were degrees",
+        "setJointTransform: whether angles are converted twice, there and where they come from",
+        |formula| formula.joint.units = AngleUnits::ConvertedTwice
     ),
     one_way!(
         "rotation-transposed",
@@ -366,9 +373,19 @@ const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
 /// The mistake of vertices that are right but in an order of which no formula is known.
 pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
 
+/// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
+pub static TRIANGLES_TURNED: Mistake = Mistake {
+    id: "triangles-turned",
+    meaning: "triangles wind the other way, so that normals point the other way",
+    section: MESH,
+    look_at: "where faces are read and written: the order of their three corners",
+    readings: &[],
+};
+
 impl Mistake {
     /// The mistake with this name, if there is one.
     pub fn find(id: &str) -> Option<&'static Self> {
-        MISTAKES.iter().find(|mistake| mistake.id == id)
+        let all = MISTAKES.iter().chain([&TRIANGLES_TURNED]);
+        all.into_iter().find(|mistake| mistake.id == id)
     }
 }

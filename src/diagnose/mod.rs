@@ -25,13 +25,13 @@ pub use diagnosis::{
 };
 pub use faces::FaceDifference;
 pub use formula::{
-    Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept, Rescaled,
-    VertexOrder, WeightFormula,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept,
+    Rescaled, VertexOrder, WeightFormula,
 };
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
-pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use mistakes::{MISTAKES, Mistake, Reading, TRIANGLES_TURNED};
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};
@@ -148,7 +148,15 @@ async fn diagnose_vertices(
             (_, explanations) = search.singles(pace).await;
         }
         if explanations.is_empty() {
-            return Ok(findings.diagnosis(Verdict::Right));
+            let mut found = findings.diagnosis(Verdict::Right);
+            let search = Search::new(model, pose, &points, tolerance, &distances);
+            let (_, same) = search.singles(pace).await;
+            for id in same.iter().flat_map(Explanation::ids) {
+                if !found.unseen.contains(&id) {
+                    found.unseen.push(id);
+                }
+            }
+            return Ok(found);
         }
         findings.tolerance = closer;
         return Ok(findings.explained(&explanations));
@@ -171,7 +179,7 @@ async fn diagnose_vertices(
             found.other_pose = other_pose::find(model, pose, order, &points, limits, pace).await;
         }
         // What is explained whole has nothing that is only near it.
-        if found.other_pose.is_none() {
+        if found.other_pose.is_none() && found.findings.is_empty() {
             found.nearest = nearest(&search, model, pose, order, &alone);
         }
         return Ok(found);
@@ -239,6 +247,7 @@ impl Findings<'_> {
             tolerance: self.tolerance / self.size,
             mistakes: Vec::new(),
             same_as: Vec::new(),
+            unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
             faces: FaceDifference::default(),
             regions: Vec::new(),

@@ -1,7 +1,8 @@
 //! Skinning by any formula, in double precision.
 
 use super::formula::{
-    Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, Rescaled, WeightFormula,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, Rescaled,
+    WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -244,10 +245,12 @@ fn chained(model: &Model, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<
 impl JointFormula {
     /// The transform of a joint from its translation and its angles in radians.
     fn parent_from_joint(&self, translation: DVec3, radians: DVec3) -> DAffine3 {
-        let mut angles = radians * DVec3::from_array(self.angles);
-        if self.degrees_as_radians {
-            angles = angles.map(f64::to_degrees);
-        }
+        let angles = radians * DVec3::from_array(self.angles);
+        let angles = match self.units {
+            AngleUnits::Radians => angles,
+            AngleUnits::Degrees => angles.map(f64::to_degrees),
+            AngleUnits::ConvertedTwice => angles.map(f64::to_radians),
+        };
         let mut rotation: DMat3 = self.order.map(|axis| about(axis, angles)).iter().product();
         if self.is_transposed {
             rotation = rotation.transpose();

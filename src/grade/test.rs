@@ -3,7 +3,9 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
+use crate::diagnose::{
+    Diagnosis, PictureError, TRIANGLES_TURNED, Verdict, diagnose, diagnose_picture, measure,
+};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{TestData, TestKind, read_character_obj};
@@ -61,6 +63,16 @@ impl Test {
         digest.0.finalize()
     }
 
+    /// Mistakes that the test does not show, since a mesh that has one of them is right in its pose.
+    pub fn unseen(&self) -> Vec<&'static str> {
+        if self.data.kind != TestKind::Mesh {
+            return Vec::new();
+        }
+        let triangles = self.character.bind_mesh().triangles.clone();
+        let right = Mesh::new(self.exact.clone(), triangles);
+        diagnose(&self.character, &self.pose, &right).map_or(Vec::new(), |found| found.unseen)
+    }
+
     /// The exact result as a PNG, as Base64.
     pub fn picture(&self) -> Option<String> {
         let triangles = &self.character.bind_mesh().triangles;
@@ -112,7 +124,7 @@ impl Test {
     }
 
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
-        let is_right = found.verdict == Verdict::Right;
+        let is_right = found.is_right();
         let measure = measure(&self.character, &self.exact, &theirs.positions);
         // Of vertices that are numbered otherwise it is not known which is which.
         let near = measure
@@ -124,13 +136,23 @@ impl Test {
             near as f64 / theirs.positions.len().max(1) as f64
         };
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
+        let mut causes = explanations(found.together(), &found.same_as);
+        if found.faces.turned > 0 {
+            if found.verdict == Verdict::Right {
+                causes.push(Vec::new());
+            }
+            for mistakes in &mut causes {
+                mistakes.push(TRIANGLES_TURNED.id.to_owned());
+            }
+        }
         Graded {
             outcome: match &found.other_pose {
                 Some(_) => Outcome::OtherPose,
+                None if found.verdict == Verdict::Right && !is_right => Outcome::Explained,
                 None => outcome(found.verdict),
             },
             text: found.to_string(),
-            causes: explanations(found.together(), &found.same_as),
+            causes,
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
             picture: if is_right { None } else { drawn() },

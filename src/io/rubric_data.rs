@@ -1,7 +1,7 @@
 //! The rubric in the file that a class is graded by: points and sections.
 
 use super::scanner::quoted;
-use crate::diagnose::MISTAKES;
+use crate::diagnose::{MISTAKES, Mistake};
 use serde::de::{Deserializer, Error as _};
 use serde::{Deserialize, Serialize};
 use serde_spanned::Spanned;
@@ -76,7 +76,7 @@ impl TryFrom<String> for MistakeName {
     type Error = String;
 
     fn try_from(name: String) -> Result<Self, String> {
-        if MISTAKES.iter().any(|mistake| mistake.id == name) {
+        if Mistake::find(&name).is_some() {
             return Ok(Self(name));
         }
         let ids = MISTAKES.iter().map(|mistake| mistake.id);

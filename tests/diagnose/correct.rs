@@ -130,3 +130,43 @@ fn what_the_course_s_own_program_gives_is_right() {
         }
     }
 }
+
+#[test]
+fn mistakes_that_the_pose_does_not_show_are_told_of_a_mesh_that_is_right() {
+    // One joint about one axis: the order of the axes is the same.
+    let bent = |joint| {
+        if joint == 3 {
+            Vec3::X * 40.0
+        } else {
+            Vec3::ZERO
+        }
+    };
+    let figure = Figure::builtin("robot", bent);
+    let found = figure.diagnose(&RIGHT.skin(&figure));
+    assert_right(&found, "one axis");
+    for id in [
+        "euler-xzy",
+        "euler-zyx",
+        "one-axis-ignored-y",
+        "sign-flipped-z",
+    ] {
+        assert!(found.unseen.contains(&id), "{id}: {found}");
+    }
+    for id in [
+        "one-axis-ignored-x",
+        "rotation-transposed",
+        "no-inverse-bind",
+    ] {
+        assert!(!found.unseen.contains(&id), "{id}: {found}");
+    }
+    assert!(
+        found.to_string().contains("euler-xzy, euler-yxz"),
+        "{found}"
+    );
+    let figure = Figure::builtin("robot", turned(5));
+    let found = figure.diagnose(&RIGHT.skin(&figure));
+    assert!(
+        !found.unseen.iter().any(|id| id.starts_with("euler")),
+        "{found}"
+    );
+}

@@ -22,6 +22,7 @@ fn difference(triangles: usize, missing: usize, other: usize) -> FaceDifference 
         triangles,
         missing,
         other,
+        turned: 0,
     }
 }
 
@@ -89,7 +90,46 @@ fn faces_in_another_order_and_from_another_corner_on_are_the_same() {
     let found = diagnosed(&figure, &others);
     assert_eq!(found.faces, difference(figure.triangles.len(), 1, 1));
     let told = "1 of the model's 9580 triangles is missing, and 1 other is there";
-    assert!(found.to_string().ends_with(told), "{found}");
+    assert!(found.to_string().contains(told), "{found}");
+}
+
+#[test]
+fn triangles_that_wind_the_other_way_are_not_right_though_their_vertices_are() {
+    let figure = Figure::builtin("robot", turned(33));
+    let whole = obj(&RIGHT.skin(&figure), &figure, |number| number.to_string());
+    for (every, told) in [
+        (
+            1,
+            "all of its triangles wind the other way, so that normals point the other way",
+        ),
+        (
+            2,
+            "4790 of its triangles wind the other way, so that normals point the other way",
+        ),
+    ] {
+        let inside_out = with_faces(&whole, |faces| {
+            let turned = faces.iter().enumerate().map(|(index, face)| {
+                let [_, a, b, c] = face.split(' ').collect::<Vec<_>>()[..] else {
+                    panic!("{face}");
+                };
+                if index % every == 0 {
+                    format!("f {c} {b} {a}")
+                } else {
+                    face.clone()
+                }
+            });
+            turned.collect()
+        });
+        let found = diagnosed(&figure, &inside_out);
+        assert_eq!((found.verdict, found.is_right()), (Verdict::Right, false));
+        assert!(
+            found
+                .to_string()
+                .starts_with("right but for its triangles: "),
+            "{found}"
+        );
+        assert!(found.to_string().contains(told), "{found}");
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, with};
+use crate::reference_data::course;
 use editor_core::character::Pose;
 use editor_core::diagnose::{Diagnosis, Verdict};
 use editor_core::math::Euler;
@@ -45,6 +46,48 @@ fn a_mesh_that_is_held_against_the_character_at_rest_shows_its_pose() {
     let root = &other.joints[0];
     let moved = Vec3::from(root.moved.expect("the root is moved"));
     assert!(moved.abs_diff_eq(by, 1e-4), "{moved}");
+}
+
+#[test]
+fn of_one_joint_that_is_turned_otherwise_this_one_alone_is_told() {
+    for name in ["adult", "dog", "robot"] {
+        let figure = Figure::builtin(name, turned(24));
+        let joints = figure.character.skeleton().joints();
+        for (joint, described) in joints.iter().enumerate() {
+            let mut expected = figure.pose();
+            let before = expected.rotation(joint).degrees();
+            let other = Euler::from_degrees(before + Vec3::new(25.0, -30.0, 10.0));
+            expected.set_joint_transform(joint, other);
+            let found = held_against(&figure, &expected);
+            // Joints that move no vertex, such as ends of limbs, show no angle, and a mesh that is turned as a whole
+            // is told to be.
+            if found.verdict != Verdict::Right && found.findings.is_empty() {
+                let case = format!("{name}, {}: {found}", described.name);
+                let other = found.other_pose.expect(&case);
+                let told: Vec<usize> = other.joints.iter().map(|it| it.joint_index).collect();
+                assert_eq!(told, [joint], "{case}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_root_that_few_vertices_go_with_is_told_and_not_its_children() {
+    // Its weights do not sum to one, so that the mesh is not turned as a whole.
+    let Some(path) = course("characters/Model1.obj") else {
+        return;
+    };
+    let degrees = turned(26);
+    let figure = Figure::new(&path, |joint| match joint {
+        0 => Vec3::ZERO,
+        joint => degrees(joint),
+    });
+    let mut expected = figure.pose();
+    expected.set_joint_transform(0, Euler::from_degrees(Vec3::new(0.0, 30.0, 0.0)));
+    let found = held_against(&figure, &expected);
+    let other = found.other_pose.expect("a pose");
+    let told: Vec<String> = other.joints.iter().map(ToString::to_string).collect();
+    assert_eq!(told, ["Root (0°, 0°, 0°) instead of (0°, 30°, 0°)"]);
 }
 
 #[test]

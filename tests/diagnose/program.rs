@@ -48,7 +48,14 @@ fn a_mesh_that_is_right_ends_with_0() {
     let folder = folder();
     for model in ["man.obj", "man.skel", "man.attach"] {
         let ran = diagnose(folder.path(), "right.obj", model, "bend.json");
-        let told = "right: this is the exact result, but for less than 0.001 % of the size\n";
+        // The pose turns one joint about one axis, which shows few mistakes.
+        let told = "\
+right: this is the exact result, but for less than 0.001 % of the size
+  unseen   parent-missing, parent-order, euler-xzy, euler-yxz, euler-yzx, euler-zxy, euler-zyx, \
+influences-cut-4, influences-cut-4-renormalized, strongest-joint-only, vertices-renumbered, joints-by-depth, \
+one-axis-ignored-x, one-axis-ignored-y, sign-flipped-x, sign-flipped-y, sign-flipped-z: with these mistakes it \
+would be the same here
+";
         assert_eq!((ran.code, &*ran.out, &*ran.err), (Some(0), told, WARNING));
     }
 }
@@ -92,10 +99,11 @@ fn a_file_that_is_cut_off_ends_with_1_and_is_told_to_lack_triangles() {
     }
     let ran = diagnose(folder.path(), "cut.obj", "man.obj", "bend.json");
     let told = "\
-right: this is the exact result, but for less than 0.001 % of the size
+right but for its triangles: its vertices are the exact result, but for less than 0.001 % of the size
   but      1 of the model's 2 triangles is missing: the file may be cut off
 ";
-    assert_eq!((ran.code, &*ran.out), (Some(1), told));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.out.starts_with(told), "{}", ran.out);
     let (code, cut) = json(folder.path(), "cut.obj");
     assert_eq!((code, &cut["verdict"]), (Some(1), &"right".into()));
     let counts = ["triangles", "triangles_missing", "triangles_other"].map(|key| &cut[key]);
@@ -234,7 +242,11 @@ fn what_export_writes_is_right_and_with_four_influences_is_told_to_have_four() {
         export(&[model, "--pose", pose]);
         let told = diagnosed(model, pose);
         assert!(told.starts_with("right: "), "{model}: {told}");
-        assert_eq!(told.lines().count(), 1, "{model}: {told}");
+        let rest = told.lines().skip(1);
+        assert!(
+            rest.clone().all(|line| line.starts_with("  unseen ")),
+            "{model}: {told}"
+        );
     }
     let posed = ["builtin:adult", "--pose", "builtin:adult-walk"];
     export(&[&posed[..], &["--influences", "4"]].concat());

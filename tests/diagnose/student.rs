@@ -255,6 +255,9 @@ pub const WRONG: &[Wrong] = &[
     wrong("degrees-as-radians", "radians", |s| {
         s.to_radians = |degrees| degrees
     }),
+    wrong("radians-as-degrees", "radians", |s| {
+        s.to_radians = |degrees| degrees.to_radians().to_radians()
+    }),
     wrong("rotation-transposed", "rotation", |s| {
         s.keep_rotation = |r| r.transpose()
     }),

@@ -55,6 +55,16 @@ fn model(folder: &Path) {
     }
 }
 
+#[test]
+fn the_program_prints_the_example_of_everything_on_the_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = editor_in(folder.path(), &["grade", "--example"]);
+    assert_eq!(
+        (ran.code, &*ran.out, &*ran.err),
+        (Some(0), blocks("json")[2], "")
+    );
+}
+
 fn report(folder: &Path) -> Value {
     serde_json::from_slice(&fs::read(folder.join("report/grade.json")).unwrap()).unwrap()
 }

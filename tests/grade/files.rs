@@ -15,6 +15,55 @@ fn class() -> (Class, String) {
     (class, right)
 }
 
+/// The file with every face the other way round.
+fn inside_out(text: &str) -> String {
+    let lines = text.lines().map(|line| {
+        let words: Vec<&str> = line.split(' ').collect();
+        match words[..] {
+            ["f", a, b, c] => format!("f {c} {b} {a}"),
+            _ => line.to_owned(),
+        }
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn what_lies_beside_the_folders_of_submissions_is_told_if_somebody_may_have_handed_it_in() {
+    let (class, right) = class();
+    for name in [
+        "ann/adult-1.obj",
+        "tom.obj",
+        "Zoe.ZIP",
+        "._tom.obj",
+        "__MACOSX/adult-1.obj",
+        ".hidden/adult-1.obj",
+    ] {
+        class.write(&format!("class/{name}"), &right);
+    }
+    let ran = class.run("class --tests tests.json -o report");
+    let warnings: Vec<&str> = ran
+        .err
+        .lines()
+        .filter(|line| line.starts_with("warning: "))
+        .collect();
+    let told = |name: &str| {
+        let told = format!("{name}: left out, since it is in no folder of a submission");
+        warnings.iter().filter(|line| line.ends_with(&told)).count()
+    };
+    assert_eq!(
+        (told("tom.obj"), told("Zoe.ZIP"), warnings.len()),
+        (1, 1, 2),
+        "{}",
+        ran.err
+    );
+    let report = class.graded();
+    assert_eq!(
+        report["submissions"].as_array().unwrap().len(),
+        1,
+        "{report}"
+    );
+}
+
 #[test]
 fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     let (class, right) = class();
@@ -61,6 +110,8 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     class.write("class/kim/Adult.obj", &right);
     class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
+    class.write("class/sam/hw2/out/adult-1.obj", &right);
+    class.write("class/tim/adult-1.obj", &inside_out(&right));
     let report = class.graded();
     for (name, outcome, text) in [
         ("ada", "right", "right: this is the exact result"),
@@ -84,6 +135,12 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "there is no adult-1.obj, but Adult-1.OBJ is there: the names differ in capitals",
         ),
         (
+            "sam",
+            "missing",
+            "there is no adult-1.obj, but hw2/out/adult-1.obj is there: it belongs into the folder of the submission itself",
+        ),
+        ("tim", "explained", "right but for its triangles: "),
+        (
             "lee",
             "unreadable",
             "adult-1.obj: expected a file, found a folder",
@@ -105,8 +162,12 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             .unwrap()
     };
     assert_eq!(
-        (points("ada"), points("gus"), points("kim")),
-        (10.0, 0.0, 0.0)
+        (points("ada"), points("gus"), points("kim"), points("tim")),
+        (10.0, 0.0, 0.0, 5.0)
+    );
+    assert_eq!(
+        result(&report, "tim", "adult-1")["causes"],
+        json!([["triangles-turned"]])
     );
     // Half of the points for what agrees, which is nearly all.
     assert!((4.0..5.0).contains(&points("cem")), "{}", points("cem"));

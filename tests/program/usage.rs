@@ -39,6 +39,31 @@ fn wrong_usage_ends_with_2_and_prints_no_result() {
 }
 
 #[test]
+fn a_misspelled_command_is_told_with_the_one_that_was_meant_whatever_follows() {
+    let folder = folder();
+    for (arguments, told) in [
+        (
+            &["rendr", "man.obj", "-o", "a.png"][..],
+            "rendr; did you mean render?",
+        ),
+        (
+            &["diagnos", "a.obj", "--character", "man.obj"],
+            "diagnos; did you mean diagnose?",
+        ),
+        (&["chek", "man.obj"], "chek; did you mean check?"),
+        (&["rendr", "--help"], "rendr; did you mean render?"),
+        (&["frobnicate", "-o", "a.png"], "frobnicate"),
+    ] {
+        let ran = editor_in(folder.path(), arguments);
+        let told = format!("error: there is neither a command nor a file called {told}\n");
+        assert_eq!((ran.code, &*ran.out), (Some(2), ""));
+        assert!(ran.err.starts_with(&told), "{}", ran.err);
+    }
+    let ran = editor_in(folder.path(), &["render", "man.obj", "--frobnicate"]);
+    assert!(ran.err.contains("--frobnicate"), "{}", ran.err);
+}
+
+#[test]
 fn a_character_that_the_program_brings_is_no_unknown_command() {
     for (word, code) in [("builtin:robot", 1), ("robot", 2)] {
         let status = std::process::Command::new(env!("CARGO_BIN_EXE_editor"))

@@ -29,15 +29,16 @@ use work::Work;
 /// only what has changed is graded anew.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
+    editor grade --example > tests.json\n  \
     editor grade submissions --tests tests.json\n  \
     editor grade submissions --tests tests.json --part 2/8 -o part-2\n  \
     editor grade --merge part-1 part-2 -o report")]
 pub struct Args {
     /// Folder with a folder for each submission
-    #[arg(value_name = "FOLDER", required_unless_present = "merge")]
+    #[arg(value_name = "FOLDER", required_unless_present_any = ["merge", "example"])]
     folder: Option<PathBuf>,
     /// Tests, rubric and command
-    #[arg(long, value_name = "TESTS.json", required_unless_present = "merge")]
+    #[arg(long, value_name = "TESTS.json", required_unless_present_any = ["merge", "example"])]
     tests: Option<PathBuf>,
     /// Folder for the report
     #[arg(short, long, value_name = "REPORT", default_value = "grade-report")]
@@ -56,12 +57,18 @@ pub struct Args {
         conflicts_with_all = ["folder", "tests", "jobs", "part"]
     )]
     merge: Vec<PathBuf>,
+    /// Print an example of TESTS.json, with everything that it can hold but for a command, instead of grading
+    #[arg(long, conflicts_with_all = ["folder", "tests", "jobs", "part", "merge", "output"])]
+    example: bool,
 }
 
 fn jobs(text: &str) -> Result<NonZeroUsize, String> {
     let number = text.parse();
     number.map_err(|_| format!("expected a whole number from 1 on, found {text}"))
 }
+
+/// What `--example` prints. It is in `docs/grading.md`, too.
+const EXAMPLE: &str = include_str!("../../../docs/tests.json");
 
 /// Names of the files of a report.
 const JSON: &str = "grade.json";
@@ -74,6 +81,9 @@ const PAGE: &str = "grade.html";
 /// If the tests are wrong, there are no submissions, parts do not fit each other, or the report cannot
 /// be written.
 pub fn run(args: &Args) -> Result<(), CliError> {
+    if args.example {
+        return print(EXAMPLE);
+    }
     match (&args.folder, &args.tests) {
         (Some(folder), Some(tests)) => grade(args, folder, tests),
         _ => {
@@ -99,6 +109,13 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         .chain(empty_sections(&file))
     {
         eprint_line(format_args!("warning: {}: {warning}", path.display()));
+    }
+    for test in &tests {
+        let unseen = test.unseen();
+        if !unseen.is_empty() {
+            let (name, unseen) = (visible(&test.data().name), unseen.join(", "));
+            eprint_line(format_args!("note: {name} does not show {unseen}"));
+        }
     }
     let mine: Vec<_> = match args.part {
         Some(part) => part.of(all),

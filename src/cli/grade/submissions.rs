@@ -56,8 +56,23 @@ impl Part {
     }
 }
 
-/// The submissions in `folder`, in the order of their names: its folders but for hidden ones, symbolic links and finished
-/// reports.
+/// Name of the folder that macOS adds to archives.
+const OF_MACOS: &str = "__MACOSX";
+
+/// Endings of files that may be somebody's submission.
+const HANDED_IN: [&str; 7] = ["obj", "png", "zip", "gz", "tgz", "7z", "rar"];
+
+/// Whether a file beside the folders of submissions looks like one that somebody handed in.
+fn may_be_handed_in(path: &Path) -> bool {
+    let is_hidden = path
+        .file_name()
+        .is_some_and(|name| name.as_encoded_bytes().starts_with(b"."));
+    let ending = path.extension().map(|ending| ending.to_ascii_lowercase());
+    !is_hidden && ending.is_some_and(|ending| HANDED_IN.iter().any(|known| ending == *known))
+}
+
+/// The submissions in `folder`, in the order of their names: its folders but for hidden ones, that of macOS, symbolic
+/// links and finished reports.
 ///
 /// # Errors
 /// If it cannot be read, has none, or a name is not in UTF-8.
@@ -73,6 +88,12 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
     for entry in std::fs::read_dir(folder).map_err(failed)? {
         let path = entry.map_err(failed)?.path();
         if !path.is_dir() {
+            if may_be_handed_in(&path) {
+                let path = path.display();
+                eprint_line(format_args!(
+                    "warning: {path}: left out, since it is in no folder of a submission"
+                ));
+            }
             continue;
         }
         // It may be the folder of another submission.
@@ -93,7 +114,7 @@ pub(super) fn of(folder: &Path) -> Result<Vec<Submission>, CliError> {
         let Some(name) = path.file_name().and_then(|name| name.to_str()) else {
             return Err(Diagnostic::new(&path, "expected a name in UTF-8").into());
         };
-        if !name.starts_with('.') {
+        if !name.starts_with('.') && name != OF_MACOS {
             found.push(Submission {
                 name: name.to_owned(),
                 folder: path,

@@ -264,18 +264,42 @@ fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
     })
 }
 
-/// That there is no file called `name` at `path`, and which one there is with other capitals.
+/// Folders within each other in which a file is sought that is not where it belongs.
+const DEEPEST: usize = 3;
+
+/// That there is no file called `name` at `path`, and which one there is with other capitals or in a folder beside it.
 fn missing(path: &Path, name: &str) -> String {
-    let folder = path.parent().map(std::fs::read_dir);
-    let entries = folder.into_iter().flatten().flatten().flatten();
-    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
-    let alike = names.filter(|found| found.to_lowercase() == name.to_lowercase());
-    match alike.min() {
-        Some(found) => {
-            format!("there is no {name}, but {found} is there: the names differ in capitals")
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let is_alike = |found: &Path| {
+        let found = found.file_name().and_then(|found| found.to_str());
+        found.is_some_and(|found| found.to_lowercase() == name.to_lowercase())
+    };
+    let mut folders = vec![folder.to_owned()];
+    for _ in 0..=DEEPEST {
+        let entries = folders
+            .iter()
+            .filter_map(|folder| std::fs::read_dir(folder).ok());
+        let entries = entries.flatten().flatten();
+        // Links may lead to other submissions.
+        let kinds = entries.filter_map(|entry| Some((entry.path(), entry.file_type().ok()?)));
+        let (within, files): (Vec<_>, Vec<_>) = kinds.partition(|(_, kind)| kind.is_dir());
+        let files = files.into_iter().filter(|(_, kind)| kind.is_file());
+        let alike = files.map(|(path, _)| path).filter(|path| is_alike(path));
+        if let Some(found) = alike.min() {
+            let beside = found.strip_prefix(folder).unwrap_or(&found);
+            let why = if beside.components().count() == 1 {
+                "the names differ in capitals"
+            } else {
+                "it belongs into the folder of the submission itself"
+            };
+            return format!(
+                "there is no {name}, but {} is there: {why}",
+                beside.display()
+            );
         }
-        None => format!("there is no {name}"),
+        folders = within.into_iter().map(|(path, _)| path).collect();
     }
+    format!("there is no {name}")
 }
 
 /// A text that tells `bytes` from others.

@@ -23,6 +23,7 @@ const CHANGE: f64 = 10.0;
 
 /// A pose on its way to the one of a mesh. Its unknowns are three numbers for a small turn of each joint
 /// about its place, and three for a small movement of each root, all in model space.
+#[derive(Clone)]
 pub(super) struct Fit<'a> {
     model: &'a Model<'a>,
     order: VertexOrder,
@@ -36,6 +37,8 @@ pub(super) struct Fit<'a> {
     /// The first unknown of the movement of each root.
     moves: Vec<Option<usize>>,
     unknowns: usize,
+    /// The pose that the mesh was expected in.
+    expected: Posed,
     posed: Posed,
 }
 
@@ -102,6 +105,15 @@ impl<'a> Fit<'a> {
         }
         let joint_indices = 0..joints.len();
         let bind_places = model.skeleton().bind_positions();
+        let expected = Posed {
+            rotations: joint_indices
+                .clone()
+                .map(|joint| expected.rotation(joint).to_dmat3())
+                .collect(),
+            offsets: joint_indices
+                .map(|joint| expected.root_offset(joint).as_dvec3())
+                .collect(),
+        };
         let mut fit = Self {
             model,
             order,
@@ -111,21 +123,52 @@ impl<'a> Fit<'a> {
             turns,
             moves,
             unknowns,
-            posed: Posed {
-                rotations: joint_indices
-                    .clone()
-                    .map(|joint| expected.rotation(joint).to_dmat3())
-                    .collect(),
-                offsets: joint_indices
-                    .map(|joint| expected.root_offset(joint).as_dvec3())
-                    .collect(),
-            },
+            posed: expected.clone(),
+            expected,
         };
         fit.turn_as_a_whole(&of_joints);
         fit.vertices = of_joints.into_iter().flatten().collect();
         fit.vertices.sort_unstable();
         fit.vertices.dedup();
         Some(fit)
+    }
+
+    /// The pose that the mesh was expected in.
+    pub(super) fn expected(&self) -> Posed {
+        self.expected.clone()
+    }
+
+    /// The same from `posed` on, in which the joints `free` alone are turned, and moved if they are roots.
+    pub(super) fn of(&self, free: &[usize], posed: Posed) -> Self {
+        let mut fit = Self {
+            posed,
+            ..self.clone()
+        };
+        for joint in 0..fit.turns.len() {
+            if !free.contains(&joint) {
+                (fit.turns[joint], fit.moves[joint]) = (None, None);
+            }
+        }
+        fit
+    }
+
+    /// The joint, other than those in `free`, that promises to bring `posed` nearest to the mesh if it alone is turned
+    /// or moved.
+    pub(super) fn most_promising(&self, posed: &Posed, free: &[usize]) -> Option<usize> {
+        let from = Self {
+            posed: posed.clone(),
+            ..self.clone()
+        };
+        let (equations, _) = from.equations();
+        let promise = |joint: usize| {
+            let own = self.turns[joint].into_iter().chain(self.moves[joint]);
+            own.map(|first| equations.promise(first))
+                .fold(0.0, f64::max)
+        };
+        let others = (0..self.turns.len()).filter(|joint| !free.contains(joint));
+        let promises = others.map(|joint| (joint, promise(joint)));
+        let best = promises.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        (best.1 > 0.0).then_some(best.0)
     }
 
     /// Turns each joint, from the root on, as the vertices that it moves most are turned as a whole.

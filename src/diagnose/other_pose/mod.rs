@@ -1,5 +1,6 @@
 //! Meshes of another pose: whether there is one in which the exact formula gives the mesh.
 
+mod fewest;
 mod fit;
 mod solve;
 
@@ -9,6 +10,7 @@ use super::{Formula, VertexOrder};
 use crate::character::Pose;
 use crate::math::Euler;
 use crate::steps::Pace;
+use fewest::fewest;
 use fit::{Fit, Posed};
 use glam::{DMat3, DVec3};
 use serde::Serialize;
@@ -89,45 +91,80 @@ pub(super) async fn find(
     pace: &Pace,
 ) -> Option<OtherPose> {
     let fit = Fit::new(model, expected, order, theirs)?;
-    let Posed { rotations, offsets } = fit.improve(tolerance, pace).await;
-    // Joints that differ in a hair are as expected, if the mesh agrees with that.
-    let (mut whole, mut plain) = (expected.clone(), expected.clone());
-    let mut joints = Vec::new();
-    for &joint in &model.by_depth {
-        let before = expected.rotation(joint);
-        let after = Euler::nearest(rotations[joint].as_mat3(), before);
-        let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
-        let is_turned = degrees_between(before.to_dmat3(), rotations[joint]) > TOLD_APART;
-        let is_moved = moved.length() > tolerance;
-        whole.set_joint_transform(joint, after);
-        whole.set_root_offset(joint, offsets[joint].as_vec3());
-        if is_turned {
-            plain.set_joint_transform(joint, after);
-        }
-        if is_moved {
-            plain.set_root_offset(joint, offsets[joint].as_vec3());
-        }
-        if is_turned || is_moved {
-            joints.push(TurnedJoint {
-                joint: model.skeleton().joints()[joint].name.clone(),
-                joint_index: joint,
-                degrees: plain.rotation(joint).degrees().to_array(),
-                expected: before.degrees().to_array(),
-                moved: is_moved.then(|| moved.as_vec3().to_array()),
-            });
-        }
-    }
-    if joints.is_empty() {
-        return None;
-    }
-    let poses = [plain, whole].into_iter();
-    let mut errors = poses.map(|pose| (largest_error(model, &pose, order, theirs), pose));
-    let (error, pose) = errors.find(|(error, _)| *error <= tolerance)?;
+    let search = Search {
+        model,
+        expected,
+        order,
+        theirs,
+        tolerance,
+    };
+    let found = search.found(&fit.clone().improve(tolerance, pace).await)?;
+    let agrees = |posed: &Posed| search.found(posed).is_some();
+    let fewer = fewest(&fit, tolerance, found.1.len(), agrees, pace).await;
+    let fewer = fewer.and_then(|posed| search.found(&posed));
+    let (pose, joints, error) = fewer
+        .filter(|fewer| fewer.1.len() < found.1.len())
+        .unwrap_or(found);
     Some(OtherPose {
         pose,
         joints,
         error: error / size,
     })
+}
+
+/// What a pose that was found is held against.
+struct Search<'a> {
+    model: &'a Model<'a>,
+    expected: &'a Pose,
+    order: VertexOrder,
+    theirs: &'a [DVec3],
+    tolerance: f64,
+}
+
+impl Search<'_> {
+    /// The pose that `posed` is, with the joints that differ from the expected one and the largest distance of the
+    /// exact mesh in it, if that agrees and any joint differs.
+    fn found(&self, posed: &Posed) -> Option<(Pose, Vec<TurnedJoint>, f64)> {
+        let Posed { rotations, offsets } = posed;
+        let Self {
+            model, expected, ..
+        } = *self;
+        // Joints that differ in a hair are as expected, if the mesh agrees with that.
+        let (mut whole, mut plain) = (expected.clone(), expected.clone());
+        let mut joints = Vec::new();
+        for &joint in &model.by_depth {
+            let before = expected.rotation(joint);
+            let after = Euler::nearest(rotations[joint].as_mat3(), before);
+            let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
+            let is_turned = degrees_between(before.to_dmat3(), rotations[joint]) > TOLD_APART;
+            let is_moved = moved.length() > self.tolerance;
+            whole.set_joint_transform(joint, after);
+            whole.set_root_offset(joint, offsets[joint].as_vec3());
+            if is_turned {
+                plain.set_joint_transform(joint, after);
+            }
+            if is_moved {
+                plain.set_root_offset(joint, offsets[joint].as_vec3());
+            }
+            if is_turned || is_moved {
+                joints.push(TurnedJoint {
+                    joint: model.skeleton().joints()[joint].name.clone(),
+                    joint_index: joint,
+                    degrees: plain.rotation(joint).degrees().to_array(),
+                    expected: before.degrees().to_array(),
+                    moved: is_moved.then(|| moved.as_vec3().to_array()),
+                });
+            }
+        }
+        if joints.is_empty() {
+            return None;
+        }
+        let poses = [plain, whole].into_iter();
+        let mut errors =
+            poses.map(|pose| (largest_error(model, &pose, self.order, self.theirs), pose));
+        let (error, pose) = errors.find(|(error, _)| *error <= self.tolerance)?;
+        Some((pose, joints, error))
+    }
 }
 
 /// The angle between two rotations, in degrees.

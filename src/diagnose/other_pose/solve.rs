@@ -1,3 +1,5 @@
+use glam::{DMat3, DVec3};
+
 /// A symmetric system of linear equations, of whose matrix the lower half counts.
 #[derive(Clone, Debug)]
 pub(super) struct Equations {
@@ -24,6 +26,24 @@ impl Equations {
     /// Adds to the right-hand side.
     pub(super) fn add_right(&mut self, row: usize, value: f64) {
         self.right[row] += value;
+    }
+
+    /// By how much the sum of squares that these are the normal equations of becomes less at most, if the three
+    /// unknowns from `first` on alone are other than zero.
+    pub(super) fn promise(&self, first: usize) -> f64 {
+        let at = |row: usize, column: usize| {
+            let (row, column) = (row.max(column), row.min(column));
+            self.matrix[(first + row) * self.count + first + column]
+        };
+        let columns =
+            [0, 1, 2].map(|column| DVec3::from_array([0, 1, 2].map(|row| at(row, column))));
+        let own = DMat3::from_cols(columns[0], columns[1], columns[2]);
+        let right = DVec3::from_slice(&self.right[first..first + 3]);
+        // What no vertex tells promises nothing.
+        let least = (at(0, 0) + at(1, 1) + at(2, 2)) * 1e-6 + f64::MIN_POSITIVE;
+        let raised = own + DMat3::from_diagonal(DVec3::splat(least));
+        let promise = right.dot(raised.inverse() * right);
+        if promise.is_finite() { promise } else { 0.0 }
     }
 
     /// The solution with the diagonal raised by `damping` of itself and of its largest entry, which leaves

@@ -172,8 +172,18 @@ impl Parts<'_> {
         }
         match diagnosis.verdict {
             Verdict::Right => {
-                let text = format!("Right: this is the exact result to within {off}.");
-                return say(ui, &text, palette.strong);
+                let what = if diagnosis.is_right() {
+                    "Right: this is the exact result"
+                } else {
+                    "Right but for its triangles: its vertices are the exact result"
+                };
+                say(ui, &format!("{what} to within {off}."), palette.strong);
+                if !diagnosis.unseen.is_empty() {
+                    let unseen = diagnosis.unseen.join(", ");
+                    let text = format!("Mistakes that would not show here: {unseen}");
+                    say(ui, &text, palette.weak);
+                }
+                return;
             }
             Verdict::Explained => {
                 for mistake in &diagnosis.mistakes {

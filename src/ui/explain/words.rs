@@ -1,6 +1,6 @@
 //! The formula in letters, with what a mistake changes of it.
 
-use crate::diagnose::{Chain, Factor, Formula, JointFormula, VertexOrder};
+use crate::diagnose::{AngleUnits, Chain, Factor, Formula, JointFormula, VertexOrder};
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Stroke, Ui};
@@ -167,12 +167,14 @@ fn rotations(own: &JointFormula) -> Vec<Part> {
     let turn = |(place, axis): (usize, usize)| {
         let is_turned = own.angles[axis] < 0.0;
         let is_left_out = own.angles[axis] == 0.0 || !own.has_pose;
-        let letters = match (own.degrees_as_radians, is_turned) {
-            (true, _) => ["Rx(degrees)", "Ry(degrees)", "Rz(degrees)"],
-            (_, true) => ["Rx(-x)", "Ry(-y)", "Rz(-z)"],
-            _ => ["Rx", "Ry", "Rz"],
+        let is_converted = own.units == AngleUnits::Radians;
+        let letters = match (own.units, is_turned) {
+            (AngleUnits::Degrees, _) => ["Rx(degrees)", "Ry(degrees)", "Rz(degrees)"],
+            (AngleUnits::ConvertedTwice, _) => ["Rx(π/180 x)", "Ry(π/180 y)", "Rz(π/180 z)"],
+            (AngleUnits::Radians, true) => ["Rx(-x)", "Ry(-y)", "Rz(-z)"],
+            (AngleUnits::Radians, false) => ["Rx", "Ry", "Rz"],
         };
-        let is_changed = own.order[place] != exact[place] || is_turned || own.degrees_as_radians;
+        let is_changed = own.order[place] != exact[place] || is_turned || !is_converted;
         let mark = if is_left_out {
             Mark::LeftOut
         } else {
