@@ -63,6 +63,11 @@ impl Messages {
         &self.fresh
     }
 
+    /// Dismisses all fresh messages; the history keeps them.
+    pub fn dismiss_all(&mut self) {
+        self.fresh.clear();
+    }
+
     /// Dismisses the fresh message at `index`; the history keeps it.
     pub fn dismiss(&mut self, index: usize) {
         if index < self.fresh.len() {

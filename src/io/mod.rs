@@ -20,6 +20,7 @@ mod json;
 mod json_node;
 mod json_text;
 mod mtl;
+pub mod namesakes;
 mod numbers;
 mod obj;
 mod obj_counts;
@@ -59,8 +60,8 @@ pub use pose_file::PoseFile;
 pub use read_job::{ReadFiles, ReadJob, Wanted};
 pub use rubric_data::{Points, RubricData, SectionData, Share};
 pub use scene::{
-    Missing, Package, Reimported, SceneError, SceneFile, needed_files, normal, package, read_scene,
-    reimport, scene_text,
+    Missing, Package, Reimported, SceneError, SceneFile, files_of_source, needed_files, normal,
+    package, read_scene, reimport, scene_text,
 };
 pub use skel::read_skel;
 pub use swp::{read_swp, to_swp};

@@ -40,6 +40,7 @@ impl Program {
                         && self.comparison.is_none()
                     {
                         self.ui.look_of_new = Some(look);
+                        self.ui.follow_look(look);
                     }
                     self.session.look(view);
                     true

@@ -77,6 +77,14 @@ impl Kept {
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
     }
+
+    /// Names of the shapes; none if the scene cannot be read.
+    pub fn shape_names(&self) -> Vec<String> {
+        let scene: serde_json::Value = serde_json::from_str(&self.scene).unwrap_or_default();
+        let shapes = scene["shapes"].as_array().into_iter().flatten();
+        let names = shapes.filter_map(|shape| shape["name"].as_str());
+        names.map(str::to_owned).collect()
+    }
 }
 
 /// Files with one more.

@@ -11,7 +11,7 @@ use super::{FileRequest, Host, Previous, Purpose, Suggested};
 use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files, Missing, ReadJob, Wanted};
 use crate::scene::{ShapeId, Source, ViewSettings};
-use crate::ui::Answer;
+use crate::ui::{Answer, MeshColors};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -76,6 +76,9 @@ impl Program {
             Next::New => {
                 self.cancel_reading(host);
                 self.end_comparison();
+                // They are about another document.
+                self.session.messages.dismiss_all();
+                self.ui.colors = MeshColors::default();
                 self.session.open(Vec::new(), self.view_without_scene());
                 self.ui.suit_navigation(self.session.view().look);
                 self.document = DocumentFile::untitled(self.session.document());
@@ -135,6 +138,7 @@ impl Program {
             loaded,
         } = opened;
         let compared = self.comparison.is_some();
+        self.session.messages.dismiss_all();
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);
         self.remember_recent(&io::character_file(&*files, &path));

@@ -81,8 +81,8 @@ impl Program {
         }
     }
 
-    /// Uses a file that was dropped on the window: a scene to open, a picture to compare the view
-    /// with, a pose for the selected character, another mesh for the comparison with one, all else as an
+    /// Uses a file that was dropped on the window: a scene to open, a picture that a model lacked or else one to
+    /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all else as an
     /// import.
     pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
@@ -91,7 +91,9 @@ impl Program {
         if is_scene(path) {
             self.leave_for(Next::OpenFile(path.to_owned(), files), host);
         } else if is_picture(path) {
-            self.compare_with(path, &*files);
+            if !self.complete_models(path, &*files) {
+                self.compare_with(path, &*files);
+            }
         } else if let Some(shape) = posed {
             self.load_pose(shape, path, &*files);
         } else if let Some(shape) = self.compared_by_dropping(path, &*files) {

@@ -96,6 +96,40 @@ impl Program {
         }
     }
 
+    /// Reads the models again that name the picture at `path` and were read when it was not there. Returns whether
+    /// there are any.
+    pub(super) fn complete_models(&mut self, path: &Path, files: &dyn Files) -> bool {
+        let picture = io::normal(path);
+        let shapes = self.session.scene().shapes().iter();
+        let beside = shapes.filter(|shape| {
+            let file = file_on_disk(shape);
+            let folder = file.as_deref().and_then(Path::parent);
+            folder.is_some_and(|folder| picture.starts_with(io::normal(folder)))
+        });
+        let beside: Vec<&Shape> = beside.collect();
+        let needs = |shape: &&Shape| {
+            let source = shape.source.as_ref();
+            source.is_some_and(|source| io::files_of_source(files, source).contains(&picture))
+        };
+        let ids: Vec<ShapeId> = beside
+            .into_iter()
+            .filter(needs)
+            .map(|shape| shape.id)
+            .collect();
+        let (count, _) = self.replace(&ids, &|_| None, files);
+        if count > 0 {
+            let name = path
+                .file_name()
+                .unwrap_or(path.as_os_str())
+                .to_string_lossy();
+            self.tell(
+                Severity::Info,
+                format!("{name} is on the model that names it"),
+            );
+        }
+        count > 0
+    }
+
     /// Lets the file of a shape be chosen, where it is now.
     pub(super) fn find_source(&mut self, shape: ShapeId, host: &mut dyn Host) {
         self.choose_file(Purpose::FindSource(shape), "", host);

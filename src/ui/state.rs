@@ -57,6 +57,8 @@ pub struct UiState {
     /// The shape that was selected in the last frame, to notice a new selection.
     pub(super) selected: Option<ShapeId>,
     pub(super) joints: JointListState,
+    /// Whether the navigation came with the Mannequin look, which the user has chosen, and goes with it.
+    navigates_by_look: bool,
     /// Name typed for a pose to keep.
     pub(super) pose_name: String,
     /// Command that waits until what is being typed has been taken over, or a drag has ended.
@@ -119,6 +121,7 @@ impl Default for UiState {
             opened: None,
             selected: None,
             joints: JointListState::default(),
+            navigates_by_look: false,
             pose_name: String::new(),
             waiting: None,
             gives_up_typing: false,
@@ -177,6 +180,7 @@ impl UiState {
     /// Takes the navigation of a document that is shown in `look`, unless one was chosen: who opens a
     /// scene of the Virtual Mannequin has its keys in the fingers.
     pub fn suit_navigation(&mut self, look: Look) {
+        self.navigates_by_look = false;
         let suiting = match look {
             Look::Mannequin => Navigation::Mannequin,
             Look::Course | Look::Studio => Navigation::default(),
@@ -186,6 +190,16 @@ impl UiState {
             if suiting != Navigation::Mannequin {
                 self.pose.tool = Tool::default();
             }
+        }
+    }
+
+    /// Has the Virtual Mannequin's navigation go with its look while the user chooses that, unless another one was
+    /// chosen: who knows the one expects the other.
+    pub fn follow_look(&mut self, look: Look) {
+        let is_mannequin = look == Look::Mannequin;
+        if is_mannequin && self.navigation != Navigation::Mannequin || self.navigates_by_look {
+            self.suit_navigation(look);
+            self.navigates_by_look = is_mannequin && self.chosen_navigation.is_none();
         }
     }
 

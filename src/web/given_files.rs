@@ -3,7 +3,7 @@
 use super::browser;
 use super::kept_files;
 use crate::io::builtin::is_builtin;
-use crate::io::{Diagnostic, Files};
+use crate::io::{Diagnostic, Files, namesakes};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -31,6 +31,32 @@ impl GivenFiles {
 
     fn table(&self) -> MutexGuard<'_, Table> {
         self.files.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Adds files that came together, beside each other and so that none takes the place of another one that was
+    /// given, in this tab or another. Returns their paths.
+    pub async fn place(&self, files: Vec<(PathBuf, Vec<u8>)>) -> Vec<PathBuf> {
+        let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+        let kept = if self.are_kept {
+            kept_files::namesakes(&names).await
+        } else {
+            Table::new()
+        };
+        let folder = {
+            let table = self.table();
+            let is_same =
+                |other: Option<&Vec<u8>>, bytes: &[u8]| other.is_none_or(|it| it == bytes);
+            namesakes::folder_for(&files, |path, bytes| {
+                is_same(table.get(path), bytes) && is_same(kept.get(path), bytes)
+            })
+        };
+        let placed = files.into_iter();
+        self.add(
+            placed
+                .map(|(path, bytes)| (folder.join(path), bytes))
+                .collect(),
+        );
+        names.into_iter().map(|path| folder.join(path)).collect()
     }
 
     /// Adds files, in place of others of the same names, and keeps them for the next visit, if that is wanted.
@@ -71,10 +97,19 @@ impl GivenFiles {
     }
 }
 
+/// The file at `path`. One in a folder that was made for files of the same name may have come again without it.
+fn found<'a>(files: &'a Table, path: &Path) -> Option<&'a Vec<u8>> {
+    files.get(path).or_else(|| {
+        let (outside, folder) = namesakes::in_common_folder(path)?;
+        let has_folder = files.keys().any(|path| path.starts_with(folder));
+        files.get(outside).filter(|_| !has_folder)
+    })
+}
+
 impl Files for GivenFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let files = self.table();
-        files.get(path).cloned().ok_or_else(|| {
+        found(&files, path).cloned().ok_or_else(|| {
             let message = "the page has not been given this file: choose or drop all files that \
                            belong together at once";
             Diagnostic::new(path, message)
@@ -82,7 +117,7 @@ impl Files for GivenFiles {
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.table().contains_key(path)
+        found(&self.table(), path).is_some()
     }
 }
 

@@ -23,21 +23,40 @@ async fn database() -> Result<Database, Error> {
 
 /// All files that are kept, by name; none where the browser keeps nothing.
 pub(super) async fn load() -> HashMap<PathBuf, Vec<u8>> {
-    read().await.unwrap_or_default()
+    read_if(|_| true).await.unwrap_or_default()
 }
 
-async fn read() -> Result<HashMap<PathBuf, Vec<u8>>, Error> {
+/// Those of the files that are kept that are called as one of `names`, in whatever folder.
+pub(super) async fn namesakes(names: &[PathBuf]) -> HashMap<PathBuf, Vec<u8>> {
+    read_if(|path| {
+        names
+            .iter()
+            .any(|name| name.file_name() == path.file_name())
+    })
+    .await
+    .unwrap_or_default()
+}
+
+async fn read_if(wanted: impl Fn(&Path) -> bool) -> Result<HashMap<PathBuf, Vec<u8>>, Error> {
     let database = database().await?;
     let transaction = database.transaction(&[FILES], TransactionMode::ReadOnly)?;
     let store = transaction.object_store(FILES)?;
     let names = store.get_all_keys(None, None)?.await?;
-    let contents = store.get_all(None, None)?.await?;
-    let named = names.into_iter().zip(contents);
-    let files = named.filter_map(|(name, content)| {
-        let bytes = content.dyn_into::<Uint8Array>().ok()?.to_vec();
-        Some((PathBuf::from(name.as_string()?), bytes))
-    });
-    Ok(files.collect())
+    let mut files = HashMap::new();
+    for name in names {
+        let Some(path) = name
+            .as_string()
+            .map(PathBuf::from)
+            .filter(|path| wanted(path))
+        else {
+            continue;
+        };
+        let content = store.get(key(&path))?.await?;
+        if let Some(bytes) = content.and_then(|it| it.dyn_into::<Uint8Array>().ok()) {
+            files.insert(path, bytes.to_vec());
+        }
+    }
+    Ok(files)
 }
 
 /// Keeps `files`, by name, beside those that are kept already.

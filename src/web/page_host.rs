@@ -55,8 +55,8 @@ impl Events {
     }
 
     /// Adds what could be read to the files of the page, and tells of what could not. Returns the
-    /// names of the former.
-    fn take_in(
+    /// paths of the former.
+    async fn take_in(
         &self,
         given: &GivenFiles,
         read: Vec<(PathBuf, Result<Vec<u8>, String>)>,
@@ -68,14 +68,16 @@ impl Events {
                 Err(error) => self.push(HostEvent::Unreadable(Diagnostic::new(&path, error))),
             }
         }
-        let names = files.iter().map(|(path, _)| path.clone()).collect();
-        given.add(files);
-        names
+        given.place(files).await
     }
 
     /// Takes in what was dropped, and has the program use it.
-    fn tell_dropped(&self, given: &GivenFiles, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
-        let names = self.take_in(given, read);
+    async fn tell_dropped(
+        &self,
+        given: &GivenFiles,
+        read: Vec<(PathBuf, Result<Vec<u8>, String>)>,
+    ) {
+        let names = self.take_in(given, read).await;
         for path in main_files(&names) {
             let files = all_files(given);
             self.push(HostEvent::Dropped { path, files });
@@ -106,7 +108,8 @@ impl PageHost {
 
     /// Takes in files that were dropped, by their ways from where they were dropped.
     pub fn take_files(&self, read: Vec<(PathBuf, Result<Vec<u8>, String>)>) {
-        self.events.tell_dropped(&self.given, read);
+        let (given, events) = (self.given.clone(), self.events.clone());
+        spawn_local(async move { events.tell_dropped(&given, read).await });
     }
 
     /// Fetches the built-in files that opening `paths` reads, before there is a program.
@@ -133,7 +136,7 @@ impl PageHost {
             for file in dropped {
                 read.push((file.path().to_owned(), file.bytes_async().await));
             }
-            events.tell_dropped(&given, read);
+            events.tell_dropped(&given, read).await;
         });
     }
 
@@ -161,7 +164,7 @@ impl PageHost {
                     let bytes = bytes.map_err(|error| browser::words(&error));
                     read.push((PathBuf::from(file.name()), bytes));
                 }
-                let names = events.take_in(&given, read);
+                let names = events.take_in(&given, read).await;
                 let files = all_files(&given);
                 let offered = main_files(&names).into_iter();
                 let suits = |path: &PathBuf| request.purpose.offers(&*files, path);

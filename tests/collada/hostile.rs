@@ -75,6 +75,14 @@ fn errors_name_line_and_column() {
             "<COLLADA>\n  <a>\n</COLLADA>",
             "3:1: expected well-formed XML",
         ),
+        (
+            "<COLLADA>\n  <a>\n  </a>\n<b",
+            "4:3: expected the end of the outermost element",
+        ),
+        (
+            "<COLLADA>\n  <a>\n  </a>\n",
+            "3:7: expected the end of the outermost element, found that of the file: it may be cut off",
+        ),
         ("<svg/>", "1:1: expected <COLLADA>, found <svg>"),
         (
             "<COLLADA/>",

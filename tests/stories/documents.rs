@@ -4,7 +4,7 @@ use super::Story;
 use crate::host::MemoryHost;
 use editor_core::editor::Severity;
 use editor_core::program::{HostEvent, Purpose, StorageKey};
-use editor_core::ui::Navigation;
+use editor_core::ui::{MeshColors, Navigation};
 use egui::{Key, Modifiers, vec2};
 use std::path::Path;
 
@@ -598,4 +598,27 @@ fn ctrl_s_and_ctrl_z_work_while_a_color_is_chosen_and_end_the_choice() {
     // The keys after it are commands again.
     story.key(Key::Delete);
     assert!(story.names().is_empty());
+}
+
+#[test]
+fn messages_and_colors_of_a_document_go_with_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.host.drop_file("models/gone.obj");
+    story.settle();
+    assert_eq!(story.session().messages.fresh().len(), 1);
+    story.program.ui_mut().colors = MeshColors::Weight;
+    story.key_with(CTRL, Key::N);
+    assert!(story.session().messages.fresh().is_empty());
+    assert_eq!(
+        story.session().messages.history().len(),
+        1,
+        "they are in the list"
+    );
+    assert_eq!(story.program.ui_mut().colors, MeshColors::default());
+    story.host.drop_file("models/gone.obj");
+    story.settle();
+    assert_eq!(story.session().messages.fresh().len(), 1);
+    story.key_with(CTRL, Key::O);
+    story.choose("models/strip.obj");
+    assert!(story.session().messages.fresh().is_empty());
 }

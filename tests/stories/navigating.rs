@@ -79,6 +79,29 @@ fn every_look_can_be_chosen_from_the_switch_of_looks() {
 }
 
 #[test]
+fn the_hands_of_the_virtual_mannequin_go_with_its_look_unless_others_were_chosen() {
+    let mut story = Story::start(&["builtin:humanoid"]);
+    story.click("Mannequin look");
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Mannequin);
+    point_at_a_bone(&mut story);
+    assert!(story.session().hovered_bone().is_some(), "no bone is lit");
+    story.click("Studio look");
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Course);
+    // In a scene of the Mannequin they stay in every look.
+    let mut story = Story::start(&["builtin:mannequin-1"]);
+    story.click("Studio look");
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Mannequin);
+    let stored = br#"{"started_before": true, "navigation": "orbit"}"#.to_vec();
+    let host = MemoryHost {
+        stored: [(StorageKey::Preferences, stored)].into(),
+        ..MemoryHost::default()
+    };
+    let mut story = Story::start_at(host, &["builtin:humanoid"]);
+    story.click("Mannequin look");
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Orbit);
+}
+
+#[test]
 fn a_navigation_that_was_chosen_stays_and_tells_where_the_keys_of_the_mannequin_work() {
     let stored = br#"{"started_before": true, "navigation": "orbit"}"#.to_vec();
     let host = MemoryHost {

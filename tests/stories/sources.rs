@@ -3,6 +3,8 @@
 use super::{STRIP, Story};
 use crate::host::MemoryHost;
 use editor_core::editor::{Edit, Severity};
+use editor_core::geometry::Picture;
+use editor_core::io::image::{PictureFormat, encode};
 use editor_core::program::{HostEvent, Purpose};
 use editor_core::scene::ShapeKind;
 use egui::{Key, Modifiers};
@@ -89,6 +91,53 @@ fn a_file_that_is_missing_is_named_shown_as_a_box_and_kept_by_the_next_save() {
         .filter(|(was, is)| was != is);
     let other: Vec<(&str, &str)> = other.collect();
     assert_eq!(other.len(), 1, "the position alone: {other:?}");
+}
+
+#[test]
+fn a_picture_that_a_model_lacked_is_put_on_it_when_it_is_dropped_and_another_one_is_compared() {
+    let red = Picture {
+        width: 2,
+        height: 2,
+        rgba: [255, 0, 0, 255].repeat(4),
+    };
+    let red = encode(&red, PictureFormat::Png).unwrap();
+    let sheet =
+        "mtllib sheet.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl sheet\nf 1/1 2/1 3/1\n";
+    let material = "newmtl sheet\nKd 1 1 1\nmap_Kd wood.png\n";
+    let mut story = elsewhere(&[
+        ("models/sheet.obj", sheet.into()),
+        ("models/sheet.mtl", material.into()),
+    ]);
+    story.host.drop_file("models/sheet.obj");
+    story.settle();
+    let has_picture = |story: &Story| {
+        let evaluated = story.session().evaluated();
+        let mesh = &evaluated.shapes[0].geometry.mesh;
+        mesh.groups
+            .iter()
+            .any(|group| group.material.texture.is_some())
+    };
+    assert!(!has_picture(&story));
+    for path in ["models/wood.png", "models/other.png"] {
+        story.host.files.insert(PathBuf::from(path), red.clone());
+    }
+    story.host.drop_file("models/wood.png");
+    story.settle();
+    assert!(has_picture(&story));
+    assert!(
+        !story.has("Stop comparing"),
+        "it is no picture to compare with"
+    );
+    story.key_with(CTRL, Key::Z);
+    assert!(!has_picture(&story), "it is a step");
+    story.key_with(CTRL | Modifiers::SHIFT, Key::Z);
+    // One that is on the model already, and one that belongs to none.
+    for path in ["models/wood.png", "models/other.png"] {
+        story.host.drop_file(path);
+        story.settle();
+        assert!(story.has("Stop comparing"), "{path}");
+        story.key(Key::Escape);
+    }
 }
 
 #[test]

@@ -43,6 +43,36 @@ fn a_file_that_is_dropped_is_added_to_the_scene() {
 }
 
 #[test]
+fn files_that_are_called_the_same_do_not_take_each_other_s_place() {
+    let browser = Browser::open();
+    // A page that nobody has touched does not ask before it is left.
+    browser.click(100, 600);
+    for (name, x, color) in [("left", -2, "1 0 0"), ("right", 1, "0 0 1")] {
+        let before = browser.picture();
+        browser.script(&format!(
+            "const files = new DataTransfer();
+             const sheet = 'mtllib colors.mtl\\nv {x} 0 2\\nv {} 0 2\\nv {} 2 2\\nusemtl sheet\\nf 1 2 3\\n';
+             files.items.add(new File([sheet], '{name}.obj'));
+             files.items.add(new File(['newmtl sheet\\nKd {color}\\n'], 'colors.mtl'));
+             const at = {{dataTransfer: files, clientX: 500, clientY: 300, bubbles: true, cancelable: true}};
+             document.getElementById('editor').dispatchEvent(new DragEvent('drop', at));",
+            x + 1,
+            x + 1,
+        ));
+        browser.wait("the sheet is read", || {
+            difference(&before, &browser.picture(), VIEW) > 0.01
+        });
+    }
+    let before = browser.picture();
+    browser.go("");
+    browser.press(&[ENTER]);
+    let after = browser.picture();
+    let off = difference(&before, &after, VIEW);
+    assert!(off < 0.002, "{off}: both have their own color again");
+    browser.finish();
+}
+
+#[test]
 fn a_folder_that_is_dropped_is_read_with_all_that_is_in_it() {
     let browser = Browser::open();
     let before = browser.picture();

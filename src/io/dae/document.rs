@@ -65,6 +65,13 @@ pub(super) fn parse_xml<'a>(path: &Path, text: &'a str) -> Result<Document<'a>, 
             roxmltree::Error::NodesLimitReached => {
                 format!("expected at most {MOST_XML_NODES} elements and texts, found more")
             }
+            // Where the outermost element begins says nothing.
+            roxmltree::Error::UnclosedRootNode => {
+                let line = text.lines().count().max(1);
+                let column = text.lines().last().map_or(0, |last| last.chars().count()) + 1;
+                let message = "expected the end of the outermost element, found that of the file: it may be cut off";
+                return Diagnostic::at(path, line, column, message);
+            }
             other => format!("expected well-formed XML: {other}"),
         };
         Diagnostic::at(path, at.row as usize, at.col as usize, message)

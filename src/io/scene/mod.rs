@@ -11,7 +11,7 @@ mod text;
 mod version_1;
 mod version_2;
 
-pub use package::{Package, needed_files, package};
+pub use package::{Package, files_of_source, needed_files, package};
 pub use paths::normal;
 pub use reimport::{Reimported, reimport};
 pub use text::{SceneError, scene_text};

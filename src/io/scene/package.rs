@@ -41,12 +41,17 @@ pub fn needed_files<'a>(
         .filter_map(|shape| shape.source.as_ref());
     for source in sources {
         if !source.is_builtin() && seen.insert((&source.file, source.importer)) {
-            // What was read before an error is needed as well.
-            let (read, _) = files_of(files, source);
-            needed.extend(read.iter().map(|path| paths::normal(path)));
+            needed.extend(files_of_source(files, source));
         }
     }
     needed
+}
+
+/// All files that a shape from `source` needs, by their shortest paths.
+pub fn files_of_source(files: &dyn Files, source: &Source) -> BTreeSet<PathBuf> {
+    // What was read before an error is needed as well.
+    let (read, _) = files_of(files, source);
+    read.iter().map(|path| paths::normal(path)).collect()
 }
 
 /// The scene as `NAME.scene`, and below `NAME files/` all files that its shapes came from, those of
