@@ -10,6 +10,8 @@ const GAP: f32 = 0.1;
 /// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
 /// does not, nor does a figure in a room.
 const INSIDE: f32 = 0.1;
+/// Share of the smaller box of two figures from which on it stands in the other, however large that is.
+const MOSTLY_INSIDE: f32 = 0.5;
 /// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
 const OFF_THE_GROUND: f32 = 0.02;
 /// Cosine of the angle from which on a figure shows its back.
@@ -32,9 +34,13 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     if shows_back(front, wanted.unwrap_or(to_eye)) && turn_round(shapes, bounds.center()) {
         bounds = bounds_of(shapes);
     }
-    let evaluated = session.evaluated().shapes.iter();
-    let there = evaluated.filter(|shape| shape.visible);
-    let there: Vec<Aabb> = there.map(|shape| shape.world_bounds()).collect();
+    let all = (session.scene().shapes().iter()).zip(&session.evaluated().shapes);
+    let there = all.filter(|(_, evaluated)| evaluated.visible);
+    let there = there.map(|(shape, evaluated)| Stander {
+        bounds: evaluated.world_bounds(),
+        is_figure: shape.front().is_some(),
+    });
+    let there: Vec<Stander> = there.collect();
     let mut beside = way_out(&bounds, &there);
     if beside != Vec3::ZERO
         && let Some(ground) = ground_of_characters(session)
@@ -133,10 +139,16 @@ fn turn_round(shapes: &mut [NewShape], center: Vec3) -> bool {
     true
 }
 
-/// The least movement along +X after which a box stands in none of those that are there.
-fn way_out(bounds: &Aabb, there: &[Aabb]) -> Vec3 {
+/// What stands somewhere already.
+struct Stander {
+    bounds: Aabb,
+    is_figure: bool,
+}
+
+/// The least movement along +X after which a figure with these `bounds` stands in none of those that are there.
+fn way_out(bounds: &Aabb, there: &[Stander]) -> Vec3 {
     let gap = GAP * bounds.size().x;
-    let after = |other: &Aabb| other.max.x + gap - bounds.min.x;
+    let after = |other: &Stander| other.bounds.max.x + gap - bounds.min.x;
     let mut ways: Vec<f32> = there.iter().map(after).filter(|way| *way > 0.0).collect();
     ways.sort_by(f32::total_cmp);
     let ways = std::iter::once(0.0).chain(ways);
@@ -146,17 +158,21 @@ fn way_out(bounds: &Aabb, there: &[Aabb]) -> Vec3 {
             min: bounds.min + way,
             max: bounds.max + way,
         };
-        !there
-            .iter()
-            .any(|other| stand_in_one_another(&moved, other))
+        !there.iter().any(|other| stands_in(&moved, other))
     });
     free.next().unwrap_or(Vec3::ZERO)
 }
 
-fn stand_in_one_another(a: &Aabb, b: &Aabb) -> bool {
+/// Whether a figure and what is there stand in one another. A figure is in a room, but not in another figure.
+fn stands_in(figure: &Aabb, other: &Stander) -> bool {
     let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
+    let (a, b) = (figure, &other.bounds);
     let common = volume(a.max.min(b.max) - a.min.max(b.min));
-    common > INSIDE * volume(a.size()) && common > INSIDE * volume(b.size())
+    let [smaller, larger] = {
+        let (a, b) = (volume(a.size()), volume(b.size()));
+        [a.min(b), a.max(b)]
+    };
+    common > INSIDE * larger || other.is_figure && common > MOSTLY_INSIDE * smaller
 }
 
 #[cfg(test)]
@@ -165,6 +181,27 @@ mod tests {
 
     fn boxed(low: [f32; 3], high: [f32; 3]) -> Aabb {
         Aabb::from_points([low, high].map(Vec3::from))
+    }
+
+    fn way_among(own: &Aabb, there: &[Aabb], is_figure: bool) -> Vec3 {
+        let there = there.iter().map(|&bounds| Stander { bounds, is_figure });
+        super::way_out(own, &there.collect::<Vec<_>>())
+    }
+
+    fn way_out(own: &Aabb, there: &[Aabb]) -> Vec3 {
+        way_among(own, there, false)
+    }
+
+    #[test]
+    fn a_figure_does_not_stand_in_a_larger_one_but_sits_on_it() {
+        let own = boxed([-0.5, 0.0, -0.5], [0.5, 2.0, 0.5]);
+        let giant = boxed([-5.0, 0.0, -5.0], [5.0, 20.0, 5.0]);
+        let way = way_among(&own, &[giant], true);
+        assert!((way.x - 5.6).abs() < 1e-5, "{way}");
+        let way = way_among(&giant, &[own], true);
+        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
+        let horse = boxed([-0.6, -1.5, -5.0], [0.6, 0.4, 5.0]);
+        assert_eq!(way_among(&own, &[horse], true), Vec3::ZERO);
     }
 
     #[test]

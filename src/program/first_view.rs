@@ -127,7 +127,7 @@ impl Program {
     }
 
     /// Shows shapes that have just been added: the first that are imported into a document through its `first`
-    /// view, others through the view as it is, if they can be seen in it.
+    /// view, others through the view as it is, if most of them can be seen in it.
     pub(super) fn show_added(&mut self, added: &[ShapeId], first: Option<ViewSettings>) {
         if let Some(view) = first {
             self.session.look(View::SetLook(view.look));

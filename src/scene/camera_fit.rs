@@ -115,18 +115,32 @@ impl Camera {
         }
     }
 
-    /// Whether any part of `bounds`, in the world, may be in a picture of `aspect` (width over
-    /// height): not all of it lies beyond one of the picture's edges, or out of depth.
+    /// Whether `bounds`, in the world, are seen well enough in a picture of `aspect` (width over height): half of
+    /// what they cover is in it, or what is takes up a quarter of it. So is what reaches behind the eye, such as a room.
     pub fn sees(&self, bounds: &Aabb, aspect: f32) -> bool {
         let corners = self.clip_corners(bounds, aspect);
         let beyond = |outside: fn(&Vec4) -> bool| corners.iter().all(outside);
-        !(corners.is_empty()
+        if corners.is_empty()
             || beyond(|c| c.x < -c.w)
             || beyond(|c| c.x > c.w)
             || beyond(|c| c.y < -c.w)
             || beyond(|c| c.y > c.w)
             || beyond(|c| c.z < -c.w)
-            || beyond(|c| c.z > c.w))
+            || beyond(|c| c.z > c.w)
+        {
+            return false;
+        }
+        if corners.iter().any(|c| c.z < -c.w) {
+            return true;
+        }
+        let on_picture = || corners.iter().map(|c| c.truncate().truncate() / c.w);
+        let least = on_picture().fold(Vec2::INFINITY, Vec2::min);
+        let most = on_picture().fold(Vec2::NEG_INFINITY, Vec2::max);
+        let seen = (most.min(Vec2::ONE) - least.max(Vec2::NEG_ONE)).max(Vec2::ZERO);
+        // The picture's sides are 2 long.
+        let [seen, covered, picture] =
+            [seen, most - least, Vec2::splat(2.0)].map(Vec2::element_product);
+        seen >= 0.5 * covered || seen >= 0.25 * picture
     }
 
     /// Share of the height or width of a picture of `aspect` (width over height), whichever is more,
@@ -264,7 +278,8 @@ mod tests {
         let cube_at = |at: Vec3| Aabb::from_points([at - Vec3::splat(0.5), at + Vec3::splat(0.5)]);
         for (at, is_seen, is_whole) in [
             (Vec3::ZERO, true, true),
-            (Vec3::X * 2.0, true, false),
+            (Vec3::X * 1.8, true, false),
+            (Vec3::X * 2.2, false, false),
             (Vec3::X * 9.0, false, false),
             (Vec3::Y * -9.0, false, false),
             (Vec3::Z * 9.0, false, false),
@@ -275,6 +290,11 @@ mod tests {
             assert_eq!(camera.share(&bounds, 1.0).is_some(), is_whole, "{at}");
         }
         assert!(!camera.sees(&Aabb::EMPTY, 1.0));
+        let [room, wall] = [Vec3::splat(20.0), Vec3::new(20.0, 1.0, 3.0)];
+        for size in [room, wall] {
+            let around = Aabb::from_points([-size, size]);
+            assert!(camera.sees(&around, 1.0), "{size}");
+        }
         // Its face, at a distance of 4.5, is one high where the picture is 3.7 high.
         let share = camera.share(&cube_at(Vec3::ZERO), 1.0).unwrap();
         assert!((share - 1.0 / 3.73).abs() < 0.01, "{share}");
