@@ -158,8 +158,8 @@ fn the_question_says_when_the_work_was_kept() {
         ..MemoryHost::default()
     };
     let story = Story::start_at(host, &[]);
-    let text =
-        "The editor ended before a new document was saved. The changes were kept 3 minutes ago.";
+    let text = "The editor ended before a new document was saved, with Strip in it. \
+                The changes were kept 3 minutes ago.";
     assert!(story.has_text(text));
 }
 

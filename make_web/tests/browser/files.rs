@@ -46,7 +46,7 @@ fn a_file_that_is_dropped_is_added_to_the_scene() {
 fn files_that_are_called_the_same_do_not_take_each_other_s_place() {
     let browser = Browser::open();
     // A page that nobody has touched does not ask before it is left.
-    browser.click(100, 600);
+    browser.click(500, 200);
     for (name, x, color) in [("left", -2, "1 0 0"), ("right", 1, "0 0 1")] {
         let before = browser.picture();
         browser.script(&format!(
