@@ -111,7 +111,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
     class.write("class/sam/hw2/out/adult-1.obj", &right);
-    class.write("class/tim/adult-1.obj", &inside_out(&right));
+    class.write("class/tim/adult-1.obj", inside_out(&right));
     let report = class.graded();
     for (name, outcome, text) in [
         ("ada", "right", "right: this is the exact result"),
