@@ -3,6 +3,7 @@
 use super::grab::{PointerUse, released_at};
 use super::scene_places::ScenePlaces;
 use super::theme::Palette;
+use super::widgets::forget_buttons;
 use super::{Action, Navigation};
 use crate::editor::{BoxMode, Session, View};
 use crate::scene::pick_in_box;
@@ -96,7 +97,10 @@ pub(super) fn pointer(
         drawn.to = to;
         view.ctx.request_repaint();
     }
-    drawn.cancelled |= secondary;
+    if secondary {
+        drawn.cancelled = true;
+        forget_buttons(&view.ctx);
+    }
     view.ctx.set_cursor_icon(CursorIcon::Crosshair);
     let drawn = *drawn;
     if drawn.cancelled && !any_down {

@@ -1,6 +1,7 @@
 //! The protocol of everything that is dragged in the view.
 
 use super::scene_places::{Place, ScenePlaces};
+use super::widgets::forget_buttons;
 use super::{Action, GestureStep};
 use crate::editor::{Edit, Session, for_all_in_view};
 use crate::scene::ShapeId;
@@ -153,6 +154,9 @@ impl<H: Follow> Grab<H> {
             hand.cancel.then_some(GestureStep::Cancel)
         };
         if let Some(step) = early {
+            if hand.right_pressed {
+                forget_buttons(&view.ctx);
+            }
             return self.end(step, &hand, actions);
         }
         let place = places.get(self.index);
@@ -168,7 +172,11 @@ impl<H: Follow> Grab<H> {
             actions.extend(edit.map(|edit| Action::Edit(for_all_in_view(session, edit))));
         }
         let released = !self.by_key && !hand.left_down;
-        if released || self.held.is_confirmed() || (self.by_key && hand.left_pressed) {
+        let clicked = self.by_key && hand.left_pressed;
+        if clicked {
+            forget_buttons(&view.ctx);
+        }
+        if released || clicked || self.held.is_confirmed() {
             return self.end(GestureStep::Commit, &hand, actions);
         }
         true
@@ -194,6 +202,7 @@ struct Hand {
     cancel: bool,
     left_down: bool,
     left_pressed: bool,
+    right_pressed: bool,
     any_down: bool,
     snap: bool,
     fine: bool,
@@ -209,11 +218,13 @@ impl Hand {
                 || input.consume_key(Modifiers::COMMAND, Key::Z);
             let pointer = &input.pointer;
             let anywhere = pointer.latest_pos().filter(|_| without_button);
+            let right_pressed = pointer.button_pressed(PointerButton::Secondary);
             Self {
                 position: released_at(input).or(anywhere).or(position),
-                cancel: escape || pointer.button_pressed(PointerButton::Secondary),
+                cancel: escape || right_pressed,
                 left_down: pointer.primary_down(),
                 left_pressed: pointer.primary_pressed(),
+                right_pressed,
                 any_down: pointer.any_down(),
                 snap: input.modifiers.command,
                 fine: input.modifiers.shift,

@@ -4,8 +4,9 @@ use super::theme::Palette;
 use egui::text::{CCursor, CCursorRange};
 use egui::text_edit::TextEditState;
 use egui::{
-    Align, Align2, Button, Color32, EventFilter, FontId, Id, Key, Label, Layout, Modifiers,
-    Painter, Popup, Pos2, RectAlign, Response, RichText, Tooltip, Ui, Vec2, vec2,
+    Align, Align2, Button, Color32, Context, EventFilter, FontId, Id, Key, Label, Layout,
+    Modifiers, Painter, PointerState, Popup, Pos2, RectAlign, Response, RichText, Tooltip, Ui,
+    Vec2, vec2,
 };
 
 /// Sets the name of a widget for assistive technology and tests.
@@ -78,6 +79,13 @@ pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
         .cursor
         .set_char_range(Some(CCursorRange::two(CCursor::default(), end)));
     state.store(ui.ctx(), id);
+}
+
+/// Counts the buttons of the mouse as released until they are pressed anew. A press that ends a drag is
+/// no click on what happens to be under the pointer, and its release, or that of the button that dragged,
+/// is none either.
+pub(super) fn forget_buttons(ctx: &Context) {
+    ctx.input_mut(|input| input.pointer = PointerState::default());
 }
 
 /// A title above a group of widgets.

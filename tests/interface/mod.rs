@@ -12,6 +12,7 @@ mod layout;
 mod menus;
 mod messages;
 mod navigation;
+mod numbers;
 mod poses;
 mod shapes;
 mod view;

@@ -9,7 +9,7 @@ pub(super) use typing::is_untouched;
 use crate::geometry::MAX_COORDINATE;
 use crate::ui::GestureStep;
 use crate::ui::theme::{Palette, number_font};
-use crate::ui::widgets::{named, tip_beside_panel};
+use crate::ui::widgets::{forget_buttons, named, tip_beside_panel};
 use decimals::{fitted, precise};
 use egui::{
     Align2, Context, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense,
@@ -56,8 +56,6 @@ struct Dragged {
     start: f64,
     /// Value before it is rounded to steps.
     exact: f64,
-    /// Whether the drag was cancelled; the rest of it does nothing.
-    cancelled: bool,
 }
 
 impl<'a> NumberField<'a> {
@@ -189,7 +187,7 @@ impl<'a> NumberField<'a> {
         let before: Option<Dragged> = ui.data_mut(|data| data.remove_temp(id));
         if !response.dragged_by(PointerButton::Primary) {
             // egui ends a drag by Esc. Consumed, so that it does nothing else in this frame.
-            let dragged = before.filter(|dragged| !dragged.cancelled)?;
+            let dragged = before?;
             let escape = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
             let end = if escape {
                 GestureStep::Cancel
@@ -205,19 +203,15 @@ impl<'a> NumberField<'a> {
         let mut dragged = before.unwrap_or(Dragged {
             start: self.value,
             exact: self.value,
-            cancelled: false,
         });
         let cancel = ui.input_mut(|input| {
             input.pointer.button_pressed(PointerButton::Secondary)
                 || input.consume_key(Modifiers::COMMAND, Key::Z)
         });
-        if cancel || dragged.cancelled {
-            if !dragged.cancelled {
-                note_gesture(ui, GestureStep::Cancel);
-            }
-            dragged.cancelled = true;
-            ui.data_mut(|data| data.insert_temp(id, dragged));
-            return cancel.then_some(dragged.start);
+        if cancel {
+            note_gesture(ui, GestureStep::Cancel);
+            forget_buttons(ui.ctx());
+            return Some(dragged.start);
         }
         // The movement before egui decided that this is a drag counts, too.
         let delta = if response.drag_started() {

@@ -1,0 +1,127 @@
+//! Numbers of the panels: drags that a right click cancels.
+
+use crate::interface::Editor;
+use editor_core::editor::View;
+use editor_core::ui::Navigation;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
+use glam::Vec3;
+
+const NECK: usize = 3;
+const LEFT_ELBOW: usize = 17;
+
+impl Editor {
+    /// The middle of the number of that name.
+    fn number(&self, name: &str) -> Pos2 {
+        self.widget(name).rect().center()
+    }
+
+    /// Presses buttons, or releases them, one right after the other.
+    fn buttons(&mut self, at: Pos2, changes: &[(PointerButton, bool)]) {
+        for &(button, pressed) in changes {
+            self.harness.event(Event::PointerButton {
+                pos: at,
+                button,
+                pressed,
+                modifiers: Modifiers::NONE,
+            });
+            self.harness.step();
+        }
+        self.settle();
+    }
+
+    /// Clicks with the right button in the middle of a drag with the left one, which is released first
+    /// or last.
+    fn cancel_by_right_click(&mut self, at: Pos2, left_first: bool) {
+        let (left, right) = (PointerButton::Primary, PointerButton::Secondary);
+        let released = if left_first {
+            [left, right]
+        } else {
+            [right, left]
+        };
+        let released = released.map(|button| (button, false));
+        self.buttons(at, &[(right, true), released[0], released[1]]);
+    }
+}
+
+#[test]
+fn a_right_click_that_cancels_the_drag_of_a_number_does_nothing_to_the_one_under_the_pointer() {
+    for (dragged, other) in [("Neck X", "Neck Y"), ("Position X", "Position Y")] {
+        for left_first in [true, false] {
+            let mut editor = Editor::with_figure();
+            editor.type_into(dragged, "10");
+            editor.type_into(other, "20");
+            let before = [dragged, other].map(|name| editor.value(name));
+            let (from, to) = (editor.number(dragged), editor.number(other));
+            editor.take(from);
+            editor.point(to);
+            assert_ne!(editor.value(dragged), before[0]);
+            editor.cancel_by_right_click(to, left_first);
+            let after = [dragged, other].map(|name| editor.value(name));
+            assert_eq!(after, before, "left first: {left_first}");
+            assert!(!editor.harness.ctx.text_edit_focused(), "it types nothing");
+            editor.point(from);
+            assert_eq!(editor.value(dragged), before[0], "the drag is over");
+            editor.drag(other, 10.0);
+            assert_ne!(editor.value(other), before[1], "the next one works");
+        }
+    }
+}
+
+#[test]
+fn a_right_click_that_cancels_the_drag_of_a_number_presses_no_button_under_the_pointer() {
+    for left_first in [true, false] {
+        let mut editor = Editor::with_figure();
+        editor.type_into("Neck Y", "20");
+        let before = editor.joint(NECK);
+        let (from, to) = (editor.number("Neck X"), editor.number("Reset Neck"));
+        editor.take(from);
+        editor.point(to);
+        editor.cancel_by_right_click(to, left_first);
+        assert_eq!(editor.joint(NECK), before);
+    }
+}
+
+#[test]
+fn a_right_click_that_cancels_a_drag_in_the_view_does_nothing_to_a_number_under_the_pointer() {
+    for left_first in [true, false] {
+        let mut editor = Editor::with_hands(Key::B);
+        editor.type_into("Neck Y", "20");
+        // Its rings would be in the way.
+        editor.view(View::SelectJoint(None));
+        let from = editor.on_bone(LEFT_ELBOW);
+        let to = editor.number("Neck Y");
+        editor.take(from);
+        editor.point(from + vec2(-20.0, 60.0));
+        editor.point(to);
+        assert_ne!(editor.joint(LEFT_ELBOW), Vec3::ZERO);
+        editor.cancel_by_right_click(to, left_first);
+        assert_eq!(editor.joint(LEFT_ELBOW), Vec3::ZERO);
+        assert!((editor.joint(NECK).y - 20.0).abs() < 1e-3);
+        assert!(!editor.harness.ctx.text_edit_focused());
+    }
+}
+
+#[test]
+fn a_click_that_ends_a_movement_by_key_does_nothing_to_a_number_under_the_pointer() {
+    for button in [PointerButton::Primary, PointerButton::Secondary] {
+        let mut editor = Editor::with_figure();
+        editor.harness.state_mut().gestures = true;
+        let state = &mut editor.harness.state_mut().state;
+        state.set_navigation(Navigation::Blender);
+        editor.type_into("Neck Y", "20");
+        editor.point(pos2(200.0, 300.0));
+        editor.key(Key::G);
+        let to = editor.number("Neck Y");
+        editor.point(to);
+        let position = |editor: &Editor| editor.shape().placement.transform.position;
+        let moved = position(&editor);
+        assert_ne!(moved, Vec3::ZERO);
+        editor.buttons(to, &[(button, true), (button, false)]);
+        let stays = button == PointerButton::Primary;
+        assert_eq!(position(&editor), if stays { moved } else { Vec3::ZERO });
+        assert!((editor.joint(NECK).y - 20.0).abs() < 1e-3);
+        assert!(!editor.harness.ctx.text_edit_focused());
+        editor.point(pos2(100.0, 200.0));
+        assert_eq!(position(&editor), if stays { moved } else { Vec3::ZERO });
+    }
+}
