@@ -4,6 +4,7 @@
 
 mod among;
 mod apply;
+mod constraint;
 mod control_point_drag;
 mod edit;
 mod gizmo;
@@ -23,6 +24,7 @@ mod swing;
 
 pub use among::{set_among, set_on_ground};
 pub use apply::{Change, EditError, apply};
+pub use constraint::Constraint;
 pub use control_point_drag::{ControlPointDrag, control_point_at};
 pub use edit::{Edit, View};
 pub use gizmo::{

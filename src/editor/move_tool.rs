@@ -39,6 +39,8 @@ pub enum MoveAlong {
     Line(Vec3),
     /// In a plane with this normal.
     Plane(Vec3),
+    /// In the plane of two axes that are perpendicular to each other.
+    Axes(Vec3, Vec3),
 }
 
 impl MoveTarget {
@@ -196,22 +198,39 @@ impl MoveDrag {
     }
 
     /// Edit that moves the target for the cursor on `ray`; with `snap` in steps of 0.1 along the
-    /// world's axes or along the line.
+    /// line or the two axes, or else along the world's axes.
     pub fn update(&mut self, ray: &Ray, snap: bool) -> Edit {
         if let Some(to) = meeting(ray, self.anchor, self.along) {
             self.moved = to - self.from;
-            if snap {
-                self.snap();
-            }
+            let step = |length: f64| match snap {
+                true => (length / SNAP).round() * SNAP,
+                false => length,
+            };
+            self.moved = match self.along {
+                MoveAlong::Line(_) => {
+                    let length = self.moved.length();
+                    self.moved.normalize_or_zero() * step(length)
+                }
+                MoveAlong::Plane(_) => self.moved.map(step),
+                // Also without steps, so that what is perpendicular to both stays exactly.
+                MoveAlong::Axes(first, second) => {
+                    let axes = [first, second].map(|axis| axis.as_dvec3().normalize_or_zero());
+                    axes.map(|axis| axis * step(self.moved.dot(axis)))
+                        .iter()
+                        .sum()
+                }
+            };
         }
         self.edit()
     }
 
-    /// Edit that moves the target by exactly this length along the line, wherever the cursor is; in
-    /// a plane, along the first axis of the world that is not its normal.
+    /// Edit that moves the target by exactly this length along the line or the first of the two
+    /// axes, wherever the cursor is; in a plane, along the first axis of the world that is not its
+    /// normal.
     pub fn moved_by(&mut self, length: f64) -> Edit {
         let direction = match self.along {
             MoveAlong::Line(line) => line,
+            MoveAlong::Axes(first, _) => first,
             MoveAlong::Plane(normal) => {
                 let is_across = |axis: &Vec3| axis.dot(normal.normalize_or_zero()).abs() < ACROSS;
                 Vec3::AXES.into_iter().find(is_across).unwrap_or(Vec3::X)
@@ -257,17 +276,6 @@ impl MoveDrag {
     pub fn moved(&self) -> Vec3 {
         self.moved.as_vec3()
     }
-
-    fn snap(&mut self) {
-        let step = |length: f64| (length / SNAP).round() * SNAP;
-        self.moved = match self.along {
-            MoveAlong::Line(_) => {
-                let length = self.moved.length();
-                self.moved.normalize_or_zero() * step(length)
-            }
-            MoveAlong::Plane(_) => self.moved.map(step),
-        };
-    }
 }
 
 impl Start {
@@ -292,5 +300,8 @@ fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
             Some(anchor + line * ray.nearest_on_line(anchor, line)?)
         }
         MoveAlong::Plane(normal) => ray.meet_plane(anchor, normal.as_dvec3()),
+        MoveAlong::Axes(first, second) => {
+            ray.meet_plane(anchor, first.as_dvec3().cross(second.as_dvec3()))
+        }
     }
 }

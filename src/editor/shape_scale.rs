@@ -1,4 +1,4 @@
-use super::{Edit, GizmoAxes, ShapeGroup};
+use super::{Constraint, Edit, GizmoAxes, ShapeGroup};
 use crate::math::{DRay, Ray};
 use glam::{DVec3, Vec3};
 
@@ -26,8 +26,8 @@ pub enum ScaleBy {
 pub struct ShapeScale {
     group: ShapeGroup,
     by: ScaleBy,
-    /// The axis that alone is scaled; `None` for all.
-    only: Option<usize>,
+    /// The axes that alone are scaled; `None` for all.
+    constraint: Option<Constraint>,
     /// Directions across the view, in the world, of unit length.
     right: DVec3,
     up: DVec3,
@@ -42,8 +42,8 @@ impl ShapeScale {
         let mut scale = Self {
             group,
             by,
-            only: match by {
-                ScaleBy::Axis(axis) => Some(axis),
+            constraint: match by {
+                ScaleBy::Axis(axis) => Some(Constraint::Axis(axis)),
                 ScaleBy::Distance | ScaleBy::Doubling(_) => None,
             },
             right: right.as_dvec3(),
@@ -55,10 +55,10 @@ impl ShapeScale {
         scale
     }
 
-    /// The same scaling along one axis alone, or along all.
-    pub fn along(&self, only: Option<usize>) -> Self {
+    /// The same scaling along some axes alone, or along all.
+    pub fn along(&self, constraint: Option<Constraint>) -> Self {
         Self {
-            only,
+            constraint,
             ..self.clone()
         }
     }
@@ -92,9 +92,9 @@ impl ShapeScale {
         self.factor
     }
 
-    /// The axis that alone is scaled; `None` for all.
-    pub fn only(&self) -> Option<usize> {
-        self.only
+    /// The axes that alone are scaled; `None` for all.
+    pub fn constraint(&self) -> Option<Constraint> {
+        self.constraint
     }
 
     /// The shapes that are scaled.
@@ -104,9 +104,11 @@ impl ShapeScale {
 
     fn edit(&self) -> Edit {
         let mut factors = DVec3::splat(self.factor);
-        if let Some(only) = self.only {
+        if let Some(constraint) = self.constraint {
             factors = DVec3::ONE;
-            factors[only] = self.factor;
+            for axis in constraint.axes() {
+                factors[axis] = self.factor;
+            }
         }
         self.group.scaled(factors)
     }

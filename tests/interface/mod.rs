@@ -15,6 +15,7 @@ mod navigation;
 mod numbers;
 mod poses;
 mod shapes;
+mod typed_axes;
 mod view;
 mod visibility;
 

@@ -68,6 +68,28 @@ proptest! {
 }
 
 #[test]
+fn in_a_plane_of_two_axes_the_way_along_each_snaps_and_a_number_goes_along_the_first() {
+    let (session, id) = session(Camera::default(), Default::default(), &Default::default());
+    // In the plane z = 0, seen straight from the front.
+    let (first, second) = (Vec3::new(0.6, 0.8, 0.0), Vec3::new(-0.8, 0.6, 0.0));
+    let over = |along: f32, across: f32| Ray {
+        origin: first * along + second * across + Vec3::Z * 5.0,
+        direction: Vec3::NEG_Z,
+    };
+    let target = MoveTarget::Shape(id);
+    let along = MoveAlong::Axes(first, second);
+    let mut drag = MoveDrag::begin(&session, target, along, &over(0.0, 0.0)).unwrap();
+    drag.update(&over(0.27, -0.46), true);
+    let snapped = first * 0.3 - second * 0.5;
+    assert!(drag.moved().abs_diff_eq(snapped, 1e-6), "{}", drag.moved());
+    drag.update(&over(0.27, -0.46), false);
+    let free = first * 0.27 - second * 0.46;
+    assert!(drag.moved().abs_diff_eq(free, 1e-6), "{}", drag.moved());
+    drag.moved_by(2.0);
+    assert!(drag.moved().abs_diff_eq(first * 2.0, 1e-6));
+}
+
+#[test]
 fn along_an_oblique_line_the_length_snaps_and_not_each_coordinate() {
     let (session, id) = session(Camera::default(), Default::default(), &Default::default());
     // A line in the plane z = 0, seen straight from the front.

@@ -2,8 +2,8 @@
 
 use crate::posing::support::{SIZE, cameras, pixel, transforms, vector};
 use editor_core::editor::{
-    Edit, GizmoAxes, Handle, RotationGizmo, ScaleBy, ScaleGizmo, Session, ShapeGroup, ShapeScale,
-    ShapeTurn, View,
+    Constraint, Edit, GizmoAxes, Handle, RotationGizmo, ScaleBy, ScaleGizmo, Session, ShapeGroup,
+    ShapeScale, ShapeTurn, View,
 };
 use editor_core::geometry::{Mesh, SharedMesh};
 use editor_core::math::{Euler, Transform};
@@ -166,7 +166,7 @@ proptest! {
         let mut turn = ShapeTurn::begin(group(&session), Vec3::Z, Vec3::X, &ray).unwrap();
         let edit = turn.turned_by(degrees.to_radians());
         let across = (Vec3::X, Vec3::Y);
-        let mut scale = ShapeScale::begin(group(&session), ScaleBy::Distance, across, &ray).along(Some(1));
+        let mut scale = ShapeScale::begin(group(&session), ScaleBy::Distance, across, &ray).along(Some(Constraint::Axis(1)));
         session.edit(edit).unwrap();
         let turned = places(&session)[0].rotation;
         let off = (f64::from(turned.degrees().z) - degrees).rem_euclid(360.0);
@@ -189,7 +189,11 @@ fn an_uneven_scale_turns_uniform_scaling_off_and_an_even_one_leaves_it_on() {
     let (camera, across) = (Camera::default(), (Vec3::X, Vec3::Y));
     let ray = camera.ray(SIZE * 0.3, SIZE);
     let all = ShapeScale::begin(group(&session), ScaleBy::Distance, across, &ray);
-    for (only, stays) in [(Some(2), false), (None, true)] {
+    for (only, stays) in [
+        (Some(Constraint::Axis(2)), false),
+        (Some(Constraint::Plane(2)), false),
+        (None, true),
+    ] {
         session.edit(all.along(only).scaled_by(2.0)).unwrap();
         assert_eq!(uniform(&session), stays, "{only:?}");
     }

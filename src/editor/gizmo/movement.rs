@@ -1,5 +1,5 @@
 use super::{GizmoAxes, GizmoHit, Handle, Nearest, Screen};
-use crate::editor::{MoveAlong, MoveTarget, Session};
+use crate::editor::{Constraint, MoveAlong, MoveTarget, Session};
 use glam::{Mat3, Vec2, Vec3};
 
 /// Start and end of an arrow, in pixels from the center.
@@ -88,7 +88,11 @@ impl MoveGizmo {
     pub fn along(&self, handle: Handle) -> Option<MoveAlong> {
         match handle {
             Handle::Arrow(axis) => Some(MoveAlong::Line(self.axes[axis])),
-            Handle::Plane(axis) => Some(MoveAlong::Plane(self.axes[axis])),
+            Handle::Plane(normal) => {
+                let mut axes = Constraint::Plane(normal).axes();
+                let mut next = || Some(self.axes[axes.next()?]);
+                Some(MoveAlong::Axes(next()?, next()?))
+            }
             Handle::Center => Some(MoveAlong::Plane(self.screen.camera.forward())),
             Handle::Ring(_) | Handle::FreeRing => None,
         }

@@ -46,6 +46,10 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Scale: drag the ring", "Scale along all axes"),
     gesture("Shift in a drag of a shape", "Follow the pointer finely"),
     gesture("X, Y, Z in a drag", "That axis alone; again: local, all"),
+    gesture(
+        "Shift and X, Y, Z in a drag",
+        "The two other axes; again: local",
+    ),
     gesture("A number in a drag", "Exactly so far; Enter keeps it"),
     gesture("Click a point, Delete", "Delete that point of the curve"),
     gesture("IK: drag a bone", "Move its end; a chain follows"),

@@ -2,8 +2,8 @@
 
 use super::typed::Typed;
 use crate::editor::{
-    BoneDrag, Edit, GizmoAxes, Handle, IkDrag, JointTurn, MoveAlong, MoveDrag, MoveTarget,
-    RingDrag, Session, ShapeScale, ShapeTurn,
+    BoneDrag, Constraint, Edit, GizmoAxes, Handle, IkDrag, JointTurn, MoveAlong, MoveDrag,
+    MoveTarget, RingDrag, Session, ShapeScale, ShapeTurn,
 };
 use crate::math::Ray;
 use crate::scene::ShapeId;
@@ -17,7 +17,7 @@ pub(super) type PoseGesture = Grab<Held>;
 /// A drag with one of the tools, the gizmo's handle that it uses, if any, and what was typed.
 #[derive(Clone, Debug)]
 pub(in crate::ui) struct Held {
-    /// As it began, without an axis that was typed.
+    /// As it began, without an axis or a plane that was typed.
     begun: Drag,
     drag: Drag,
     handle: Option<Handle>,
@@ -112,46 +112,57 @@ impl Held {
         }
     }
 
-    /// The axis that was typed: 0 for x, 1 for y, 2 for z, with its direction in the world and the
-    /// point that it goes through.
-    pub(super) fn typed_axis(&self, session: &Session) -> Option<(usize, Vec3, Vec3)> {
-        let (axis, axes) = self.typed.axis(self.axes)?;
-        match &self.drag {
-            Drag::Turn(drag) => Some((axis, drag.group().axis(axes, axis), drag.group().pivot())),
-            Drag::Scale(drag) => {
+    /// The axes that were typed: 0 for x, 1 for y, 2 for z, each with its direction in the world and
+    /// the point that it goes through. Both axes of a plane, but the one that things turn about.
+    pub(super) fn typed_axes(&self, session: &Session) -> Vec<(usize, Vec3, Vec3)> {
+        let Some((constraint, axes)) = self.typed.constraint(self.axes) else {
+            return Vec::new();
+        };
+        let line = |axis: usize| match &self.drag {
+            Drag::Turn(drag) if axis == constraint.named() => {
+                Some((axis, drag.group().axis(axes, axis), drag.group().pivot()))
+            }
+            Drag::Scale(drag) if constraint.axes().any(|free| free == axis) => {
                 let own = drag.group().axis(GizmoAxes::Local, axis);
                 Some((axis, own, drag.group().pivot()))
             }
-            Drag::Move(drag) => {
+            Drag::Move(drag) if constraint.axes().any(|free| free == axis) => {
                 let direction = move_axis(session, drag.target(), axes, axis)?;
                 Some((axis, direction, drag.target().place(session)?))
             }
-            Drag::Bone(_) | Drag::Ring(_) | Drag::Ik(_) | Drag::Stuck(..) => None,
-        }
+            _ => None,
+        };
+        (0..3).filter_map(line).collect()
     }
 
     /// By how much it has turned or moved, as text, or what is typed for that.
     pub(super) fn readout(&self) -> String {
         let typed = self.typed.shown();
-        let axis = self.typed.axis(self.axes).map(|(axis, _)| axis);
-        let letter = axis.map_or("", |axis| ["x ", "y ", "z "][axis]);
+        let constraint = self.typed.constraint(self.axes).map(|(along, _)| along);
+        let letter = |axis: usize| ["x ", "y ", "z "][axis];
+        let about = constraint.map_or("", |about| letter(about.named()));
         let turned = |angle: f64| match &typed {
-            Some(typed) => format!("{letter}{typed}°"),
-            None => format!("{letter}{:+.1}°", (angle * self.sign()).to_degrees() + 0.0),
+            Some(typed) => format!("{about}{typed}°"),
+            None => format!("{about}{:+.1}°", (angle * self.sign()).to_degrees() + 0.0),
         };
         match &self.drag {
             Drag::Bone(drag) => turned(drag.angle()),
             Drag::Ring(drag) => turned(drag.angle()),
             Drag::Turn(drag) => turned(drag.angle()),
             Drag::Scale(drag) => {
-                let letter = drag.only().map_or("", |axis| ["x ", "y ", "z "][axis]);
+                let axes = drag.constraint().into_iter().flat_map(Constraint::axes);
+                let letters: String = axes.map(letter).collect();
                 match typed {
-                    Some(typed) => format!("{letter}× {typed}"),
-                    None => format!("{letter}× {:.2}", drag.factor()),
+                    Some(typed) => format!("{letters}× {typed}"),
+                    None => format!("{letters}× {:.2}", drag.factor()),
                 }
             }
             Drag::Move(drag) => match typed {
-                Some(typed) => format!("{letter}{typed}"),
+                Some(typed) => {
+                    // A number goes along the first axis of a plane.
+                    let along = constraint.and_then(|along| along.axes().next());
+                    format!("{}{typed}", along.map_or("", letter))
+                }
                 None => {
                     let by = drag.moved();
                     format!("x {:+.2}  y {:+.2}  z {:+.2}", by.x, by.y, by.z)
@@ -166,7 +177,7 @@ impl Held {
     /// turn about it, else that of the number in the panel.
     fn sign(&self) -> f64 {
         match &self.drag {
-            _ if self.typed.axis(self.axes).is_some() => 1.0,
+            _ if self.typed.constraint(self.axes).is_some() => 1.0,
             Drag::Bone(drag) => drag.panel_sign(),
             Drag::Ring(drag) => drag.panel_sign(),
             Drag::Turn(drag) => drag.panel_sign(),
@@ -174,12 +185,10 @@ impl Held {
         }
     }
 
-    /// Brings the kind of the drag up to the axis that was typed.
+    /// Brings the kind of the drag up to the axis or the plane that was typed.
     fn constrain(&mut self, session: &Session) {
-        let constrained = match self.typed.axis(self.axes) {
-            None => None,
-            Some((axis, axes)) => self.begun.along_axis(session, axes, axis, &self.pointer),
-        };
+        let typed = self.typed.constraint(self.axes);
+        let constrained = typed.and_then(|typed| self.begun.along(session, typed, &self.pointer));
         let drag = constrained.unwrap_or_else(|| self.begun.clone());
         if !self.drag.is_constrained_like(&drag) {
             self.drag = drag;
@@ -214,14 +223,15 @@ fn move_axis(session: &Session, target: MoveTarget, axes: GizmoAxes, axis: usize
 }
 
 impl Drag {
-    /// The same drag, as it begins along or about an axis alone; `None` if it has no such axis.
-    fn along_axis(
+    /// The same drag, as it begins along an axis or in a plane alone, or about the axis that this is
+    /// named after; `None` if it has no such axis.
+    fn along(
         &self,
         session: &Session,
-        axes: GizmoAxes,
-        axis: usize,
+        (constraint, axes): (Constraint, GizmoAxes),
         pointer: &Ray,
     ) -> Option<Self> {
+        let axis = constraint.named();
         let ring = |turn: &JointTurn| {
             let about = turn.axis(axes, axis)?;
             RingDrag::in_front(turn.clone(), about, pointer).map(Drag::Ring)
@@ -230,26 +240,31 @@ impl Drag {
             Self::Bone(drag) => ring(drag.turn()),
             Self::Ring(drag) => ring(drag.turn()),
             Self::Move(drag) => {
-                let line = MoveAlong::Line(move_axis(session, drag.target(), axes, axis)?);
-                Some(Drag::Move(drag.constrained(line)))
+                let mut free = constraint.axes();
+                let mut next = || move_axis(session, drag.target(), axes, free.next()?);
+                let first = next()?;
+                let along = next().map_or(MoveAlong::Line(first), |second| {
+                    MoveAlong::Axes(first, second)
+                });
+                Some(Drag::Move(drag.constrained(along)))
             }
             Self::Turn(drag) => {
                 let group = drag.group().clone();
                 let about = group.axis(axes, axis);
                 ShapeTurn::in_front(group, about, pointer).map(Drag::Turn)
             }
-            Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(axis)))),
+            Self::Scale(drag) => Some(Drag::Scale(drag.along(Some(constraint)))),
             Self::Ik(_) | Self::Stuck(..) => None,
         }
     }
 
-    /// Whether both go along or about the same line, so that one goes on with what it knows.
+    /// Whether both go along or about the same axes, so that one goes on with what it knows.
     fn is_constrained_like(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Ring(one), Self::Ring(other)) => one.axis() == other.axis(),
             (Self::Move(one), Self::Move(other)) => one.along() == other.along(),
             (Self::Turn(one), Self::Turn(other)) => one.axis() == other.axis(),
-            (Self::Scale(one), Self::Scale(other)) => one.only() == other.only(),
+            (Self::Scale(one), Self::Scale(other)) => one.constraint() == other.constraint(),
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }

@@ -94,7 +94,8 @@ pub(super) fn show(
             paint::hovered_bones(&painter, place, session);
         }
         hot = hot.or(show_gizmo(&painter, place, view, session, state));
-        if let Some(axis) = gesture.and_then(|gesture| gesture.active()?.typed_axis(session)) {
+        let typed = gesture.and_then(|gesture| Some(gesture.active()?.typed_axes(session)));
+        for axis in typed.into_iter().flatten() {
             paint_gizmo::axis(&painter, place, session, axis);
         }
         if state.tool == Tool::Ik {

@@ -1,6 +1,6 @@
 //! Numbers and axes typed in the middle of a drag.
 
-use crate::editor::GizmoAxes;
+use crate::editor::{Constraint, GizmoAxes};
 use crate::ui::number_field::evaluate;
 use egui::{Context, Event, Key};
 
@@ -28,13 +28,13 @@ const NUMBER: [Key; 16] = [
     Key::Slash,
 ];
 
-/// What has been typed during a drag: an axis, and the exact amount.
+/// What has been typed during a drag: an axis or a plane, and the exact amount.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::ui) struct Typed {
     text: String,
-    /// Axis that alone is moved along, turned about or scaled: 0 for x, 1 for y, 2 for z.
-    axis: Option<usize>,
-    /// Whether the key of the axis was pressed again: then it is one of the other kind of axes.
+    /// Axes along which alone things are moved or scaled, or the axis about which they are turned.
+    constraint: Option<Constraint>,
+    /// Whether its key was pressed again: then it is one of the other kind of axes.
     other_axes: bool,
     /// Whether Enter was pressed.
     confirmed: bool,
@@ -53,7 +53,7 @@ impl Typed {
                     pressed: true,
                     modifiers,
                     ..
-                } if !modifiers.command && !modifiers.alt => !self.take(*key),
+                } if !modifiers.command && !modifiers.alt => !self.take(*key, modifiers.shift),
                 Event::Text(text) => {
                     text.chars().for_each(|typed| self.push(typed));
                     false
@@ -66,16 +66,20 @@ impl Typed {
         }
     }
 
-    /// Takes one key; whether it means something here.
-    fn take(&mut self, key: Key) -> bool {
+    /// Takes one key, with Shift held or not; whether it means something here.
+    fn take(&mut self, key: Key, shift: bool) -> bool {
+        let along = |axis| match shift {
+            true => Constraint::Plane(axis),
+            false => Constraint::Axis(axis),
+        };
         match key {
-            Key::X => self.choose_axis(0),
-            Key::Y => self.choose_axis(1),
-            Key::Z => self.choose_axis(2),
+            Key::X => self.choose(along(0)),
+            Key::Y => self.choose(along(1)),
+            Key::Z => self.choose(along(2)),
             Key::Enter => self.confirmed = true,
             Key::Backspace => {
                 if self.text.pop().is_none() {
-                    self.axis = None;
+                    self.constraint = None;
                 }
             }
             // Those of the number, whose text follows.
@@ -106,20 +110,21 @@ impl Typed {
         }
     }
 
-    /// The first press of its key chooses an axis of the gizmo, the second one of the other kind,
-    /// the third none.
-    fn choose_axis(&mut self, axis: usize) {
-        (self.axis, self.other_axes) = match (self.axis == Some(axis), self.other_axes) {
-            (false, _) => (Some(axis), false),
-            (true, false) => (Some(axis), true),
+    /// The first press of its key chooses an axis or a plane of the gizmo, the second one of the other
+    /// kind, the third none.
+    fn choose(&mut self, constraint: Constraint) {
+        let is_again = self.constraint == Some(constraint);
+        (self.constraint, self.other_axes) = match (is_again, self.other_axes) {
+            (false, _) => (Some(constraint), false),
+            (true, false) => (Some(constraint), true),
             (true, true) => (None, false),
         };
     }
 
-    /// The axis, and which kind of axes it is of, where a gizmo has those of kind `axes`.
-    pub(super) fn axis(&self, axes: GizmoAxes) -> Option<(usize, GizmoAxes)> {
+    /// The axis or the plane, and which kind of axes it is of, where a gizmo has those of kind `axes`.
+    pub(super) fn constraint(&self, axes: GizmoAxes) -> Option<(Constraint, GizmoAxes)> {
         let axes = if self.other_axes { axes.other() } else { axes };
-        Some((self.axis?, axes))
+        Some((self.constraint?, axes))
     }
 
     /// The number, or what those that were typed come to, as in `360*2/3`; `None` while there is none, or
@@ -146,7 +151,7 @@ mod tests {
     fn typed(keys: &[Key]) -> Typed {
         let mut typed = Typed::default();
         for &key in keys {
-            assert!(typed.take(key), "{key:?}");
+            assert!(typed.take(key, false), "{key:?}");
         }
         typed
     }
@@ -178,22 +183,23 @@ mod tests {
             let mut typed = Typed::default();
             for character in text.chars() {
                 match character {
-                    '<' => assert!(typed.take(Key::Backspace)),
+                    '<' => assert!(typed.take(Key::Backspace, false)),
                     character => typed.push(character),
                 }
             }
             assert_eq!(typed.amount(), amount, "{text}");
         }
-        assert!(!Typed::default().take(Key::Q), "means nothing here");
+        assert!(!Typed::default().take(Key::Q, false), "means nothing here");
     }
 
     #[test]
     fn the_same_axis_again_is_of_the_other_kind_and_then_none() {
         use Key::{X, Z};
-        let axis = |keys: &[Key]| typed(keys).axis(GizmoAxes::World);
-        assert_eq!(axis(&[X]), Some((0, GizmoAxes::World)));
-        assert_eq!(axis(&[X, X]), Some((0, GizmoAxes::Local)));
+        let axis = |keys: &[Key]| typed(keys).constraint(GizmoAxes::World);
+        assert_eq!(axis(&[X]), Some((Constraint::Axis(0), GizmoAxes::World)));
+        assert_eq!(axis(&[X, X]), Some((Constraint::Axis(0), GizmoAxes::Local)));
         assert_eq!(axis(&[X, X, X]), None);
-        assert_eq!(axis(&[X, X, Z]), Some((2, GizmoAxes::World)));
+        let last = Some((Constraint::Axis(2), GizmoAxes::World));
+        assert_eq!(axis(&[X, X, Z]), last);
     }
 }

@@ -1,0 +1,157 @@
+//! Axes and planes that are typed in the middle of a drag.
+
+use crate::interface::Editor;
+use editor_core::editor::{Edit, View};
+use editor_core::math::{Euler, Transform};
+use editor_core::ui::Navigation;
+use egui::{Color32, Key, Modifiers};
+use glam::{Vec3, vec2};
+
+const SHIFT: Modifiers = Modifiers::SHIFT;
+
+/// A cube in the Blender navigation, seen from above at an angle, with the pointer at this point of
+/// the world.
+fn with_cube(pointer: Vec3) -> Editor {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().gestures = true;
+    let state = &mut editor.harness.state_mut().state;
+    state.set_navigation(Navigation::Blender);
+    editor.key_with(SHIFT, Key::C);
+    let mut camera = editor.session().view().camera;
+    camera.orbit(vec2(0.6, 0.5));
+    editor.view(View::SetCamera(camera));
+    let at = editor.place(pointer);
+    editor.point(at);
+    editor
+}
+
+impl Editor {
+    fn transform(&self) -> Transform {
+        self.shape().placement.transform
+    }
+
+    fn keys(&mut self, keys: &[(Modifiers, Key)]) {
+        for &(modifiers, key) in keys {
+            self.key_with(modifiers, key);
+            // The harness presses keys without the text that comes with them.
+            let digits = [
+                (Key::Num1, "1"),
+                (Key::Num2, "2"),
+                (Key::Num3, "3"),
+                (Key::Num0, "0"),
+            ];
+            if let Some((_, digit)) = digits.iter().find(|digit| digit.0 == key) {
+                self.harness.event(egui::Event::Text((*digit).to_owned()));
+                self.settle();
+            }
+        }
+    }
+
+    /// Colors of the guides, the lines of axes that were typed.
+    fn guides(&self) -> Vec<Color32> {
+        let shapes = self.harness.output().shapes.iter();
+        let lines = shapes.filter_map(|clipped| match &clipped.shape {
+            egui::Shape::LineSegment { points, stroke } => {
+                let is_long = points[0].distance(points[1]) > 150.0;
+                (is_long && stroke.width == 1.5).then_some(stroke.color)
+            }
+            _ => None,
+        });
+        lines.collect()
+    }
+}
+
+fn plain(keys: &[Key]) -> Vec<(Modifiers, Key)> {
+    keys.iter().map(|&key| (Modifiers::NONE, key)).collect()
+}
+
+#[test]
+fn shift_and_an_axis_scale_the_two_other_axes() {
+    for (axis, scale) in [
+        (Key::X, Vec3::new(1.0, 2.0, 2.0)),
+        (Key::Y, Vec3::new(2.0, 1.0, 2.0)),
+        (Key::Z, Vec3::new(2.0, 2.0, 1.0)),
+    ] {
+        let mut editor = with_cube(Vec3::X);
+        editor.keys(&plain(&[Key::S]));
+        editor.keys(&[(SHIFT, axis)]);
+        editor.keys(&plain(&[Key::Num2, Key::Enter]));
+        assert_eq!(editor.transform().scale, scale, "{axis:?}");
+    }
+}
+
+#[test]
+fn shift_and_an_axis_move_by_a_number_along_the_first_of_the_two_others() {
+    for (axis, moved) in [(Key::X, Vec3::Y), (Key::Y, Vec3::X), (Key::Z, Vec3::X)] {
+        let mut editor = with_cube(Vec3::X);
+        editor.keys(&plain(&[Key::G]));
+        editor.keys(&[(SHIFT, axis)]);
+        editor.keys(&plain(&[Key::Num1, Key::Enter]));
+        assert_eq!(editor.transform().position, moved, "{axis:?}");
+    }
+}
+
+#[test]
+fn shift_and_y_let_a_shape_follow_the_pointer_over_the_ground() {
+    let mut editor = with_cube(Vec3::X);
+    editor.keys(&plain(&[Key::G]));
+    editor.keys(&[(SHIFT, Key::Y)]);
+    let to = editor.place(Vec3::new(1.5, 0.0, -0.5));
+    editor.point(to);
+    let moved = editor.transform().position;
+    let expected = Vec3::new(0.5, 0.0, -0.5);
+    assert!(moved.abs_diff_eq(expected, 1e-3), "{moved}");
+    assert_eq!(moved.y, 0.0);
+}
+
+#[test]
+fn the_plane_again_is_the_shapes_own_and_then_none() {
+    let mut editor = with_cube(Vec3::X);
+    let turned = Transform {
+        rotation: Euler::from_degrees(Vec3::Z * 90.0),
+        ..Transform::IDENTITY
+    };
+    let id = editor.shape().id;
+    editor.edit(Edit::SetTransform(id, turned));
+    editor.keys(&plain(&[Key::G]));
+    editor.keys(&[(SHIFT, Key::Z), (SHIFT, Key::Z)]);
+    editor.keys(&plain(&[Key::Num1]));
+    let position = editor.transform().position;
+    assert!(position.abs_diff_eq(Vec3::Y, 1e-6), "{position}");
+    editor.keys(&[(SHIFT, Key::Z)]);
+    let position = editor.transform().position;
+    assert_eq!(position, Vec3::X, "without a plane, along the world's X");
+    assert!(editor.guides().is_empty());
+    editor.keys(&plain(&[Key::Y]));
+    assert_eq!(editor.transform().position, Vec3::Y, "an axis alone again");
+    editor.keys(&[(SHIFT, Key::Y)]);
+    assert_eq!(editor.transform().position, Vec3::X, "all but that axis");
+}
+
+#[test]
+fn a_turn_is_about_the_axis_with_shift_as_without() {
+    let degrees = [Modifiers::NONE, SHIFT].map(|modifiers| {
+        let mut editor = with_cube(Vec3::X);
+        editor.keys(&plain(&[Key::R]));
+        editor.keys(&[(modifiers, Key::Z)]);
+        editor.keys(&plain(&[Key::Num3, Key::Num0, Key::Enter]));
+        editor.transform().rotation.degrees()
+    });
+    assert!(degrees[0].abs_diff_eq(Vec3::Z * 30.0, 1e-3), "{degrees:?}");
+    assert_eq!(degrees[1], degrees[0]);
+}
+
+#[test]
+fn the_guide_of_a_plane_has_both_of_its_axes() {
+    for tool in [Key::G, Key::S] {
+        let guides = |keys: &[(Modifiers, Key)]| {
+            let mut editor = with_cube(Vec3::X);
+            editor.keys(&plain(&[tool]));
+            editor.keys(keys);
+            editor.guides()
+        };
+        let [x, y] = [Key::X, Key::Y].map(|axis| guides(&plain(&[axis])));
+        assert_eq!((x.len(), y.len()), (1, 1));
+        assert_eq!(guides(&[(SHIFT, Key::Z)]), [x[0], y[0]]);
+    }
+}
