@@ -97,7 +97,9 @@ fn contents(
     };
     let mut chosen = found.get(search.row).filter(|_| enter).copied();
     let tallest = TALLEST.min(room(ui).y);
-    ScrollArea::vertical().max_height(tallest).show(ui, |ui| {
+    // What is left is only as high as the list was in the last frame, with fewer rows perhaps.
+    let list = ScrollArea::vertical().max_height(tallest);
+    list.min_scrolled_height(tallest).show(ui, |ui| {
         for (row, entry) in found.iter().enumerate() {
             let why = why_disabled(entry.command, session, state);
             let name = name(entry, session, state);

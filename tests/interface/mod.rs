@@ -2,6 +2,7 @@
 //! and looks at what became of the scene. No pixels, no window.
 
 mod bones;
+mod commands;
 mod compare;
 mod curves;
 mod explaining;
