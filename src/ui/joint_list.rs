@@ -89,6 +89,12 @@ pub(super) fn show(
         state.hovered = shown.hovered;
         actions.push(Action::View(View::HoverJoint(shown.hovered)));
     }
+    let turned = turned_by_number(&shown.events);
+    if let Some(joint) = turned.filter(|&joint| session.selected_joint() != Some(joint)) {
+        select(joint, actions);
+        // Its row is in sight already, and stays where the hand is.
+        state.selected = Some((id, joint));
+    }
     for (row, event) in shown.events {
         match event {
             RowEvent::Fold => toggle(state, id, row.joint),
@@ -170,6 +176,13 @@ fn show_rows(
         }
     }
     all
+}
+
+/// The joint of which a number was changed: what shows the selected joint is about it from then on.
+fn turned_by_number(events: &[(Row, RowEvent)]) -> Option<usize> {
+    let is_number = |event: &RowEvent| matches!(event, RowEvent::Turn(..) | RowEvent::Offset(_));
+    let turned = events.iter().find(|(_, event)| is_number(event));
+    turned.map(|(row, _)| row.joint)
 }
 
 /// Scrolls a row into view, clear of the edge where the panel fades out. A row that is clicked in

@@ -1,11 +1,13 @@
-//! Numbers of the panels: drags that a right click cancels.
+//! Numbers of the panels: drags that a right click cancels, and joints that are selected by their numbers.
 
-use crate::interface::Editor;
+use crate::interface::{Editor, figure};
 use editor_core::editor::View;
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use glam::Vec3;
 
+const ROOT: usize = 0;
+const CHEST: usize = 1;
 const NECK: usize = 3;
 const LEFT_ELBOW: usize = 17;
 
@@ -124,4 +126,75 @@ fn a_click_that_ends_a_movement_by_key_does_nothing_to_a_number_under_the_pointe
         editor.point(pos2(100.0, 200.0));
         assert_eq!(position(&editor), if stays { moved } else { Vec3::ZERO });
     }
+}
+
+#[test]
+fn dragging_or_typing_a_number_of_a_joint_selects_the_joint_and_adds_no_step() {
+    let mut editor = Editor::with_figure();
+    let steps = |editor: &Editor| editor.session().done_steps();
+    let before = steps(&editor);
+    editor.drag("Neck X", 25.0);
+    assert_eq!(editor.session().selected_joint(), Some(NECK));
+    assert_eq!(steps(&editor), before + 1);
+    editor.type_into("Chest Y", "30");
+    assert_eq!(editor.session().selected_joint(), Some(CHEST));
+    assert_eq!(steps(&editor), before + 2);
+    editor.drag("Root Offset X", 25.0);
+    assert_eq!(editor.session().selected_joint(), Some(ROOT));
+    assert_eq!(steps(&editor), before + 3);
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(editor.character().pose().is_bind());
+}
+
+#[test]
+fn a_drag_of_a_number_that_is_cancelled_is_no_step() {
+    let mut editor = Editor::with_figure();
+    let before = editor.session().done_steps();
+    editor.reveal("Neck X");
+    let from = editor.number("Neck X");
+    editor.take(from);
+    editor.point(from + vec2(30.0, 0.0));
+    assert_eq!(editor.session().selected_joint(), Some(NECK));
+    editor.cancel_by_right_click(from, false);
+    assert_eq!(editor.session().done_steps(), before);
+    assert_eq!(editor.joint(NECK), Vec3::ZERO);
+}
+
+#[test]
+fn a_click_on_a_joint_selects_it_though_the_number_of_another_was_being_typed() {
+    let mut editor = Editor::with_figure();
+    editor.begin_typing("Neck X", "10");
+    editor.click("Chest");
+    assert!((editor.joint(NECK).x - 10.0).abs() < 1e-3);
+    assert_eq!(editor.session().selected_joint(), Some(CHEST));
+}
+
+#[test]
+fn the_list_stays_where_it_is_while_numbers_in_it_are_dragged_and_typed() {
+    let mut editor = Editor::new();
+    editor.add_character(figure::chain(60));
+    let place = |editor: &Editor, joint| editor.widget(&format!("Joint {joint}")).rect();
+    let window = editor.harness.ctx.content_rect();
+    // The last row that is in sight, where the list fades out: a joint selected elsewhere would be
+    // scrolled further up.
+    let is_seen = |&joint: &usize| place(&editor, joint).bottom() < window.bottom() - 4.0;
+    let last = (0..60).rev().find(is_seen).expect("rows are in sight");
+    let before = place(&editor, last);
+    let at = editor.number(&format!("Joint {last} X"));
+    editor.click_at(at);
+    editor.harness.event(Event::Text("5".to_owned()));
+    editor.settle();
+    editor.point(pos2(200.0, 300.0));
+    editor.key(Key::Enter);
+    editor.harness.run_steps(40);
+    assert_eq!(editor.session().selected_joint(), Some(last));
+    assert_eq!(place(&editor, last), before);
+    editor.view(View::SelectJoint(None));
+    editor.take(at);
+    editor.point(pos2(200.0, 300.0));
+    editor.harness.run_steps(40);
+    assert_eq!(editor.session().selected_joint(), Some(last));
+    assert_eq!(place(&editor, last), before);
 }

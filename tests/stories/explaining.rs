@@ -247,6 +247,9 @@ fn esc_ends_the_mistake_then_the_panel_and_then_what_it_ended_before() {
     story.key(Key::Escape);
     assert!(!story.has("Close Explain"));
     assert_eq!(story.shape().name, "Strip");
+    // The joint whose number bent it, and the shape.
+    story.key(Key::Escape);
+    assert!(story.session().selected_joint().is_none());
     story.key(Key::Escape);
     assert!(story.session().selected().is_none());
     story.click("[1] Strip (ID: 1)");
