@@ -78,6 +78,7 @@ fn rows(
     let mut chosen: Option<ShapeId> = None;
     let mut responses = Vec::with_capacity(shapes.len());
     let mut movement = None;
+    let mut line = None;
     for (index, shape) in shapes.iter().enumerate() {
         if let Some(typed) = renaming.as_mut().filter(|r| r.shape == shape.id) {
             if rename(ui, shape, typed, actions) {
@@ -108,13 +109,23 @@ fn rows(
         if row.double_clicked() {
             *renaming = Some(Renaming::of(shape));
         }
-        if let Some(place) = dropped_at(ui, &row, index) {
-            actions.push(Action::Edit(Edit::MoveInList(place.0, place.1)));
+        if let Some(landing) = Landing::over(&row, index) {
+            if row.dnd_release_payload::<(ShapeId, usize)>().is_some() {
+                let edit = Edit::MoveInList(landing.shape, landing.place);
+                actions.push(Action::Edit(edit));
+            } else {
+                line = Some(landing.line);
+            }
         }
         if let Some(pressed) = list_move(ui, &row) {
             movement = moved(pressed, index, shapes.len());
         }
         responses.push(row);
+    }
+    // After all rows, whose colors would cover half of it.
+    if let Some(y) = line {
+        let stroke = Stroke::new(2.0, Palette::of(ui.visuals()).accent);
+        ui.painter().hline(ui.max_rect().x_range(), y, stroke);
     }
     if let Some(to) = movement
         && let (Some(row), Some(shape)) = (responses.get(to), shapes.get(to))
@@ -161,23 +172,34 @@ pub(super) fn cancel_drag_by_undo(ctx: &Context, keys_are_taken: bool) -> bool {
     drags
 }
 
-/// The shape that is dropped on `row`, and the place in the list that it gets; shows the place
-/// while one is dragged over it.
-fn dropped_at(ui: &Ui, row: &Response, index: usize) -> Option<(ShapeId, usize)> {
-    let dragged = *row.dnd_hover_payload::<(ShapeId, usize)>()?;
-    let below = row.hover_pos()?.y > row.rect.center().y;
-    let y = if below {
-        row.rect.bottom()
-    } else {
-        row.rect.top()
-    };
-    let stroke = Stroke::new(2.0, Palette::of(ui.visuals()).accent);
-    ui.painter().hline(row.rect.x_range(), y, stroke);
-    row.dnd_release_payload::<(ShapeId, usize)>()?;
-    let (shape, from) = dragged;
-    let before = index + usize::from(below);
-    // Places count without the shape that moves.
-    Some((shape, before - usize::from(from < before)))
+/// Where a shape that is dragged in the list would land.
+struct Landing {
+    shape: ShapeId,
+    /// The place in the list that it gets.
+    place: usize,
+    /// Height of the edge between two rows where that is, in points.
+    line: f32,
+}
+
+impl Landing {
+    /// The place before or after row `index`, if a shape is dragged over it.
+    fn over(row: &Response, index: usize) -> Option<Self> {
+        let (shape, from) = *row.dnd_hover_payload::<(ShapeId, usize)>()?;
+        // No row but the one that is dragged counts as hovered meanwhile.
+        let pointer = row.ctx.input(|input| input.pointer.latest_pos())?;
+        let below = pointer.y > row.rect.center().y;
+        let before = index + usize::from(below);
+        Some(Self {
+            shape,
+            // Places count without the shape that moves.
+            place: before - usize::from(from < before),
+            line: if below {
+                row.rect.bottom()
+            } else {
+                row.rect.top()
+            },
+        })
+    }
 }
 
 /// One row; the widget that selects the shape.

@@ -5,6 +5,7 @@ use editor_core::editor::Edit;
 use editor_core::scene::{
     BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, NewShape, ShapeColor, ShapeId, ShapeKind,
 };
+use editor_core::ui::{DARK, LIGHT};
 use egui::{Key, Modifiers};
 use glam::Vec3;
 
@@ -178,6 +179,50 @@ fn a_new_shape_is_scrolled_into_sight_in_a_long_list() {
     let row = editor.widget("[15] Sphere (ID: 15)").rect();
     let below = editor.widget("Delete").rect();
     assert!(row.bottom() <= below.top(), "{row} is below {below}");
+}
+
+/// Ends of the lines that show where what is dragged in the list will land.
+fn landing_lines(editor: &Editor) -> Vec<[egui::Pos2; 2]> {
+    let shapes = editor.harness.output().shapes.iter();
+    let lines = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::LineSegment { points, stroke } => {
+            let is_level = points[0].y == points[1].y;
+            (is_level
+                && [DARK, LIGHT]
+                    .map(|colors| colors.accent)
+                    .contains(&stroke.color))
+            .then_some(*points)
+        }
+        _ => None,
+    });
+    lines.collect()
+}
+
+#[test]
+fn a_row_that_is_dragged_shows_by_a_line_where_it_will_land() {
+    let mut editor = with_cube();
+    editor.choose(&["Insert", "Sphere"]);
+    editor.choose(&["Insert", "Teapot"]);
+    let row = |editor: &Editor, label| editor.widget(label).rect();
+    let last = row(&editor, "[3] Teapot (ID: 3)");
+    let from = row(&editor, "[1] Cube (ID: 1)").center();
+    assert!(landing_lines(&editor).is_empty());
+    editor.take(from);
+    for (y, edge) in [
+        (last.top() + 3.0, last.top()),
+        (last.bottom() - 3.0, last.bottom()),
+    ] {
+        editor.point(egui::pos2(from.x, y));
+        let lines = landing_lines(&editor);
+        let [line] = lines[..] else {
+            panic!("{lines:?}");
+        };
+        assert_eq!(line[0].y, edge);
+        assert!(line[0].x <= last.left() && line[1].x >= last.right());
+    }
+    editor.let_go(egui::pos2(from.x, last.bottom() - 3.0));
+    assert!(editor.has("[3] Cube (ID: 1)"));
+    assert!(landing_lines(&editor).is_empty());
 }
 
 #[test]
