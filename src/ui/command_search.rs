@@ -1,6 +1,6 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
-use super::commands::{COMMANDS, Command, Entry, full_label, in_words, run, why_disabled};
+use super::commands::{COMMANDS, Command, Entry, full_label, in_words, meant, run, why_disabled};
 use super::key_commands::is_there;
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
@@ -103,8 +103,11 @@ fn contents(
         for (row, entry) in found.iter().enumerate() {
             let why = why_disabled(entry.command, session, state);
             let name = name(entry, session, state);
+            // A key that does something else at the moment would mislead.
+            let is_meant = meant(entry.command, session, state.pose.tool) == entry.command;
+            let key = is_meant.then(|| entry.first_key(ui.ctx(), state.navigation));
             let button = Button::selectable(row == search.row, &name)
-                .shortcut_text(entry.first_key(ui.ctx(), state.navigation))
+                .shortcut_text(key.unwrap_or_default())
                 .min_size(vec2(ui.available_width(), 0.0));
             let item = named(ui.add_enabled(why.is_none(), button), &name);
             tip_beside(&item, entry.tooltip, why);

@@ -5,7 +5,7 @@ use super::{
     Action, Ask, Command, UiState, ViewInput, aspect, commands, control_points, number_field,
     windows,
 };
-use crate::editor::{Session, Tool, View};
+use crate::editor::{Session, View};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
 /// a choice of color is open, which they close.
@@ -189,18 +189,13 @@ pub(super) fn press(
         )));
         return;
     }
-    // The joint at hand, rather than all that hangs together with it.
-    let joint_at_hand = state.pose.tool == Tool::Pose && session.selected_joint().is_some();
     if command == Command::Delete
         && let Some(action) = control_points::delete_clicked(session, &state.curves)
     {
         actions.push(action);
         return;
     }
-    let command = match command {
-        Command::Delete if joint_at_hand => Command::ResetJoint,
-        command => command,
-    };
+    let command = commands::meant(command, session, state.pose.tool);
     match commands::why_disabled(command, session, state) {
         Some(why) => actions.extend(tell_once(why, session)),
         None => actions.extend(commands::run(command, session, state, aspect)),

@@ -268,7 +268,10 @@ impl Items<'_> {
         }
     }
 
-    fn item(&mut self, ui: &mut Ui, entry: &Entry) -> Response {
+    /// An item for what the key of `row` does at the moment.
+    fn item(&mut self, ui: &mut Ui, row: &Entry) -> Response {
+        let meant = commands::meant(row.command, self.session, self.state.pose.tool);
+        let entry = commands::entry_of(meant).unwrap_or(row);
         let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
@@ -288,7 +291,7 @@ impl Items<'_> {
             _ => entry.label.to_owned(),
         };
         let button = Button::new(mark)
-            .shortcut_text(entry.first_key(ui.ctx(), self.state.navigation))
+            .shortcut_text(row.first_key(ui.ctx(), self.state.navigation))
             .wrap_mode(egui::TextWrapMode::Extend);
         let item = named(ui.add_enabled(why.is_none(), button), &name);
         if let Some(on) = on {

@@ -1,11 +1,11 @@
 //! Windows over the view: Keys and Mouse, Messages, History, Preferences, About; which of them are open.
 
-use super::commands::{GESTURES, Menu, entries};
+use super::commands::{GESTURES, Menu, entries, entry_of, meant};
 use super::key_commands::is_there;
 use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::{Action, Navigation, ViewInput, history, messages, preferences};
+use super::{Action, ViewInput, history, messages, preferences};
 use crate::editor::Session;
 use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -67,12 +67,11 @@ pub(super) fn show(
     window(root, &mut windows, Dialog::Preferences, title, |ui| {
         preferences::show(ui, session, state, aspect, actions);
     });
-    state.windows = windows;
-    let navigation = state.navigation;
-    let windows = &mut state.windows;
-    window(root, windows, Dialog::Keys, "Keys and Mouse", |ui| {
-        keys_and_mouse(ui, navigation, input);
+    window(root, &mut windows, Dialog::Keys, "Keys and Mouse", |ui| {
+        keys_and_mouse(ui, session, state, input);
     });
+    state.windows = windows;
+    let windows = &mut state.windows;
     window(root, windows, Dialog::Messages, "Messages", |ui| {
         messages::history(ui, &session.messages);
     });
@@ -125,7 +124,8 @@ fn window(
 }
 
 /// Help ▸ Keys and Mouse, made from the table of commands.
-fn keys_and_mouse(ui: &mut Ui, navigation: Navigation, input: &ViewInput) {
+fn keys_and_mouse(ui: &mut Ui, session: &Session, state: &UiState, input: &ViewInput) {
+    let navigation = state.navigation;
     let context = ui.ctx().clone();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let room = ui.available_width();
@@ -144,6 +144,8 @@ fn keys_and_mouse(ui: &mut Ui, navigation: Navigation, input: &ViewInput) {
             }
             heading(ui, title(menu));
             for (keys, entry) in entries {
+                let meant = meant(entry.command, session, state.pose.tool);
+                let entry = entry_of(meant).unwrap_or(entry);
                 row(ui, &keys, entry.label, room).on_hover_text(entry.tooltip);
             }
         }

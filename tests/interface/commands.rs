@@ -1,8 +1,14 @@
-//! Commands by their names: the search for them.
+//! Commands by their names: the search for them, and entries that say what their key does.
 
 use crate::interface::Editor;
+use editor_core::editor::View;
 use editor_core::ui::COMMANDS;
+use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::NodeT;
+use glam::Vec3;
+
+const NECK: usize = 3;
 
 impl Editor {
     fn find_command(&mut self, words: &str) {
@@ -16,6 +22,16 @@ impl Editor {
         let is_one = |text: &String| COMMANDS.iter().any(|entry| entry.label == text);
         let painted = self.painted().into_iter();
         painted.filter(|(text, _)| is_one(text)).count()
+    }
+
+    /// What stands in the list of keys beside a key.
+    fn effect_of_key(&self, key: &str) -> String {
+        let widgets = self.widgets();
+        let nodes = widgets.iter().map(|widget| widget.accesskit_node());
+        let labels = nodes.filter(|node| node.role() == Role::Label);
+        let mut texts = labels.filter_map(|node| node.value());
+        texts.find(|text| text == key).expect("the key is listed");
+        texts.next().expect("it has an effect")
     }
 }
 
@@ -39,4 +55,68 @@ fn the_search_for_a_command_has_room_again_after_one_with_a_single_result() {
         editor.key(Key::Backspace);
     }
     assert_eq!(editor.commands_shown(), all, "when the words are gone");
+}
+
+#[test]
+fn delete_is_named_for_what_its_key_does_with_a_joint_at_hand() {
+    let mut editor = Editor::sized(egui::vec2(900.0, 1400.0));
+    editor.add_character(super::figure::figure());
+    let turn = |editor: &mut Editor| {
+        editor.type_into("Neck X", "10");
+        editor.view(View::SelectJoint(Some(NECK)));
+    };
+    turn(&mut editor);
+    editor.click("Edit");
+    assert!(editor.has("Duplicate") && !editor.has("Reset Joint"));
+    editor.key(Key::Escape);
+    editor.click("Pose Tool");
+    editor.choose(&["Edit", "Reset Joint"]);
+    assert_eq!(editor.joint(NECK), Vec3::ZERO, "as the key does");
+    turn(&mut editor);
+    editor.key(Key::Delete);
+    assert_eq!(editor.joint(NECK), Vec3::ZERO);
+    editor.view(View::SelectJoint(None));
+    editor.click("Edit");
+    assert!(!editor.has("Reset Joint"));
+}
+
+#[test]
+fn the_list_of_keys_says_what_delete_does_now() {
+    let mut editor = Editor::sized(egui::vec2(900.0, 1400.0));
+    editor.add_character(super::figure::figure());
+    editor.click("Pose Tool");
+    editor.key(Key::F1);
+    assert_eq!(editor.effect_of_key("Delete"), "Delete");
+    editor.view(View::SelectJoint(Some(NECK)));
+    assert_eq!(editor.effect_of_key("Delete"), "Reset Joint");
+}
+
+#[test]
+fn the_button_that_deletes_names_its_key_only_while_the_key_does_the_same() {
+    let mut editor = Editor::with_figure();
+    editor.click("Pose Tool");
+    for (joint, tip) in [
+        (None, "Delete the selected shape (Delete)"),
+        (Some(NECK), "Delete the selected shape"),
+    ] {
+        editor.view(View::SelectJoint(joint));
+        editor.harness.run_steps(40);
+        editor.reveal("Delete");
+        editor.harness.run_steps(40);
+        editor.widget("Delete").hover();
+        editor.harness.run_steps(20);
+        let painted = editor.painted();
+        let is_told = painted.iter().any(|(text, _)| text == tip);
+        assert!(is_told, "no “{tip}”: {painted:?}");
+    }
+}
+
+#[test]
+fn a_command_that_is_searched_for_does_what_it_is_called_whatever_its_key_does_now() {
+    let mut editor = Editor::with_figure();
+    editor.click("Pose Tool");
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.find_command("delete");
+    editor.key(Key::Enter);
+    assert!(editor.session().scene().shapes().is_empty());
 }

@@ -1,8 +1,8 @@
 //! Keyboard shortcuts of the commands, and the list of mouse gestures.
 
-use super::table::{ALT, CTRL, NONE, SHIFT, entry_of};
+use super::table::{ALT, CTRL, NONE, SHIFT, entry_of, meant};
 use super::{COMMANDS, Command, Entry};
-use crate::editor::Tool;
+use crate::editor::{Session, Tool};
 use crate::ui::Navigation;
 use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
@@ -170,6 +170,19 @@ pub(in crate::ui) fn remember_navigation(ctx: &Context, navigation: Navigation) 
 pub(in crate::ui) fn tooltip(ctx: &Context, command: Command) -> String {
     let entry = entry_of(command);
     entry.map_or(String::new(), |entry| entry.with_key(ctx, entry.tooltip))
+}
+
+/// Tooltip of `command`, with its shortcut unless that does something else at the moment.
+pub(in crate::ui) fn tooltip_now(
+    ctx: &Context,
+    command: Command,
+    session: &Session,
+    tool: Tool,
+) -> String {
+    if meant(command, session, tool) == command {
+        return tooltip(ctx, command);
+    }
+    entry_of(command).map_or_else(String::new, |entry| entry.tooltip.to_owned())
 }
 
 /// `words`, followed by the shortcut of `command` as in [`tooltip`].

@@ -1,7 +1,7 @@
 //! The table of commands: labels, tooltips, menus and keyboard shortcuts.
 
 use super::{Command, Primitive};
-use crate::editor::Tool;
+use crate::editor::{Session, Tool};
 use crate::scene::{Look, Shading, Skinning, ViewDirection};
 use crate::ui::{MeshColors, Navigation};
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -274,8 +274,18 @@ pub(in crate::ui) fn entries(menu: Menu) -> impl Iterator<Item = &'static Entry>
 }
 
 /// Row of `command` in the table.
-pub(super) fn entry_of(command: Command) -> Option<&'static Entry> {
+pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
     COMMANDS.iter().find(|entry| entry.command == command)
+}
+
+/// What the key of `command` does at the moment, and so does its place in the menu: with the Pose tool, Delete
+/// puts the selected joint back to rest, rather than deleting all that hangs together with it.
+pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
+    let joint_at_hand = tool == Tool::Pose && session.selected_joint().is_some();
+    match command {
+        Command::Delete if joint_at_hand => Command::ResetJoint,
+        command => command,
+    }
 }
 
 /// Whether `command` is listed in `menu`.
