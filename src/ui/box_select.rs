@@ -35,6 +35,11 @@ impl BoxSelect {
         self.drawn.is_some()
     }
 
+    /// Ends the box that is being drawn, which selects nothing.
+    pub(super) fn put_back(&mut self) {
+        self.drawn = None;
+    }
+
     /// What the status line says while a box is to be drawn.
     pub(super) fn status(&self) -> Option<&'static str> {
         (self.armed || self.is_drawing())

@@ -215,6 +215,14 @@ pub(super) fn pointer(
     PointerUse::Over
 }
 
+/// Puts back what is dragged, and marks no control point.
+pub(super) fn put_back(session: &Session, state: &mut CurveState, actions: &mut Vec<Action>) {
+    if let Some(gesture) = state.gesture.take() {
+        gesture.put_back(actions);
+    }
+    mark(session, None, actions);
+}
+
 /// Deletes the control point that was clicked last, or tells why it has to stay; `None` if none was,
 /// or it does not exist any more.
 pub(super) fn delete_clicked(session: &Session, state: &CurveState) -> Option<Action> {

@@ -122,6 +122,13 @@ impl<H> Grab<H> {
         &self.held
     }
 
+    /// Ends the gesture, whatever is held, and puts back what it has changed.
+    pub(super) fn put_back(self, actions: &mut Vec<Action>) {
+        if !self.ended {
+            actions.push(Action::Gesture(GestureStep::Cancel));
+        }
+    }
+
     /// Whether a key began it, so that no button is held.
     pub(super) fn is_by_key(&self) -> bool {
         self.by_key

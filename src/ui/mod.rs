@@ -14,6 +14,7 @@ mod compare;
 mod control_points;
 mod curve_panel;
 mod explain;
+mod fingers;
 mod first_help;
 mod grab;
 mod history;

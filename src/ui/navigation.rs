@@ -149,17 +149,6 @@ pub(super) struct PointerMove {
     pub height: f32,
     /// Notches of the wheel.
     pub notches: f32,
-    /// What two or more fingers did.
-    pub fingers: Option<Fingers>,
-}
-
-/// Movement of two or more fingers in a frame.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Fingers {
-    /// Of the point in their middle, in pixels of the picture, y down.
-    pub moved: Vec2,
-    /// How many times as far apart they are as before; positive.
-    pub apart: f32,
 }
 
 /// Step of one press of a key, in units of the world or in radians.
@@ -259,11 +248,6 @@ impl Navigation {
 
     /// `camera` after what the pointer did over `view` in this frame.
     pub(super) fn moved(self, mut camera: Camera, view: &Response, by: &PointerMove) -> Camera {
-        if let Some(fingers) = by.fingers {
-            camera.pan_with_pointer(fingers.moved, by.height, by.held);
-            camera.dolly(-fingers.apart.ln());
-            return camera;
-        }
         let PointerMove {
             delta,
             height,

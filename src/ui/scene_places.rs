@@ -4,7 +4,7 @@ use crate::editor::{Screen, Session};
 use crate::revision::Revision;
 use crate::scene::{Camera, ShapeId, pick_shape};
 use egui::{Pos2, Rect, pos2};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// Rectangles of the view that show the scene, so that gestures can be mapped into it.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,20 @@ impl ScenePlaces {
     /// Index of the picture under a point of the window.
     pub fn index_at(&self, position: Pos2) -> Option<usize> {
         self.rects.iter().position(|rect| rect.contains(position))
+    }
+
+    /// The nearest point of a surface under a point of the window, in the world.
+    pub(super) fn surface_at(&self, session: &Session, position: Pos2) -> Option<Vec3> {
+        let place = self.at(position)?;
+        let camera = &session.view().camera;
+        let ray = camera.ray(place.pixel(position), place.size());
+        pick_shape(session.evaluated(), &ray).map(|(_, distance)| ray.at(distance))
+    }
+
+    /// Height of a picture in its pixels.
+    pub(super) fn height(&self) -> f32 {
+        let height = self.rects.first().map_or(1.0, Rect::height);
+        (height / self.points_per_pixel).max(1.0)
     }
 
     /// Index of the picture whose live view is under a point of the window.

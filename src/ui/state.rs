@@ -4,6 +4,7 @@ use super::commands::Command;
 use super::compare::Outlined;
 use super::curve_panel::CurveState;
 use super::explain::ExplainState;
+use super::fingers::SeveralFingers;
 use super::joint_list::JointListState;
 use super::messages::NoticeState;
 use super::method_view::{MethodViewState, ShownScene};
@@ -82,6 +83,8 @@ pub struct UiState {
     pub(super) outlined: Outlined,
     /// Vertex that is marked in a comparison with the mesh of this revision.
     pub(super) marked_vertex: Option<(Revision, usize)>,
+    /// What several fingers on the screen are for.
+    pub(super) fingers: SeveralFingers,
     /// Camera before the drag that moves it now.
     pub(super) camera_before_drag: Option<Camera>,
     /// Point in the world where the drag that moves the camera took a surface.
@@ -136,6 +139,7 @@ impl Default for UiState {
             notices: NoticeState::default(),
             outlined: Outlined::default(),
             marked_vertex: None,
+            fingers: SeveralFingers::default(),
             camera_before_drag: None,
             held_point: None,
             keys_were_taken: false,
@@ -258,9 +262,9 @@ impl UiState {
         }
     }
 
-    /// Whether the camera is being turned or moved by a drag.
+    /// Whether the camera is being turned or moved by a drag, or by fingers.
     pub fn is_moving_camera(&self) -> bool {
-        self.camera_before_drag.is_some()
+        self.camera_before_drag.is_some() || self.fingers.move_view()
     }
 
     /// Whether something is being dragged in the view, so that Esc cancels that and does nothing

@@ -1,12 +1,12 @@
 //! Gestures in the view: what takes the pointer, the camera, and selection.
 
 use super::grab::PointerUse;
-use super::navigation::{Fingers, PointerMove};
+use super::navigation::PointerMove;
 use super::scene_places::{Picked, ScenePlaces};
-use super::{Action, UiState, box_select, control_points, explain, posing};
+use super::{Action, UiState, box_select, control_points, explain, fingers, posing};
 use crate::editor::{Session, Tool, View};
-use crate::scene::{ShapeId, pick_shape};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Rect, Response};
+use crate::scene::ShapeId;
+use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Response};
 use glam::{Vec2, Vec3};
 
 /// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
@@ -19,7 +19,7 @@ const ZOOM_PER_NOTCH: f32 = 0.1;
 /// [`super::Navigation`], and a click selects the shape under the pointer, or the vertex that is to be
 /// explained. Control points of the
 /// selected curves take precedence, then gizmos and bones, and with the Move tool shapes: a left
-/// drag takes what is under the pointer.
+/// drag takes what is under the pointer. A second finger puts that back, and both move the camera.
 ///
 /// `view` is the widget that [`super::show`] returns; panels and windows over it keep the pointer
 /// to themselves. `places` are the pictures of the scene in it. Returns the shape under the
@@ -43,6 +43,9 @@ fn gestures(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
+    if fingers::pointer(view, places, session, state, actions) {
+        return None;
+    }
     let navigation = state.navigation;
     let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
         let boxed = (&mut state.box_select, navigation);
@@ -116,27 +119,18 @@ fn pointer_move(
     {
         // egui recognizes a drag only after some pixels, which must not be lost.
         all = in_pixels(now - pressed);
-        *held = places.at(pressed).and_then(|place| {
-            let camera = &session.view().camera;
-            let ray = camera.ray(place.pixel(pressed), place.size());
-            pick_shape(session.evaluated(), &ray).map(|(_, distance)| ray.at(distance))
-        });
+        *held = places.surface_at(session, pressed);
     }
-    let height = places.rects.first().map_or(1.0, Rect::height) / places.points_per_pixel;
     PointerMove {
         delta,
         all,
         held: held.unwrap_or(session.view().camera.target),
-        height: height.max(1.0),
+        height: places.height(),
         notches: if view.hovered() {
             notches(&view.ctx)
         } else {
             0.0
         },
-        fingers: fingers(view).map(|(moved, apart)| Fingers {
-            moved: in_pixels(moved),
-            apart,
-        }),
     }
 }
 
@@ -169,16 +163,6 @@ fn shape_at(
 ) -> Option<ShapeId> {
     let place = places.at(position)?;
     picked.shape_at(session, place.pixel(position), place.size())
-}
-
-/// How several fingers on the view have moved and come apart since the last frame.
-fn fingers(view: &Response) -> Option<(egui::Vec2, f32)> {
-    let touch = view.ctx.multi_touch()?;
-    // A drawer, or a window, keeps the fingers on it to itself.
-    let layer = view.ctx.layer_id_at(touch.start_pos);
-    let is_view = view.interact_rect.contains(touch.start_pos) && layer == Some(view.layer_id);
-    let is_there = is_view && touch.zoom_delta > 0.0;
-    is_there.then_some((touch.translation_delta, touch.zoom_delta))
 }
 
 /// Notches of the wheel since the last frame. egui's smoothing would spread a notch over several

@@ -22,6 +22,7 @@ mod posing;
 mod several;
 mod sources;
 mod starting;
+mod touching;
 mod transforming;
 mod typing;
 mod undoing;

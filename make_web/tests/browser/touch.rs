@@ -25,6 +25,19 @@ fn two_fingers_move_and_zoom() {
 }
 
 #[test]
+fn two_fingers_on_a_bone_zoom_and_do_not_pose() {
+    let browser = Browser::open();
+    browser.press(&["b"]);
+    let before = browser.picture();
+    // The raised arm of the man, and beside it.
+    browser.touch(&[[(255, 160), (215, 160)], [(300, 170), (340, 170)]]);
+    assert!(difference(&before, &browser.picture(), VIEW) > 0.05);
+    let leaves = "return dispatchEvent(new Event('beforeunload', {cancelable: true}))";
+    assert_eq!(browser.script(leaves), true, "nothing is unsaved");
+    browser.finish();
+}
+
+#[test]
 fn a_bone_is_dragged_by_a_finger_that_only_comes_near_it() {
     let browser = Browser::open();
     browser.press(&["b"]);

@@ -12,7 +12,7 @@ mod tool_icons;
 mod typed;
 
 pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
-pub(super) use pointer::{pointer, roll_by_keys};
+pub(super) use pointer::{pointer, put_back, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
 
 use super::scene_places::{Picked, Place, ScenePlaces};

@@ -107,6 +107,16 @@ pub(in crate::ui) fn pointer(
     PointerUse::Over
 }
 
+/// Puts back what is dragged, and marks no bone.
+pub(in crate::ui) fn put_back(session: &Session, state: &mut PoseState, actions: &mut Vec<Action>) {
+    if let Some(gesture) = state.gesture.take() {
+        gesture.put_back(actions);
+    }
+    state.hovered = None;
+    state.hovered_grip = None;
+    mark(session, None, actions);
+}
+
 /// Things under the pointer that the chosen tool acts on.
 enum Under {
     Nothing,

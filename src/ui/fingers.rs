@@ -1,0 +1,83 @@
+//! Several fingers on the view, which move it and zoom, and do nothing else.
+
+use super::scene_places::ScenePlaces;
+use super::{Action, UiState, control_points, posing};
+use crate::editor::{Session, View};
+use egui::{InputState, Response};
+use glam::{Vec2, Vec3};
+
+/// What several fingers have been for since they came together. One that is left of them does nothing
+/// until it is lifted: nobody lifts all of them at the same moment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum SeveralFingers {
+    /// There are none.
+    #[default]
+    None,
+    /// They move the view, as if they held this point of the world.
+    OnView(Vec3),
+    /// The first of them holds something else, such as a number, which goes on.
+    Elsewhere,
+}
+
+impl SeveralFingers {
+    /// Whether they move the view.
+    pub(super) fn move_view(self) -> bool {
+        matches!(self, Self::OnView(_))
+    }
+
+    /// What fingers are for in this frame.
+    fn notice(&mut self, view: &Response, places: &ScenePlaces, session: &Session) -> Self {
+        if *self == Self::None
+            && let Some(touch) = view.ctx.multi_touch()
+        {
+            // What egui takes for the start is where an earlier finger was, if two came at once.
+            let pressed = view.ctx.input(|input| input.pointer.press_origin());
+            let first = pressed.unwrap_or(touch.start_pos);
+            // A drawer, or a window, keeps the fingers on it to itself.
+            let is_on_view = view.interact_rect.contains(first)
+                && view.ctx.layer_id_at(first) == Some(view.layer_id);
+            *self = if is_on_view {
+                let held = places.surface_at(session, touch.center_pos);
+                Self::OnView(held.unwrap_or(session.view().camera.target))
+            } else {
+                Self::Elsewhere
+            };
+        }
+        let now = *self;
+        if !view.ctx.input(InputState::any_touches) {
+            // The last one that is lifted is no click either.
+            *self = Self::None;
+        }
+        now
+    }
+}
+
+/// Moves the view with several fingers, after putting back what the first of them has begun; whether
+/// there are any, so that nothing else is to be done with them.
+pub(super) fn pointer(
+    view: &Response,
+    places: &ScenePlaces,
+    session: &Session,
+    state: &mut UiState,
+    actions: &mut Vec<Action>,
+) -> bool {
+    let SeveralFingers::OnView(held) = state.fingers.notice(view, places, session) else {
+        return false;
+    };
+    control_points::put_back(session, &mut state.curves, actions);
+    posing::put_back(session, &mut state.pose, actions);
+    state.box_select.put_back();
+    let before = state.camera_before_drag.take();
+    let mut camera = before.unwrap_or(session.view().camera);
+    if let Some(touch) = view.ctx.multi_touch()
+        && touch.zoom_delta > 0.0
+    {
+        let moved = touch.translation_delta / places.points_per_pixel;
+        camera.pan_with_pointer(Vec2::new(moved.x, moved.y), places.height(), held);
+        camera.dolly(-touch.zoom_delta.ln());
+    }
+    if camera != session.view().camera {
+        actions.push(Action::View(View::SetCamera(camera)));
+    }
+    true
+}

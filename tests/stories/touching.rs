@@ -1,0 +1,218 @@
+//! Two fingers on a screen: whatever the first one began is put back, and both move the view.
+
+use super::Story;
+use editor_core::ui::Navigation;
+use egui::{Event, Key, Modifiers, Pos2, TouchDeviceId, TouchId, TouchPhase, pos2, vec2};
+use glam::Vec3;
+
+/// Fingers that lie on the screen, by number, the first of which is the pointer, as in browsers.
+struct Hand {
+    fingers: Vec<(u64, Pos2)>,
+}
+
+impl Hand {
+    fn new() -> Self {
+        Self {
+            fingers: Vec::new(),
+        }
+    }
+
+    fn touch(id: u64, phase: TouchPhase, pos: Pos2) -> Event {
+        Event::Touch {
+            device_id: TouchDeviceId(0),
+            id: TouchId(id),
+            phase,
+            pos,
+            force: None,
+        }
+    }
+
+    /// The button of the pointer, which browsers press and release anew with each finger.
+    fn button(&self, pressed: bool) -> Event {
+        Event::PointerButton {
+            pos: self.fingers[0].1,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        }
+    }
+
+    fn put_down(&mut self, story: &mut Story, id: u64, at: Pos2) {
+        self.put_down_together(story, &[(id, at)]);
+    }
+
+    /// Puts fingers down that the browser tells of at once.
+    fn put_down_together(&mut self, story: &mut Story, fingers: &[(u64, Pos2)]) {
+        self.fingers.extend(fingers);
+        let mut events = vec![self.button(true)];
+        let touches = fingers.iter();
+        events.extend(touches.map(|&(id, at)| Self::touch(id, TouchPhase::Start, at)));
+        story.frame(events);
+    }
+
+    /// Moves all fingers by as much each, in steps.
+    fn move_by(&mut self, story: &mut Story, ways: &[egui::Vec2]) {
+        const STEPS: usize = 4;
+        for _ in 0..STEPS {
+            for (finger, way) in self.fingers.iter_mut().zip(ways) {
+                finger.1 += *way / STEPS as f32;
+            }
+            let mut events = vec![Event::PointerMoved(self.fingers[0].1)];
+            let touches = self.fingers.iter();
+            events.extend(touches.map(|&(id, at)| Self::touch(id, TouchPhase::Move, at)));
+            story.frame(events);
+        }
+    }
+
+    fn lift(&mut self, story: &mut Story, id: u64) {
+        let mut events = vec![self.button(false), Event::PointerGone];
+        let index = self.fingers.iter().position(|finger| finger.0 == id);
+        let (_, at) = self.fingers.remove(index.expect("it lies there"));
+        events.push(Self::touch(id, TouchPhase::End, at));
+        story.frame(events);
+        story.settle();
+    }
+
+    fn lift_all(&mut self, story: &mut Story) {
+        while let Some(&(id, _)) = self.fingers.last() {
+            self.lift(story, id);
+        }
+    }
+}
+
+/// The strip with the Pose tool, and a place on the bone below its elbow.
+fn with_bones() -> (Story, Pos2) {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key(Key::B);
+    let bone = story.at(Vec3::new(0.0, 0.7, 0.0));
+    (story, bone)
+}
+
+/// Distance of the eye from what it looks at.
+fn distance(story: &Story) -> f32 {
+    let camera = &story.session().view().camera;
+    camera.eye().distance(camera.target)
+}
+
+#[test]
+fn a_finger_that_comes_to_another_on_a_bone_zooms_instead_of_posing() {
+    for moves_before in [true, false] {
+        let (mut story, bone) = with_bones();
+        let (document, before) = (story.session().document(), distance(&story));
+        let mut hand = Hand::new();
+        hand.put_down(&mut story, 1, bone);
+        if moves_before {
+            hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
+            assert_ne!(story.session().document(), document, "one finger poses");
+        }
+        hand.put_down(&mut story, 2, bone + vec2(80.0, 40.0));
+        assert_eq!(story.session().document(), document, "it is put back");
+        hand.move_by(&mut story, &[vec2(-60.0, 0.0), vec2(60.0, 0.0)]);
+        assert!(distance(&story) < before * 0.9, "{moves_before}");
+        // The one that stays does nothing, nor do others until all are lifted.
+        hand.lift(&mut story, 1);
+        hand.move_by(&mut story, &[bone - hand.fingers[0].1]);
+        let camera = story.session().view().camera;
+        hand.move_by(&mut story, &[vec2(0.0, 50.0)]);
+        assert_eq!(story.session().view().camera, camera);
+        hand.put_down(&mut story, 3, bone + vec2(0.0, 90.0));
+        hand.move_by(&mut story, &[vec2(40.0, 0.0), vec2(40.0, 0.0)]);
+        assert_ne!(story.session().view().camera, camera, "both move it again");
+        hand.lift_all(&mut story);
+        assert_eq!(story.session().document(), document, "{moves_before}");
+        assert!(story.session().done_steps() == 0 && !story.session().is_in_gesture());
+        // One finger poses again.
+        let bone = story.at(Vec3::new(0.0, 0.3, 0.0));
+        hand.put_down(&mut story, 4, bone);
+        hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
+        hand.lift_all(&mut story);
+        assert_ne!(story.session().document(), document);
+    }
+}
+
+#[test]
+fn two_fingers_that_come_at_once_do_not_pose() {
+    let (mut story, bone) = with_bones();
+    // An earlier tap was elsewhere.
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, pos2(5.0, 620.0));
+    hand.lift_all(&mut story);
+    let (document, before) = (story.session().document(), distance(&story));
+    hand.put_down_together(&mut story, &[(2, bone), (3, bone + vec2(60.0, 0.0))]);
+    hand.move_by(&mut story, &[vec2(-60.0, 0.0), vec2(60.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_eq!(story.session().document(), document);
+    assert!(distance(&story) < before * 0.9);
+}
+
+#[test]
+fn a_second_finger_puts_back_what_a_handle_has_moved() {
+    let mut story = Story::start(&[]);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    story.key(Key::W);
+    let (document, done) = (story.session().document(), story.session().done_steps());
+    // The square in the middle of the arrows.
+    let handle = story.at(story.shape().placement.transform.position);
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, handle);
+    hand.move_by(&mut story, &[vec2(40.0, 0.0)]);
+    assert_ne!(story.session().document(), document);
+    hand.put_down(&mut story, 2, handle + vec2(90.0, -40.0));
+    hand.move_by(&mut story, &[vec2(20.0, 0.0), vec2(20.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_eq!(story.session().document(), document);
+    assert_eq!(story.session().done_steps(), done);
+}
+
+#[test]
+fn a_second_finger_puts_the_camera_back_that_the_first_has_turned() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let beside = story.view().left_top() + vec2(60.0, 120.0);
+    let camera = story.session().view().camera;
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, beside);
+    hand.move_by(&mut story, &[vec2(40.0, 10.0)]);
+    assert_ne!(story.session().view().camera, camera);
+    hand.put_down(&mut story, 2, beside + vec2(150.0, 0.0));
+    assert_eq!(story.session().view().camera, camera);
+    hand.move_by(&mut story, &[vec2(0.0, 30.0), vec2(0.0, 30.0)]);
+    let moved = story.session().view().camera;
+    assert_eq!(moved.forward(), camera.forward(), "not turned");
+    assert_ne!(moved, camera);
+    hand.lift_all(&mut story);
+    assert_eq!(story.session().view().camera, moved);
+}
+
+#[test]
+fn a_second_finger_ends_a_box_without_selecting_by_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let selected = |story: &Story| story.session().selected_shapes().count();
+    let view = story.view();
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, view.left_top() + vec2(60.0, 120.0));
+    hand.move_by(&mut story, &[vec2(30.0, 30.0)]);
+    let before = selected(&story);
+    let zoom = distance(&story);
+    hand.put_down(&mut story, 2, view.center());
+    hand.move_by(&mut story, &[vec2(-30.0, 0.0), vec2(80.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_eq!(selected(&story), before);
+    assert!(distance(&story) < zoom * 0.95);
+}
+
+#[test]
+fn a_finger_in_the_view_leaves_a_number_to_the_one_that_drags_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let field = story.place("Elbow Z");
+    let camera = story.session().view().camera;
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, field);
+    hand.move_by(&mut story, &[vec2(20.0, 0.0)]);
+    let middle = story.view().center();
+    hand.put_down(&mut story, 2, middle);
+    hand.move_by(&mut story, &[vec2(20.0, 0.0), vec2(0.0, 40.0)]);
+    hand.lift_all(&mut story);
+    assert_ne!(story.degrees("Elbow").z, 0.0);
+    assert_eq!(story.session().view().camera, camera);
+}
