@@ -133,10 +133,16 @@ impl MemoryHost {
 
     /// Answers the newest request with `path`.
     pub fn choose(&mut self, path: &str) {
+        self.choose_together(path, &[]);
+    }
+
+    /// Answers the newest request with `path` and `others`.
+    pub fn choose_together(&mut self, path: &str, others: &[&str]) {
         let request = self.requests.last().expect("a file was asked for");
         self.events.push_back(HostEvent::Chosen {
             request: request.request,
             path: path.into(),
+            others: others.iter().map(PathBuf::from).collect(),
             files: self.files(),
         });
     }

@@ -189,6 +189,7 @@ impl Host for WindowHost {
             self.events.push_back(HostEvent::Chosen {
                 request,
                 path,
+                others: Vec::new(),
                 files: self.files(),
             });
         }

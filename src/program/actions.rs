@@ -147,7 +147,9 @@ impl Program {
             }
             Ask::New => self.leave_for(Next::New, host),
             Ask::Open => self.leave_for(Next::Open, host),
-            Ask::OpenRecent(path) => self.leave_for(Next::OpenFile(path, host.files()), host),
+            Ask::OpenRecent(path) => {
+                self.leave_for(Next::OpenFiles(vec![path], host.files()), host)
+            }
             Ask::OpenBuiltin(name) => self.leave_for(Next::OpenBuiltin(name), host),
             Ask::Save => self.save(None, host),
             Ask::SaveAs => self.save_as(None, host),

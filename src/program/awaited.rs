@@ -29,8 +29,13 @@ impl Awaited {
     /// Built-in files that it reads and that are not there.
     fn absent(&self, files: &dyn Files) -> Vec<PathBuf> {
         match self {
-            Self::Next(Next::OpenFile(path, files) | Next::Revert(path, files))
-            | Self::Import(path, files) => builtin::absent(&**files, path),
+            Self::Next(Next::OpenFiles(paths, files)) => {
+                let absent = paths.iter().map(|path| builtin::absent(&**files, path));
+                absent.flatten().collect()
+            }
+            Self::Next(Next::Revert(path, files)) | Self::Import(path, files) => {
+                builtin::absent(&**files, path)
+            }
             Self::Next(Next::OpenBuiltin(name)) => {
                 builtin::absent(files, Path::new(&format!("{}{name}", builtin::PREFIX)))
             }

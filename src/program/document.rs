@@ -21,7 +21,8 @@ pub(super) enum Next {
     New,
     /// Choose a file, and open it.
     Open,
-    OpenFile(PathBuf, Arc<dyn Files>),
+    /// Open the first of some files, and add the others to it.
+    OpenFiles(Vec<PathBuf>, Arc<dyn Files>),
     OpenBuiltin(&'static str),
     /// Open the document's own file again, as it is now.
     Revert(PathBuf, Arc<dyn Files>),
@@ -84,14 +85,14 @@ impl Program {
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
-            Next::OpenFile(path, files) => self.open(path, files, Missing::StandIn, host),
+            Next::OpenFiles(paths, files) => self.open(paths, files, Missing::StandIn, host),
             // What is in memory must not become a box because a file is gone.
-            Next::Revert(path, files) => self.open(path, files, Missing::Refuse, host),
+            Next::Revert(path, files) => self.open(vec![path], files, Missing::Refuse, host),
             Next::OpenBuiltin(name) => {
                 let path = PathBuf::from(format!("builtin:{name}"));
-                self.open(path, host.files(), Missing::Refuse, host);
+                self.open(vec![path], host.files(), Missing::Refuse, host);
             }
-            Next::Show(opened) => self.show_document(*opened),
+            Next::Show(opened) => self.show_document(*opened, host),
             Next::Quit if self.has_pictures_under_way() => {
                 // What is done meanwhile is asked about then; what is not wanted now is not.
                 self.document.discarded = Some(self.session.document());
@@ -110,11 +111,12 @@ impl Program {
         }
     }
 
-    /// Opens the scene or the model at `path` in the place of the document, once it has been read; one
-    /// that cannot be leaves it untouched. What is read for the document before is not wanted any more.
+    /// Opens the first scene or model of `paths` in the place of the document, once it has been read, and
+    /// adds the others to it. One that cannot be read leaves its place to the next, and the last one the
+    /// document untouched. What is read for the document before is not wanted any more.
     fn open(
         &mut self,
-        path: PathBuf,
+        mut paths: Vec<PathBuf>,
         files: Arc<dyn Files>,
         missing: Missing,
         host: &mut dyn Host,
@@ -122,18 +124,20 @@ impl Program {
         self.cancel_reading(host);
         // What is done meanwhile is asked about then; what is not wanted now is not.
         self.document.discarded = Some(self.session.document());
+        let others = paths.split_off(paths.len().min(1));
         let job = ReadJob {
             files,
-            paths: vec![path],
+            paths,
             wanted: Wanted::Document(missing),
         };
-        self.read(job, Use::Open, host);
+        self.read(job, Use::Open(others), host);
     }
 
-    /// Shows a document that was read.
-    fn show_document(&mut self, opened: Opened) {
+    /// Shows a document that was read, and adds what was chosen together with it.
+    fn show_document(&mut self, opened: Opened, host: &mut dyn Host) {
         let Opened {
             path,
+            others,
             files,
             loaded,
         } = opened;
@@ -143,13 +147,31 @@ impl Program {
         self.document = self.file_of(&path, &*files);
         self.remember_recent(&io::character_file(&*files, &path));
         self.tell_all(Severity::Warning, loaded.warnings);
+        for path in others {
+            let job = ReadJob {
+                files: Arc::clone(&files),
+                paths: vec![path],
+                wanted: Wanted::Document(Missing::StandIn),
+            };
+            self.read(job, Use::Import, host);
+        }
     }
 
-    /// Says why the file at `path` is not opened.
-    pub(super) fn tell_not_opened(&mut self, path: &Path, error: &Diagnostic) {
-        self.document.discarded = None;
+    /// Says why the file at `path` is not opened, and opens the first of `others` instead.
+    pub(super) fn go_on_without(
+        &mut self,
+        path: &Path,
+        error: &Diagnostic,
+        (others, files): (Vec<PathBuf>, Arc<dyn Files>),
+        host: &mut dyn Host,
+    ) {
         self.preferences.recent.retain(|recent| recent != path);
         self.tell(Severity::Error, error.to_string());
+        if others.is_empty() {
+            self.document.discarded = None;
+        } else {
+            self.leave_as_answered(Next::OpenFiles(others, files), host);
+        }
     }
 
     /// What is known of the file at `path`, from which the document has just been opened. Only

@@ -1,13 +1,10 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::awaited::Awaited;
-use super::comparison::Comparison;
-use super::document::Next;
 use super::document_file::DocumentFile;
-use super::document_name::is_scene;
 use super::reading::Use;
 use super::running::Program;
-use super::{Host, Previous, Purpose};
+use super::{Host, Previous};
 use crate::character::Pose;
 use crate::editor::{Edit, Severity, View};
 use crate::geometry::Picture;
@@ -81,71 +78,6 @@ impl Program {
         }
     }
 
-    /// Uses a file that was dropped on the window: a scene to open, a picture that a model lacked or else one to
-    /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all else as an
-    /// import.
-    pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
-        let scene = self.session.scene();
-        let selected = self.session.selected();
-        let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
-        if is_scene(path) {
-            self.leave_for(Next::OpenFile(path.to_owned(), files), host);
-        } else if is_picture(path) {
-            if !self.complete_models(path, &*files) {
-                self.compare_with(path, &*files);
-            }
-        } else if let Some(shape) = posed {
-            self.load_pose(shape, path, &*files);
-        } else if let Some(shape) = self.compared_by_dropping(path, &*files) {
-            self.compare_with_mesh(shape, path, &*files);
-        } else {
-            self.import_any(path, &files, host);
-        }
-    }
-
-    /// Uses the file that was chosen in a dialog.
-    pub(super) fn use_chosen(
-        &mut self,
-        purpose: Purpose,
-        path: PathBuf,
-        files: Arc<dyn Files>,
-        host: &mut dyn Host,
-    ) {
-        let reader = &*files;
-        match purpose {
-            Purpose::Open => self.leave_as_answered(Next::OpenFile(path, files), host),
-            Purpose::SaveScene => self.save_to(path, host),
-            Purpose::SaveWithFiles => self.save_with_files(&path, host),
-            Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
-            Purpose::ImportShape => self.import(path, files, Wanted::Shape, host),
-            Purpose::ImportCurve => self.import(path, files, Wanted::Curve, host),
-            Purpose::ImportCharacter => self.import(path, files, Wanted::Character, host),
-            Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
-            Purpose::Compare => self.compare_with(&path, reader),
-            Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),
-            Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
-            Purpose::ExportGeometry => self.export_geometry(&path, host),
-            Purpose::ExportMaterials => self.export_materials(&path, host),
-            Purpose::ExportCharacter(shape) => self.export_character(shape, &path, host),
-            Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),
-            Purpose::SaveScreenshot(shot) => {
-                // Large pictures take their time: what cannot be written is said before.
-                match PictureFormat::of(&path) {
-                    Ok(_) => self.pending_pictures.push((path, shot)),
-                    Err(error) => self.tell_written(&path, Err(error)),
-                }
-            }
-            Purpose::SaveComparison => {
-                let picture = self.comparison.as_ref().and_then(Comparison::picture);
-                match picture {
-                    Some(Ok(picture)) => self.save_picture(&path, &picture, host),
-                    Some(Err(error)) => self.tell(Severity::Error, format!("Not saved: {error}")),
-                    None => {}
-                }
-            }
-        }
-    }
-
     /// Adds what the file at `path` holds, whatever it is.
     pub(super) fn import_any(&mut self, path: &Path, files: &Arc<dyn Files>, host: &mut dyn Host) {
         let work = Awaited::Import(path.to_owned(), Arc::clone(files));
@@ -154,7 +86,7 @@ impl Program {
         }
     }
 
-    fn import(
+    pub(super) fn import(
         &mut self,
         path: PathBuf,
         files: Arc<dyn Files>,
@@ -206,11 +138,16 @@ impl Program {
                 ),
             ));
         }
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        Ok((name.to_string_lossy().into_owned(), picture))
+        Ok((file_name(path), picture))
     }
 
-    fn save_pose(&mut self, shape: ShapeId, kept: Option<usize>, path: &Path, host: &mut dyn Host) {
+    pub(super) fn save_pose(
+        &mut self,
+        shape: ShapeId,
+        kept: Option<usize>,
+        path: &Path,
+        host: &mut dyn Host,
+    ) {
         // It may have been deleted while the dialog was open.
         match self.pose_text(shape, kept) {
             Some(text) => self.write(path, "json", text, host),
@@ -324,13 +261,14 @@ fn encode(path: &Path, picture: &Picture) -> Result<Vec<u8>, Diagnostic> {
     image::encode(picture, format).map_err(|message| Diagnostic::new(path, message))
 }
 
-fn is_pose(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+pub(super) fn is_picture(path: &Path) -> bool {
+    PictureFormat::of(path).is_ok()
 }
 
-fn is_picture(path: &Path) -> bool {
-    PictureFormat::of(path).is_ok()
+/// Name of the file at `path`, without its folder.
+pub(super) fn file_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
 }
 
 /// Name, without an extension, of a file for a shape or a pose called `name`.

@@ -139,7 +139,9 @@ pub enum HostEvent {
         request: FileRequest,
         /// The file.
         path: PathBuf,
-        /// Where it and the files beside it are read.
+        /// Files that were chosen together with it, where several can be.
+        others: Vec<PathBuf>,
+        /// Where they and the files beside them are read.
         files: Arc<dyn Files>,
     },
     /// A file was dropped on the window.

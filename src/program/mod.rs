@@ -9,6 +9,7 @@
 mod actions;
 mod autosave;
 mod awaited;
+mod chosen;
 mod clipboard;
 mod comparison;
 mod document;

@@ -52,7 +52,7 @@ impl Asked {
 fn unsaved(next: &Next, name: &str) -> Question {
     let loses = match next {
         Next::New => "begin another document",
-        Next::Open | Next::OpenFile(..) | Next::OpenBuiltin(_) | Next::Show(_) => {
+        Next::Open | Next::OpenFiles(..) | Next::OpenBuiltin(_) | Next::Show(_) => {
             "open another document"
         }
         Next::Quit => "quit",

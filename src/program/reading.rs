@@ -29,8 +29,8 @@ pub(super) enum Use {
     Import,
     /// So are they, beside the shapes that they are copies of.
     Paste,
-    /// They take the place of the document.
-    Open,
+    /// They take the place of the document, and these files are added to it.
+    Open(Vec<PathBuf>),
     /// They are the first document, compared with a picture if there is one.
     Start(Option<PathBuf>),
     /// They are what an earlier run left.
@@ -41,6 +41,8 @@ pub(super) enum Use {
 #[derive(Clone)]
 pub(super) struct Opened {
     pub path: PathBuf,
+    /// Files that are added to it.
+    pub others: Vec<PathBuf>,
     pub files: Arc<dyn Files>,
     pub loaded: Loaded,
 }
@@ -156,11 +158,14 @@ impl Program {
             }
             (Use::Restore(_), _, Some(error)) => self.give_up_restoring(&error.to_string(), host),
             (Use::Restore(kept), _, None) => self.show_restored(&kept, loaded, host),
-            (Use::Open, [path, ..], Some(error)) => self.tell_not_opened(path, error),
-            (Use::Open, [path, ..], None) => {
+            (Use::Open(others), [path, ..], Some(error)) => {
+                self.go_on_without(path, error, (others, files), host);
+            }
+            (Use::Open(others), [path, ..], None) => {
                 let path = path.clone();
                 let opened = Opened {
                     path,
+                    others,
                     files,
                     loaded,
                 };
@@ -168,7 +173,7 @@ impl Program {
             }
             (_, _, Some(_)) => self.tell_all(Severity::Error, failed),
             (Use::Paste, ..) => self.insert_pasted(loaded),
-            (Use::Import | Use::Open, ..) => self.insert(loaded),
+            (Use::Import | Use::Open(_), ..) => self.insert(loaded),
         }
     }
 
@@ -179,7 +184,7 @@ impl Program {
         for request in running.into_iter().chain(waiting) {
             let becomes = match request.becomes {
                 Use::Import | Use::Paste => "imported",
-                Use::Open | Use::Start(_) => "opened",
+                Use::Open(_) | Use::Start(_) => "opened",
                 // Nothing of it is lost.
                 Use::Restore(_) => {
                     self.offer_restoring(host);
@@ -213,7 +218,7 @@ impl Program {
         let running = running.filter(|running| now >= running.since + SHOWN_AFTER)?;
         let doing = match running.request.becomes {
             Use::Import | Use::Paste => "Importing",
-            Use::Open | Use::Start(_) | Use::Restore(_) => "Opening",
+            Use::Open(_) | Use::Start(_) | Use::Restore(_) => "Opening",
         };
         let name = running.request.name();
         let text = match self.readings.waiting.len() {

@@ -337,6 +337,7 @@ impl Program {
                 HostEvent::Chosen {
                     request,
                     path,
+                    others,
                     files,
                 } => {
                     let kind = request.purpose.kind();
@@ -346,7 +347,7 @@ impl Program {
                     {
                         continue;
                     }
-                    self.use_chosen(request.purpose, path, files, host);
+                    self.use_chosen(request.purpose, (path, others), files, host);
                 }
                 HostEvent::Dropped { .. } if self.asked.is_some() => {
                     let text = "Nothing was dropped: the question comes first";

@@ -153,7 +153,8 @@ impl PageHost {
         self.pasted = text;
     }
 
-    /// Asks the user for files, and answers `request` with the one that it is about.
+    /// Asks the user for files, and answers `request` with those that are read by themselves, the first of
+    /// which suits it, if any does.
     fn read_chosen(&self, request: FileRequest) {
         let (given, events) = (self.given.clone(), self.events.clone());
         browser::choose_files(move |chosen| {
@@ -166,14 +167,19 @@ impl PageHost {
                 }
                 let names = events.take_in(&given, read).await;
                 let files = all_files(&given);
-                let offered = main_files(&names).into_iter();
                 let suits = |path: &PathBuf| request.purpose.offers(&*files, path);
+                let mut chosen = main_files(&names);
+                if !chosen.iter().any(suits) && names.iter().any(suits) {
+                    chosen = names.into_iter().filter(suits).collect();
+                }
                 // One that does not suit gets the message that says why.
-                let path = names.iter().find(|path| suits(path)).cloned();
-                if let Some(path) = path.or_else(|| offered.into_iter().next()) {
+                chosen.sort_by_key(|path| !suits(path));
+                let mut chosen = chosen.into_iter();
+                if let Some(path) = chosen.next() {
                     events.push(HostEvent::Chosen {
                         request,
                         path,
+                        others: chosen.collect(),
                         files,
                     });
                 }
@@ -213,6 +219,7 @@ impl Host for PageHost {
             } else {
                 path
             },
+            others: Vec::new(),
             files: self.files(),
         });
     }

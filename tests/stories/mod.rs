@@ -3,6 +3,7 @@
 
 mod autosaving;
 mod boxes;
+mod choosing;
 mod coloring;
 mod comparing;
 mod comparing_meshes;

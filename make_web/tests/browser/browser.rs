@@ -293,6 +293,11 @@ impl Browser {
         self.driver.post(&path, &json!({"text": files.join("\n")}));
     }
 
+    /// The folder of files that the page has handed over.
+    pub fn downloads(&self) -> &Path {
+        self.downloads.path()
+    }
+
     /// A file that the page has handed over, once it is whole.
     pub fn downloaded(&self, name: &str) -> Vec<u8> {
         let path = self.downloads.path().join(name);

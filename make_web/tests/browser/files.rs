@@ -26,6 +26,36 @@ fn a_character_is_opened_from_files_that_are_chosen_together() {
 }
 
 #[test]
+fn models_that_are_chosen_together_are_all_there() {
+    let browser = Browser::open();
+    browser.press(&[CTRL, "o"]);
+    let files = [
+        "robot.obj",
+        "robot.skel",
+        "robot.attach",
+        "dog.obj",
+        "dog.skel",
+        "dog.attach",
+    ];
+    browser.choose(&files.map(|name| asset(&format!("characters/{name}"))));
+    browser.picture();
+    browser.press(&[CTRL, "s"]);
+    let saved = ["robot.scene", "dog.scene"].map(|name| browser.downloads().join(name));
+    browser.wait("the scene is saved", || {
+        saved.iter().any(|path| path.is_file())
+    });
+    let saved = saved
+        .iter()
+        .find_map(|path| std::fs::read_to_string(path).ok());
+    let saved = saved.unwrap();
+    assert!(
+        saved.contains("robot.obj") && saved.contains("dog.obj"),
+        "{saved}"
+    );
+    browser.finish();
+}
+
+#[test]
 fn a_file_that_is_dropped_is_added_to_the_scene() {
     let browser = Browser::open();
     let before = browser.picture();

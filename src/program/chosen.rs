@@ -1,0 +1,129 @@
+//! What becomes of files that the user has dropped on the window, or chosen.
+
+use super::comparison::Comparison;
+use super::document::Next;
+use super::document_name::is_scene;
+use super::files::{file_name, is_picture, listed};
+use super::running::Program;
+use super::{Host, Purpose};
+use crate::editor::Severity;
+use crate::io::image::PictureFormat;
+use crate::io::{self, Files, Wanted};
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+impl Program {
+    /// Uses a file that was dropped on the window: a scene to open, a picture to compare the view
+    /// with, a pose for the selected character, another mesh for the comparison with one, all else as an
+    /// import.
+    pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
+        let scene = self.session.scene();
+        let selected = self.session.selected();
+        let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
+        if is_scene(path) {
+            self.leave_for(Next::OpenFiles(vec![path.to_owned()], files), host);
+        } else if is_picture(path) {
+            if !self.complete_models(path, &*files) {
+                self.compare_with(path, &*files);
+            }
+        } else if let Some(shape) = posed {
+            self.load_pose(shape, path, &*files);
+        } else if let Some(shape) = self.compared_by_dropping(path, &*files) {
+            self.compare_with_mesh(shape, path, &*files);
+        } else {
+            self.import_any(path, &files, host);
+        }
+    }
+
+    /// Uses the file that was chosen in a dialog, with `others` that were chosen together with it.
+    pub(super) fn use_chosen(
+        &mut self,
+        purpose: Purpose,
+        (path, others): (PathBuf, Vec<PathBuf>),
+        files: Arc<dyn Files>,
+        host: &mut dyn Host,
+    ) {
+        let reader = &*files;
+        let all = once_each(reader, [vec![path.clone()], others].concat());
+        if !takes_several(purpose) {
+            self.tell_unused(&all);
+        }
+        match purpose {
+            Purpose::Open => self.leave_as_answered(Next::OpenFiles(all, files), host),
+            Purpose::ImportShape => self.import_all(all, &files, Wanted::Shape, host),
+            Purpose::ImportCurve => self.import_all(all, &files, Wanted::Curve, host),
+            Purpose::ImportCharacter => self.import_all(all, &files, Wanted::Character, host),
+            Purpose::SaveScene => self.save_to(path, host),
+            Purpose::SaveWithFiles => self.save_with_files(&path, host),
+            Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
+            Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
+            Purpose::Compare => self.compare_with(&path, reader),
+            Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),
+            Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
+            Purpose::ExportGeometry => self.export_geometry(&path, host),
+            Purpose::ExportMaterials => self.export_materials(&path, host),
+            Purpose::ExportCharacter(shape) => self.export_character(shape, &path, host),
+            Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),
+            Purpose::SaveScreenshot(shot) => {
+                // Large pictures take their time: what cannot be written is said before.
+                match PictureFormat::of(&path) {
+                    Ok(_) => self.pending_pictures.push((path, shot)),
+                    Err(error) => self.tell_written(&path, Err(error)),
+                }
+            }
+            Purpose::SaveComparison => {
+                let picture = self.comparison.as_ref().and_then(Comparison::picture);
+                match picture {
+                    Some(Ok(picture)) => self.save_picture(&path, &picture, host),
+                    Some(Err(error)) => self.tell(Severity::Error, format!("Not saved: {error}")),
+                    None => {}
+                }
+            }
+        }
+    }
+
+    fn import_all(
+        &mut self,
+        paths: Vec<PathBuf>,
+        files: &Arc<dyn Files>,
+        wanted: Wanted,
+        host: &mut dyn Host,
+    ) {
+        for path in paths {
+            self.import(path, Arc::clone(files), wanted, host);
+        }
+    }
+
+    /// Says which of `paths` are not used, because only the first is.
+    fn tell_unused(&mut self, paths: &[PathBuf]) {
+        let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        if let [used, unused @ ..] = &names[..]
+            && !unused.is_empty()
+        {
+            let text = format!("Only {used} is used, not {}", listed(unused));
+            self.tell(Severity::Warning, text);
+        }
+    }
+}
+
+/// Whether each of several files that are chosen together can be used.
+fn takes_several(purpose: Purpose) -> bool {
+    matches!(
+        purpose,
+        Purpose::Open | Purpose::ImportShape | Purpose::ImportCurve | Purpose::ImportCharacter
+    )
+}
+
+/// `paths` without those that stand for the same character as one before.
+fn once_each(files: &dyn Files, mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    let mut known = HashSet::new();
+    paths.retain(|path| known.insert(io::character_file(files, path).into_owned()));
+    paths
+}
+
+fn is_pose(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+}
