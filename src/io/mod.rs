@@ -19,6 +19,7 @@ mod import_shape;
 mod json;
 mod json_node;
 mod json_text;
+mod missed_files;
 mod mtl;
 pub mod namesakes;
 mod numbers;
@@ -54,6 +55,7 @@ pub use file_importer::{
 };
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
+pub use missed_files::missed_files;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;

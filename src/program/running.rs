@@ -35,6 +35,9 @@ pub struct Options {
     pub title: Option<String>,
     /// Way of skinning, in place of the one in the preferences.
     pub skinning: Option<Skinning>,
+    /// Whether files were asked for, also if none of them could be had: nothing else is shown in their
+    /// place.
+    pub asks_for_files: bool,
     /// Whether there is only the scene, to be turned, posed and reset, without panels.
     pub is_viewer: bool,
 }
@@ -44,7 +47,8 @@ impl Options {
     /// the very first start without files it is the showcase, so that there is something to see and
     /// to turn.
     pub fn files_at_start(&self, host: &dyn Host) -> Vec<PathBuf> {
-        if self.files.is_empty() && !Preferences::load(host).is_some_and(|it| it.started_before) {
+        let is_first = || !Preferences::load(host).is_some_and(|it| it.started_before);
+        if self.files.is_empty() && !self.asks_for_files && is_first() {
             vec![PathBuf::from("builtin:showcase")]
         } else {
             self.files.clone()

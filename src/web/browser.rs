@@ -268,11 +268,16 @@ pub(super) fn in_address(name: &str) -> Option<String> {
         .get(name)
 }
 
-/// The address of a file of the page's site.
+/// The content of a file of the page's site, by its way from the page.
 ///
 /// # Errors
-/// If `name` leads anywhere else, in words.
-pub(super) fn of_site(name: &str) -> Result<String, String> {
+/// If there is none, or `name` leads anywhere else, in words.
+pub(super) async fn fetch_of_site(name: &str) -> Result<Vec<u8>, String> {
+    fetch(&of_site(name)?, |_| {}).await
+}
+
+/// The address of a file of the page's site.
+fn of_site(name: &str) -> Result<String, String> {
     let base = || document()?.base_uri().ok().flatten();
     let base = base().ok_or("there is no page")?;
     let url = Url::new_with_base(name, &base).map_err(|error| words(&error))?;

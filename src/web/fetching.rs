@@ -1,4 +1,5 @@
-//! Built-in files that are not inside the program: fetched from beside the page when they are used.
+//! Files that are fetched from beside the page: built-in ones that are not inside the program, when they
+//! are used, and those that others name.
 
 use super::browser;
 use super::given_files::GivenFiles;
@@ -83,12 +84,41 @@ impl Fetching {
 /// Fetches all of `paths` at once, and adds them to `given`. What cannot be had is missed when it is
 /// read.
 pub(super) async fn fetch_all(paths: Vec<PathBuf>, given: &GivenFiles) {
-    let begun = paths.into_iter().map(|path| {
+    let each = |path: PathBuf| {
         let given = given.clone();
-        future_to_promise(async move {
+        async move {
             if let Ok(bytes) = fetch(&path, |_| {}).await {
                 given.add_builtin(path, bytes);
             }
+        }
+    };
+    at_once(paths, each).await;
+}
+
+/// Those of `paths` that the page's site has, by their ways from the page, fetched all at once.
+pub(super) async fn fetch_from_site(paths: Vec<PathBuf>) -> Vec<(PathBuf, Vec<u8>)> {
+    let fetched = Rc::new(RefCell::new(Vec::new()));
+    let each = |path: PathBuf| {
+        let fetched = Rc::clone(&fetched);
+        async move {
+            if let Ok(bytes) = browser::fetch_of_site(&path.to_string_lossy()).await {
+                fetched.borrow_mut().push((path, bytes));
+            }
+        }
+    };
+    at_once(paths, each).await;
+    fetched.take()
+}
+
+/// Does `work` for all of `paths` at the same time.
+async fn at_once<F: Future<Output = ()> + 'static>(
+    paths: Vec<PathBuf>,
+    work: impl Fn(PathBuf) -> F,
+) {
+    let begun = paths.into_iter().map(|path| {
+        let work = work(path);
+        future_to_promise(async move {
+            work.await;
             Ok(JsValue::UNDEFINED)
         })
     });

@@ -1,5 +1,6 @@
 //! The page: the program in a browser, in a canvas that eframe looks after.
 
+mod address;
 mod application;
 mod browser;
 mod error_watch;
@@ -34,7 +35,7 @@ async fn start() -> Result<(), JsValue> {
     let page = Page::of_earlier_visit().await;
     showing::show(&canvas, &page).await?;
     showing::look_after_context(&canvas, &page)?;
-    page::follow_links()?;
+    address::follow_links()?;
     folders::take_dropped(&page)?;
     keys::keep_for_commands()?;
     leaving::keep_work(&page)

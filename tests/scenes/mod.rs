@@ -3,6 +3,7 @@
 mod archives;
 mod documents;
 mod faults;
+mod missed;
 mod missing;
 mod round_trip;
 mod support;

@@ -3,7 +3,7 @@
 use super::{Story, started_before};
 use crate::host::MemoryHost;
 use editor_core::io::Diagnostic;
-use editor_core::program::{Options, StorageKey};
+use editor_core::program::StorageKey;
 use editor_core::ui::{Action, Ask};
 use egui::{Key, Modifiers};
 use std::path::{Path, PathBuf};
@@ -91,33 +91,6 @@ fn the_start_page_draws_its_pictures_as_their_files_come() {
     assert!(story.host.absent.lock().unwrap().is_empty());
 }
 
-/// A story in a page that shows a scene without panels.
-fn without_panels(files: &[&str]) -> Story {
-    let options = Options {
-        is_viewer: true,
-        ..Options::default()
-    };
-    let host = MemoryHost {
-        stored: [started_before()].into(),
-        ..MemoryHost::default()
-    };
-    Story::start_with(host, options, files)
-}
-
-#[test]
-fn a_scene_without_panels_can_be_turned_and_reset() {
-    let mut story = without_panels(&["builtin:robot"]);
-    assert!(!story.has("File") && !story.has("Joint Rotations (x, y, z)"));
-    let before = story.session().view().camera;
-    let corner = story.view().left_bottom() + egui::vec2(30.0, -30.0);
-    story.drag(corner, corner + egui::vec2(90.0, 0.0));
-    assert_ne!(story.session().view().camera, before);
-    story.key_with(Modifiers::NONE, Key::Delete);
-    assert_eq!(story.names(), ["Robot"], "keys mean nothing");
-    story.click("Reset");
-    assert_eq!(story.session().view().camera, before);
-}
-
 fn no_network() -> Diagnostic {
     Diagnostic::new(
         Path::new("builtin:characters/robot.obj"),
@@ -192,10 +165,4 @@ fn a_file_that_cannot_be_had_does_not_stop_what_needs_others() {
     story.settle();
     assert_eq!(story.names(), ["Gem", "Robot"]);
     assert_eq!(story.messages().len(), 1);
-}
-
-#[test]
-fn a_scene_without_panels_tells_what_is_wrong() {
-    let story = without_panels(&["missing.obj"]);
-    assert!(story.has("Dismiss: missing.obj: there is no such file"));
 }

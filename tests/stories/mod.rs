@@ -27,6 +27,7 @@ mod touching;
 mod transforming;
 mod typing;
 mod undoing;
+mod viewing;
 
 use crate::host::MemoryHost;
 use crate::keyboard;

@@ -2,6 +2,7 @@
 //! test fails on an error in the console, which is also where requests that failed and errors of
 //! WebGL are, and on a blank picture.
 
+mod beside;
 mod browser;
 mod comparing;
 mod explaining;

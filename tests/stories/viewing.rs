@@ -1,0 +1,54 @@
+//! A scene without panels, as other pages show it.
+
+use super::{Story, started_before};
+use crate::host::MemoryHost;
+use editor_core::program::Options;
+use egui::{Key, Modifiers};
+
+/// A story in a page that shows a scene without panels.
+fn without_panels(files: &[&str]) -> Story {
+    let options = Options {
+        is_viewer: true,
+        ..Options::default()
+    };
+    let host = MemoryHost {
+        stored: [started_before()].into(),
+        ..MemoryHost::default()
+    };
+    Story::start_with(host, options, files)
+}
+
+#[test]
+fn a_scene_without_panels_can_be_turned_and_reset() {
+    let mut story = without_panels(&["builtin:robot"]);
+    assert!(!story.has("File") && !story.has("Joint Rotations (x, y, z)"));
+    let before = story.session().view().camera;
+    let corner = story.view().left_bottom() + egui::vec2(30.0, -30.0);
+    story.drag(corner, corner + egui::vec2(90.0, 0.0));
+    assert_ne!(story.session().view().camera, before);
+    story.key_with(Modifiers::NONE, Key::Delete);
+    assert_eq!(story.names(), ["Robot"], "keys mean nothing");
+    story.click("Reset");
+    assert_eq!(story.session().view().camera, before);
+}
+
+#[test]
+fn a_scene_without_panels_tells_what_is_wrong() {
+    let story = without_panels(&["missing.obj"]);
+    assert!(story.has("Dismiss: missing.obj: there is no such file"));
+}
+
+#[test]
+fn nothing_takes_the_place_of_files_that_could_not_be_had() {
+    let names = |asks_for_files| {
+        let options = Options {
+            asks_for_files,
+            is_viewer: true,
+            ..Options::default()
+        };
+        let story = Story::start_with(MemoryHost::default(), options, &[]);
+        story.names().len()
+    };
+    assert_eq!(names(true), 0);
+    assert_eq!(names(false), 4, "the showcase");
+}
