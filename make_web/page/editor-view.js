@@ -16,6 +16,17 @@ class EditorView extends HTMLElement {
       iframe { display: block; width: 100%; height: 100%; border: 0; }`;
     this.#frame.title = "A scene to be turned and posed";
     this.#frame.loading = "lazy";
+    // The program takes the keyboard when it starts, as is right for a page of its own.
+    this.#frame.addEventListener("load", () => {
+      const before = document.activeElement;
+      const giveBack = () => {
+        if (document.activeElement !== this) return;
+        this.#frame.blur();
+        before?.focus({ preventScroll: true });
+      };
+      // There is none where the editor is of another site, whose frames cannot take the keyboard.
+      this.#frame.contentDocument?.defaultView.addEventListener("editor-shown", giveBack, { once: true });
+    });
     this.attachShadow({ mode: "open" }).append(style, this.#frame);
   }
 

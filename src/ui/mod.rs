@@ -79,7 +79,8 @@ pub struct ViewInput<'a> {
     /// Whether a browser shows the program as a page, which cannot be quit, and takes pictures of the
     /// panels.
     pub is_page: bool,
-    /// Whether there is only the scene, to be turned, posed and reset, without panels and keys.
+    /// Whether there is only the scene, to be turned, posed and reset, without panels and other keys than
+    /// those that roll bones.
     pub is_viewer: bool,
     /// Documents for File ▸ Open Recent, the newest first.
     pub recent: &'a [PathBuf],
@@ -172,7 +173,6 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let in_drag = dragging || reorders || state.gesture_under_way();
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
-        || input.is_viewer
         || in_drag
         || state.is_beginning()
         || input.question.is_some()
@@ -262,7 +262,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
 
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got
     // the focus.
-    if !keys_taken && !takes_keys(&ctx) {
+    if !keys_taken && !input.is_viewer && !takes_keys(&ctx) {
         let camera = state.navigation.walked(session.view().camera, &ctx);
         if camera != session.view().camera {
             actions.push(Action::View(View::SetCamera(camera)));

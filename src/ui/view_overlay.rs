@@ -50,6 +50,7 @@ pub(super) fn show(
         _ => ScenePlaces::whole(rect),
     };
     if input.is_viewer {
+        posing::show_hovered(&over, &places, session);
         if viewer_reset(&mut over, rect) {
             actions.push(Action::History(HistoryMove::GoTo(0)));
             actions.push(Action::View(View::Select(None)));

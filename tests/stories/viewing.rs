@@ -1,9 +1,10 @@
 //! A scene without panels, as other pages show it.
 
-use super::{Story, started_before};
+use super::{Story, differing, started_before};
 use crate::host::MemoryHost;
 use editor_core::program::Options;
 use egui::{Key, Modifiers};
+use glam::Vec3;
 
 /// A story in a page that shows a scene without panels.
 fn without_panels(files: &[&str]) -> Story {
@@ -30,6 +31,39 @@ fn a_scene_without_panels_can_be_turned_and_reset() {
     assert_eq!(story.names(), ["Robot"], "keys mean nothing");
     story.click("Reset");
     assert_eq!(story.session().view().camera, before);
+}
+
+#[test]
+fn a_bone_is_lit_under_the_pointer_before_anything_was_dragged() {
+    let mut story = without_panels(&["models/strip.obj"]);
+    let beside = story.view().left_bottom() + egui::vec2(30.0, -30.0);
+    story.point(beside);
+    story.settle();
+    let before = story.picture();
+    let bone = story.at(Vec3::new(0.0, 0.7, 0.0));
+    story.point(bone);
+    story.settle();
+    assert!(differing(&before, &story.picture()) > 100);
+}
+
+#[test]
+fn arrow_keys_roll_the_bone_under_the_pointer() {
+    let mut story = without_panels(&["models/strip.obj"]);
+    let document = story.session().document();
+    story.key(Key::ArrowRight);
+    assert_eq!(story.session().document(), document, "there is none");
+    let bone = story.at(Vec3::new(0.0, 0.7, 0.0));
+    story.point(bone);
+    story.settle();
+    story.key(Key::ArrowRight);
+    assert_ne!(story.session().document(), document);
+    story.key(Key::ArrowLeft);
+    let session = story.session();
+    let character = session.scene().character(session.scene().shapes()[0].id);
+    let pose = character.expect("a character").pose();
+    for joint in 0..3 {
+        assert!(pose.rotation(joint).degrees().length() < 1e-3, "{joint}");
+    }
 }
 
 #[test]

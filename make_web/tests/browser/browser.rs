@@ -29,6 +29,7 @@ pub const SHIFT: &str = "\u{e008}";
 pub const ESC: &str = "\u{e00c}";
 pub const ENTER: &str = "\u{e007}";
 pub const DELETE: &str = "\u{e017}";
+pub const RIGHT: &str = "\u{e014}";
 pub const F8: &str = "\u{e038}";
 pub const F12: &str = "\u{e03c}";
 
@@ -183,6 +184,19 @@ impl Browser {
             {"type": "pointerMove", "duration": 60, "x": x, "y": y}, rest,
             {"type": "pointerDown", "button": 0}, short, {"type": "pointerUp", "button": 0}, rest,
         ]);
+        let pointer = json!({"pointerType": "mouse"});
+        self.driver.post(
+            "/actions",
+            &json!({"actions": [
+                {"type": "pointer", "id": "mouse", "parameters": pointer, "actions": actions}
+            ]}),
+        );
+    }
+
+    /// Moves the pointer to a place, in points.
+    pub fn point(&self, (x, y): (u32, u32)) {
+        let rest = json!({"type": "pause", "duration": 250});
+        let actions = json!([{"type": "pointerMove", "duration": 60, "x": x, "y": y}, rest]);
         let pointer = json!({"pointerType": "mouse"});
         self.driver.post(
             "/actions",

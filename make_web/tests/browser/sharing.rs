@@ -1,7 +1,7 @@
 //! Scenes in links and in other pages, and what a link must not do.
 
-use super::browser::{Browser, CTRL, SIZE, VIEW};
-use super::picture::{assert_not_blank, difference};
+use super::browser::{Browser, CTRL, RIGHT, SIZE, VIEW};
+use super::picture::{Part, assert_not_blank, difference};
 use serde_json::json;
 use std::net::TcpListener;
 
@@ -73,9 +73,8 @@ fn files_of_another_host_are_never_asked_for() {
     browser.finish();
 }
 
-#[test]
-fn a_tag_shows_a_character_in_another_page() {
-    let browser = Browser::open();
+/// Opens the page with the tag, and returns where the character in it is shown.
+fn open_tag(browser: &Browser) -> Part {
     browser.go_elsewhere("example.html");
     browser.script("document.querySelector('editor-view').scrollIntoView()");
     let frame = "document.querySelector('editor-view').shadowRoot.querySelector('iframe')";
@@ -87,7 +86,33 @@ fn a_tag_shows_a_character_in_another_page() {
         "const at = {frame}.getBoundingClientRect(); return [at.left, at.top, at.right, at.bottom]"
     ));
     let side = |i: usize| place[i].as_f64().unwrap() as u32;
-    let part = (side(0), side(1), side(2), side(3).min(SIZE.1));
+    (side(0), side(1), side(2), side(3).min(SIZE.1))
+}
+
+#[test]
+fn a_bone_in_a_tag_is_lit_under_the_pointer_and_rolled_by_an_arrow_key() {
+    let browser = Browser::open();
+    let part = open_tag(&browser);
+    let middle = (part.0.midpoint(part.2), part.1.midpoint(part.3));
+    let focused = || browser.script("return document.activeElement.tagName");
+    assert_eq!(focused(), "BODY", "the keyboard is the page's");
+    // Beside the figure, which gives the frame the keyboard.
+    browser.click(part.0 + 60, part.3 - 100);
+    assert_eq!(focused(), "EDITOR-VIEW");
+    let before = browser.picture();
+    browser.point(middle);
+    let lit = browser.picture();
+    assert!(difference(&before, &lit, part) > 0.0005);
+    browser.press(&[RIGHT]);
+    browser.press(&[RIGHT]);
+    assert!(difference(&lit, &browser.picture(), part) > 0.0005);
+    browser.finish();
+}
+
+#[test]
+fn a_tag_shows_a_character_in_another_page() {
+    let browser = Browser::open();
+    let part = open_tag(&browser);
     let before = browser.picture();
     assert_not_blank(&before, part);
     // Beside the figure.

@@ -112,6 +112,14 @@ pub(super) fn show(
     tool_bar::show(ui, whole, session, state, actions);
 }
 
+/// Shows the bones of the joint under the pointer, and nothing else of the tools.
+pub(super) fn show_hovered(ui: &Ui, places: &ScenePlaces, session: &Session) {
+    for place in places.iter() {
+        let clip = place.seen.intersect(ui.clip_rect());
+        paint::hovered_bones(&ui.painter().with_clip_rect(clip), place, session);
+    }
+}
+
 /// Shows the gizmo of the tool, if it has one; the handle that is held or under the pointer.
 fn show_gizmo(
     painter: &Painter,
