@@ -166,19 +166,15 @@ fn wound(triangles: &[Triangle]) -> impl Iterator<Item = Wound> + '_ {
     let real = triangles
         .iter()
         .filter(|[a, b, c]| a != b && b != c && c != a);
-    real.map(|&corners| {
+    real.map(|&(mut corners)| {
         let [a, b, c] = corners;
         let swaps = [a > b, a > c, b > c]
             .into_iter()
             .filter(|&swap| swap)
             .count();
-        (in_order(corners), swaps % 2 == 0)
+        corners.sort_unstable();
+        (corners, swaps % 2 == 0)
     })
-}
-
-fn in_order(mut corners: Triangle) -> Triangle {
-    corners.sort_unstable();
-    corners
 }
 
 /// The same however they wind.
@@ -282,20 +278,17 @@ mod tests {
     use super::*;
     use crate::steps::at_once;
 
+    fn found(model: &[Triangle], theirs: &[Triangle]) -> FaceDifference {
+        at_once(|pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await })
+    }
+
     fn difference(model: &[Triangle], theirs: &[Triangle]) -> (usize, usize) {
-        let found =
-            at_once(
-                |pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await },
-            );
+        let found = found(model, theirs);
         (found.missing, found.other)
     }
 
     fn turned(model: &[Triangle], theirs: &[Triangle]) -> usize {
-        let found =
-            at_once(
-                |pace| async move { FaceDifference::of_same_vertices(model, theirs, &pace).await },
-            );
-        found.turned
+        found(model, theirs).turned
     }
 
     #[test]
@@ -366,40 +359,31 @@ mod tests {
 
     #[test]
     fn what_differs_is_told_in_one_line() {
-        let told = |missing, other| {
+        let told = |missing, other, turned| {
             let triangles = 70;
             let difference = FaceDifference {
                 triangles,
                 missing,
                 other,
-                turned: 0,
-            };
-            difference.to_string()
-        };
-        assert_eq!(
-            told(30, 1),
-            "30 of the model's 70 triangles are missing: the file may be cut off"
-        );
-        assert_eq!(
-            told(2, 2),
-            "2 of the model's 70 triangles are missing, and 2 others are there"
-        );
-        assert_eq!(told(0, 1), "1 of its triangles is none of the model's");
-        let turned = |turned, missing| {
-            let difference = FaceDifference {
-                triangles: 70,
-                missing,
-                other: 0,
                 turned,
             };
             difference.to_string()
         };
         assert_eq!(
-            turned(70, 0),
+            told(30, 1, 0),
+            "30 of the model's 70 triangles are missing: the file may be cut off"
+        );
+        assert_eq!(
+            told(2, 2, 0),
+            "2 of the model's 70 triangles are missing, and 2 others are there"
+        );
+        assert_eq!(told(0, 1, 0), "1 of its triangles is none of the model's");
+        assert_eq!(
+            told(0, 0, 70),
             "all of its triangles wind the other way, so that normals point the other way"
         );
         assert_eq!(
-            turned(1, 30),
+            told(30, 0, 1),
             "30 of the model's 70 triangles are missing: the file may be cut off; \
              1 of its triangles winds the other way, so that normals point the other way"
         );

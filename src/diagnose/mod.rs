@@ -141,16 +141,13 @@ async fn diagnose_vertices(
     };
     let error = findings.error();
     if order == VertexOrder::File && error <= tolerance {
-        let mut explanations = Vec::new();
         let closer = error / MUCH_NEARER;
-        if closer > SINGLE_PRECISION * size {
-            let search = Search::new(model, pose, &points, closer, &distances);
-            (_, explanations) = search.singles(pace).await;
-        }
+        let is_closer = |it: &Explanation| closer > SINGLE_PRECISION * size && it.error <= closer;
+        let search = Search::new(model, pose, &points, tolerance, &distances);
+        let (_, same) = search.singles(pace).await;
+        let (explanations, same): (Vec<_>, Vec<_>) = same.into_iter().partition(is_closer);
         if explanations.is_empty() {
             let mut found = findings.diagnosis(Verdict::Right);
-            let search = Search::new(model, pose, &points, tolerance, &distances);
-            let (_, same) = search.singles(pace).await;
             for id in same.iter().flat_map(Explanation::ids) {
                 if !found.unseen.contains(&id) {
                     found.unseen.push(id);

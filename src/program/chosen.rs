@@ -14,9 +14,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
-    /// Uses a file that was dropped on the window: a scene to open, a picture to compare the view
-    /// with, a pose for the selected character, another mesh for the comparison with one, all else as an
-    /// import.
+    /// Uses a file that was dropped on the window: a scene to open, a picture that a model lacked or else one to
+    /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all
+    /// else as an import.
     pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();

@@ -3,6 +3,7 @@ use super::comparison::{Comparison, DRAWING, Drawn};
 use super::graphics::Graphics;
 use super::input_parts::input_parts;
 use super::running::{Program, Shown};
+use super::scene_picture::Asked;
 use crate::editor::{Session, Severity};
 use crate::gpu::GpuError;
 use crate::render::{Backdrop, Frame, InterfaceError, Marks, RenderError, view_place};
@@ -246,9 +247,13 @@ impl Program {
             frame.evaluated = &shown.evaluated;
             right = shown.right.as_ref();
         }
-        let right = right.map(|(evaluated, line)| (evaluated, *line));
-        let moves = self.session.is_in_gesture() || self.ui.is_moving_camera();
-        graphics.draw_scene(&frame, right, self.session.document(), moves, now)
+        graphics.draw_scene(&Asked {
+            frame: &frame,
+            right: right.map(|(evaluated, line)| (evaluated, *line)),
+            document: self.session.document(),
+            moves: self.session.is_in_gesture() || self.ui.is_moving_camera(),
+            now,
+        })
     }
 
     /// Draws the scene in the size of the picture that it is compared with, if it changed. Returns how

@@ -1,11 +1,10 @@
-use super::scene_picture::ScenePicture;
+use super::scene_picture::{Asked, ScenePicture};
 use super::window_picture::WindowPicture;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
 use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
 use crate::render::{Frame, LargePicture, PictureParts, RenderError, Renderer, read_picture};
-use crate::revision::Revision;
-use crate::scene::{Evaluated, Skinning};
+use crate::scene::Skinning;
 use egui::FullOutput;
 use std::time::Duration;
 
@@ -134,16 +133,8 @@ impl Graphics {
     ///
     /// # Errors
     /// When something cannot be drawn.
-    pub(super) fn draw_scene(
-        &mut self,
-        frame: &Frame,
-        right: Option<(&Evaluated, f32)>,
-        document: Revision,
-        moves: bool,
-        now: Duration,
-    ) -> Result<(), RenderError> {
-        let context = (&self.gl, &mut self.renderer);
-        let drawn = (self.scene).draw(context, frame, right, document, moves, now);
+    pub(super) fn draw_scene(&mut self, asked: &Asked) -> Result<(), RenderError> {
+        let drawn = (self.scene).draw((&self.gl, &mut self.renderer), asked);
         if let Some(window) = &mut self.window
             && self.scene.take_is_new()
         {

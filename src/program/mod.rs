@@ -33,8 +33,11 @@ mod purpose;
 mod questions;
 mod reading;
 mod running;
+mod scene_key;
 mod scene_link;
 mod scene_picture;
+#[cfg(test)]
+mod scene_picture_tests;
 mod sources;
 mod split_view;
 mod start_pictures;

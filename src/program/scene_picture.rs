@@ -1,11 +1,12 @@
 //! The picture of the scene in the view.
 
 use super::graphics::{fit, fits};
+use super::scene_key::SceneKey;
 use super::split_view::SplitView;
 use crate::gpu::{Framebuffer, Gl, GpuError};
-use crate::render::{Backdrop, Frame, GradualPicture, Marks, RenderError, Renderer};
+use crate::render::{Frame, GradualPicture, RenderError, Renderer};
 use crate::revision::Revision;
-use crate::scene::{Evaluated, ViewSettings};
+use crate::scene::Evaluated;
 use std::time::Duration;
 
 /// The picture of the scene, as large as the view. It is drawn again when something changes, on software
@@ -33,6 +34,18 @@ pub(super) struct ScenePicture {
     drafts: bool,
 }
 
+/// What the picture of the scene is to show.
+#[derive(Clone, Debug)]
+pub(super) struct Asked<'a> {
+    pub frame: &'a Frame<'a>,
+    /// Another evaluation of the scene, which the part at the right of a line shows, at a share of the width.
+    pub right: Option<(&'a Evaluated, f32)>,
+    pub document: Revision,
+    /// Whether something is being moved.
+    pub moves: bool,
+    pub now: Duration,
+}
+
 /// What the picture of the scene shows.
 #[derive(Debug)]
 struct Shown {
@@ -42,35 +55,12 @@ struct Shown {
 }
 
 /// Time for which nothing has to move before the full picture takes the place of a draft.
-const REST: Duration = Duration::from_millis(130);
+pub(super) const REST: Duration = Duration::from_millis(130);
 
 /// Triangles of a scene from which on movements are shown in half the width and height, and every other change as a
 /// draft first: software OpenGL takes more than a fifth of a second for the full picture, and nearly as long for a
 /// draft of all pixels.
 const MANY_TRIANGLES: usize = 200_000;
-
-/// State that a picture of the scene follows from.
-#[derive(Clone, Debug, PartialEq)]
-struct SceneKey {
-    document: Revision,
-    /// Geometry of each shape, which is not the document's while the view shows another one.
-    geometry: Vec<Revision>,
-    /// The same at the right of a line, and the column of the line, while the view is split.
-    right: Option<(Vec<Revision>, i32)>,
-    view: ViewSettings,
-    backdrop: Backdrop,
-    marks: Marks,
-}
-
-impl SceneKey {
-    /// The same without the marks that are lines round shapes and nothing else.
-    fn without_outlines(&self) -> Self {
-        let mut key = self.clone();
-        key.marks.hovered = None;
-        key.marks.also_selected.clear();
-        key
-    }
-}
 
 impl ScenePicture {
     /// None yet; later ones have so many samples a pixel, 0 for none, and may have drafts.
@@ -139,10 +129,9 @@ impl ScenePicture {
         since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
     }
 
-    /// Draws `frame`, unless the picture shows just that already: at the time `now`, and while something `moves`
-    /// on software OpenGL as a draft without samples, which cost it as much as all else. The full picture
-    /// follows in steps, one at each call. With `right` the part at the right of a line, at a share of the
-    /// width, shows another evaluation of the scene.
+    /// Draws what is `asked`, unless the picture shows just that already; while something moves on software
+    /// OpenGL as a draft without samples, which cost it as much as all else. The full picture follows in steps,
+    /// one at each call.
     ///
     /// # Errors
     /// See [`Renderer::draw`], and when there is no room for samples or a split view. What failed is not tried
@@ -150,12 +139,15 @@ impl ScenePicture {
     pub fn draw(
         &mut self,
         (gl, renderer): (&Gl, &mut Renderer),
-        frame: &Frame,
-        right: Option<(&Evaluated, f32)>,
-        document: Revision,
-        moves: bool,
-        now: Duration,
+        asked: &Asked,
     ) -> Result<(), RenderError> {
+        let &Asked {
+            frame,
+            right,
+            moves,
+            now,
+            ..
+        } = asked;
         let Some((width, _)) = self.size() else {
             return Ok(());
         };
@@ -163,14 +155,7 @@ impl ScenePicture {
             let column = (width as f32 * line.clamp(0.0, 1.0)).round() as i32;
             (evaluated, column)
         });
-        let key = SceneKey {
-            document,
-            geometry: revisions(frame.evaluated),
-            right: right.map(|(evaluated, column)| (revisions(evaluated), column)),
-            view: *frame.view,
-            backdrop: frame.backdrop,
-            marks: frame.marks.clone(),
-        };
+        let key = SceneKey::of(asked, right);
         // When what differs from `key` in lines round shapes at most was drawn as a draft; `Some(None)` if in full.
         let alike = (self.shown.as_ref())
             .filter(|shown| shown.key.without_outlines() == key.without_outlines())
@@ -319,181 +304,4 @@ fn is_large(frame: &Frame) -> bool {
         .shapes()
         .map(|(_, it)| it.geometry.mesh.triangles.len());
     triangles.sum::<usize>() > MANY_TRIANGLES
-}
-
-/// Revisions of the geometry of each shape.
-fn revisions(evaluated: &Evaluated) -> Vec<Revision> {
-    let shapes = evaluated.shapes.iter();
-    shapes.map(|shape| shape.geometry.revision).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::{Mesh, Poles, SharedMesh, sphere};
-    use crate::gpu::{Backend, HeadlessContext};
-    use crate::scene::{Evaluator, NewShape, Scene, ShapeId, ShapeKind};
-    use glam::Vec3;
-
-    const SIZE: (u32, u32) = (200, 150);
-
-    /// A picture of a scene in a software driver, at a time that only the test moves on.
-    struct Viewed {
-        headless: HeadlessContext,
-        renderer: Renderer,
-        picture: ScenePicture,
-        document: Revision,
-        scene: Scene,
-        evaluated: Evaluated,
-        view: ViewSettings,
-        marks: Marks,
-        now: Duration,
-    }
-
-    impl Viewed {
-        /// Of two balls, with so many triangles each.
-        fn new(triangles: u32) -> Self {
-            let headless = HeadlessContext::new(Backend::Auto).unwrap();
-            let renderer = Renderer::new(headless.gl()).unwrap();
-            let ball = sphere(0.5, 100, triangles / 200, Poles::Y);
-            let ball = SharedMesh::new(Mesh::new(ball.positions, ball.triangles));
-            let mut scene = Scene::new();
-            for x in [-0.7, 0.7] {
-                let id = scene.add(NewShape::new("Ball", ShapeKind::Mesh(ball.clone())));
-                scene.shape_mut(id).unwrap().placement.transform.position = Vec3::X * x;
-            }
-            let mut picture = ScenePicture::new(4, true);
-            picture.fit(headless.gl(), SIZE).unwrap();
-            Self {
-                headless,
-                renderer,
-                picture,
-                document: Revision::new(),
-                evaluated: Evaluator::new().evaluate(&scene, 0.0),
-                scene,
-                view: ViewSettings::default(),
-                marks: Marks::default(),
-                now: Duration::ZERO,
-            }
-        }
-
-        /// Draws a frame; whether the picture was drawn in it.
-        fn frame(&mut self, moves: bool) -> bool {
-            let frame = Frame {
-                marks: self.marks.clone(),
-                ..Frame::plain(&self.scene, &self.evaluated, &self.view)
-            };
-            let context = (self.headless.gl(), &mut self.renderer);
-            let drawn = (self.picture).draw(context, &frame, None, self.document, moves, self.now);
-            drawn.unwrap();
-            self.picture.take_is_new()
-        }
-
-        /// Number of frames without anything moving until the picture is drawn.
-        fn frames_until_new(&mut self) -> usize {
-            (1..50).find(|_| self.frame(false)).unwrap()
-        }
-
-        fn turn_camera(&mut self) {
-            self.view.camera.theta += 0.1;
-        }
-
-        fn ball(&self, index: usize) -> ShapeId {
-            self.scene.shapes()[index].id
-        }
-
-        /// Whether the picture is the scene with so many samples.
-        fn shows(&mut self, samples: u32) -> bool {
-            self.shows_enlarged(SIZE, samples)
-        }
-
-        /// Whether it is a picture of this size that was enlarged.
-        fn shows_enlarged(&mut self, size: (u32, u32), samples: u32) -> bool {
-            let frame = Frame {
-                marks: self.marks.clone(),
-                ..Frame::plain(&self.scene, &self.evaluated, &self.view)
-            };
-            let gl = self.headless.gl();
-            let drawn = Framebuffer::new(gl, size.0, size.1, samples).unwrap();
-            let mut renderer = Renderer::new(gl).unwrap();
-            renderer.draw(&frame, &drawn).unwrap();
-            let expected = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
-            drawn
-                .blit_into(&expected, drawn.rect(), expected.rect())
-                .unwrap();
-            let found = self.picture.picture().unwrap().read_rgba().unwrap();
-            found == expected.read_rgba().unwrap()
-        }
-    }
-
-    #[test]
-    fn while_something_moves_there_are_drafts_and_at_rest_the_full_picture_step_by_step() {
-        let mut viewed = Viewed::new(80_000);
-        assert!(viewed.frame(false) && viewed.shows(4), "the first at once");
-        assert!(!viewed.frame(false), "nothing has changed");
-        viewed.turn_camera();
-        assert!(viewed.frame(true) && viewed.shows(0));
-        assert!(!viewed.frame(true), "it may go on");
-        assert_eq!(viewed.picture.full_picture_after(viewed.now), REST);
-        viewed.now += REST;
-        // 160,000 triangles in three steps, and the rest in a fourth.
-        for _ in 0..3 {
-            assert_eq!(
-                viewed.picture.full_picture_after(viewed.now),
-                Duration::ZERO
-            );
-            assert!(!viewed.frame(true), "the draft stays meanwhile");
-        }
-        assert!(viewed.frame(true) && viewed.shows(4));
-        assert_eq!(viewed.picture.full_picture_after(viewed.now), Duration::MAX);
-    }
-
-    #[test]
-    fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is_under_the_pointer()
-     {
-        let mut viewed = Viewed::new(80_000);
-        viewed.frame(false);
-        viewed.turn_camera();
-        viewed.frame(true);
-        assert!(!viewed.frame(false) && !viewed.frame(false));
-        viewed.turn_camera();
-        assert!(viewed.frame(true) && viewed.shows(0));
-        assert!(!viewed.frame(false) && !viewed.frame(false));
-        viewed.marks.hovered = Some(viewed.ball(0));
-        assert_eq!(viewed.frames_until_new(), 2, "two steps were done");
-        assert!(viewed.shows(4));
-        viewed.marks.hovered = Some(viewed.ball(1));
-        assert!(viewed.frame(false) && viewed.shows(4), "lines over it");
-    }
-
-    #[test]
-    fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
-        for (triangles, is_draft) in [(80_000, false), (120_000, true)] {
-            let mut viewed = Viewed::new(triangles);
-            assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
-            if is_draft {
-                viewed.frames_until_new();
-            }
-            viewed.marks.selected = Some(viewed.ball(0));
-            assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
-            if is_draft {
-                viewed.frames_until_new();
-            }
-            assert!(viewed.shows(4));
-            // The line round the shape under the pointer needs none.
-            viewed.marks.hovered = Some(viewed.ball(1));
-            assert!(viewed.frame(false) && viewed.shows(4));
-        }
-    }
-
-    #[test]
-    fn a_movement_in_a_scene_of_many_triangles_is_shown_in_half_the_width_and_height() {
-        let mut viewed = Viewed::new(120_000);
-        viewed.frame(false);
-        for _ in 0..3 {
-            viewed.turn_camera();
-            assert!(viewed.frame(true) && viewed.shows_enlarged((100, 75), 0));
-        }
-        assert!(viewed.frames_until_new() > 3 && viewed.shows(4));
-    }
 }

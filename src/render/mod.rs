@@ -30,6 +30,7 @@ mod offscreen;
 mod outline_pass;
 mod outlines_over;
 mod palettes;
+mod passes;
 mod picture_parts;
 mod read_back;
 mod renderer;

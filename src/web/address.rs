@@ -49,7 +49,8 @@ impl Asked {
         if !fetched.is_empty() {
             let names: Vec<PathBuf> = fetched.iter().map(|(path, _)| path.clone()).collect();
             let opened = main_files(&names);
-            given.add(with_named(fetched, &opened).await);
+            let folder = given.place(with_named(fetched, &opened).await).await;
+            let opened = opened.into_iter().map(|path| folder.join(path));
             asked.files.extend(opened);
         }
         match linked_scene() {
@@ -72,8 +73,8 @@ impl Asked {
     }
 }
 
-/// `files` with those of the page's site that are read with them when `opened` are opened, in place of
-/// files of the same names that an earlier visit has left. What is not there is told when it is read.
+/// `files` with those of the page's site that are read with them when `opened` are opened. What is not there is
+/// told when it is read.
 async fn with_named(files: Vec<(PathBuf, Vec<u8>)>, opened: &[PathBuf]) -> Vec<(PathBuf, Vec<u8>)> {
     let mut files: HashMap<PathBuf, Vec<u8>> = files.into_iter().collect();
     let mut looked_for = HashSet::new();

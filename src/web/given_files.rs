@@ -34,8 +34,8 @@ impl GivenFiles {
     }
 
     /// Adds files that came together, beside each other and so that none takes the place of another one that was
-    /// given, in this tab or another. Returns their paths.
-    pub async fn place(&self, files: Vec<(PathBuf, Vec<u8>)>) -> Vec<PathBuf> {
+    /// given, in this tab or another. Returns the folder in which they are.
+    pub async fn place(&self, files: Vec<(PathBuf, Vec<u8>)>) -> PathBuf {
         let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
         let kept = if self.are_kept {
             kept_files::namesakes(&names).await
@@ -56,7 +56,7 @@ impl GivenFiles {
                 .map(|(path, bytes)| (folder.join(path), bytes))
                 .collect(),
         );
-        names.into_iter().map(|path| folder.join(path)).collect()
+        folder
     }
 
     /// Adds files, in place of others of the same names, and keeps them for the next visit, if that is wanted.

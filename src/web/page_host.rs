@@ -68,7 +68,9 @@ impl Events {
                 Err(error) => self.push(HostEvent::Unreadable(Diagnostic::new(&path, error))),
             }
         }
-        given.place(files).await
+        let names: Vec<PathBuf> = files.iter().map(|(path, _)| path.clone()).collect();
+        let folder = given.place(files).await;
+        names.into_iter().map(|path| folder.join(path)).collect()
     }
 
     /// Takes in what was dropped, and has the program use it.

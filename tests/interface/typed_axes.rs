@@ -65,6 +65,13 @@ fn plain(keys: &[Key]) -> Vec<(Modifiers, Key)> {
     keys.iter().map(|&key| (Modifiers::NONE, key)).collect()
 }
 
+/// Begins a movement by `key`, and types an axis with Shift, and a digit.
+fn type_with_shift(editor: &mut Editor, key: Key, axis: Key, digit: Key) {
+    editor.keys(&plain(&[key]));
+    editor.keys(&[(SHIFT, axis)]);
+    editor.keys(&plain(&[digit, Key::Enter]));
+}
+
 #[test]
 fn shift_and_an_axis_scale_the_two_other_axes() {
     for (axis, scale) in [
@@ -73,9 +80,7 @@ fn shift_and_an_axis_scale_the_two_other_axes() {
         (Key::Z, Vec3::new(2.0, 2.0, 1.0)),
     ] {
         let mut editor = with_cube(Vec3::X);
-        editor.keys(&plain(&[Key::S]));
-        editor.keys(&[(SHIFT, axis)]);
-        editor.keys(&plain(&[Key::Num2, Key::Enter]));
+        type_with_shift(&mut editor, Key::S, axis, Key::Num2);
         assert_eq!(editor.transform().scale, scale, "{axis:?}");
     }
 }
@@ -84,9 +89,7 @@ fn shift_and_an_axis_scale_the_two_other_axes() {
 fn shift_and_an_axis_move_by_a_number_along_the_first_of_the_two_others() {
     for (axis, moved) in [(Key::X, Vec3::Y), (Key::Y, Vec3::X), (Key::Z, Vec3::X)] {
         let mut editor = with_cube(Vec3::X);
-        editor.keys(&plain(&[Key::G]));
-        editor.keys(&[(SHIFT, axis)]);
-        editor.keys(&plain(&[Key::Num1, Key::Enter]));
+        type_with_shift(&mut editor, Key::G, axis, Key::Num1);
         assert_eq!(editor.transform().position, moved, "{axis:?}");
     }
 }

@@ -1,0 +1,178 @@
+//! Drafts, and the full pictures that follow them.
+
+use super::scene_picture::{Asked, REST, ScenePicture};
+use crate::geometry::{Mesh, Poles, SharedMesh, sphere};
+use crate::gpu::{Backend, Framebuffer, HeadlessContext};
+use crate::render::{Frame, Marks, Renderer};
+use crate::revision::Revision;
+use crate::scene::{Evaluated, Evaluator, NewShape, Scene, ShapeId, ShapeKind, ViewSettings};
+use glam::Vec3;
+use std::time::Duration;
+
+const SIZE: (u32, u32) = (200, 150);
+
+/// A picture of a scene in a software driver, at a time that only the test moves on.
+struct Viewed {
+    headless: HeadlessContext,
+    renderer: Renderer,
+    picture: ScenePicture,
+    document: Revision,
+    scene: Scene,
+    evaluated: Evaluated,
+    view: ViewSettings,
+    marks: Marks,
+    now: Duration,
+}
+
+impl Viewed {
+    /// Of two balls, with so many triangles each.
+    fn new(triangles: u32) -> Self {
+        let headless = HeadlessContext::new(Backend::Auto).unwrap();
+        let renderer = Renderer::new(headless.gl()).unwrap();
+        let ball = sphere(0.5, 100, triangles / 200, Poles::Y);
+        let ball = SharedMesh::new(Mesh::new(ball.positions, ball.triangles));
+        let mut scene = Scene::new();
+        for x in [-0.7, 0.7] {
+            let id = scene.add(NewShape::new("Ball", ShapeKind::Mesh(ball.clone())));
+            scene.shape_mut(id).unwrap().placement.transform.position = Vec3::X * x;
+        }
+        let mut picture = ScenePicture::new(4, true);
+        picture.fit(headless.gl(), SIZE).unwrap();
+        Self {
+            headless,
+            renderer,
+            picture,
+            document: Revision::new(),
+            evaluated: Evaluator::new().evaluate(&scene, 0.0),
+            scene,
+            view: ViewSettings::default(),
+            marks: Marks::default(),
+            now: Duration::ZERO,
+        }
+    }
+
+    /// Draws a frame; whether the picture was drawn in it.
+    fn frame(&mut self, moves: bool) -> bool {
+        let frame = Frame {
+            marks: self.marks.clone(),
+            ..Frame::plain(&self.scene, &self.evaluated, &self.view)
+        };
+        let context = (self.headless.gl(), &mut self.renderer);
+        let asked = Asked {
+            frame: &frame,
+            right: None,
+            document: self.document,
+            moves,
+            now: self.now,
+        };
+        self.picture.draw(context, &asked).unwrap();
+        self.picture.take_is_new()
+    }
+
+    /// Number of frames without anything moving until the picture is drawn.
+    fn frames_until_new(&mut self) -> usize {
+        (1..50).find(|_| self.frame(false)).unwrap()
+    }
+
+    fn turn_camera(&mut self) {
+        self.view.camera.theta += 0.1;
+    }
+
+    fn ball(&self, index: usize) -> ShapeId {
+        self.scene.shapes()[index].id
+    }
+
+    /// Whether the picture is the scene with so many samples.
+    fn shows(&mut self, samples: u32) -> bool {
+        self.shows_enlarged(SIZE, samples)
+    }
+
+    /// Whether it is a picture of this size that was enlarged.
+    fn shows_enlarged(&mut self, size: (u32, u32), samples: u32) -> bool {
+        let frame = Frame {
+            marks: self.marks.clone(),
+            ..Frame::plain(&self.scene, &self.evaluated, &self.view)
+        };
+        let gl = self.headless.gl();
+        let drawn = Framebuffer::new(gl, size.0, size.1, samples).unwrap();
+        let mut renderer = Renderer::new(gl).unwrap();
+        renderer.draw(&frame, &drawn).unwrap();
+        let expected = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
+        drawn
+            .blit_into(&expected, drawn.rect(), expected.rect())
+            .unwrap();
+        let found = self.picture.picture().unwrap().read_rgba().unwrap();
+        found == expected.read_rgba().unwrap()
+    }
+}
+
+#[test]
+fn while_something_moves_there_are_drafts_and_at_rest_the_full_picture_step_by_step() {
+    let mut viewed = Viewed::new(80_000);
+    assert!(viewed.frame(false) && viewed.shows(4), "the first at once");
+    assert!(!viewed.frame(false), "nothing has changed");
+    viewed.turn_camera();
+    assert!(viewed.frame(true) && viewed.shows(0));
+    assert!(!viewed.frame(true), "it may go on");
+    assert_eq!(viewed.picture.full_picture_after(viewed.now), REST);
+    viewed.now += REST;
+    // 160,000 triangles in three steps, and the rest in a fourth.
+    for _ in 0..3 {
+        assert_eq!(
+            viewed.picture.full_picture_after(viewed.now),
+            Duration::ZERO
+        );
+        assert!(!viewed.frame(true), "the draft stays meanwhile");
+    }
+    assert!(viewed.frame(true) && viewed.shows(4));
+    assert_eq!(viewed.picture.full_picture_after(viewed.now), Duration::MAX);
+}
+
+#[test]
+fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is_under_the_pointer()
+{
+    let mut viewed = Viewed::new(80_000);
+    viewed.frame(false);
+    viewed.turn_camera();
+    viewed.frame(true);
+    assert!(!viewed.frame(false) && !viewed.frame(false));
+    viewed.turn_camera();
+    assert!(viewed.frame(true) && viewed.shows(0));
+    assert!(!viewed.frame(false) && !viewed.frame(false));
+    viewed.marks.hovered = Some(viewed.ball(0));
+    assert_eq!(viewed.frames_until_new(), 2, "two steps were done");
+    assert!(viewed.shows(4));
+    viewed.marks.hovered = Some(viewed.ball(1));
+    assert!(viewed.frame(false) && viewed.shows(4), "lines over it");
+}
+
+#[test]
+fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
+    for (triangles, is_draft) in [(80_000, false), (120_000, true)] {
+        let mut viewed = Viewed::new(triangles);
+        assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
+        if is_draft {
+            viewed.frames_until_new();
+        }
+        viewed.marks.selected = Some(viewed.ball(0));
+        assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
+        if is_draft {
+            viewed.frames_until_new();
+        }
+        assert!(viewed.shows(4));
+        // The line round the shape under the pointer needs none.
+        viewed.marks.hovered = Some(viewed.ball(1));
+        assert!(viewed.frame(false) && viewed.shows(4));
+    }
+}
+
+#[test]
+fn a_movement_in_a_scene_of_many_triangles_is_shown_in_half_the_width_and_height() {
+    let mut viewed = Viewed::new(120_000);
+    viewed.frame(false);
+    for _ in 0..3 {
+        viewed.turn_camera();
+        assert!(viewed.frame(true) && viewed.shows_enlarged((100, 75), 0));
+    }
+    assert!(viewed.frames_until_new() > 3 && viewed.shows(4));
+}

@@ -1,0 +1,119 @@
+//! The passes of a picture, in their order.
+
+use super::area::Area;
+use super::backdrop_pass::draw_axis;
+use super::curve_pass::CurvePass;
+use super::frame::{Background, Frame, PassContext, has_ground};
+use super::ground_pass::{Shadows, hides_below, shadow_area};
+use super::renderer::Renderer;
+use super::skeleton_pass::draw_mannequin_bones;
+use crate::gpu::{Framebuffer, GpuError};
+use crate::scene::Look;
+use std::ops::Range;
+
+impl Renderer {
+    /// Draws all of them.
+    pub(super) fn draw_passes(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        self.draw_surfaces(frame, target, context, 0..u64::MAX);
+        let drawn = self.draw_others(frame, target, context);
+        drawn.and(self.draw_outlines(frame, target, context))
+    }
+
+    /// Draws, of what comes before all else, the surfaces that hide what is behind them, those `triangles` which
+    /// [`SurfacePass::draw_opaque`](super::surface_pass::SurfacePass::draw_opaque) counts, and the background before the first of them. Returns their number.
+    pub(super) fn draw_surfaces(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+        triangles: Range<u64>,
+    ) -> u64 {
+        let Self {
+            gl,
+            meshes,
+            immediate,
+            ..
+        } = self;
+        if triangles.start == 0 {
+            self.background.draw(gl, context, frame.view.look, target);
+            let has_floor = frame.view.grid && frame.view.look == Look::Mannequin;
+            if has_floor && context.background == Background::Look {
+                self.floor.draw(gl, context, &frame.view.camera);
+            }
+            // A ground with lines of its own comes under the axes.
+            if frame.view.axis && !has_ground(frame) {
+                draw_axis(gl, immediate, context, None);
+            }
+        }
+        self.surfaces
+            .draw_opaque(gl, context, frame, meshes, triangles)
+    }
+
+    /// Draws what comes after the surfaces, but for the lines round marked shapes.
+    pub(super) fn draw_others(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        let Self {
+            gl,
+            meshes,
+            immediate,
+            ghosts,
+            ..
+        } = self;
+        let camera = &frame.view.camera;
+        let is_mannequin = frame.view.look == Look::Mannequin;
+        let has_ground = has_ground(frame);
+        let mut drawn = Ok(());
+        ghosts.draw_opaque(gl, context, frame, &self.surfaces);
+        self.curves.draw(gl, context, frame, immediate);
+        if is_mannequin {
+            draw_mannequin_bones(gl, context, frame, immediate);
+        } else {
+            drawn = self.skeletons.draw(gl, context, frame, immediate);
+        }
+        if has_ground {
+            let shadows = self.shadows.draw(gl, context, frame, meshes, None);
+            let (shadows, result) = match shadows {
+                Ok(picture) => {
+                    let area = shadow_area(context, frame);
+                    (Some(Shadows { picture, area }), Ok(()))
+                }
+                Err(error) => (None, Err(error)),
+            };
+            drawn = drawn.and(result);
+            let whole = Area::whole([context.width, context.height]);
+            self.ground
+                .draw(gl, context, camera, shadows, whole, target);
+            if frame.view.axis {
+                let floor = hides_below(context, camera).then_some(context.ground);
+                draw_axis(gl, immediate, context, floor);
+            }
+        }
+        if !is_mannequin {
+            self.surfaces.draw_translucent(gl, context, frame, meshes);
+        }
+        ghosts.draw_translucent(gl, context, frame, &self.surfaces);
+        CurvePass::draw_marked(gl, context, frame, immediate);
+        drawn
+    }
+
+    /// Draws the lines round marked shapes.
+    pub(super) fn draw_outlines(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        let lines = (&mut self.skeletons, &mut self.immediate);
+        self.outline
+            .draw(&self.gl, context, frame, &self.meshes, lines, target)
+    }
+}
