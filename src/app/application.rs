@@ -177,6 +177,7 @@ impl Running {
         if width == 0 || height == 0 {
             return Ok(Duration::MAX);
         }
+        let begun = Instant::now();
         let input = FrameInput {
             context: self.host.context().clone(),
             raw: self.host.take_input(),
@@ -201,6 +202,7 @@ impl Running {
             window.window().pre_present_notify();
             window.swap_buffers()?;
             self.presented = Some(Instant::now());
+            self.host.end_frame(begun.elapsed());
         }
         Ok(wait)
     }

@@ -46,6 +46,7 @@ pub(super) struct WindowHost {
     written: HashMap<PathBuf, u32>,
     proxy: EventLoopProxy<Wake>,
     started: Instant,
+    last_frame: Option<Duration>,
     quits: bool,
     storage: Storage,
     watcher: Watcher,
@@ -80,6 +81,7 @@ impl WindowHost {
             written: HashMap::new(),
             proxy: proxy.clone(),
             started: Instant::now(),
+            last_frame: None,
             quits: false,
             storage,
             watcher: Watcher::new(proxy.clone()),
@@ -95,6 +97,11 @@ impl WindowHost {
     /// Where unsaved work is kept, in the order of preference; empty if it cannot be.
     pub fn autosave_paths(&self) -> Vec<PathBuf> {
         self.storage.autosave_paths()
+    }
+
+    /// Takes note that a frame took so long until it was shown.
+    pub fn end_frame(&mut self, took: Duration) {
+        self.last_frame = Some(took);
     }
 
     /// Whether the program wants to end.
@@ -174,6 +181,10 @@ impl WindowHost {
 impl Host for WindowHost {
     fn now(&self) -> Duration {
         self.started.elapsed()
+    }
+
+    fn last_frame(&self) -> Option<Duration> {
+        self.last_frame
     }
 
     fn files(&self) -> Arc<dyn Files> {

@@ -178,7 +178,7 @@ impl Program {
             None => Ok(()),
         };
         let fitted = graphics.fit_view(view);
-        let drawn = self.draw_scene(graphics, host.now());
+        let drawn = self.draw_scene(graphics, host);
         let fitted = composed.and(fitted.map_err(ProgramError::from));
         let wrong_size = fitted.as_ref().is_err_and(is_about_size);
         let was_wrong = graphics.replace_wrong_size(wrong_size);
@@ -219,7 +219,8 @@ impl Program {
     }
 
     /// Draws the scene with what is marked in it, if it is shown.
-    fn draw_scene(&mut self, graphics: &mut Graphics, now: Duration) -> Result<(), RenderError> {
+    fn draw_scene(&mut self, graphics: &mut Graphics, host: &dyn Host) -> Result<(), RenderError> {
+        let now = host.now();
         graphics.set_skinning(self.ui.skinning);
         if self.comparison.is_some() {
             // Its pictures lie over the whole view, which may change its size meanwhile.
@@ -253,6 +254,7 @@ impl Program {
             document: self.session.document(),
             moves: self.session.is_in_gesture() || self.ui.is_moving_camera(),
             now,
+            last_frame: host.last_frame(),
         })
     }
 

@@ -75,7 +75,7 @@ impl Graphics {
         }
     }
 
-    /// The scene as it was drawn last, as large as the view.
+    /// The scene as it was drawn last, as large as the view or, while something moves, half as large.
     pub fn scene_picture(&self) -> Option<&Framebuffer> {
         self.scene.picture()
     }
@@ -227,7 +227,7 @@ impl Graphics {
         context: &egui::Context,
         output: FullOutput,
     ) -> Result<(), GpuError> {
-        match (&mut self.window, self.scene.picture()) {
+        match (&mut self.window, self.scene.enlarged()?) {
             (Some(window), Some(scene)) => window.compose(scene, place, context, output),
             (Some(window), None) => {
                 window.skip(output);

@@ -15,6 +15,12 @@ pub trait Host {
     /// Time since any fixed moment. It never goes back.
     fn now(&self) -> Duration;
 
+    /// Time that the last frame took until it was shown, where the host can tell: software OpenGL keeps a window or
+    /// page for longer than the program's own work takes.
+    fn last_frame(&self) -> Option<Duration> {
+        None
+    }
+
     /// The files that a path names without asking anybody, those that the program brings among
     /// them.
     fn files(&self) -> Arc<dyn Files>;

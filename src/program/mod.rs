@@ -15,6 +15,7 @@ mod comparison;
 mod document;
 mod document_file;
 mod document_name;
+mod draft_size;
 mod exports;
 mod files;
 mod first_view;

@@ -1,5 +1,6 @@
 //! The picture of the scene in the view.
 
+use super::draft_size::DraftSize;
 use super::graphics::{fit, fits};
 use super::scene_key::SceneKey;
 use super::split_view::SplitView;
@@ -15,7 +16,13 @@ use std::time::Duration;
 pub(super) struct ScenePicture {
     picture: Option<Framebuffer>,
     /// Drafts of half its width and height.
-    coarse: Option<Framebuffer>,
+    half: Option<Framebuffer>,
+    /// Whether the last of these has yet to be enlarged to the picture.
+    is_smaller: bool,
+    /// Size of drafts while something moves.
+    draft_size: DraftSize,
+    /// Whether the last frame drew one.
+    drew_draft: bool,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
     /// The full picture while it is drawn, step by step, and a draft is shown.
@@ -44,6 +51,8 @@ pub(super) struct Asked<'a> {
     /// Whether something is being moved.
     pub moves: bool,
     pub now: Duration,
+    /// Time that the last frame took until it was shown, where that is known.
+    pub last_frame: Option<Duration>,
 }
 
 /// What the picture of the scene shows.
@@ -57,8 +66,8 @@ struct Shown {
 /// Time for which nothing has to move before the full picture takes the place of a draft.
 pub(super) const REST: Duration = Duration::from_millis(130);
 
-/// Triangles of a scene from which on movements are shown in half the width and height, and every other change as a
-/// draft first: software OpenGL takes more than a fifth of a second for the full picture, and nearly as long for a
+/// Triangles of a scene from which on drafts have half the width and height from the first on, and every change is
+/// shown as one: software OpenGL takes more than a fifth of a second for the full picture, and nearly as long for a
 /// draft of all pixels.
 const MANY_TRIANGLES: usize = 200_000;
 
@@ -67,7 +76,10 @@ impl ScenePicture {
     pub fn new(samples: u32, drafts: bool) -> Self {
         Self {
             picture: None,
-            coarse: None,
+            half: None,
+            is_smaller: false,
+            draft_size: DraftSize::default(),
+            drew_draft: false,
             split: None,
             full: None,
             without_outlines: None,
@@ -78,10 +90,24 @@ impl ScenePicture {
         }
     }
 
-    /// The scene as it was drawn last: both parts of a view that is split, else the picture.
+    /// The scene as it was drawn last, as large as the view or half as large: both parts of a view that is split,
+    /// else the picture.
     pub fn picture(&self) -> Option<&Framebuffer> {
         let both = self.split.as_ref().and_then(SplitView::picture);
-        both.or(self.picture.as_ref())
+        let draft = self.half.as_ref().filter(|_| self.is_smaller);
+        both.or(draft).or(self.picture.as_ref())
+    }
+
+    /// The same, as large as the view.
+    ///
+    /// # Errors
+    /// When a GL error occurred.
+    pub fn enlarged(&mut self) -> Result<Option<&Framebuffer>, GpuError> {
+        if let (true, Some(half), Some(picture)) = (self.is_smaller, &self.half, &self.picture) {
+            self.is_smaller = false;
+            half.blit_into(picture, half.rect(), picture.rect())?;
+        }
+        Ok(self.picture())
     }
 
     /// Width and height of the view in pixels; `None` before it has been drawn.
@@ -146,8 +172,12 @@ impl ScenePicture {
             right,
             moves,
             now,
+            last_frame,
             ..
         } = asked;
+        if let (true, Some(took)) = (std::mem::take(&mut self.drew_draft), last_frame) {
+            self.draft_size.count(took);
+        }
         let Some((width, _)) = self.size() else {
             return Ok(());
         };
@@ -189,7 +219,9 @@ impl ScenePicture {
         }
         self.shows(next);
         if is_draft {
-            return self.draw_draft((gl, renderer), frame, moves && is_large(frame));
+            self.drew_draft = moves;
+            let is_half = self.draft_size.is_half() || is_large(frame);
+            return self.draw_draft((gl, renderer), frame, is_half);
         }
         let Some(target) = &self.picture else {
             return Ok(());
@@ -203,29 +235,28 @@ impl ScenePicture {
         }
     }
 
-    /// Draws `frame` without samples; a `coarse` draft has half the width and height.
+    /// Draws `frame` without samples, in half the width and height or all of it.
     fn draw_draft(
         &mut self,
         (gl, renderer): (&Gl, &mut Renderer),
         frame: &Frame,
-        coarse: bool,
+        is_half: bool,
     ) -> Result<(), RenderError> {
         let Some(((width, height), target)) = self.size().zip(self.picture.as_ref()) else {
             return Ok(());
         };
-        if !coarse {
-            self.coarse = None;
+        if !is_half {
+            self.half = None;
             return renderer.draw_moving(frame, target);
         }
         let half = (width.div_ceil(2), height.div_ceil(2));
-        let picture = fit(gl, &mut self.coarse, half, 0)?;
-        let drawn = renderer.draw_moving(frame, picture);
-        picture.blit_into(target, picture.rect(), target.rect())?;
-        drawn
+        let picture = fit(gl, &mut self.half, half, 0)?;
+        self.is_smaller = true;
+        renderer.draw_moving(frame, picture)
     }
 
-    /// Goes on with the full picture of `frame`, by one step where the others may come later, and shows it when
-    /// it is complete.
+    /// Goes on with the full picture of `frame`, by one step where the others may come later. The last of them
+    /// shows it.
     fn draw_full(
         &mut self,
         (gl, renderer): (&Gl, &mut Renderer),
@@ -249,13 +280,13 @@ impl ScenePicture {
                 return drawn.and(Err(error.into()));
             }
         };
-        let mut drawn = full.draw_next(renderer, frame);
-        while !in_steps && !full.is_complete() {
+        let mut drawn = Ok(());
+        while !full.is_complete() {
             drawn = drawn.and(full.draw_next(renderer, frame));
-        }
-        if !full.is_complete() {
-            self.full = Some(full);
-            return drawn;
+            if in_steps {
+                self.full = Some(full);
+                return drawn;
+            }
         }
         let picture = full.picture();
         picture.blit_into(target, picture.rect(), picture.rect())?;
@@ -293,6 +324,7 @@ impl ScenePicture {
     }
 
     fn shows(&mut self, next: Shown) {
+        self.is_smaller = false;
         self.shown = Some(next);
         self.is_new = true;
     }

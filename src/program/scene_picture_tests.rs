@@ -10,6 +10,7 @@ use glam::Vec3;
 use std::time::Duration;
 
 const SIZE: (u32, u32) = (200, 150);
+const HALF: (u32, u32) = (100, 75);
 
 /// A picture of a scene in a software driver, at a time that only the test moves on.
 struct Viewed {
@@ -22,6 +23,7 @@ struct Viewed {
     view: ViewSettings,
     marks: Marks,
     now: Duration,
+    last_frame: Option<Duration>,
 }
 
 impl Viewed {
@@ -48,6 +50,7 @@ impl Viewed {
             view: ViewSettings::default(),
             marks: Marks::default(),
             now: Duration::ZERO,
+            last_frame: None,
         }
     }
 
@@ -64,6 +67,7 @@ impl Viewed {
             document: self.document,
             moves,
             now: self.now,
+            last_frame: self.last_frame,
         };
         self.picture.draw(context, &asked).unwrap();
         self.picture.take_is_new()
@@ -101,7 +105,8 @@ impl Viewed {
         drawn
             .blit_into(&expected, drawn.rect(), expected.rect())
             .unwrap();
-        let found = self.picture.picture().unwrap().read_rgba().unwrap();
+        let found = self.picture.enlarged().unwrap().unwrap();
+        let found = found.read_rgba().unwrap();
         found == expected.read_rgba().unwrap()
     }
 }
@@ -116,8 +121,8 @@ fn while_something_moves_there_are_drafts_and_at_rest_the_full_picture_step_by_s
     assert!(!viewed.frame(true), "it may go on");
     assert_eq!(viewed.picture.full_picture_after(viewed.now), REST);
     viewed.now += REST;
-    // 160,000 triangles in three steps, and the rest in a fourth.
-    for _ in 0..3 {
+    // 160,000 triangles in seven steps, what comes after the surfaces, and the lines round shapes.
+    for _ in 0..8 {
         assert_eq!(
             viewed.picture.full_picture_after(viewed.now),
             Duration::ZERO
@@ -140,7 +145,7 @@ fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is
     assert!(viewed.frame(true) && viewed.shows(0));
     assert!(!viewed.frame(false) && !viewed.frame(false));
     viewed.marks.hovered = Some(viewed.ball(0));
-    assert_eq!(viewed.frames_until_new(), 2, "two steps were done");
+    assert_eq!(viewed.frames_until_new(), 7, "two steps were done");
     assert!(viewed.shows(4));
     viewed.marks.hovered = Some(viewed.ball(1));
     assert!(viewed.frame(false) && viewed.shows(4), "lines over it");
@@ -150,12 +155,16 @@ fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is
 fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
     for (triangles, is_draft) in [(80_000, false), (120_000, true)] {
         let mut viewed = Viewed::new(triangles);
-        assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
+        let is_as_expected = |viewed: &mut Viewed| match is_draft {
+            true => viewed.shows_enlarged(HALF, 0),
+            false => viewed.shows(4),
+        };
+        assert!(viewed.frame(false) && is_as_expected(&mut viewed));
         if is_draft {
             viewed.frames_until_new();
         }
         viewed.marks.selected = Some(viewed.ball(0));
-        assert!(viewed.frame(false) && viewed.shows(if is_draft { 0 } else { 4 }));
+        assert!(viewed.frame(false) && is_as_expected(&mut viewed));
         if is_draft {
             viewed.frames_until_new();
         }
@@ -172,7 +181,30 @@ fn a_movement_in_a_scene_of_many_triangles_is_shown_in_half_the_width_and_height
     viewed.frame(false);
     for _ in 0..3 {
         viewed.turn_camera();
-        assert!(viewed.frame(true) && viewed.shows_enlarged((100, 75), 0));
+        assert!(viewed.frame(true) && viewed.shows_enlarged(HALF, 0));
     }
     assert!(viewed.frames_until_new() > 3 && viewed.shows(4));
+}
+
+#[test]
+fn where_movements_follow_the_hand_badly_they_are_shown_in_half_the_width_and_height() {
+    let mut viewed = Viewed::new(20_000);
+    viewed.frame(false);
+    let mut turned = |milliseconds| {
+        viewed.last_frame = Some(Duration::from_millis(milliseconds));
+        viewed.turn_camera();
+        assert!(viewed.frame(true));
+        viewed.shows_enlarged(HALF, 0)
+    };
+    assert!((0..20).all(|_| !turned(30)));
+    assert!((0..20).any(|_| turned(130)) && turned(130));
+    assert!((0..20).any(|_| !turned(15)) && !turned(15));
+    // Frames without a draft take as long as they like.
+    for _ in 0..20 {
+        viewed.last_frame = Some(Duration::from_secs(1));
+        viewed.frame(false);
+    }
+    viewed.last_frame = Some(Duration::from_millis(15));
+    viewed.turn_camera();
+    assert!(viewed.frame(true) && viewed.shows(0));
 }

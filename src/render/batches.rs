@@ -81,3 +81,28 @@ pub(super) fn batches<'a>(
     }
     batches
 }
+
+/// The parts of `batches` that are within `triangles`, counted batch by batch and each as often as it is drawn, and
+/// the number of all triangles.
+pub(super) fn parts_within(
+    batches: Vec<Batch<'_>>,
+    triangles: Range<u64>,
+) -> (Vec<(Batch<'_>, Range<u32>)>, u64) {
+    let mut parts = Vec::new();
+    let mut first = 0;
+    for batch in batches {
+        let copies = u64::from(batch.copies());
+        let all = batch.triangles().end;
+        // Copies are drawn together: each triangle of the mesh as often as there are copies.
+        let before = |end: u64| {
+            let before = end.saturating_sub(first).div_ceil(copies);
+            before.min(u64::from(all)) as u32
+        };
+        let part = before(triangles.start)..before(triangles.end);
+        first += u64::from(all) * copies;
+        if !part.is_empty() {
+            parts.push((batch, part));
+        }
+    }
+    (parts, first)
+}

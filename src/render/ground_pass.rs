@@ -2,7 +2,7 @@
 
 use super::area::Area;
 use super::backdrop_pass::set_gradient;
-use super::batches::batches;
+use super::batches::{batches, parts_within};
 use super::frame::{Background, Frame, PassContext};
 use super::mesh_cache::MeshCache;
 use super::mesh_programs::MeshPrograms;
@@ -15,6 +15,7 @@ use crate::gpu::{
 };
 use crate::scene::Camera;
 use glam::{Mat4, Vec2, Vec3, Vec4};
+use std::ops::Range;
 
 /// From the ground to the light that throws shadows: the key light as it stands for the first
 /// view. It stays there when the camera turns, for shadows that wander over the ground would look
@@ -27,7 +28,7 @@ const LIGHT: Vec3 = Vec3::new(-0.45, 1.0, 0.55);
 #[derive(Debug)]
 pub(super) struct ShadowPass {
     programs: MeshPrograms,
-    shadows: Option<Framebuffer>,
+    picture: Option<Framebuffer>,
 }
 
 impl ShadowPass {
@@ -35,7 +36,7 @@ impl ShadowPass {
         let fragment = include_str!("../../shaders/shadow_fragment.glsl");
         Self {
             programs: MeshPrograms::new(gl, "shadow", fragment),
-            shadows: None,
+            picture: None,
         }
     }
 
@@ -55,29 +56,54 @@ impl ShadowPass {
         others: Option<&Framebuffer>,
     ) -> Result<&Framebuffer, GpuError> {
         let (width, height) = (context.width, context.height);
-        let shadows = Framebuffer::fitting(&mut self.shadows, gl, width, height)?;
+        let picture = Framebuffer::fitting(&mut self.picture, gl, width, height)?;
         match others {
-            Some(others) => others.copy_into(shadows)?,
-            None => shadows.clear([0.0; 4]),
+            Some(others) => others.copy_into(picture)?,
+            None => picture.clear([0.0; 4]),
         }
-        let state = DrawState {
-            depth_test: DepthTest::Off,
-            depth_write: false,
-            ..DrawState::opaque(width, height)
-        };
-        state.apply(gl);
-        let clip_from_world = context.clip_from_world * ground_from_world(context.ground);
-        for batch in batches(surfaces(frame), meshes, Purpose::Shadow) {
-            let program = self.programs.of(batch.mesh);
-            meshes.place(program, &batch);
-            program.set_mat4("clip_from_world", clip_from_world);
-            program.set_f32("ground", context.ground);
-            batch
-                .mesh
-                .draw_whole(program, Purpose::Shadow, batch.copies());
-        }
-        Ok(shadows)
+        let scene = (context, frame, meshes);
+        draw_shadows(gl, scene, &self.programs, picture, 0..u64::MAX);
+        Ok(picture)
     }
+
+    /// Adds the shadows of some of the triangles of `frame` to `picture`, which is as large as what is drawn: of
+    /// those that [`parts_within`] counts. Returns their number.
+    pub fn draw_part(
+        &self,
+        gl: &Gl,
+        scene: (&PassContext, &Frame, &MeshCache),
+        picture: &Framebuffer,
+        triangles: Range<u64>,
+    ) -> u64 {
+        draw_shadows(gl, scene, &self.programs, picture, triangles)
+    }
+}
+
+fn draw_shadows(
+    gl: &Gl,
+    (context, frame, meshes): (&PassContext, &Frame, &MeshCache),
+    programs: &MeshPrograms,
+    picture: &Framebuffer,
+    triangles: Range<u64>,
+) -> u64 {
+    picture.bind();
+    let state = DrawState {
+        depth_test: DepthTest::Off,
+        depth_write: false,
+        ..DrawState::opaque(context.width, context.height)
+    };
+    state.apply(gl);
+    let clip_from_world = context.clip_from_world * ground_from_world(context.ground);
+    let all = batches(surfaces(frame), meshes, Purpose::Shadow);
+    let (parts, count) = parts_within(all, triangles);
+    for (batch, part) in parts {
+        let program = programs.of(batch.mesh);
+        meshes.place(program, &batch);
+        program.set_mat4("clip_from_world", clip_from_world);
+        program.set_f32("ground", context.ground);
+        (batch.mesh).draw(program, Purpose::Shadow, part, batch.copies());
+    }
+    count
 }
 
 /// Moves every point along the light onto the plane y = `ground`.
@@ -131,6 +157,25 @@ impl GroundPass {
             ),
             square,
         })
+    }
+
+    /// Draws it as [`GroundPass::draw`] does, with the shadows of all shapes of `frame`, if there is a picture of
+    /// them.
+    pub fn draw_all(
+        &self,
+        gl: &Gl,
+        context: &PassContext,
+        frame: &Frame,
+        shadows: Option<&Framebuffer>,
+        within: Area,
+        target: &Framebuffer,
+    ) {
+        let shadows = shadows.map(|picture| Shadows {
+            picture,
+            area: shadow_area(context, frame),
+        });
+        let camera = &frame.view.camera;
+        self.draw(gl, context, camera, shadows, within, target);
     }
 
     /// Draws it, after everything opaque: seen from above it hides what is below, but from below

@@ -4,7 +4,7 @@ use super::area::Area;
 use super::backdrop_pass::draw_axis;
 use super::curve_pass::CurvePass;
 use super::frame::{Background, Frame, PassContext, has_ground};
-use super::ground_pass::{Shadows, hides_below, shadow_area};
+use super::ground_pass::hides_below;
 use super::renderer::Renderer;
 use super::skeleton_pass::draw_mannequin_bones;
 use crate::gpu::{Framebuffer, GpuError};
@@ -20,7 +20,18 @@ impl Renderer {
         context: &PassContext,
     ) -> Result<(), GpuError> {
         self.draw_surfaces(frame, target, context, 0..u64::MAX);
-        let drawn = self.draw_others(frame, target, context);
+        let mut drawn = self.draw_lines(frame, context);
+        if has_ground(frame) {
+            let shadows = (self.shadows).draw(&self.gl, context, frame, &self.meshes, None);
+            let (picture, result) = match shadows {
+                Ok(picture) => (Some(picture), Ok(())),
+                Err(error) => (None, Err(error)),
+            };
+            drawn = drawn.and(result);
+            let whole = Area::whole([context.width, context.height]);
+            (self.ground).draw_all(&self.gl, context, frame, picture, whole, target);
+        }
+        self.draw_rest(frame, context);
         drawn.and(self.draw_outlines(frame, target, context))
     }
 
@@ -54,13 +65,24 @@ impl Renderer {
             .draw_opaque(gl, context, frame, meshes, triangles)
     }
 
-    /// Draws what comes after the surfaces, but for the lines round marked shapes.
-    pub(super) fn draw_others(
+    /// Draws what comes after the surfaces and before the ground.
+    pub(super) fn draw_lines(
         &mut self,
         frame: &Frame,
-        target: &Framebuffer,
         context: &PassContext,
     ) -> Result<(), GpuError> {
+        let Self { gl, immediate, .. } = self;
+        self.ghosts.draw_opaque(gl, context, frame, &self.surfaces);
+        self.curves.draw(gl, context, frame, immediate);
+        if frame.view.look == Look::Mannequin {
+            draw_mannequin_bones(gl, context, frame, immediate);
+            return Ok(());
+        }
+        self.skeletons.draw(gl, context, frame, immediate)
+    }
+
+    /// Draws what comes after the ground, but for the lines round marked shapes.
+    pub(super) fn draw_rest(&mut self, frame: &Frame, context: &PassContext) {
         let Self {
             gl,
             meshes,
@@ -68,41 +90,15 @@ impl Renderer {
             ghosts,
             ..
         } = self;
-        let camera = &frame.view.camera;
-        let is_mannequin = frame.view.look == Look::Mannequin;
-        let has_ground = has_ground(frame);
-        let mut drawn = Ok(());
-        ghosts.draw_opaque(gl, context, frame, &self.surfaces);
-        self.curves.draw(gl, context, frame, immediate);
-        if is_mannequin {
-            draw_mannequin_bones(gl, context, frame, immediate);
-        } else {
-            drawn = self.skeletons.draw(gl, context, frame, immediate);
+        if frame.view.axis && has_ground(frame) {
+            let floor = hides_below(context, &frame.view.camera).then_some(context.ground);
+            draw_axis(gl, immediate, context, floor);
         }
-        if has_ground {
-            let shadows = self.shadows.draw(gl, context, frame, meshes, None);
-            let (shadows, result) = match shadows {
-                Ok(picture) => {
-                    let area = shadow_area(context, frame);
-                    (Some(Shadows { picture, area }), Ok(()))
-                }
-                Err(error) => (None, Err(error)),
-            };
-            drawn = drawn.and(result);
-            let whole = Area::whole([context.width, context.height]);
-            self.ground
-                .draw(gl, context, camera, shadows, whole, target);
-            if frame.view.axis {
-                let floor = hides_below(context, camera).then_some(context.ground);
-                draw_axis(gl, immediate, context, floor);
-            }
-        }
-        if !is_mannequin {
+        if frame.view.look != Look::Mannequin {
             self.surfaces.draw_translucent(gl, context, frame, meshes);
         }
         ghosts.draw_translucent(gl, context, frame, &self.surfaces);
         CurvePass::draw_marked(gl, context, frame, immediate);
-        drawn
     }
 
     /// Draws the lines round marked shapes.

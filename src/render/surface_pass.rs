@@ -1,6 +1,6 @@
 //! The surfaces of shapes, and the lights that they are drawn with.
 
-use super::batches::{Batch, batches};
+use super::batches::{Batch, batches, parts_within};
 use super::cached_mesh::CachedMesh;
 use super::frame::{Frame, PassContext};
 use super::mesh_cache::MeshCache;
@@ -70,22 +70,12 @@ impl SurfacePass {
             Look::Mannequin => surfaces(frame).collect(),
             Look::Course | Look::Studio => shapes(frame, ModelDisplay::Mesh).collect(),
         };
-        let mut first = 0;
-        for batch in batches(opaque.into_iter(), meshes, Purpose::Surface) {
-            let copies = u64::from(batch.copies());
-            let all = batch.triangles();
-            // Copies are drawn together: each triangle of the mesh as often as there are copies.
-            let before = |end: u64| {
-                let before = end.saturating_sub(first).div_ceil(copies);
-                before.min(u64::from(all.end)) as u32
-            };
-            let part = before(triangles.start)..before(triangles.end);
-            if !part.is_empty() {
-                self.draw_batch(&batch, meshes, frame.view.look, (1.0, part));
-            }
-            first += u64::from(all.end) * copies;
+        let all = batches(opaque.into_iter(), meshes, Purpose::Surface);
+        let (parts, count) = parts_within(all, triangles);
+        for (batch, part) in parts {
+            self.draw_batch(&batch, meshes, frame.view.look, (1.0, part));
         }
-        first
+        count
     }
 
     /// Draws the meshes of characters shown together with their skeletons, which are drawn already.

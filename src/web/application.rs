@@ -72,6 +72,7 @@ impl eframe::App for Application {
         let Some((program, host)) = page.running() else {
             return;
         };
+        host.begin_frame();
         host.take_dropped(&context);
         host.set_pasted(context.input(|input| pasted(&input.events)));
         let came_in = program.begin_frame(host);

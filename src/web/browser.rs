@@ -132,6 +132,16 @@ pub(super) fn after(delay: Duration, work: impl FnOnce() + 'static) {
     }
 }
 
+/// Calls `work` before the browser draws the page the next time, which it does not before what was drawn
+/// last is shown.
+pub(super) fn at_next_frame(work: impl FnOnce() + 'static) {
+    let work = Closure::once_into_js(work);
+    if let Some(window) = window() {
+        // It takes any function.
+        let _ = window.request_animation_frame(work.unchecked_ref());
+    }
+}
+
 /// WebGL 2 in `canvas`, without samples of its own: pictures are drawn with theirs before they come
 /// into it, and could not be copied there otherwise.
 pub(super) fn webgl(canvas: &HtmlCanvasElement) -> Option<WebGl2RenderingContext> {

@@ -12,7 +12,7 @@ use crate::program::{
     Suggested,
 };
 use egui::Context;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -36,6 +36,7 @@ pub(super) struct PageHost {
     slots: Slots,
     /// Whether nothing is kept from one visit to the next.
     forgets: bool,
+    last_frame: Rc<Cell<Option<Duration>>>,
 }
 
 /// Events that wait for the program. A clone is another handle to the same events.
@@ -97,6 +98,7 @@ impl PageHost {
             fetching: Fetching::default(),
             slots,
             forgets: false,
+            last_frame: Rc::default(),
         }
     }
 
@@ -150,6 +152,15 @@ impl PageHost {
         }
     }
 
+    /// Takes note that a frame begins: it is over when the browser can take the next.
+    pub fn begin_frame(&self) {
+        let begun = browser::now();
+        let last_frame = self.last_frame.clone();
+        browser::at_next_frame(move || {
+            last_frame.set(Some(browser::now().saturating_sub(begun)));
+        });
+    }
+
     /// Takes note of the text that the user has the browser paste in this frame, if any.
     pub fn set_pasted(&mut self, text: Option<String>) {
         self.pasted = text;
@@ -198,6 +209,10 @@ fn all_files(given: &GivenFiles) -> Arc<dyn Files> {
 impl Host for PageHost {
     fn now(&self) -> Duration {
         browser::now()
+    }
+
+    fn last_frame(&self) -> Option<Duration> {
+        self.last_frame.get()
     }
 
     fn files(&self) -> Arc<dyn Files> {
