@@ -55,6 +55,7 @@ impl Program {
         self.session.open(shapes, first);
         self.ui.suit_navigation(first.look);
         self.fit_due = false;
+        self.own_view_due = view.is_some() && !compared;
         if view.is_none() && !compared {
             self.show_whole();
         }
@@ -160,6 +161,29 @@ impl Program {
         if self.fit_due {
             self.fit_all(self.fit_area);
         }
+    }
+
+    /// Has the camera of a document's own view go back where the picture is higher than wide, as on a phone, so that
+    /// as much is seen as in a window, which the view was made in. Returns whether it did.
+    pub(super) fn suit_own_view(&mut self) -> bool {
+        let is_due = std::mem::take(&mut self.own_view_due);
+        if !is_due || self.fit_area.aspect >= 1.0 {
+            return false;
+        }
+        let mut camera = self.session.view().camera;
+        let fitted = |area| {
+            let mut fitted = camera;
+            let shapes = self.session.evaluated().shapes.iter();
+            fitted.fit_shapes(shapes.filter(|shape| shape.visible), area);
+            fitted.radius
+        };
+        let further = fitted(self.fit_area) / fitted(FitArea::whole(COURSE_ASPECT));
+        let goes_back = further.is_finite() && further > 1.0;
+        if goes_back {
+            camera.radius *= further;
+            self.session.look(View::BeginAt(camera));
+        }
+        goes_back
     }
 
     /// Fits everything into the picture `area`, in which the document is shown first.

@@ -118,6 +118,8 @@ pub struct Program {
     pub(super) fit_area: FitArea,
     /// Whether everything is to be fitted into the picture as soon as its size is known.
     pub(super) fit_due: bool,
+    /// Whether a document's own view is to suit the picture as soon as its size is known.
+    pub(super) own_view_due: bool,
     /// The character of a comparison that has begun, to be seen large as soon as the size of the picture is
     /// known.
     pub(super) closer_due: Option<ShapeId>,
@@ -166,6 +168,7 @@ impl Program {
             backdrop: Backdrop::default(),
             fit_area: FitArea::whole(4.0 / 3.0),
             fit_due: false,
+            own_view_due: false,
             closer_due: None,
             skinning_at_start: None,
         }
@@ -300,7 +303,7 @@ impl Program {
         if fits {
             self.fit_all(self.fit_area);
         }
-        fits |= self.come_closer();
+        fits |= self.suit_own_view() | self.come_closer();
         if pass == Pass::Input {
             self.hovered_shape = ui::view_gestures(
                 &output.view,

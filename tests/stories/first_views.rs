@@ -494,3 +494,32 @@ fn the_course_s_look_is_one_click_away_and_so_is_the_way_back() {
     }
     assert_eq!(story.names(), ["Robot"], "the view got no click");
 }
+
+#[test]
+fn a_scene_that_was_saved_in_a_window_is_seen_whole_where_the_picture_is_higher_than_wide() {
+    let radius_in = |size: (u32, u32)| {
+        let mut story = Story::start(&[]);
+        story.size = size;
+        let open = Action::Ask(Ask::OpenBuiltin("showcase"));
+        story.program.carry_out(vec![open], &mut story.host);
+        story.settle();
+        story
+    };
+    let [wide, tall] = [(1000, 640), (420, 800)].map(radius_in);
+    let camera = |story: &Story| story.session().view().camera;
+    assert!(camera(&tall).radius > 1.2 * camera(&wide).radius);
+    let aspect = tall.view().width() / tall.view().height();
+    assert!(aspect < 1.0);
+    let cut_off = |camera: Camera| {
+        let clip_from_world = camera.clip_from_world(aspect);
+        let shapes = tall.session().evaluated().shapes.iter();
+        let mut points = shapes.flat_map(|shape| {
+            let clip_from_model = clip_from_world * shape.world_from_model;
+            let points = shape.geometry.mesh.positions.iter();
+            points.map(move |&point| clip_from_model.project_point3(point))
+        });
+        points.any(|point| point.x.abs() > 1.0 || point.y.abs() > 1.0)
+    };
+    assert!(cut_off(camera(&wide)) && !cut_off(camera(&tall)));
+    assert!(!tall.program.is_modified());
+}
