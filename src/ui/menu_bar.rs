@@ -9,7 +9,7 @@ use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
 use egui::{
     Button, Context, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor,
-    PopupCloseBehavior, PopupKind, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
+    PopupCloseBehavior, PopupKind, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
 };
 
 /// Height of the bar and of a menu's margins, in points.
@@ -61,7 +61,10 @@ pub(super) fn show(
                 ui.menu_button("Pose", |ui| scrolled(ui, |ui| items.pose(ui))),
                 ui.menu_button("Help", |ui| scrolled(ui, |ui| items.all(ui, Menu::Help))),
             ];
-            follow_pointer(ui.ctx(), &menus.map(|menu| menu.response));
+            let menus = menus.map(|menu| menu.response);
+            let titles = menus.iter().map(|menu| menu.rect);
+            items.state.menu_titles = titles.fold(Rect::NOTHING, Rect::union);
+            follow_pointer(ui.ctx(), &menus);
             title(ui, items.input.title);
         });
     });

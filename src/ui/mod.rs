@@ -31,6 +31,7 @@ mod messages;
 mod method_view;
 mod navigation;
 mod number_field;
+mod popups;
 mod posing;
 mod preferences;
 mod progress;
@@ -163,6 +164,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
     commands::remember_navigation(&ctx, state.navigation);
+    popups::close_by_press_outside(&ctx, state.menu_titles);
     if !input.keys_are_taken {
         posing::take_keys(&ctx, &mut state.pose);
         box_select::cancel_by_esc(&ctx, &mut state.box_select);

@@ -14,6 +14,7 @@ mod menus;
 mod messages;
 mod navigation;
 mod numbers;
+mod popups;
 mod poses;
 mod shapes;
 mod typed_axes;

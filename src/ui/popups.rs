@@ -1,0 +1,37 @@
+//! Popups: menus, choices from a list, and choices of a color.
+
+use super::widgets::forget_buttons;
+use egui::{Context, Event, Order, Popup, Pos2, Rect};
+
+/// Closes popups when a button is pressed outside of them, and lets that press do nothing else, as in
+/// GTK and Blender: whoever wants to be rid of a menu means nothing that lies below it. egui would close
+/// them at the release, and only after what is below has had the click. To be called before the panels.
+///
+/// `titles` are those of the menu bar, which belong to its menus: a press there is left to them.
+pub(super) fn close_by_press_outside(ctx: &Context, titles: Rect) {
+    let pressed = ctx.input(|input| {
+        input.events.iter().find_map(|event| match event {
+            Event::PointerButton {
+                pos, pressed: true, ..
+            } => Some(*pos),
+            _ => None,
+        })
+    });
+    let Some(at) = pressed.filter(|_| Popup::is_any_open(ctx)) else {
+        return;
+    };
+    if titles.contains(at) || is_in_popup(ctx, at) {
+        return;
+    }
+    Popup::close_all(ctx);
+    ctx.stop_dragging();
+    forget_buttons(ctx);
+    ctx.request_repaint();
+}
+
+/// Whether a popup lies on top at `at`: nothing but popups and dialogs is in the foreground.
+fn is_in_popup(ctx: &Context, at: Pos2) -> bool {
+    let top = ctx.layer_id_at(at);
+    let is_dialog = top == ctx.memory(|memory| memory.top_modal_layer());
+    !is_dialog && top.is_some_and(|layer| layer.order == Order::Foreground)
+}

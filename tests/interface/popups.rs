@@ -1,0 +1,95 @@
+//! Menus and choices that are open: what a press outside of them does.
+
+use crate::interface::Editor;
+use editor_core::scene::Camera;
+use egui::{Pos2, pos2};
+
+/// A place in the view that no menu covers.
+const IN_VIEW: Pos2 = pos2(480.0, 520.0);
+
+impl Editor {
+    fn press_and_release_at(&mut self, at: Pos2) {
+        self.harness.hover_at(at);
+        self.harness.drag_at(at);
+        self.harness.drop_at(at);
+        self.settle();
+    }
+}
+
+#[test]
+fn the_click_in_the_view_that_closes_a_menu_selects_and_deselects_nothing() {
+    let mut editor = Editor::with_figure();
+    editor.harness.state_mut().gestures = true;
+    let selected = editor.session().selected();
+    assert!(selected.is_some());
+    editor.click("File");
+    editor.press_and_release_at(IN_VIEW);
+    assert!(!editor.has("Save As…"), "the menu is closed");
+    assert_eq!(editor.session().selected(), selected);
+    editor.press_and_release_at(IN_VIEW);
+    assert_eq!(
+        editor.session().selected(),
+        None,
+        "the next click counts again"
+    );
+}
+
+#[test]
+fn a_drag_that_begins_outside_of_a_menu_closes_it_and_leaves_the_camera_alone() {
+    let mut editor = Editor::new();
+    editor.harness.state_mut().gestures = true;
+    let drag = |editor: &mut Editor| {
+        editor.harness.hover_at(IN_VIEW);
+        editor.harness.drag_at(IN_VIEW);
+        editor.harness.hover_at(IN_VIEW + egui::vec2(40.0, 30.0));
+        editor.settle();
+        editor.harness.drop_at(IN_VIEW + egui::vec2(40.0, 30.0));
+        editor.settle();
+    };
+    editor.choose(&["View", "Look"]);
+    drag(&mut editor);
+    assert!(!editor.has("Fit to View"), "the menu is closed");
+    assert_eq!(editor.session().view().camera, Camera::default());
+    drag(&mut editor);
+    assert_ne!(editor.session().view().camera, Camera::default());
+}
+
+#[test]
+fn the_click_on_a_panel_that_closes_a_menu_presses_nothing_there() {
+    let mut editor = Editor::with_figure();
+    let hide = editor.widget("Hide Model1").rect().center();
+    editor.click("Help");
+    editor.press_and_release_at(hide);
+    assert!(!editor.has("About"), "the menu is closed");
+    assert!(editor.shape().visible);
+    editor.press_and_release_at(hide);
+    assert!(!editor.shape().visible);
+}
+
+#[test]
+fn the_choice_of_a_color_is_closed_by_a_click_that_does_nothing_else() {
+    let mut editor = Editor::with_figure();
+    editor.harness.state_mut().gestures = true;
+    let selected = editor.session().selected();
+    editor.click("Color");
+    assert!(editor.has("Red"));
+    editor.press_and_release_at(IN_VIEW);
+    assert!(!editor.has("Red"));
+    assert_eq!(editor.session().selected(), selected);
+}
+
+#[test]
+fn the_title_of_another_menu_opens_it_by_one_touch_and_its_own_closes_it() {
+    let mut editor = Editor::new();
+    let title = |editor: &Editor, menu: &str| editor.widget(menu).rect().center();
+    let (file, edit) = (title(&editor, "File"), title(&editor, "Edit"));
+    editor.press_and_release_at(file);
+    assert!(editor.has("Save As…"));
+    // Fingers do not come from anywhere.
+    editor.harness.drag_at(edit);
+    editor.harness.drop_at(edit);
+    editor.settle();
+    assert!(editor.has("Select All") && !editor.has("Save As…"));
+    editor.press_and_release_at(edit);
+    assert!(!editor.has("Select All"));
+}
