@@ -17,6 +17,7 @@ mod numbers;
 mod popups;
 mod poses;
 mod shapes;
+mod sweeps;
 mod typed_axes;
 mod view;
 mod visibility;

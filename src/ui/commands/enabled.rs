@@ -1,6 +1,7 @@
 //! When commands are disabled.
 
 use super::run::{character_to_compare, curves, hidden, selected_character, selected_curves};
+use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};
 use crate::editor::Session;
@@ -65,9 +66,8 @@ pub(in crate::ui) fn why_disabled(
         Command::ExportCharacter if selected_character(session).is_none() => {
             Some("No character is selected")
         }
-        Command::ExportCurve | Command::MakeSurfaceOfRevolution | Command::MakeSweep => {
-            why_no_curves(command, session)
-        }
+        Command::ExportCurve | Command::MakeSurfaceOfRevolution => why_no_curves(command, session),
+        Command::MakeSweep => sweep(session).err(),
         _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
         Command::ShowAll if hidden(session).next().is_none() => Some("No shape is hidden"),
         Command::SelectNone if session.selected().is_none() => Some("No shape is selected"),

@@ -3,6 +3,7 @@
 mod enabled;
 mod keys;
 mod run;
+mod sweep;
 mod table;
 
 pub use keys::{GESTURES, Gesture};

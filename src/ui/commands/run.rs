@@ -1,6 +1,7 @@
 //! What commands do.
 
 use super::enabled::why_disabled;
+use super::sweep::sweep;
 use super::table::label;
 use super::{Command, Primitive};
 use crate::character::Mirror;
@@ -30,13 +31,16 @@ pub(in crate::ui) fn run(
     aspect: f32,
 ) -> Vec<Action> {
     let action = action(command, session, state, aspect);
-    if command == Command::ResetViewAndPose {
-        let shapes = session.scene().shapes().iter();
-        let back = shapes.flat_map(|shape| to_start(session, shape));
-        let all = Action::Edit(Edit::Together(back.collect()));
-        return std::iter::once(all).chain(action).collect();
+    match command {
+        Command::ResetViewAndPose => {
+            let shapes = session.scene().shapes().iter();
+            let back = shapes.flat_map(|shape| to_start(session, shape));
+            let all = Action::Edit(Edit::Together(back.collect()));
+            std::iter::once(all).chain(action).collect()
+        }
+        Command::MakeSweep => sweep(session).unwrap_or_default(),
+        _ => action.into_iter().collect(),
     }
-    action.into_iter().collect()
 }
 
 /// Puts a character where it was, and as it was posed, when the document was opened; one that came later,
@@ -112,7 +116,6 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Quit => return Some(Action::Ask(Ask::Quit)),
         Command::Insert(primitive) => return Some(insert(command, primitive, session)),
         Command::MakeSurfaceOfRevolution => return revolution(session),
-        Command::MakeSweep => return sweep(session),
         Command::ExportCurve => return export_curves(session),
         Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
         Command::ExportMaterials => return Some(Action::Ask(Ask::ExportMaterials)),
@@ -141,7 +144,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             };
             return Some(Action::Edit(Edit::Insert(copies)));
         }
-        Command::BoxSelect => {}
+        Command::BoxSelect | Command::MakeSweep => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::SelectNone => return Some(Action::View(View::Select(None))),
         Command::InsertMenu => state.opens_insert_menu = true,
@@ -283,22 +286,6 @@ fn revolution(session: &Session) -> Option<Action> {
         shape,
         profile,
         steps: REVOLUTION_STEPS,
-    }))
-}
-
-/// A sweep of the first flat curve along the first curve in space, or along the last curve if all
-/// are flat; a tube along the only curve.
-fn sweep(session: &Session) -> Option<Action> {
-    let (shape, set) = selected_curves(session)?;
-    let in_space = curves(set).find(|(_, curve)| !curve.is_flat());
-    let (sweep, _) = in_space.or(curves(set).last())?;
-    let profile = curves(set)
-        .find(|&(index, curve)| index != sweep && curve.is_flat())
-        .map(|(index, _)| index);
-    Some(Action::Edit(Edit::MakeSweep {
-        shape,
-        profile,
-        sweep,
     }))
 }
 

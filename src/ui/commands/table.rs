@@ -189,7 +189,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::BSplineCurve), Menu::Curves, "B-Spline Curve", "Add a B-spline of four control points to drag into shape", &[key(SHIFT, Key::N)]),
     entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]),
     entry(Command::MakeSurfaceOfRevolution, Menu::Curves, "Surface of Revolution from Curve", "Turn the last flat curve of the selected shape about the Y axis", &[key(SHIFT, Key::V)]),
-    entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry the first flat curve of the selected shape along another; a tube where there is only one", &[key(SHIFT, Key::W)]),
+    entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry a flat curve along another: the flat one of two selected shapes, or the one that is not active if both are flat; within one shape the first flat curve; a tube along a curve that is alone", &[key(SHIFT, Key::W)]),
     entry(Command::ImportShape, Menu::Import, "Import Shape…", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]),
     entry(Command::ImportCurve, Menu::Import, "Import Curve…", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]),
     entry(Command::ImportCharacter, Menu::Import, "Import Character…", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]),
