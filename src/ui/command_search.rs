@@ -1,6 +1,7 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
 use super::commands::{COMMANDS, Command, Entry, full_label, in_words, meant, run, why_disabled};
+use super::elsewhere::elsewhere;
 use super::key_commands::is_there;
 use super::state::UiState;
 use super::widgets::{named, tip_beside};
@@ -85,8 +86,12 @@ fn contents(
         found.sort_by_key(|&(fit, entry)| (fit, is_disabled(entry)));
     }
     let found: Vec<&Entry> = found.into_iter().map(|(_, entry)| entry).collect();
+    let told =
+        elsewhere(&search.text).or(found.is_empty().then_some("No command has these words."));
+    if let Some(told) = told {
+        ui.label(RichText::new(told).weak());
+    }
     if found.is_empty() {
-        ui.label(RichText::new("No command has these words.").weak());
         return None;
     }
     let last = found.len() - 1;
@@ -138,12 +143,14 @@ fn name(entry: &Entry, session: &Session, state: &UiState) -> String {
 enum Fit {
     /// Its label has all the words.
     Label,
-    /// Its label and its tooltip have them together.
+    /// Its label has them together with the words by which other programs know it.
+    Also,
+    /// Its tooltip is needed for them, too.
     Tooltip,
 }
 
-/// Commands whose label or tooltip have all the words, in any order; those whose label has them
-/// come first.
+/// Commands whose label, other names and tooltip have all the words, in any order; those whose label has
+/// them come first, then those whose other names have them.
 fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
     let words = plain(words);
     let all_in = |text: &str| {
@@ -151,11 +158,15 @@ fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
         words.split_whitespace().all(|word| text.contains(word))
     };
     let fit = |entry: &Entry| {
-        if all_in(&in_words(entry)) {
+        let label = in_words(entry);
+        let named = format!("{label} {}", entry.also);
+        if all_in(&label) {
             return Some(Fit::Label);
         }
-        let explained = format!("{} {}", in_words(entry), entry.tooltip);
-        all_in(&explained).then_some(Fit::Tooltip)
+        if all_in(&named) {
+            return Some(Fit::Also);
+        }
+        all_in(&format!("{named} {}", entry.tooltip)).then_some(Fit::Tooltip)
     };
     let fitting = COMMANDS
         .iter()
@@ -189,5 +200,55 @@ mod tests {
         assert!(found("pose").contains(&"Copy"), "tooltips after them");
         assert_eq!(found("").len(), COMMANDS.len());
         assert!(found("no such thing").is_empty());
+    }
+
+    #[test]
+    fn words_of_other_programs_lead_to_the_command() {
+        for (searched, label) in [
+            ("submit", "Screenshot…"),
+            ("hand in", "Screenshot…"),
+            ("render", "Screenshot…"),
+            ("wireframe", "Flat"),
+            ("weights", "Weight of the Selected Joint"),
+            ("heat map", "Weight of the Selected Joint"),
+            ("sliders", "Shape Panel"),
+            ("sidebar", "Shape Panel"),
+            ("settings", "Preferences…"),
+            ("zero pose", "Reset Pose"),
+            ("flip", "Mirror Pose"),
+            ("normals", "Flat"),
+            ("floor", "Ground Grid"),
+            ("axes", "Toggle Axis"),
+            ("unhide", "Show All"),
+            ("translate", "Move Tool"),
+            ("lathe", "Surface of Revolution from Curve"),
+            ("tube", "Sweep from Curves"),
+            ("zoom", "Fit to View"),
+            ("front view", "View from +Z"),
+            ("shortcuts", "Keys and Mouse"),
+            ("export mesh", "Export Geometry…"),
+            ("inverse kinematics", "IK Tool"),
+        ] {
+            let found = found(searched);
+            let is_there = |(_, entry): &(Fit, &Entry)| entry.label == label;
+            assert!(found.iter().any(is_there), "{searched} leads to {found:?}");
+        }
+        for searched in ["screenshot", "mirror", "grid", "export", "pose", "reset"] {
+            assert_eq!(found(searched)[0].0, Fit::Label, "{searched}");
+        }
+    }
+
+    #[test]
+    fn every_other_name_leads_to_its_command_before_what_only_mentions_it() {
+        for entry in COMMANDS {
+            assert_eq!(entry.also, plain(entry.also), "words are compared as these");
+            for word in entry.also.split_whitespace() {
+                let fit = found(word)
+                    .into_iter()
+                    .find(|(_, of)| of.label == entry.label);
+                let (fit, _) = fit.unwrap_or_else(|| panic!("{word}"));
+                assert_eq!(fit, Fit::Also, "{} has {word} in its label", entry.label);
+            }
+        }
     }
 }

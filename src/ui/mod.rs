@@ -13,6 +13,7 @@ mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod elsewhere;
 mod explain;
 mod fingers;
 mod first_help;

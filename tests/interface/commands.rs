@@ -120,3 +120,18 @@ fn a_command_that_is_searched_for_does_what_it_is_called_whatever_its_key_does_n
     editor.key(Key::Enter);
     assert!(editor.session().scene().shapes().is_empty());
 }
+
+#[test]
+fn who_searches_for_what_is_no_command_is_told_where_it_is() {
+    let mut editor = Editor::new();
+    editor.find_command("submit");
+    let painted = editor.painted();
+    let is_told = |(text, _): &(String, _)| text.contains("editor submit --help");
+    assert!(painted.iter().any(is_told), "{painted:?}");
+    editor.key(Key::Enter);
+    assert!(
+        editor.has("Transparent"),
+        "the picture for it is a command: {:?}",
+        editor.painted()
+    );
+}
