@@ -271,10 +271,15 @@ impl Items<'_> {
         }
     }
 
-    /// An item for what the key of `row` does at the moment.
+    /// An item for a row of the table: for what its key does at the moment in place of Delete, which must not
+    /// surprise, and without a key that does something else elsewhere.
     fn item(&mut self, ui: &mut Ui, row: &Entry) -> Response {
         let meant = commands::meant(row.command, self.session, self.state.pose.tool);
-        let entry = commands::entry_of(meant).unwrap_or(row);
+        let replaces = row.command == Command::Delete;
+        let entry = commands::entry_of(meant)
+            .filter(|_| replaces)
+            .unwrap_or(row);
+        let key = (entry.command == meant).then(|| row.first_key(ui.ctx(), self.state.navigation));
         let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
@@ -294,7 +299,7 @@ impl Items<'_> {
             _ => entry.label.to_owned(),
         };
         let button = Button::new(mark)
-            .shortcut_text(row.first_key(ui.ctx(), self.state.navigation))
+            .shortcut_text(key.unwrap_or_default())
             .wrap_mode(egui::TextWrapMode::Extend);
         let item = named(ui.add_enabled(why.is_none(), button), &name);
         if let Some(on) = on {

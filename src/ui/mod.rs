@@ -46,6 +46,7 @@ mod start_page;
 mod state;
 mod swipe_line;
 mod theme;
+mod turning_keys;
 mod view_gestures;
 mod view_overlay;
 mod widgets;
@@ -68,7 +69,7 @@ pub use theme::{DARK, LIGHT, Palette, in_colors_of_file_dialogs};
 pub use view_gestures::view_gestures;
 
 use crate::editor::{Session, View};
-use crate::scene::{FitArea, Look, ShapeId};
+use crate::scene::{FitArea, ShapeId};
 use egui::{Rect, Response, Ui};
 use key_commands::{KeyPress, press, run_waiting, takes_keys};
 use std::path::PathBuf;
@@ -285,8 +286,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         }
         // Once is enough while it can be read.
         let is_told = |why: &str| session.messages.fresh().iter().any(|told| told.text == why);
-        if session.view().look == Look::Mannequin
-            && let Some(why) = state.navigation.why_nothing(&ctx)
+        if let Some(why) = state.navigation.why_nothing(&ctx, session.view().look)
             && !is_told(why)
         {
             actions.push(Action::View(View::Tell(why)));

@@ -1,5 +1,6 @@
 use super::commands::{Gesture, gesture};
-use crate::scene::Camera;
+use super::turning_keys::{TURN_GESTURES, turned};
+use crate::scene::{Camera, Look};
 use egui::{Context, Event, Id, InputState, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
@@ -175,6 +176,8 @@ const OF_THE_MANNEQUIN: &[Key] = &[
 ];
 const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual Mannequin's keys work in \
                            View ⏵ Navigation ⏵ Mannequin";
+/// For those who want Blender's 5, which switches it.
+const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {
     /// All, in the order of the menu.
@@ -194,21 +197,27 @@ impl Navigation {
         self == Self::Mannequin && STEPS.iter().any(|step| step.key == key)
     }
 
-    /// Why a key of the Virtual Mannequin that was pressed in this frame, and that nothing has used, does
-    /// nothing; `None` if there is none.
-    pub(super) fn why_nothing(self, ctx: &Context) -> Option<&'static str> {
-        let is_one = |event: &Event| match event {
+    /// Why a key that was pressed in this frame, and that nothing has used, does nothing, though it does in the
+    /// Virtual Mannequin, if the view has its look, or in Blender; `None` if there is none.
+    pub(super) fn why_nothing(self, ctx: &Context, look: Look) -> Option<&'static str> {
+        let is_one = |event: &Event, keys: &[Key]| match event {
             Event::Key {
                 key,
                 pressed: true,
                 repeat: false,
                 modifiers,
                 ..
-            } => modifiers.is_none() && OF_THE_MANNEQUIN.contains(key),
+            } => modifiers.is_none() && keys.contains(key),
             _ => false,
         };
-        let is_pressed = || ctx.input(|input| input.events.iter().any(is_one));
-        (self != Self::Mannequin && is_pressed()).then_some(WHY_NOTHING)
+        let is_pressed =
+            |keys: &[Key]| ctx.input(|input| input.events.iter().any(|event| is_one(event, keys)));
+        match self {
+            Self::Mannequin => None,
+            Self::Blender if is_pressed(&[Key::Num5]) => Some(NO_ORTHOGRAPHIC),
+            _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
+            _ => None,
+        }
     }
 
     /// Whether Esc ends the program where there is nothing else to end. In Blender it never does.
@@ -218,12 +227,13 @@ impl Navigation {
 
     /// Gestures that move the camera, for Help ▸ Keys and Mouse.
     pub(super) fn gestures(self) -> impl Iterator<Item = &'static Gesture> {
-        let steps = match self {
-            Self::Mannequin => STEP_GESTURES,
-            Self::Blender => BLENDER_GESTURES,
-            Self::Course | Self::Orbit => &[],
+        let (steps, turns): (&[Gesture], &[Gesture]) = match self {
+            Self::Mannequin => (STEP_GESTURES, &[]),
+            Self::Blender => (BLENDER_GESTURES, TURN_GESTURES),
+            Self::Course | Self::Orbit => (&[], &[]),
         };
-        self.drags().iter().map(|drag| &drag.row).chain(steps)
+        let drags = self.drags().iter().map(|drag| &drag.row);
+        drags.chain(steps).chain(turns)
     }
 
     /// The same as one line, for the status line.
@@ -282,10 +292,12 @@ impl Navigation {
         camera
     }
 
-    /// `camera` after the keys that are held in this frame.
+    /// `camera` after the keys that are held in this frame, or were pressed.
     pub(super) fn walked(self, mut camera: Camera, ctx: &Context) -> Camera {
-        if self != Self::Mannequin {
-            return camera;
+        match self {
+            Self::Mannequin => {}
+            Self::Blender => return turned(camera, ctx),
+            Self::Course | Self::Orbit => return camera,
         }
         let mut walks = false;
         let (pressed, held) = walking_keys(ctx);

@@ -1,6 +1,7 @@
 //! Drives the panels by the names of their widgets, as a person and a screen reader find them,
 //! and looks at what became of the scene. No pixels, no window.
 
+mod blender;
 mod bones;
 mod commands;
 mod compare;

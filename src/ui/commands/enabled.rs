@@ -1,5 +1,6 @@
 //! When commands are disabled.
 
+use super::put_back::why_nothing_back;
 use super::run::{character_to_compare, curves, hidden, selected_character, selected_curves};
 use super::sweep::sweep;
 use super::table::is_in;
@@ -47,6 +48,9 @@ pub(in crate::ui) fn why_disabled(
             if session.selected().is_none() =>
         {
             Some("No shape is selected")
+        }
+        Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
+            why_nothing_back(command, session)
         }
         Command::Begin(_) => why_nothing_begins(session),
         Command::SelectAll

@@ -2,6 +2,7 @@
 
 mod enabled;
 mod keys;
+mod put_back;
 mod run;
 mod sweep;
 mod table;
@@ -94,6 +95,12 @@ pub enum Command {
     Delete,
     /// Resets the selected shape to how it was inserted.
     Reset,
+    /// Puts the selected shapes back to where they were inserted.
+    ResetPosition,
+    /// Turns the selected shapes back to how they were inserted.
+    ResetRotation,
+    /// Makes the selected shapes as large again as they were inserted.
+    ResetScale,
     /// Begins to rename the selected shape.
     Rename,
     /// Hides the selected shape in the view, or shows it.

@@ -1,6 +1,7 @@
 //! What commands do.
 
 use super::enabled::why_disabled;
+use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
 use super::{Command, Primitive};
@@ -134,6 +135,9 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::Delete => return to_selected(session, Edit::Delete),
         Command::Reset => return to_selected(session, Edit::Reset),
+        Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
+            return Some(put_back(command, session));
+        }
         Command::Duplicate => {
             let copies = if state.navigation == Navigation::Blender {
                 // They follow the pointer from there.

@@ -205,6 +205,9 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::Delete, Menu::Shape, "Delete", "Delete the selected shape", &[key(NONE, Key::Delete)]).also("remove erase"),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]).also("restore default zero transform"),
+    only_in(Navigation::Blender, entry(Command::ResetPosition, Menu::Shape, "Reset Position", "Put the selected shapes back to where they started", &[key(ALT, Key::G)])).also("clear location zero origin"),
+    only_in(Navigation::Blender, entry(Command::ResetRotation, Menu::Shape, "Reset Rotation", "Turn the selected shapes back to how they started", &[key(ALT, Key::R)])).also("clear zero angle"),
+    only_in(Navigation::Blender, entry(Command::ResetScale, Menu::Shape, "Reset Scale", "Make the selected shapes as large again as they started", &[key(ALT, Key::S)])).also("clear size"),
     entry(Command::Rename, Menu::Shape, "Rename", "Type a new name for the selected shape in the list; a double click there does it, too", &[]),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Move), Menu::Shape, "Move with Pointer", "Move what is selected with the pointer until a click or Enter; X, Y, Z, with Shift the other two axes, and a number can be typed, Esc puts it back", &[key(NONE, Key::G)])).also("translate grab position"),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Rotate), Menu::Shape, "Rotate with Pointer", "Turn what is selected with the pointer until a click or Enter; X, Y, Z and degrees can be typed, Esc puts it back", &[key(NONE, Key::R)])).also("spin"),
@@ -287,12 +290,14 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
     COMMANDS.iter().find(|entry| entry.command == command)
 }
 
-/// What the key of `command` does at the moment, and so does its place in the menu: with the Pose tool, Delete
-/// puts the selected joint back to rest, rather than deleting all that hangs together with it.
+/// What the key of `command` does at the moment: with the Pose tool, Delete puts the selected joint back to
+/// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R in
+/// Blender's navigation does.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
-    let joint_at_hand = tool == Tool::Pose && session.selected_joint().is_some();
+    let has_joint = session.selected_joint().is_some();
     match command {
-        Command::Delete if joint_at_hand => Command::ResetJoint,
+        Command::Delete if has_joint && tool == Tool::Pose => Command::ResetJoint,
+        Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetJoint,
         command => command,
     }
 }

@@ -1,0 +1,120 @@
+//! Keys that hands bring along from Blender, in its navigation.
+
+use crate::interface::Editor;
+use editor_core::editor::{Edit, View};
+use editor_core::math::{Euler, Transform};
+use editor_core::scene::{Camera, Look};
+use editor_core::ui::Navigation;
+use egui::{Key, Modifiers};
+use glam::Vec3;
+
+const ALT: Modifiers = Modifiers::ALT;
+const NECK: usize = 3;
+
+fn in_blender(mut editor: Editor) -> Editor {
+    let state = &mut editor.harness.state_mut().state;
+    state.set_navigation(Navigation::Blender);
+    editor.settle();
+    editor
+}
+
+fn elsewhere() -> Transform {
+    Transform {
+        position: Vec3::new(1.0, 2.0, 3.0),
+        rotation: Euler::from_degrees(Vec3::new(10.0, 20.0, 30.0)),
+        scale: Vec3::splat(2.0),
+    }
+}
+
+impl Editor {
+    fn place_of(&self, index: usize) -> Transform {
+        let shapes = self.session().scene().shapes();
+        shapes[index].placement.transform
+    }
+
+    fn last_told(&self) -> Option<String> {
+        let fresh = self.session().messages.fresh();
+        fresh.last().map(|told| told.text.to_string())
+    }
+}
+
+#[test]
+fn alt_and_the_key_of_a_movement_put_back_what_it_changes_of_every_selected_shape() {
+    let mut editor = in_blender(Editor::new());
+    for name in ["Cube", "Sphere"] {
+        editor.choose(&["Insert", name]);
+        let id = editor.shape().id;
+        editor.edit(Edit::SetTransform(id, elsewhere()));
+    }
+    editor.view(View::SelectAll);
+    let mut expected = elsewhere();
+    for (key, back) in [
+        (
+            Key::G,
+            (|to| to.position = Vec3::ZERO) as fn(&mut Transform),
+        ),
+        (Key::R, |to| to.rotation = Euler::default()),
+        (Key::S, |to| to.scale = Vec3::ONE),
+    ] {
+        editor.key_with(ALT, key);
+        back(&mut expected);
+        let places = [0, 1].map(|shape| editor.place_of(shape));
+        assert_eq!(places, [expected; 2], "Alt+{key:?}");
+    }
+    editor.key_with(ALT, Key::G);
+    assert_eq!(
+        editor.last_told().as_deref(),
+        Some("It is where it started")
+    );
+}
+
+#[test]
+fn with_a_joint_at_hand_alt_r_puts_that_back_to_rest_and_the_menu_still_turns_the_shape() {
+    let mut editor = in_blender(Editor::with_figure());
+    let id = editor.shape().id;
+    editor.edit(Edit::SetTransform(id, elsewhere()));
+    editor.type_into("Neck X", "30");
+    editor.key(Key::Escape);
+    editor.click("Pose Tool");
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.key_with(ALT, Key::R);
+    assert!(editor.character().pose().is_bind());
+    assert_eq!(editor.place_of(0), elsewhere());
+    editor.choose(&["Edit", "Reset Rotation"]);
+    assert_eq!(editor.place_of(0).rotation, Euler::default());
+}
+
+#[test]
+fn the_keys_around_5_turn_the_camera_by_15_degrees_to_the_side_they_lie_on() {
+    let mut editor = in_blender(Editor::new());
+    let right = editor.session().view().camera.right();
+    for (key, toward) in [
+        (Key::Num4, -right),
+        (Key::Num6, right),
+        (Key::Num8, Vec3::Y),
+        (Key::Num2, Vec3::NEG_Y),
+    ] {
+        editor.view(View::SetCamera(Camera::default()));
+        let before = editor.session().view().camera.eye();
+        editor.key(key);
+        let after = editor.session().view().camera.eye();
+        let angle = before.angle_between(after).to_degrees();
+        assert!((angle - 15.0).abs() < 1e-3, "{key:?} turns by {angle}°");
+        assert!((after - before).dot(toward) > 0.0, "{key:?}");
+    }
+    editor.view(View::SetCamera(Camera::default()));
+    editor.key(Key::Num9);
+    let eye = editor.session().view().camera.eye();
+    assert!(eye.abs_diff_eq(Vec3::NEG_Z * 5.0, 1e-4), "{eye}");
+}
+
+#[test]
+fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_mannequin() {
+    let mut editor = in_blender(Editor::new());
+    editor.view(View::SetLook(Look::Mannequin));
+    editor.key(Key::Num4);
+    assert_eq!(editor.last_told(), None);
+    editor.key(Key::Num5);
+    let told = editor.last_told().unwrap_or_default();
+    assert!(told.contains("no orthographic view"), "{told}");
+}
