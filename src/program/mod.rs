@@ -26,6 +26,7 @@ mod graphics;
 mod host;
 mod input_parts;
 mod job;
+mod meant_file;
 mod mesh_comparison;
 mod mesh_marks;
 mod picture_work;

@@ -4,7 +4,6 @@ use crate::io::Files;
 use crate::revision::Revision;
 use crate::scene::ShapeId;
 use crate::ui::Screenshot;
-use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 /// Places and a name that a host suggests to whoever chooses a file.
@@ -216,52 +215,6 @@ impl Purpose {
         )
     }
 
-    /// `path` as it was meant, if the file is to be written: with the extension where it has none of
-    /// its formats, as in Blender, so that `v1.2` and `Dr. No` are names; or once with one that was
-    /// given twice. Dialogs select a name without its extension, so that one that is typed with it
-    /// comes out as `my.scene.scene`.
-    pub fn completed(self, path: &Path) -> Option<PathBuf> {
-        let (_, extension) = self.written().first()?;
-        let stem = path.file_stem().map(Path::new)?;
-        if path.extension().is_some() && path.extension() == stem.extension() {
-            return Some(path.with_file_name(stem));
-        }
-        if path.extension().is_some_and(|end| self.writes(end)) {
-            return None;
-        }
-        let mut name = path.file_name()?.to_owned();
-        name.push(format!(".{extension}"));
-        Some(path.with_file_name(name))
-    }
-
-    /// `path` as it was meant, if the file is to be read and is not there: with the extension of the one
-    /// file of its formats that is, since dialogs let a path be typed without.
-    pub fn found(self, files: &dyn Files, path: &Path) -> Option<PathBuf> {
-        if !self.written().is_empty() || files.exists(path) {
-            return None;
-        }
-        let name = path.file_name()?;
-        let with = |extension: &&str| {
-            let mut name = name.to_owned();
-            name.push(".");
-            name.push(extension);
-            path.with_file_name(name)
-        };
-        let is_there = |path: &PathBuf| files.exists(path) && self.offers(files, path);
-        let mut found = self.offered().iter().map(with).filter(is_there);
-        found.next().filter(|_| found.next().is_none())
-    }
-
-    /// Whether files with this extension may be written.
-    fn writes(self, extension: &OsStr) -> bool {
-        let extension = extension.to_string_lossy().to_lowercase();
-        let as_listed = match &*extension {
-            "jpeg" => "jpg",
-            other => other,
-        };
-        self.written().iter().any(|(_, own)| *own == as_listed)
-    }
-
     /// Whether a dialog offers `path`. AppleDouble files, which archives from some systems carry
     /// beside the real ones, are never offered.
     pub fn offers(self, files: &dyn Files, path: &Path) -> bool {
@@ -280,7 +233,7 @@ impl Purpose {
     }
 
     /// Extensions of the files that a dialog offers.
-    fn offered(self) -> &'static [&'static str] {
+    pub(super) fn offered(self) -> &'static [&'static str] {
         match self {
             Self::Open => &["scene", "zip", "obj", "dae", "swp"],
             Self::SaveWithFiles => &["zip", "scene"],
@@ -354,55 +307,5 @@ mod tests {
             offered(Purpose::SaveComparison),
             ["a.png", "a.JPG", "a.gif"]
         );
-    }
-
-    #[test]
-    fn a_file_to_read_is_found_without_its_extension_where_only_one_is_meant() {
-        let names = ["a/man.obj", "a/man.skel", "a/man.json", "a/v1.2.dae", "a/b"];
-        let names = names.into_iter().chain(["a/two.obj", "a/two.dae"]);
-        let files: HashMap<PathBuf, Vec<u8>> =
-            names.map(|name| (name.into(), Vec::new())).collect();
-        let found = |purpose: Purpose, name| {
-            let path = purpose.found(&files, Path::new(name))?;
-            Some(path.display().to_string())
-        };
-        let pose = Purpose::LoadPose(ShapeId(1));
-        assert_eq!(found(Purpose::Open, "a/man").unwrap(), "a/man.obj");
-        assert_eq!(found(pose, "a/man").unwrap(), "a/man.json");
-        assert_eq!(found(Purpose::Open, "a/v1.2").unwrap(), "a/v1.2.dae");
-        for (purpose, name) in [
-            (Purpose::Open, "a/man.obj"),
-            (Purpose::Open, "a/b"),
-            (Purpose::Open, "a/two"),
-            (Purpose::Open, "a/none"),
-            (Purpose::ImportCurve, "a/man"),
-            (Purpose::ExportGeometry, "a/man"),
-        ] {
-            assert_eq!(found(purpose, name), None, "{name}");
-        }
-    }
-
-    #[test]
-    fn a_name_to_save_that_has_none_of_its_extensions_gets_the_first() {
-        let save = Purpose::SavePose(ShapeId(1), None);
-        let walk = PathBuf::from("poses/walk.json");
-        assert_eq!(save.completed(Path::new("poses/walk")), Some(walk));
-        for name in ["v1.2", "Dr. No", "a.", "walk.txt", "a.b", "q.zip"] {
-            let complete = PathBuf::from(format!("poses/{name}.json"));
-            assert_eq!(
-                save.completed(&Path::new("poses").join(name)),
-                Some(complete)
-            );
-        }
-        assert_eq!(save.completed(Path::new("poses/walk.json")), None);
-        let twice = Path::new("poses/walk.json.json");
-        assert_eq!(save.completed(twice), Some("poses/walk.json".into()));
-        let picture = Purpose::SaveComparison;
-        for name in ["a.PNG", "a.jpeg", "a.gif"] {
-            assert_eq!(picture.completed(Path::new(name)), None);
-        }
-        let other = picture.completed(Path::new("a.bmp"));
-        assert_eq!(other, Some("a.bmp.png".into()));
-        assert_eq!(Purpose::Compare.completed(Path::new("picture")), None);
     }
 }

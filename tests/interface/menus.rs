@@ -478,3 +478,15 @@ fn a_document_without_a_file_cannot_be_reverted() {
     editor.choose(&["File", "Revert"]);
     assert_eq!(editor.asked(), [Ask::Revert]);
 }
+
+#[test]
+fn a_turntable_says_why_it_cannot_be_transparent() {
+    let mut editor = Editor::new();
+    editor.choose(&["File", "Screenshot…", "Turntable"]);
+    let transparent = editor.widget("Transparent").rect().center();
+    editor.harness.hover_at(transparent);
+    editor.harness.run_steps(20);
+    let why = "Turntables are GIFs, which have no smooth transparency";
+    let painted = editor.painted();
+    assert!(painted.iter().any(|(text, _)| text == why), "{painted:?}");
+}
