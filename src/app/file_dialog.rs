@@ -260,7 +260,8 @@ fn dialog(purpose: Purpose, suggested: &Suggested) -> FileDialog {
             }
         });
     }
-    match suggested.folder.as_ref().filter(|folder| folder.is_dir()) {
+    let folder = suggested.folder.as_ref().filter(|folder| folder.is_dir());
+    match folder.or(recent.first().copied()) {
         Some(folder) => dialog.initial_directory(folder.clone()),
         None => dialog,
     }

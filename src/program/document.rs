@@ -294,6 +294,7 @@ impl Program {
         host: &mut dyn Host,
     ) {
         let is_saved = result.is_ok();
+        self.remember_written(path, is_saved);
         self.tell_written(path, result);
         if let Some((_, digests)) = self.exporting.take_if(|(exported, _)| exported == path)
             && is_saved
@@ -369,7 +370,7 @@ impl Program {
         let is_scene = matches!(purpose, Purpose::SaveScene | Purpose::SaveWithFiles);
         let own = self.document.path.as_deref().filter(|_| is_scene);
         let own = own.and_then(Path::parent).map(Path::to_owned);
-        let folder = own.or_else(|| self.preferences.folder_for(purpose.kind()));
+        let folder = own.or_else(|| self.folder_for(purpose.kind()));
         // Two quick Enters must not replace another scene.
         let name = if is_scene {
             free_name(name, folder.as_deref(), &*host.files())
@@ -378,7 +379,7 @@ impl Program {
         };
         let suggested = Suggested {
             folder,
-            recent: self.preferences.recent_folders(),
+            recent: self.preferences.recent_folders(self.to_write.values()),
             name,
         };
         let opened = self.session.opened();

@@ -1,5 +1,5 @@
 use super::running::Program;
-use super::{FileKind, Host, StorageKey};
+use super::{FileKind, Host, Purpose, StorageKey};
 use crate::scene::{Look, Skinning};
 use crate::ui::Navigation;
 use egui::ThemePreference;
@@ -120,13 +120,14 @@ impl Preferences {
         folder.or(self.last_folder.as_ref()).cloned()
     }
 
-    /// Folders that were used last, each once.
-    pub fn recent_folders(&self) -> Vec<PathBuf> {
+    /// Folders that were used last, each once, those of `files` before all others.
+    pub fn recent_folders<'a>(&self, files: impl Iterator<Item = &'a PathBuf>) -> Vec<PathBuf> {
+        let newest = files.filter_map(|file| file.parent());
         let documents = self.recent.iter().filter_map(|path| path.parent());
         let chosen = self.folders.values().map(PathBuf::as_path);
         let all = self.last_folder.as_deref().into_iter();
         let mut folders: Vec<PathBuf> = Vec::new();
-        for folder in all.chain(documents).chain(chosen) {
+        for folder in newest.chain(all).chain(documents).chain(chosen) {
             let is_known = folders.iter().any(|known| known == folder);
             if !is_known && !folder.as_os_str().is_empty() {
                 folders.push(folder.to_owned());
@@ -161,6 +162,36 @@ fn merged_recent(now: Vec<PathBuf>, before: &[PathBuf], theirs: Vec<PathBuf>) ->
 }
 
 impl Program {
+    /// Remembers the folder of a file that was chosen; of one that is to be written, once it is: a folder that
+    /// is gone, or that nothing can be written to, is no place to begin the next dialog in.
+    pub(super) fn remember_chosen(&mut self, purpose: Purpose, file: &Path) {
+        let kind = purpose.kind();
+        if purpose.written().is_empty() {
+            self.preferences.remember_folder(kind, file);
+        } else {
+            self.to_write.insert(kind, file.to_owned());
+        }
+    }
+
+    /// Takes note whether the file at `path` could be written.
+    pub(super) fn remember_written(&mut self, path: &Path, is_written: bool) {
+        let chosen = self.to_write.iter().find(|(_, chosen)| *chosen == path);
+        let Some(kind) = chosen.map(|(kind, _)| *kind) else {
+            return;
+        };
+        self.to_write.remove(&kind);
+        if is_written {
+            self.preferences.remember_folder(kind, path);
+        }
+    }
+
+    /// Folder for a dialog about files of a kind, that of a picture that is still being drawn included.
+    pub(super) fn folder_for(&self, kind: FileKind) -> Option<PathBuf> {
+        let chosen = self.to_write.get(&kind).and_then(|file| file.parent());
+        let chosen = chosen.map(Path::to_owned);
+        chosen.or_else(|| self.preferences.folder_for(kind))
+    }
+
     /// Stores what is kept of the program at its end.
     pub(super) fn keep_at_end(&mut self, host: &mut dyn Host) {
         self.preferences.window_size = self.window_size.or(self.preferences.window_size);

@@ -13,7 +13,7 @@ use super::preferences::Preferences;
 use super::questions::Asked;
 use super::reading::Readings;
 use super::start_pictures::StartPictures;
-use super::{Host, HostEvent, NotStored, globals};
+use super::{FileKind, Host, HostEvent, NotStored, globals};
 use crate::editor::{Session, Severity};
 use crate::io::{
     self,
@@ -23,7 +23,7 @@ use crate::render::Backdrop;
 use crate::revision::Revision;
 use crate::scene::{FitArea, ShapeId, Skinning};
 use crate::ui::{self, Screenshot, UiOutput, UiState};
-use std::collections::{BTreeSet, HashMap, HashSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet, VecDeque};
 use std::path::PathBuf;
 
 /// Options that the program is started with.
@@ -64,6 +64,8 @@ pub struct Program {
     pub(super) preferences: Preferences,
     /// Preferences as they were stored last.
     pub(super) stored: Preferences,
+    /// Files that were chosen last to be written, as long as nobody knows whether they can be.
+    pub(super) to_write: BTreeMap<FileKind, PathBuf>,
     pub(super) comparison: Option<Comparison>,
     pub(super) mesh_comparison: Option<MeshComparison>,
     pub(super) mesh_marks: MeshMarks,
@@ -136,6 +138,7 @@ impl Program {
             ui: UiState::new(),
             preferences: Preferences::default(),
             stored: Preferences::default(),
+            to_write: BTreeMap::new(),
             comparison: None,
             mesh_comparison: None,
             mesh_marks: MeshMarks::default(),
@@ -347,8 +350,7 @@ impl Program {
                     others,
                     files,
                 } => {
-                    let kind = request.purpose.kind();
-                    self.preferences.remember_folder(kind, &path);
+                    self.remember_chosen(request.purpose, &path);
                     if request.purpose.shape().is_some()
                         && self.is_from_another_scene(request.opened)
                     {

@@ -407,3 +407,26 @@ fn each_kind_of_files_has_a_folder_of_its_own_and_all_are_offered_as_recent() {
     next.key_with(Modifiers::COMMAND, Key::P);
     assert_eq!(folder(&next).as_deref(), Some("poses"), "at the next start");
 }
+
+#[test]
+fn a_folder_that_nothing_could_be_saved_in_is_not_where_the_next_dialog_begins() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let save = |story: &mut Story, path: &str| {
+        story.key_with(Modifiers::COMMAND, Key::P);
+        let request = story.host.requests.last().expect("a request");
+        let folder = request.folder.clone().map(|f| f.display().to_string());
+        story.choose(path);
+        folder
+    };
+    save(&mut story, "poses/bent.json");
+    story.host.write_fault = Some("Permission denied".to_owned());
+    assert_eq!(
+        save(&mut story, "locked/bent.json").as_deref(),
+        Some("poses")
+    );
+    story.host.write_fault = None;
+    let folder = save(&mut story, "other/bent.json");
+    assert_eq!(folder.as_deref(), Some("poses"), "the last that worked");
+    let folder = save(&mut story, "other/more.json");
+    assert_eq!(folder.as_deref(), Some("other"));
+}
