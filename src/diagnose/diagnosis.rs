@@ -4,6 +4,7 @@ use super::faces::FaceDifference;
 use super::other_pose::OtherPose;
 use super::search::Made;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::fmt;
 
 /// Regions that are told in words; the others are counted.
@@ -73,7 +74,7 @@ pub struct ToldMistake {
     /// What the program does.
     pub meaning: &'static str,
     /// Which way of it; empty if there is one only.
-    pub how: &'static str,
+    pub how: Cow<'static, str>,
     /// Section of the assignment.
     pub section: &'static str,
     /// What to look at in the code.
@@ -85,7 +86,7 @@ impl ToldMistake {
         Self {
             id: made.mistake.id,
             meaning: made.mistake.meaning,
-            how: made.reading.how,
+            how: made.reading.how.into(),
             section: made.mistake.section,
             look_at: made.mistake.look_at,
         }
@@ -141,7 +142,7 @@ pub struct Nearest {
 impl fmt::Display for ToldMistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.id, self.meaning)?;
-        match self.how {
+        match &*self.how {
             "" => Ok(()),
             how => write!(f, " ({how})"),
         }

@@ -1,5 +1,7 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
+use glam::DVec3;
+
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
 /// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
 /// are one formula as well.
@@ -21,6 +23,19 @@ pub struct Formula {
     pub vertex_order: VertexOrder,
     /// Factor of each coordinate that is written.
     pub written: [f64; 3],
+    /// A joint that a program has otherwise than the file.
+    pub other_joint: Option<OtherJoint>,
+}
+
+/// A joint as no file has it, in T and in B.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherJoint {
+    /// Index of the joint.
+    pub joint: usize,
+    /// Joint that it hangs on; `None` for a root. It hangs on none that hangs on the joint itself.
+    pub parent: Option<usize>,
+    /// Its offset from there.
+    pub offset: DVec3,
 }
 
 /// A joint's transform relative to its parent.
@@ -110,8 +125,10 @@ impl Factors {
 }
 
 /// Which weights of a vertex count, and how much.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WeightFormula {
+    /// Which row of the file a vertex has.
+    pub rows: Rows,
     /// Whether the weights are divided by their sum first.
     pub is_normalized: bool,
     /// Which of them are kept.
@@ -120,6 +137,8 @@ pub struct WeightFormula {
     pub rescaled: Rescaled,
     /// Which joint each belongs to.
     pub columns: Columns,
+    /// Factor of each in the end.
+    pub factor: f64,
 }
 
 /// How weights that are kept make up for those that are not.
@@ -135,6 +154,17 @@ pub enum Rescaled {
     ToSumOfAll,
 }
 
+/// Which row of weights a vertex is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rows {
+    /// Its own.
+    Exact,
+    /// The one of the vertex before it; the first vertex has none.
+    Before,
+    /// The one of the vertex after it; the last vertex has none.
+    After,
+}
+
 /// Which joint a column of weights is taken for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Columns {
@@ -144,6 +174,8 @@ pub enum Columns {
     Before,
     /// The one before, without column 0.
     BeforeWithoutFirst,
+    /// The one after, which the last column lacks.
+    After,
 }
 
 /// Which weights of a vertex are kept.
@@ -213,10 +245,12 @@ impl Default for Formula {
             bind_chain: Chain::ParentOwn,
             factors: Factors::Exact,
             weights: WeightFormula {
+                rows: Rows::Exact,
                 is_normalized: false,
                 kept: Kept::All,
                 rescaled: Rescaled::No,
                 columns: Columns::Exact,
+                factor: 1.0,
             },
             joint_order: JointOrder {
                 by: JointsBy::File,
@@ -224,6 +258,7 @@ impl Default for Formula {
             },
             vertex_order: VertexOrder::File,
             written: [1.0; 3],
+            other_joint: None,
         }
     }
 }

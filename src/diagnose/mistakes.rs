@@ -1,7 +1,8 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, VertexOrder,
+    AngleUnits, Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, Rows,
+    VertexOrder,
 };
 
 /// A mistake that programs make in skinning a character.
@@ -111,6 +112,29 @@ pub static MISTAKES: &[Mistake] = &[
             }),
             reading("the first one not at all", |formula| {
                 formula.weights.columns = Columns::BeforeWithoutFirst;
+            }),
+        ],
+    },
+    one_way!(
+        "weights-shifted-on",
+        SSD,
+        "column c of the weights is taken for joint c + 2 instead of joint c + 1, the last one for none",
+        "where the .attach file is read and weights are summed: the root's missing column is to be made up \
+         for in one of the two, not in both",
+        |formula| formula.weights.columns = Columns::After
+    ),
+    Mistake {
+        id: "weight-rows-shifted",
+        meaning: "vertices have the weights of their neighbors in the file",
+        section: SSD,
+        look_at: "where the .attach file is read: row i belongs to the i-th v line, so no row may be read \
+                  and dropped, or put in before the first",
+        readings: &[
+            reading("of the vertex after them, the last one none", |formula| {
+                formula.weights.rows = Rows::After;
+            }),
+            reading("of the vertex before them, the first one none", |formula| {
+                formula.weights.rows = Rows::Before;
             }),
         ],
     },
@@ -283,6 +307,14 @@ pub static MISTAKES: &[Mistake] = &[
         "where weights are read or summed: they count as they are in the .attach file",
         |formula| formula.weights.is_normalized = true
     ),
+    one_way!(
+        "weights-doubled",
+        SSD,
+        "every weight counts twice, so that the mesh is twice as large",
+        "updateMeshVertices: whether each joint is added once, and all of the sum is begun anew for each \
+         vertex; then what is written",
+        |formula| formula.weights.factor *= 2.0
+    ),
     Mistake {
         id: "strongest-joint-only",
         meaning: "a vertex goes with the joint of its largest weight alone",
@@ -382,10 +414,33 @@ pub static TRIANGLES_TURNED: Mistake = Mistake {
     readings: &[],
 };
 
+/// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
+pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
+    id: "one-wrong-parent",
+    meaning: "one joint hangs on another parent than the file says",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the last number of a line is the index of the parent, from 0, and \
+              -1 for a root",
+    readings: &[],
+};
+
+/// A mistake in one line of the skeleton, whose offset is worked out from the mesh.
+pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
+    id: "one-wrong-offset",
+    meaning: "one joint has another offset from its parent than the file says",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the first three numbers of a line are the offset from the parent, \
+              which nothing may change",
+    readings: &[],
+};
+
+/// Mistakes that are found otherwise than by making them in every way.
+static FOUND_OTHERWISE: [&Mistake; 3] = [&TRIANGLES_TURNED, &ONE_WRONG_PARENT, &ONE_WRONG_OFFSET];
+
 impl Mistake {
     /// The mistake with this name, if there is one.
     pub fn find(id: &str) -> Option<&'static Self> {
-        let all = MISTAKES.iter().chain([&TRIANGLES_TURNED]);
-        all.into_iter().find(|mistake| mistake.id == id)
+        let mut all = MISTAKES.iter().chain(FOUND_OTHERWISE);
+        all.find(|mistake| mistake.id == id)
     }
 }

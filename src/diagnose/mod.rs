@@ -10,6 +10,7 @@ mod measure;
 mod mistaken;
 mod mistakes;
 mod model;
+mod one_joint;
 mod other_pose;
 mod picture;
 mod picture_search;
@@ -26,7 +27,7 @@ pub use diagnosis::{
 pub use faces::FaceDifference;
 pub use formula::{
     AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept,
-    Rescaled, VertexOrder, WeightFormula,
+    OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
 };
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
@@ -164,6 +165,9 @@ async fn diagnose_vertices(
         explanations.extend(findings.in_another_order());
     }
     if explanations.is_empty() {
+        explanations = one_joint::find(&search, order, &exact, size, pace).await;
+    }
+    if explanations.is_empty() {
         explanations = search.pairs(&alone, pace).await;
     }
     if explanations.is_empty() {
@@ -266,7 +270,7 @@ impl Findings<'_> {
             .filter(|explanation| explanation.error <= enough);
         if let Some(first) = good.next() {
             found.error = first.error / self.size;
-            found.mistakes = first.made.iter().copied().map(ToldMistake::new).collect();
+            found.mistakes = first.told();
         }
         let together = found.together();
         for other in good {
@@ -296,6 +300,7 @@ impl Findings<'_> {
         Some(Explanation {
             made: vec![made],
             error: distances.fold(0.0, f64::max),
+            how: None,
         })
     }
 

@@ -1,6 +1,6 @@
 //! What all formulas share of a character: orders of its joints and vertices.
 
-use super::formula::{JointsBy, VertexOrder};
+use super::formula::{JointsBy, Rows, VertexOrder};
 use crate::character::{Character, Influence, SkeletalModel};
 use glam::DVec3;
 
@@ -48,6 +48,23 @@ impl<'a> Model<'a> {
 
     pub(super) fn influences(&self, row: usize) -> &[Influence] {
         self.character.attachments().of_vertex(row)
+    }
+
+    /// The weights that a program takes for those of `row`; none if there are none.
+    pub(super) fn influences_by(&self, rows: Rows, row: usize) -> &[Influence] {
+        let row = match rows {
+            Rows::Exact => Some(row),
+            Rows::Before => row.checked_sub(1),
+            Rows::After => Some(row + 1).filter(|&row| row < self.positions.len()),
+        };
+        row.map_or(&[], |row| self.influences(row))
+    }
+
+    /// Whether `joint` is `above` or hangs on it, over however many others.
+    pub(super) fn hangs_on(&self, joint: usize, above: usize) -> bool {
+        let joints = self.skeleton().joints();
+        let mut line = std::iter::successors(Some(joint), |&joint| joints[joint].parent);
+        line.any(|joint| joint == above)
     }
 
     /// Joint that each index means.

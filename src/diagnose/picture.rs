@@ -122,7 +122,7 @@ impl PictureDiagnosis {
         self.verdict = Verdict::Explained;
         self.sure = 1.0 / alike.len() as f64;
         self.error = first.error;
-        self.mistakes = first.made.iter().copied().map(ToldMistake::new).collect();
+        self.mistakes = first.told();
         self.same_as = others.iter().map(|other| other.ids()).collect();
         self.causes = all_causes(&self.mistakes, &self.same_as);
     }

@@ -101,6 +101,7 @@ impl<'a> PictureSearch<'a> {
             Explanation {
                 made: vec![made],
                 error: self.error(&points, &self.fine),
+                how: None,
             }
         })
         .collect()
@@ -120,7 +121,11 @@ impl<'a> PictureSearch<'a> {
             if alone(second) < alone(first) {
                 made.reverse();
             }
-            (error <= enough).then_some(Explanation { made, error })
+            (error <= enough).then_some(Explanation {
+                made,
+                error,
+                how: None,
+            })
         })
         .collect()
     }

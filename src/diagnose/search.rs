@@ -1,5 +1,6 @@
 //! The search for the mistakes that give a mesh.
 
+use super::diagnosis::ToldMistake;
 use super::formula::{Formula, VertexOrder};
 use super::mistakes::{MISTAKES, Mistake, Reading};
 use super::model::Model;
@@ -27,7 +28,7 @@ pub(super) struct Search<'a> {
     /// How far apart vertices may be and still agree.
     pub(super) tolerance: f64,
     /// Vertices that tell formulas apart, those that tell most first, and then those from all over.
-    sample: Vec<usize>,
+    pub(super) sample: Vec<usize>,
 }
 
 /// A mistake, and a way to make it.
@@ -43,11 +44,22 @@ pub(super) struct Explanation {
     pub(super) made: Vec<Made>,
     /// What is left: the largest distance, or the part of the silhouette that is off.
     pub(super) error: f64,
+    /// What is special about the first, where only the mesh tells it.
+    pub(super) how: Option<String>,
 }
 
 impl Explanation {
     pub(super) fn ids(&self) -> Vec<&'static str> {
         self.made.iter().map(|made| made.mistake.id).collect()
+    }
+
+    /// The mistakes in words.
+    pub(super) fn told(&self) -> Vec<ToldMistake> {
+        let mut told: Vec<ToldMistake> = self.made.iter().copied().map(ToldMistake::new).collect();
+        if let (Some(first), Some(how)) = (told.first_mut(), &self.how) {
+            first.how = how.clone().into();
+        }
+        told
     }
 }
 
@@ -139,7 +151,7 @@ impl<'a> Search<'a> {
     }
 
     /// `made` if every vertex agrees with the mesh that it gives.
-    async fn explained_by(
+    pub(super) async fn explained_by(
         &self,
         skinner: &mut Skinner<'_>,
         made: Vec<Made>,
@@ -164,7 +176,11 @@ impl<'a> Search<'a> {
                 pace.after(AT_ONCE).await;
             }
         }
-        Some(Explanation { made, error })
+        Some(Explanation {
+            made,
+            error,
+            how: None,
+        })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Skinning by any formula, in double precision.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, Rescaled,
+    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, OtherJoint, Rescaled,
     WeightFormula,
 };
 use super::model::Model;
@@ -61,7 +61,9 @@ impl<'a> Skinner<'a> {
     /// weighted sum without the translations.
     pub(super) fn linear(&mut self, index: usize) -> DMat3 {
         let source = self.model.source(self.formula.vertex_order, index);
-        let influences = self.model.influences(source.weights);
+        let influences = self
+            .model
+            .influences_by(self.formula.weights.rows, source.weights);
         let written = DMat3::from_diagonal(DVec3::from_array(self.formula.written));
         if influences.is_empty() || self.formula.factors == Factors::Nothing {
             return written;
@@ -78,7 +80,9 @@ impl<'a> Skinner<'a> {
     pub(super) fn place(&mut self, index: usize) -> Placed {
         let source = self.model.source(self.formula.vertex_order, index);
         let bind = self.model.positions[source.position];
-        let influences = self.model.influences(source.weights);
+        let influences = self
+            .model
+            .influences_by(self.formula.weights.rows, source.weights);
         let is_unweighted = influences.is_empty();
         let at = if is_unweighted || self.formula.factors == Factors::Nothing {
             bind
@@ -125,6 +129,9 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
         Rescaled::ToOne | Rescaled::ToOneWhereCut => scale_to(1.0, kept),
         Rescaled::ToSumOfAll => scale_to(sum_of_all, kept),
     }
+    for (_, weight) in kept {
+        *weight *= formula.factor;
+    }
 }
 
 fn sum(weights: &[(usize, f64)]) -> f64 {
@@ -162,10 +169,10 @@ impl Joints {
                 angles_of[joint] = index;
             }
         }
-        let joints = model.skeleton().joints();
-        let offset = |joint: usize| joints[joint].offset.as_dvec3();
+        let tree = Tree::new(model, formula.other_joint);
+        let offset = |joint: usize| tree.offsets[joint];
         let own = &formula.joint;
-        let current = chained(model, formula.chain, |joint| {
+        let current = tree.chained(formula.chain, |joint| {
             let mut translation = DVec3::ZERO;
             let mut angles = DVec3::ZERO;
             if own.has_offset {
@@ -179,7 +186,7 @@ impl Joints {
             }
             own.parent_from_joint(translation, angles)
         });
-        let bind = chained(model, formula.bind_chain, |joint| {
+        let bind = tree.chained(formula.bind_chain, |joint| {
             let has_offset = f64::from(own.has_bind_offset);
             own.parent_from_joint(offset(joint) * has_offset, DVec3::ZERO)
         });
@@ -206,8 +213,9 @@ impl Joints {
             Columns::Exact => index,
             Columns::Before => index.checked_sub(1)?,
             Columns::BeforeWithoutFirst => index.checked_sub(1).filter(|place| *place > 0)?,
+            Columns::After => index + 1,
         };
-        Some(self.order[place])
+        self.order.get(place).copied()
     }
 
     /// What moves vertices, by the index that a weight has.
@@ -226,20 +234,49 @@ impl Joints {
     }
 }
 
-/// The transform of each joint from `own`, relative to its parent.
-fn chained(model: &Model, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<DAffine3> {
-    let joints = model.skeleton().joints();
-    let mut model_from_joint = vec![DAffine3::IDENTITY; joints.len()];
-    for &joint in &model.by_depth {
-        let parent = joints[joint].parent.map(|parent| model_from_joint[parent]);
-        let own = own(joint);
-        model_from_joint[joint] = match (chain, parent) {
-            (Chain::Own, _) | (_, None) => own,
-            (Chain::ParentOwn, Some(parent)) => parent * own,
-            (Chain::OwnParent, Some(parent)) => own * parent,
+/// The joints as a program has them.
+struct Tree {
+    parents: Vec<Option<usize>>,
+    offsets: Vec<DVec3>,
+    /// Parents before their children.
+    order: Vec<usize>,
+}
+
+impl Tree {
+    fn new(model: &Model, other: Option<OtherJoint>) -> Self {
+        let joints = model.skeleton().joints();
+        let mut tree = Self {
+            parents: joints.iter().map(|joint| joint.parent).collect(),
+            offsets: joints.iter().map(|joint| joint.offset.as_dvec3()).collect(),
+            order: model.by_depth.clone(),
         };
+        if let Some(other) = other {
+            tree.parents[other.joint] = other.parent;
+            tree.offsets[other.joint] = other.offset;
+            // What hangs on the joint stays behind it, and its new parent is none of these.
+            let (moved, others): (Vec<usize>, _) = tree
+                .order
+                .iter()
+                .partition(|&&joint| model.hangs_on(joint, other.joint));
+            tree.order = others.into_iter().chain(moved).collect();
+        }
+        tree
     }
-    model_from_joint
+
+    /// The transform of each joint from `own`, relative to its parent.
+    fn chained(&self, chain: Chain, own: impl Fn(usize) -> DAffine3) -> Vec<DAffine3> {
+        let mut model_from_joint = vec![DAffine3::IDENTITY; self.parents.len()];
+        for &joint in &self.order {
+            let parent = self.parents[joint].map(|parent| model_from_joint[parent]);
+            let own = own(joint);
+            model_from_joint[joint] = match (chain, parent) {
+                (Chain::Own, _) | (_, None) => own,
+                (Chain::ParentOwn, Some(parent)) => parent * own,
+                (Chain::OwnParent, Some(parent)) => own * parent,
+            };
+        }
+        model_from_joint
+    }
 }
 
 impl JointFormula {

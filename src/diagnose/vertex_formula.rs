@@ -68,7 +68,7 @@ impl VertexFormula {
         let formula = formula.in_order_of_file();
         let joints = Joints::new(&model, pose, &formula);
         let source = model.source(formula.vertex_order, vertex);
-        let influences = model.influences(source.weights);
+        let influences = model.influences_by(formula.weights.rows, source.weights);
         let mut kept = Vec::new();
         keep(influences, formula.weights, &mut kept);
         kept.sort_by_key(|&(index, _)| index);

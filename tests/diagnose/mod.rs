@@ -7,6 +7,7 @@ mod explained;
 mod faces;
 pub mod figures;
 mod mistaken;
+mod one_joint;
 mod other_poses;
 mod pairs;
 mod picture_pairs;

@@ -23,6 +23,8 @@ pub struct Student {
     pub push_bind: fn(Mat4, Mat4) -> Mat4,
     /// What moves a vertex, from T and B.
     pub product: fn(Mat4, Mat4) -> Mat4,
+    /// The rows of weights that are read, from those of the file.
+    pub rows: fn(&[Vec<f32>]) -> Vec<Vec<f32>>,
     /// The weights of a row that are read, one a column.
     pub row: fn(&[f32]) -> Vec<f32>,
     pub joint_of_column: fn(usize) -> usize,
@@ -32,6 +34,8 @@ pub struct Student {
     pub joints: fn(&Figure) -> Vec<usize>,
     /// For each vertex that is written: which `v` line, and which row of weights.
     pub vertices: fn(&Figure) -> Vec<(usize, usize)>,
+    /// The weighted sum that is kept.
+    pub sum: fn(Vec3) -> Vec3,
     /// What is written for a vertex.
     pub write: fn(Vec3) -> Vec3,
 }
@@ -46,11 +50,13 @@ pub const RIGHT: Student = Student {
     push: |parent, own| parent * own,
     push_bind: |parent, own| parent * own,
     product: |t, b| t * b.inverse(),
+    rows: |rows| rows.to_vec(),
     row: |row| row.to_vec(),
     joint_of_column: |column| column + 1,
     weights: |weights| weights,
     joints: |figure| (0..figure.parents.len()).collect(),
     vertices: |figure| (0..figure.positions.len()).map(|i| (i, i)).collect(),
+    sum: |sum| sum,
     write: |vertex| vertex,
 };
 
@@ -91,17 +97,20 @@ impl Student {
                 (self.product)(t, b)
             })
             .collect();
+        let rows = (self.rows)(&figure.rows);
         let skinned = (self.vertices)(figure).into_iter().map(|(position, row)| {
-            let row = (self.row)(&figure.rows[row]);
+            let row = (self.row)(&rows[row]);
             let columns = row.iter().enumerate();
             let weights = columns
                 .filter(|(_, weight)| **weight != 0.0)
                 .map(|(column, weight)| ((self.joint_of_column)(column), *weight));
             let mut moved = Vec3::ZERO;
             for (joint, weight) in (self.weights)(weights.collect()) {
-                moved += weight * palette[joint].transform_point3(figure.positions[position]);
+                // Beyond the last joint a program may read whatever it finds, or have put nothing.
+                let joint = palette.get(joint).copied().unwrap_or(Mat4::ZERO);
+                moved += weight * joint.transform_point3(figure.positions[position]);
             }
-            (self.write)(moved)
+            (self.write)((self.sum)(moved))
         });
         skinned.collect()
     }
@@ -229,6 +238,21 @@ pub const WRONG: &[Wrong] = &[
     wrong("weights-shifted", "columns", |s| {
         s.row = |row| row.iter().skip(1).copied().chain([0.0]).collect();
     }),
+    wrong("weights-shifted-on", "columns", |s| {
+        s.joint_of_column = |column| column + 2
+    }),
+    wrong("weight-rows-shifted", "rows", |s| {
+        s.rows = |rows| {
+            let none = vec![0.0; rows[0].len()];
+            rows.iter().skip(1).cloned().chain([none]).collect()
+        };
+    }),
+    wrong("weight-rows-shifted", "rows", |s| {
+        s.rows = |rows| {
+            let none = vec![0.0; rows[0].len()];
+            [none].into_iter().chain(rows.iter().cloned()).collect()
+        };
+    }),
     wrong("no-inverse-bind", "product", |s| s.product = |t, _| t),
     wrong("inverse-bind-only", "product", |s| {
         s.product = |_, b| b.inverse()
@@ -294,6 +318,7 @@ pub const WRONG: &[Wrong] = &[
         };
     }),
     wrong("weights-normalized", "weights", |s| s.weights = normalized),
+    wrong("weights-doubled", "sum", |s| s.sum = |sum| sum + sum),
     wrong("strongest-joint-only", "weights", |s| {
         s.weights = |w| {
             largest(w, 1)

@@ -116,10 +116,10 @@ fn a_mesh_that_is_moved_or_scaled_as_a_whole_is_told_to_be() {
         found.findings[0].ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
         "{found}"
     );
-    let larger: Vec<Vec3> = right.iter().map(|place| *place * 2.0).collect();
+    let larger: Vec<Vec3> = right.iter().map(|place| *place * 3.0).collect();
     let found = figure.diagnose(&larger);
     assert!(
-        found.findings[0].ends_with("B is A 2.000000 times as large"),
+        found.findings[0].ends_with("B is A 3.000000 times as large"),
         "{found}"
     );
 }

@@ -97,7 +97,11 @@ fn vertex(formula: &Formula) -> Line {
         in_order.vertex_order != VertexOrder::File || formula.joint_order != exact.joint_order;
     let weights = formula.weights;
     let is_scaled = weights.is_normalized || weights.rescaled != exact.weights.rescaled;
-    let weight = if is_scaled { "Σ w / Σw" } else { "Σ w" };
+    let weight = match (is_scaled, weights.factor == exact.weights.factor) {
+        (true, _) => "Σ w / Σw",
+        (false, true) => "Σ w",
+        (false, false) => "Σ 2 · w",
+    };
     let factors = formula.factors.in_order();
     let mut weight = part(weight, changed_if(weights != exact.weights || are_others));
     if factors.is_empty() {

@@ -1,0 +1,227 @@
+//! Mistakes in one line of a skeleton: a joint that hangs on a wrong parent, or has a wrong offset. They are sought
+//! only where no mistake of a whole program gives the mesh, since one line can be off in so many ways.
+
+use super::formula::{Formula, OtherJoint, VertexOrder};
+use super::mistakes::{Mistake, ONE_WRONG_OFFSET, ONE_WRONG_PARENT, Reading};
+use super::search::{Explanation, Made, Search};
+use super::skin::{Placed, Skinner};
+use super::{AS_GOOD, AS_GOOD_AS_NONE};
+use crate::steps::Pace;
+use glam::{DMat3, DVec3};
+
+/// Joints of the largest skeletons that are tried: every joint above what is off is hung on every other.
+const MOST_JOINTS: usize = 256;
+/// Vertices that must be off: the offset of a joint that moves fewer would give them any place.
+const FEWEST_OFF: usize = 4;
+/// What is left of a direction in which the pose hardly shows an offset, by the one in which it shows it best. An
+/// offset is taken as right there.
+const HARDLY_SHOWN: f64 = 1e-9;
+/// Parents that are told where several give the same mesh.
+const TOLD: usize = 3;
+
+/// The only way to make such a mistake, which is told in words of its own.
+static IN_THE_FILE: Reading = Reading {
+    how: "",
+    make: |_| {},
+};
+
+/// The mistakes in one line of the skeleton that give the mesh of `search`, which has its vertices in `order` and is
+/// held against `exact`.
+pub(super) async fn find(
+    search: &Search<'_>,
+    order: VertexOrder,
+    exact: &[Placed],
+    size: f64,
+    pace: &Pace,
+) -> Vec<Explanation> {
+    let lines = Lines {
+        search,
+        order,
+        exact,
+    };
+    let joints = lines.joints();
+    let parents = lines.wrong_parents(&joints, size, pace).await;
+    let offsets = lines.wrong_offsets(&joints, pace).await;
+    parents.into_iter().chain(offsets).collect()
+}
+
+/// A skeleton whose lines are tried.
+struct Lines<'a> {
+    search: &'a Search<'a>,
+    order: VertexOrder,
+    exact: &'a [Placed],
+}
+
+impl Lines<'_> {
+    /// The joints whose line may be wrong: those that move, by themselves or by what hangs on them, all that is off.
+    fn joints(&self) -> Vec<usize> {
+        let model = self.search.model;
+        let joints = model.skeleton().joints().len();
+        let off = |&&vertex: &&usize| {
+            self.exact[vertex].distance(self.search.theirs[vertex]) > self.search.tolerance
+        };
+        let off: Vec<usize> = self.search.sample.iter().filter(off).copied().collect();
+        if joints > MOST_JOINTS || off.len() < FEWEST_OFF {
+            return Vec::new();
+        }
+        let moves = |joint: usize, vertex: usize| {
+            let row = model.source(self.order, vertex).weights;
+            let mut influences = model.influences(row).iter();
+            influences.any(|one| model.hangs_on(one.joint as usize, joint))
+        };
+        let by_depth = model.by_depth.iter().copied();
+        by_depth
+            .filter(|&joint| off.iter().all(|&vertex| moves(joint, vertex)))
+            .collect()
+    }
+
+    /// A skinner of the exact formula, but for one joint.
+    fn skinner(&self, other: Option<OtherJoint>) -> Skinner<'_> {
+        let formula = Formula {
+            vertex_order: self.order,
+            other_joint: other,
+            ..Formula::default()
+        };
+        Skinner::new(self.search.model, self.search.pose, &formula)
+    }
+
+    /// An explanation of the mesh by `other`, if that gives it.
+    async fn explained(
+        &self,
+        other: OtherJoint,
+        mistake: &'static Mistake,
+        pace: &Pace,
+    ) -> Option<Explanation> {
+        let made = Made {
+            mistake,
+            reading: &IN_THE_FILE,
+        };
+        let mut skinner = self.skinner(Some(other));
+        (self.search)
+            .explained_by(&mut skinner, vec![made], pace)
+            .await
+    }
+
+    /// The wrong parents that give the mesh, as one explanation.
+    async fn wrong_parents(&self, joints: &[usize], size: f64, pace: &Pace) -> Option<Explanation> {
+        let model = self.search.model;
+        let all = model.skeleton().joints();
+        let mut found = Vec::new();
+        for &joint in joints {
+            let others = (0..all.len()).filter(|&other| !model.hangs_on(other, joint));
+            for parent in others.map(Some).chain([None]) {
+                if parent == all[joint].parent {
+                    continue;
+                }
+                let other = OtherJoint {
+                    joint,
+                    parent,
+                    offset: all[joint].offset.as_dvec3(),
+                };
+                let explained = self.explained(other, &ONE_WRONG_PARENT, pace).await;
+                found.extend(explained.map(|explanation| (explanation, other)));
+            }
+        }
+        found.sort_by(|(a, _), (b, _)| a.error.total_cmp(&b.error));
+        let least = found.first()?.0.error;
+        let enough = (AS_GOOD * least).max(AS_GOOD_AS_NONE * size);
+        let good = found.iter().filter(|(one, _)| one.error <= enough);
+        let told: Vec<String> = good
+            .map(|(_, other)| self.on_another_parent(*other))
+            .take(TOLD)
+            .collect();
+        let (mut explanation, _) = found.swap_remove(0);
+        explanation.how = Some(told.join(", or "));
+        Some(explanation)
+    }
+
+    /// The wrong offset that gives the mesh, of the joint with which it agrees best.
+    async fn wrong_offsets(&self, joints: &[usize], pace: &Pace) -> Option<Explanation> {
+        let mut best: Option<Explanation> = None;
+        for &joint in joints {
+            let own = &self.search.model.skeleton().joints()[joint];
+            let Some(off) = self.off_by(joint) else {
+                continue;
+            };
+            let other = OtherJoint {
+                joint,
+                parent: own.parent,
+                offset: own.offset.as_dvec3() + off,
+            };
+            let explained = self.explained(other, &ONE_WRONG_OFFSET, pace).await;
+            let known = best.as_ref().map_or(f64::INFINITY, |best| best.error);
+            if let Some(explained) = explained.filter(|explained| explained.error < known) {
+                let how = self.with_another_offset(other);
+                best = Some(Explanation {
+                    how: Some(how),
+                    ..explained
+                });
+            }
+        }
+        best
+    }
+
+    /// What must be added to the offset of `joint` so that the mesh comes nearest, by least squares; `None` if the
+    /// pose does not show it. A vertex moves in proportion to what is added, along each axis by itself.
+    fn off_by(&self, joint: usize) -> Option<DVec3> {
+        let own = &self.search.model.skeleton().joints()[joint];
+        let offset = own.offset.as_dvec3();
+        let mut along = DVec3::AXES.map(|axis| {
+            self.skinner(Some(OtherJoint {
+                joint,
+                parent: own.parent,
+                offset: offset + axis,
+            }))
+        });
+        let (mut matrix, mut right) = (DMat3::ZERO, DVec3::ZERO);
+        for &vertex in &self.search.sample {
+            let exact = self.exact[vertex];
+            if exact.is_unweighted {
+                continue;
+            }
+            let moved = along
+                .each_mut()
+                .map(|skinner| skinner.place(vertex).at - exact.at);
+            let moved = DMat3::from_cols_array_2d(&moved.map(|column| column.to_array()));
+            matrix += moved.transpose() * moved;
+            right += moved.transpose() * (self.search.theirs[vertex] - exact.at);
+        }
+        let shown = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
+        let raised = matrix + DMat3::from_diagonal(DVec3::splat(shown * HARDLY_SHOWN));
+        let off = raised.inverse() * right;
+        (shown > 0.0 && off.is_finite()).then_some(off)
+    }
+
+    fn on_another_parent(&self, other: OtherJoint) -> String {
+        let real = self.search.model.skeleton().joints()[other.joint].parent;
+        let [joint, parent, real] =
+            [Some(other.joint), other.parent, real].map(|joint| self.named(joint));
+        format!("{joint} on {parent} instead of {real}")
+    }
+
+    fn with_another_offset(&self, other: OtherJoint) -> String {
+        let real = self.search.model.skeleton().joints()[other.joint].offset;
+        let [offset, real] = [other.offset, real.as_dvec3()].map(|offset| {
+            let [x, y, z] = offset.to_array().map(rounded);
+            format!("({x}, {y}, {z})")
+        });
+        let joint = self.named(Some(other.joint));
+        format!("{joint} {offset} instead of {real}")
+    }
+
+    /// A joint by name and index, as the file counts them.
+    fn named(&self, joint: Option<usize>) -> String {
+        match joint {
+            Some(index) => {
+                let name = &self.search.model.skeleton().joints()[index].name;
+                format!("{name} ({index})")
+            }
+            None => "no joint".to_owned(),
+        }
+    }
+}
+
+/// A coordinate in words, without the digits that a mesh does not tell, and a zero without a sign.
+fn rounded(coordinate: f64) -> f64 {
+    (coordinate * 1e4).round() / 1e4 + 0.0
+}
