@@ -1,6 +1,8 @@
 //! `editor check`: what is in a file, and what is wrong with it.
 
 mod collada;
+mod names;
+mod oddities;
 
 use super::output::{DiagnosticJson, eprint_line, json_text, visible};
 use super::{CliError, print};
@@ -10,6 +12,8 @@ use crate::editor::Session;
 use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
 use collada::ColladaReport;
+use names::Asked;
+use oddities::oddities;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -19,7 +23,8 @@ use std::path::{Path, PathBuf};
 ///
 /// Mistakes are reported as path:line:column with what was expected and what was found; with --json
 /// errors and warnings are objects {"file", "line", "column", "message"}, where line and column are
-/// null if it is about the file as a whole. Poses are checked against the characters among the files.
+/// null if it is about the file as a whole. Odd are, too, a mesh and a skeleton of quite different sizes, faces that are
+/// turned inside out, and names of files that fit but for capitals. Poses are checked against the characters among the files.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
@@ -151,7 +156,27 @@ struct Checked {
     pose: Option<PoseFile>,
 }
 
+/// Checks a file, and whether it and what it names are called as they are looked for.
 fn check(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> {
+    let asked = Asked::new(files);
+    let checked = check_content(&asked, path);
+    let names = asked.other_capitals(path).into_iter();
+    match checked {
+        Ok(mut checked) => {
+            let warnings = names.map(|what| Diagnostic::new(path, what));
+            let warnings = warnings.map(|warning| DiagnosticJson::from(&warning));
+            checked.report.warnings.extend(warnings);
+            Ok(checked)
+        }
+        // The name may be why it is wrong.
+        Err(mut error) => {
+            names.for_each(|what| error.message += &format!("; {what}"));
+            Err(error)
+        }
+    }
+}
+
+fn check_content(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> {
     let file = builtin::resolve(path)?;
     let is = |extension: &str| {
         file.extension()
@@ -189,6 +214,11 @@ fn check(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> {
         ShapeKind::Character(shape) => Some(shape.character.skeleton().clone()),
         _ => None,
     });
+    let odd = shapes.clone().filter(|shape| shape.source.is_some());
+    let odd = odd
+        .flat_map(oddities)
+        .map(|what| Diagnostic::new(path, what));
+    let odd: Vec<Diagnostic> = odd.collect();
     Ok(Checked {
         report: FileReport {
             shapes: shapes
@@ -197,7 +227,9 @@ fn check(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> {
                 .map(|(shape, evaluated)| shape_report(shape, evaluated))
                 .collect(),
             collada,
-            warnings: loaded.warnings.iter().map(DiagnosticJson::from).collect(),
+            warnings: (loaded.warnings.iter().chain(&odd))
+                .map(DiagnosticJson::from)
+                .collect(),
             ..FileReport::new(path)
         },
         skeletons: skeletons.collect(),

@@ -17,6 +17,7 @@ mod teapot;
 mod triangle_tree;
 mod triangulate;
 mod volume;
+mod winding;
 
 pub use bone_box::{BONE_HALF_WIDTH, cuboid_from_unit};
 pub use cube::cube;
@@ -33,3 +34,4 @@ pub use teapot::teapot;
 pub use triangle_tree::{TriangleBoxes, TriangleOrder};
 pub use triangulate::Triangulator;
 pub use volume::enclosed_volume;
+pub use winding::opposed_triangles;

@@ -308,3 +308,130 @@ fn check_knows_the_course_characters() {
         assert_eq!(report["files"][0]["warnings"], json!([]));
     }
 }
+
+/// The warnings that are told about a file in `folder`, without its name.
+fn warnings(folder: &Path, file: &str) -> Vec<String> {
+    let ran = editor_in(folder, &["check", "--json", file]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""), "{file}");
+    let report = json(&ran.out);
+    let warnings = report["files"][0]["warnings"].as_array().unwrap();
+    let message = |warning: &Value| warning["message"].as_str().unwrap().to_owned();
+    warnings.iter().map(message).collect()
+}
+
+#[test]
+fn a_mesh_in_other_units_than_its_skeleton_is_odd() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let skeleton = |unit: f32| format!("0 0 0 -1\n0 {unit} 0 0\n");
+    write("man.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("man.attach", "1\n1\n1\n");
+    let units = ": one of them may be in other units, such as centimeters and meters";
+    for (unit, expected) in [
+        (1.0, None),
+        (0.1, None),
+        (10.0, None),
+        (
+            0.01,
+            Some("Man: the mesh is some 140 times as large as the skeleton"),
+        ),
+        (
+            100.0,
+            Some("Man: the skeleton is some 71 times as large as the mesh"),
+        ),
+        // All joints in one place say nothing of units.
+        (0.0, None),
+    ] {
+        write("man.skel", &skeleton(unit));
+        let expected: Vec<String> = expected
+            .iter()
+            .map(|what| format!("{what}{units}"))
+            .collect();
+        assert_eq!(warnings(folder.path(), "man.obj"), expected, "{unit}");
+    }
+}
+
+#[test]
+fn faces_that_are_turned_inside_out_are_odd() {
+    let folder = tempfile::tempdir().unwrap();
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    for (name, faces, expected) in [
+        ("right", "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", None),
+        ("open", "f 1 2 3\nf 1 4 2\nf 1 3 4\n", None),
+        (
+            "all",
+            "f 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n",
+            Some(
+                "All: all of the closed mesh is turned inside out: the corners of its faces go clockwise, seen from outside",
+            ),
+        ),
+        (
+            "one",
+            "f 1 3 2\nf 1 4 2\nf 1 4 3\nf 2 3 4\n",
+            Some("One: 1 of 4 triangles is turned inside out, against its neighbors"),
+        ),
+    ] {
+        let file = format!("{name}.obj");
+        std::fs::write(folder.path().join(&file), corners.to_owned() + faces).unwrap();
+        assert_eq!(
+            warnings(folder.path(), &file),
+            Vec::from_iter(expected),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn nothing_is_odd_about_the_size_and_the_faces_of_what_is_built_in_or_the_course_s() {
+    let builtin = editor_core::io::builtin::catalogue().into_iter();
+    let mut files: Vec<String> = builtin.map(|it| format!("builtin:{}", it.name)).collect();
+    for name in ["Model1", "Model2"] {
+        let Some(path) = course(&format!("characters/{name}.obj")) else {
+            return;
+        };
+        files.push(path.display().to_string());
+    }
+    for file in files {
+        let odd = warnings(Path::new("."), &file);
+        let is_of_mesh = |what: &&String| what.contains("inside out") || what.contains("units");
+        assert_eq!(odd.iter().find(is_of_mesh), None, "{file}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_name_that_fits_but_for_capitals_is_told_where_the_file_is_not_found() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let write = |name: &str, text: &str| std::fs::write(path(name), text).unwrap();
+    write(
+        "man.obj",
+        "mtllib Paint/red.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
+    );
+    write("Man.SKEL", "0 0 0 -1\n0 1 0 0\n");
+    std::fs::create_dir(path("paint")).unwrap();
+    write("paint/Red.mtl", "newmtl red\n");
+    let told = |found: &str, asked: &str| {
+        format!(
+            "{found} is not called {asked}, as is looked for: Windows and macOS take the one for the other, Linux does not"
+        )
+    };
+    let odd = warnings(folder.path(), "man.obj");
+    for told in [
+        told("Man.SKEL", "man.skel"),
+        told("paint/Red.mtl", "Paint/red.mtl"),
+    ] {
+        assert!(odd.contains(&told), "{odd:?}");
+    }
+    write("man.attach", "1\n1\n1\n");
+    let ran = editor_in(folder.path(), &["check", "man.obj"]);
+    assert_eq!(ran.code, Some(1));
+    let told = format!("found only the weights; {}", told("Man.SKEL", "man.skel"));
+    assert!(ran.err.contains(&told), "{}", ran.err);
+    // With the right names all is well, and what nothing asks for may be called as it likes.
+    std::fs::rename(path("Man.SKEL"), path("man.skel")).unwrap();
+    std::fs::rename(path("paint"), path("Paint")).unwrap();
+    std::fs::rename(path("Paint/Red.mtl"), path("Paint/red.mtl")).unwrap();
+    write("BOX.obj", "v 0 0 0\n");
+    assert_eq!(warnings(folder.path(), "man.obj"), [""; 0]);
+}
