@@ -5,6 +5,7 @@ mod names;
 mod oddities;
 
 use super::output::{DiagnosticJson, eprint_line, json_text, visible};
+use super::pipes::Ends;
 use super::{CliError, print};
 use crate::character::{Influence, SkeletalModel};
 use crate::disk::files;
@@ -28,7 +29,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
-    /// (.obj, .dae), curves (.swp), poses (.json), or builtin:NAME
+    /// (.obj, .dae), curves (.swp), poses (.json), builtin:NAME, or - for standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print one JSON object instead of text
@@ -83,6 +84,16 @@ struct SkeletonReport {
     roots: usize,
     most_influences: usize,
     weight_sums: Option<[f32; 2]>,
+}
+
+impl Args {
+    /// What may be standard input or output.
+    pub(super) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: self.files.iter_mut().collect(),
+            output: None,
+        }
+    }
 }
 
 /// Carries the command out.

@@ -1,6 +1,7 @@
 //! `editor compare`: how far two pictures or meshes are apart, and what is wrong.
 
 use super::output::{self, DiagnosticJson, json_text, picture_format, refuse_input};
+use super::pipes::Ends;
 use super::{CliError, arguments, print};
 use crate::character::{Character, Influence};
 use crate::compare::{
@@ -25,7 +26,7 @@ pub struct Args {
     /// The reference: a picture (.png, .jpg, .gif) or a mesh (.obj)
     #[arg(value_name = "A")]
     a: PathBuf,
-    /// The picture or mesh that is compared with it
+    /// The picture or mesh that is compared with it; A or B may be - for standard input
     #[arg(value_name = "B")]
     b: PathBuf,
     /// Largest difference that is ignored: for pictures of a channel, 0 to 255 [0]; for meshes a
@@ -71,6 +72,16 @@ struct Report<'a, C> {
 struct Failure {
     passed: bool,
     error: DiagnosticJson,
+}
+
+impl Args {
+    /// What may be standard input or output.
+    pub(super) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: vec![&mut self.a, &mut self.b],
+            output: self.output.as_mut().map(|output| (output, None)),
+        }
+    }
 }
 
 /// Carries the command out.

@@ -2,6 +2,7 @@
 
 use super::compare::picture_or_mesh;
 use super::output::{self, DiagnosticJson, json_text};
+use super::pipes::Ends;
 use super::{CliError, arguments, print};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -32,7 +33,8 @@ use std::sync::Arc;
     editor diagnose mine.obj --character rig.dae --pose bend.json --json\n  \
     editor diagnose mine.png --character Model1.obj --pose walk.json --view +x")]
 pub struct Args {
-    /// What the other program gives: the posed mesh (.obj), or a picture of it (.png, .jpg, .gif)
+    /// What the other program gives: the posed mesh (.obj), or a picture of it (.png, .jpg, .gif);
+    /// - for standard input
     #[arg(value_name = "THEIRS")]
     theirs: PathBuf,
     /// The character at rest: .obj with .skel and .attach beside it, .skel, .dae, or builtin:NAME
@@ -63,6 +65,16 @@ struct Report<'a, R> {
 struct Failure {
     verdict: Option<Verdict>,
     failure: DiagnosticJson,
+}
+
+impl Args {
+    /// What may be standard input or output.
+    pub(super) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: vec![&mut self.theirs, &mut self.pose],
+            output: None,
+        }
+    }
 }
 
 /// Carries the command out.

@@ -3,6 +3,7 @@
 use super::CliError;
 use super::arguments::{self, edit, load};
 use super::output::refuse_input;
+use super::pipes::{self, Ends};
 use crate::disk;
 use crate::editor::Session;
 use crate::io::{self, Diagnostic};
@@ -25,10 +26,11 @@ use std::path::{Path, PathBuf};
     editor export rig.dae -o rig.skel")]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
-    /// (.obj, .dae), curves (.swp), or builtin:NAME
+    /// (.obj, .dae), curves (.swp), builtin:NAME, or - for standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
-    /// The file to write: OUT.obj for geometry, OUT.skel for a character
+    /// The file to write: OUT.obj for geometry, OUT.skel for a character; - for geometry on standard output.
+    /// The folder must be there
     #[arg(short, long, value_name = "OUT.obj|OUT.skel")]
     output: PathBuf,
     /// Pose the characters first: builtin:NAME, or a file such as {"joints": {"Left elbow": [0, 0, 50]}}
@@ -60,6 +62,16 @@ enum Format {
 /// Files to write, in this order.
 type Files = Vec<(PathBuf, Vec<u8>)>;
 
+impl Args {
+    /// What may be standard input or output.
+    pub(super) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: self.files.iter_mut().chain(&mut self.pose).collect(),
+            output: Some((&mut self.output, Some("obj"))),
+        }
+    }
+}
+
 /// Carries the command out.
 ///
 /// # Errors
@@ -84,7 +96,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     for (path, _) in &files {
         refuse_input(path, &inputs)?;
     }
-    Ok(disk::write_all_whole(&files)?)
+    pipes::write(&files)
 }
 
 /// # Errors

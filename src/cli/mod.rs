@@ -12,6 +12,7 @@ pub mod export;
 pub mod grade;
 pub mod manual;
 mod output;
+mod pipes;
 pub mod render;
 mod render_ui;
 pub mod submit;
@@ -22,11 +23,16 @@ pub use output::{CliError, print};
 
 use crate::io::builtin;
 use clap::{CommandFactory, Parser, Subcommand};
+use pipes::Ends;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Pose and skin characters, beside the course's editor: hierarchical modeling, skeletal subspace
 /// deformation, shapes.
+///
+/// Of commands one FILE, or POSE.json, may be - for standard input; what it is follows from its content. -o - writes to
+/// standard output, which then has nothing else: a PNG (with --turntable a GIF), an .obj, a .zip. A folder that a file is
+/// to be written into must be there; the one of a report is made.
 #[derive(Debug, Parser)]
 #[command(
     name = "editor",
@@ -70,6 +76,40 @@ enum Command {
     Man(manual::ManArgs),
 }
 
+impl Command {
+    /// Carries the command out.
+    fn run(mut self) -> Result<(), CliError> {
+        pipes::connect(self.ends())?;
+        match &self {
+            Self::Check(args) => check::run(args),
+            Self::Compare(args) => compare::run(args),
+            Self::Diagnose(args) => diagnose::run(args),
+            Self::Export(args) => export::run(args),
+            Self::Grade(args) => grade::run(args),
+            Self::Render(args) => render::run(args),
+            Self::Submit(args) => submit::run(args),
+            Self::Doctor(args) => doctor::run(args),
+            Self::Completions(args) => manual::completions(args),
+            Self::Man(args) => manual::man(args),
+        }
+    }
+
+    /// Its arguments that may be standard input or output.
+    fn ends(&mut self) -> Ends<'_> {
+        match self {
+            Self::Check(args) => args.ends(),
+            Self::Compare(args) => args.ends(),
+            Self::Diagnose(args) => args.ends(),
+            Self::Export(args) => args.ends(),
+            Self::Render(args) => args.ends(),
+            Self::Submit(args) => args.ends(),
+            Self::Grade(_) | Self::Doctor(_) | Self::Completions(_) | Self::Man(_) => {
+                Ends::default()
+            }
+        }
+    }
+}
+
 /// Runs the program with the arguments that it was started with. Without a command it calls
 /// `open_window`, which returns a message if it fails.
 pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCode {
@@ -89,16 +129,7 @@ pub fn run(open_window: impl FnOnce(WindowArgs) -> Result<(), String>) -> ExitCo
         }
     };
     let done = match cli.command {
-        Some(Command::Check(args)) => check::run(&args),
-        Some(Command::Compare(args)) => compare::run(&args),
-        Some(Command::Diagnose(args)) => diagnose::run(&args),
-        Some(Command::Export(args)) => export::run(&args),
-        Some(Command::Grade(args)) => grade::run(&args),
-        Some(Command::Render(args)) => render::run(&args),
-        Some(Command::Submit(args)) => submit::run(&args),
-        Some(Command::Doctor(args)) => doctor::run(&args),
-        Some(Command::Completions(args)) => manual::completions(&args),
-        Some(Command::Man(args)) => manual::man(&args),
+        Some(command) => command.run(),
         None => match unknown(&cli.window.files) {
             Some(error) => Err(error),
             None => open_window(cli.window).map_err(CliError::Other),

@@ -4,9 +4,9 @@ use super::CliError;
 use super::arguments::{self, DisplayOptions, edit, load};
 use super::colors::{self, Colors};
 use super::output::{Progress, eprint_line, picture_format};
+use super::pipes::{self, Ends};
 use super::render_ui::{self, PanelOptions};
 use super::turntable;
-use crate::disk;
 use crate::editor::{Session, View};
 use crate::geometry::Picture;
 use crate::gpu::Backend;
@@ -28,14 +28,16 @@ use std::path::PathBuf;
 #[command(after_help = "Examples:\n  \
     editor render builtin:showcase --samples 4 -o showcase.png\n  \
     editor render Model1.obj --pose walk.json --display skeleton --fit -o walk.png\n  \
-    editor render builtin:adult --fit --turntable 36 --size 400x400 -o adult.gif")]
+    editor render builtin:adult --fit --turntable 36 --size 400x400 -o adult.gif\n  \
+    editor export rig.dae -o - | editor render - --fit -o - > rig.png")]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes
-    /// (.obj, .dae), curves (.swp), or builtin:NAME.
+    /// (.obj, .dae), curves (.swp), builtin:NAME, or - for standard input.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// The picture to write; its extension is .png, .jpg or .gif. With --turntable an animated .gif,
-    /// or numbered pictures such as OUT-%03d.png, from 1.
+    /// or numbered pictures such as OUT-%03d.png, from 1. - is standard output, as PNG or animated GIF.
+    /// The folder must be there.
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
     /// Width and height in pixels, of at most 268435456 together; JPEG and GIF have at most 65535 a
@@ -127,6 +129,23 @@ enum GlName {
     Osmesa,
 }
 
+impl Args {
+    /// What may be standard input or output.
+    pub(super) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: self.files.iter_mut().chain(&mut self.pose).collect(),
+            output: Some((
+                &mut self.output,
+                Some(if self.turntable.is_some() {
+                    "gif"
+                } else {
+                    "png"
+                }),
+            )),
+        }
+    }
+}
+
 /// Draws the picture and writes it.
 ///
 /// # Errors
@@ -181,7 +200,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
             Some((frames, output)) => painter.turn(frames, &output, encode)?,
         }
     };
-    Ok(disk::write_all_whole(&files)?)
+    pipes::write(&files)
 }
 
 /// Most pixels a side of a JPEG or GIF.

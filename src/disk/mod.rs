@@ -1,15 +1,21 @@
 //! The file system: reading whole files, and writing them whole or not at all. Used by the window
 //! and the commands, which pass it to the layers below as [`crate::io::Files`].
 
+mod piped;
 mod scratch;
 mod staged;
 mod write;
 
+pub use piped::{PIPE, is_pipe, pipe_of, take_standard_input};
 pub use scratch::ScratchFolder;
-pub use write::{in_new_folders, make_folder_of, write_all_keeping, write_all_whole, write_whole};
+pub use write::{
+    expect_place_for, in_new_folders, make_folder_of, write_all_keeping, write_all_whole,
+    write_whole,
+};
 
 use crate::io::builtin::WithBuiltin;
 use crate::io::{Diagnostic, Files, WithArchives};
+use piped::piped;
 use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -30,14 +36,20 @@ impl Files for Disk {
     /// # Errors
     /// If there is no such file, it may not be read, is no ordinary file, or has more than 1 GiB.
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
-        read_at_most(path, LARGEST)
+        match piped(path) {
+            Some(bytes) => Ok(bytes.to_vec()),
+            None => read_at_most(path, LARGEST),
+        }
     }
 
     fn exists(&self, path: &Path) -> bool {
-        path.is_file()
+        piped(path).is_some() || path.is_file()
     }
 
     fn absolute(&self, path: &Path) -> PathBuf {
+        if piped(path).is_some() {
+            return path.to_owned();
+        }
         // Fails for an empty path, and where the current folder is gone.
         std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
     }

@@ -35,6 +35,22 @@ impl Staged {
 /// If the folder does not exist or is not writable, the disk is full, or `path` is a folder, a device or a
 /// pipe. Then nothing is left behind.
 pub(super) fn staged(path: &Path, bytes: &[u8]) -> Result<Staged, Diagnostic> {
+    let target = target_of(path)?;
+    match write_beside(&target, folder_of(&target), bytes) {
+        Ok(file) => Ok(Staged {
+            path: path.to_owned(),
+            target,
+            file,
+        }),
+        Err(error) => Err(cannot_write(path, &target, &error)),
+    }
+}
+
+/// The file that is written for `path`: the one that it is a link to, or itself.
+///
+/// # Errors
+/// As [`staged`], as far as it can be told without writing.
+pub(super) fn target_of(path: &Path) -> Result<PathBuf, Diagnostic> {
     let Some(target) = behind_links(path) else {
         let message = "expected a file to write, found a link that leads to itself";
         return Err(Diagnostic::new(path, message));
@@ -58,14 +74,7 @@ pub(super) fn staged(path: &Path, bytes: &[u8]) -> Result<Staged, Diagnostic> {
         let message = format!("there is no folder {}", folder.display());
         return Err(Diagnostic::new(path, message));
     }
-    match write_beside(&target, folder, bytes) {
-        Ok(file) => Ok(Staged {
-            path: path.to_owned(),
-            target,
-            file,
-        }),
-        Err(error) => Err(cannot_write(path, &target, &error)),
-    }
+    Ok(target)
 }
 
 /// Writes `bytes`, those of the file at `target`, to a temporary file that becomes `beside`, which lies in

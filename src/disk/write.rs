@@ -1,6 +1,6 @@
 //! Writing whole files.
 
-use super::staged::{Staged, behind_links, copied_beside, folder_of, staged};
+use super::staged::{Staged, behind_links, copied_beside, folder_of, staged, target_of};
 use super::{Disk, in_words};
 use crate::io::{Diagnostic, Files};
 use std::path::{Path, PathBuf};
@@ -14,6 +14,15 @@ use std::path::{Path, PathBuf};
 /// device or a pipe. Then nothing is left behind.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
     staged(path, bytes)?.put_in_place()
+}
+
+/// Whether [`write_whole`] may write to `path`, as far as it can be told before there is anything to write, so that
+/// nobody waits for work that is lost.
+///
+/// # Errors
+/// As [`write_whole`]. A folder that is missing is never made: its name may be misspelled.
+pub fn expect_place_for(path: &Path) -> Result<(), Diagnostic> {
+    target_of(path).map(|_| ())
 }
 
 /// Writes several files that belong together, each as [`write_whole`] does: all are first written

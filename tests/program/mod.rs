@@ -6,12 +6,14 @@ mod export;
 mod manual;
 #[cfg(unix)]
 mod memory;
+mod pipes;
 mod render;
 pub mod submit;
 mod usage;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 /// What a run of the program did.
 pub struct Ran {
@@ -32,6 +34,30 @@ pub fn editor_in(folder: &Path, arguments: &[&str]) -> Ran {
         out: String::from_utf8(output.stdout).unwrap(),
         err: String::from_utf8(output.stderr).unwrap(),
     }
+}
+
+/// Runs `editor` with `arguments` in `folder`, and `input` on its standard input. Returns what it did, but for its
+/// standard output, which need not be text.
+pub fn editor_with(folder: &Path, arguments: &[&str], input: &[u8]) -> (Ran, Vec<u8>) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_editor"))
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut pipe = child.stdin.take().unwrap();
+    // A command that fails before it reads closes the pipe.
+    let _ = pipe.write_all(input);
+    drop(pipe);
+    let output = child.wait_with_output().unwrap();
+    let ran = Ran {
+        code: output.status.code(),
+        out: String::new(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    };
+    (ran, output.stdout)
 }
 
 /// A folder with a small character, a shape, and a scene of both.

@@ -128,3 +128,40 @@ fn a_reader_that_goes_away_is_no_failure() {
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
 }
+
+#[test]
+fn a_folder_that_is_missing_is_told_before_any_work_and_made_for_a_report_alone() {
+    let folder = folder();
+    let path = folder.path();
+    // What is read is wrong as well, and would be told first.
+    for (line, output) in [
+        ("render bad.obj -o none/out.png", "none/out.png"),
+        (
+            "render bad.obj --turntable 4 -o none/%02d.png",
+            "none/%02d.png",
+        ),
+        ("export bad.obj -o none/out.obj", "none/out.obj"),
+        ("export bad.obj -o none/out.skel", "none/out.skel"),
+        ("submit --picture bad.obj -o none/out.zip", "none/out.zip"),
+    ] {
+        let ran = editor_in(path, &line.split(' ').collect::<Vec<_>>());
+        let told = format!("error: {output}: there is no folder none\n");
+        assert_eq!((ran.code, &*ran.err), (Some(1), &*told), "{line}");
+    }
+    let ran = editor_in(path, &["export", "bad.obj", "-o", "."]);
+    assert!(
+        ran.err.contains("expected a file to write, found a folder"),
+        "{}",
+        ran.err
+    );
+    assert!(!path.join("none").exists());
+    let tests = r#"{"tests": [{"name": "bent", "character": "man.obj", "pose": "bend.json", "points": {"4.2": 1}}]}"#;
+    std::fs::write(path.join("tests.json"), tests).unwrap();
+    std::fs::create_dir_all(path.join("class/Ada")).unwrap();
+    let line = "export man.obj --pose bend.json -o class/Ada/bent.obj";
+    editor_in(path, &line.split(' ').collect::<Vec<_>>());
+    let line = "grade class --tests tests.json -o none/report";
+    let ran = editor_in(path, &line.split(' ').collect::<Vec<_>>());
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    assert!(path.join("none/report/grade.html").is_file());
+}

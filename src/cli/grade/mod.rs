@@ -40,7 +40,7 @@ pub struct Args {
     /// Tests, rubric and command
     #[arg(long, value_name = "TESTS.json", required_unless_present_any = ["merge", "example"])]
     tests: Option<PathBuf>,
-    /// Folder for the report
+    /// Folder for the report, which is made if it is not there
     #[arg(short, long, value_name = "REPORT", default_value = "grade-report")]
     output: PathBuf,
     /// Submissions that are graded at a time [default: as many as there are processors]

@@ -6,6 +6,7 @@ mod picture;
 mod project;
 
 use super::output::{eprint_line, refuse_input};
+use super::pipes::{self, Ends};
 use super::{CliError, print};
 use crate::disk::{self, Disk};
 use crate::io::{Diagnostic, Files};
@@ -29,7 +30,7 @@ use std::path::{Path, PathBuf};
     editor submit --form > answers.md"
 )]
 pub struct Args {
-    /// The archive to write, .zip or .tar.gz [default: submission-NAME.zip]
+    /// The archive to write, .zip or .tar.gz, or - for standard output; its folder must be there [default: submission-NAME.zip]
     #[arg(short, long, value_name = "ARCHIVE")]
     output: Option<PathBuf>,
     /// Your name [default: as in the answers, or in src/program/globals.rs]
@@ -62,6 +63,16 @@ const README: &str = "README.txt";
 /// Name of the program in the archive.
 const PROGRAM: &str = "editor";
 
+impl Args {
+    /// What may be standard input or output.
+    pub(in crate::cli) fn ends(&mut self) -> Ends<'_> {
+        Ends {
+            inputs: Vec::new(),
+            output: self.output.as_mut().map(|output| (output, Some("zip"))),
+        }
+    }
+}
+
 /// Carries the command out.
 ///
 /// # Errors
@@ -92,11 +103,15 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     warn_if_older(&executable, &entries);
     let answers = complete_answers(args)?;
 
+    let submission = format!("submission-{}", file_name(answers.name()));
     let output = match &args.output {
         Some(output) => output.clone(),
-        None => PathBuf::from(format!("submission-{}.zip", file_name(answers.name()))),
+        None => PathBuf::from(format!("{submission}.zip")),
     };
-    let (format, root) = format_of(&output)?;
+    let (format, mut root) = format_of(&output)?;
+    if disk::is_pipe(&output) {
+        root = submission;
+    }
     let inputs = [&args.scene, &args.picture, &args.answers];
     let inputs = inputs.into_iter().flatten().chain([&executable]);
     refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
@@ -113,8 +128,14 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     entries.extend(made);
     let archive = format.pack(&root, &entries);
     let archive = archive.map_err(|error| Diagnostic::new(&output, disk::in_words(&error)))?;
-    disk::write_whole(&output, &archive)?;
-    print(&summary(&output, archive.len(), &parts))
+    let summary = summary(&output, archive.len(), &parts);
+    let to_file = !disk::is_pipe(&output);
+    pipes::write(&[(output, archive)])?;
+    if to_file {
+        return print(&summary);
+    }
+    summary.lines().for_each(eprint_line);
+    Ok(())
 }
 
 fn format_of(output: &Path) -> Result<(Format, String), CliError> {
