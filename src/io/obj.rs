@@ -174,6 +174,15 @@ mod tests {
                 "a.obj:1:6: expected a number for z, found the end of the line",
             ),
             (
+                "v 0 0 0\nv 1 1",
+                "a.obj:2:6: expected a number for z, found the end of the file: it seems to be cut off",
+            ),
+            (
+                "v 0 0 0\nv 1 1 1",
+                "a.obj:2:8: expected faces (lines `f a b c`), found none before the end of the file: it seems \
+                 to be cut off",
+            ),
+            (
                 "v 0 0 1..2\n",
                 "a.obj:1:7: expected a number for z, found “1..2”",
             ),
@@ -241,6 +250,30 @@ mod tests {
                 "a.obj:8:1: expected at least three corners, found 0: the face is left out",
             ]
         );
+    }
+
+    #[test]
+    fn a_file_that_ends_within_a_face_is_said_to_be_cut_off() {
+        let data = format!("{SQUARE}vt 0 0\nvn 0 0 1\n");
+        for (cut, column, triangles) in [
+            ("f 1 2", 6, 1),
+            ("f", 2, 1),
+            ("f 1/1 2/1 3/", 13, 2),
+            ("f 1/1/1 2/1/1 3/1", 18, 2),
+            ("f 1//1 2//1 4", 14, 2),
+        ] {
+            let read = read(&format!("{data}f 2 3 4\n{cut}")).unwrap();
+            assert_eq!(read.value.triangles.len(), triangles, "{cut}");
+            let warning = format!(
+                "a.obj:8:{column}: expected the rest of a face, found the end of the file: it seems to be \
+                 cut off"
+            );
+            assert_eq!(told(&read.warnings), [warning], "{cut}");
+        }
+        for whole in ["f 1 2 3", "f 1/1 2/1 3/1 ", "f 1/1 2 3/1\n", "f 1 2 3\n#"] {
+            let read = read(&format!("{data}{whole}")).unwrap();
+            assert_eq!(told(&read.warnings), [""; 0], "{whole:?}");
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::diagnostic::Warnings;
 use super::obj_faces::{Corner, Faces};
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{CUT_OFF, Scanner, Word, quoted};
 use super::{Diagnostic, Position};
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
@@ -48,6 +48,16 @@ impl FaceReader {
             self.faces.push(corner);
         }
         let found = self.faces.corner_count() - first;
+        if scanner.is_at_open_end() && self.faces.is_broken_off(first) {
+            let message =
+                format!("expected the rest of a face, found the end of the file: {CUT_OFF}");
+            let warning = scanner.error(scanner.end(), message);
+            self.warnings.push_with(|| warning);
+            if found < 3 {
+                self.faces.truncate(first);
+                return Ok(());
+            }
+        }
         if found < 3 {
             self.faces.truncate(first);
             let line = scanner.position(None).line;
@@ -162,7 +172,11 @@ impl FaceReader {
             _ => None,
         };
         if let Some(nothing) = nothing {
-            let message = format!("expected {nothing}, found none");
+            let cut = match scanner.is_at_open_end() {
+                true => format!(" before the end of the file: {CUT_OFF}"),
+                false => String::new(),
+            };
+            let message = format!("expected {nothing}, found none{cut}");
             return Err(scanner.error(scanner.end(), message));
         }
         if let Some(first) = self.first_zero {

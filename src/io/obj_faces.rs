@@ -101,6 +101,18 @@ impl Faces {
         self.count += 1;
     }
 
+    /// Whether the corners from `first` on are too few for a face, or the last one lacks a texture coordinate
+    /// or a normal that the first one has.
+    pub fn is_broken_off(&self, first: usize) -> bool {
+        let count = self.positions.len() - first;
+        if count < 3 {
+            return true;
+        }
+        let [first, last] = [first, first + count - 1].map(|at| self.corner(at));
+        first.texture.is_some() && last.texture.is_none()
+            || first.normal.is_some() && last.normal.is_none()
+    }
+
     /// Leaves out the corners from `first` on.
     pub fn truncate(&mut self, first: usize) {
         self.positions.truncate(first);

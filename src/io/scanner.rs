@@ -31,6 +31,9 @@ pub(super) const QUICK_STRETCH: usize = 8 * STRETCH;
 /// How much of a wrong word an error repeats, in characters.
 const SHOWN: usize = 40;
 
+/// What is said of a file whose last line misses something and does not end.
+pub(super) const CUT_OFF: &str = "it seems to be cut off";
+
 impl<'a> Scanner<'a> {
     /// At the start of the first line of `bytes`.
     ///
@@ -157,9 +160,19 @@ impl<'a> Scanner<'a> {
         Position::in_text(self.text, self.text.trim_end().len())
     }
 
+    /// Whether all of the file was read, and its last line does not end as whole ones do.
+    #[inline]
+    pub fn is_at_open_end(&self) -> bool {
+        self.at == self.text.len() && !matches!(self.text.bytes().last(), None | Some(b'\n'))
+    }
+
     /// The error that at `word`, of this line, something else was expected.
     pub fn expected(&self, what: &str, word: Option<Word>) -> Diagnostic {
-        let found = word.map_or_else(|| "the end of the line".to_owned(), |w| quoted(w.text));
+        let end = match self.is_at_open_end() {
+            true => format!("the end of the file: {CUT_OFF}"),
+            false => "the end of the line".to_owned(),
+        };
+        let found = word.map_or(end, |word| quoted(word.text));
         self.error(
             self.position(word),
             format!("expected {what}, found {found}"),

@@ -435,3 +435,15 @@ fn a_name_that_fits_but_for_capitals_is_told_where_the_file_is_not_found() {
     write("BOX.obj", "v 0 0 0\n");
     assert_eq!(warnings(folder.path(), "man.obj"), [""; 0]);
 }
+
+#[test]
+fn a_model_that_was_cut_off_is_said_to_be() {
+    let folder = folder();
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3";
+    std::fs::write(folder.path().join("part.obj"), text).unwrap();
+    let ran = editor_in(folder.path(), &["check", "part.obj"]);
+    assert_eq!((ran.code, &*ran.err), (Some(0), ""));
+    let warning = "part.obj:5:6: expected the rest of a face, found the end of the file: it seems to \
+                   be cut off\n";
+    assert!(ran.out.ends_with(warning), "{}", ran.out);
+}
