@@ -1,6 +1,8 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
-use super::commands::{COMMANDS, Command, Entry, full_label, in_words, meant, run, why_disabled};
+use super::commands::{
+    COMMANDS, Command, Entry, full_label, full_tooltip, in_words, meant, run, why_disabled,
+};
 use super::elsewhere::elsewhere;
 use super::key_commands::is_there;
 use super::state::UiState;
@@ -115,7 +117,7 @@ fn contents(
                 .shortcut_text(key.unwrap_or_default())
                 .min_size(vec2(ui.available_width(), 0.0));
             let item = named(ui.add_enabled(why.is_none(), button), &name);
-            tip_beside(&item, entry.tooltip, why);
+            tip_beside(&item, full_tooltip(entry, session, state), why);
             if row == search.row && (up || down) {
                 item.scroll_to_me(None);
             }

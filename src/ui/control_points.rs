@@ -225,17 +225,20 @@ pub(super) fn put_back(session: &Session, state: &mut CurveState, actions: &mut 
 
 /// Deletes the control point that was clicked last, or tells why it has to stay; `None` if none was,
 /// or it does not exist any more.
-pub(super) fn delete_clicked(session: &Session, state: &CurveState) -> Option<Action> {
+pub(super) fn delete_clicked(
+    session: &Session,
+    state: &CurveState,
+) -> Option<Result<Edit, &'static str>> {
     let (shape, curve, point) = clicked(session, state)?;
     let points = session.scene().curve(shape)?.curves().curve(curve)?;
     Some(if points.can_lose_point(point) {
-        Action::Edit(Edit::RemoveControlPoint {
+        Ok(Edit::RemoveControlPoint {
             shape,
             curve,
             point,
         })
     } else {
-        Action::View(View::Tell(why_it_stays_in_words(points, point)))
+        Err(why_it_stays_in_words(points, point))
     })
 }
 
@@ -250,7 +253,7 @@ fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
         }
         _ => {
             "This point stays: its curve has as few points as its kind needs. To delete all of the \
-             shape, use Edit ⏵ Delete"
+             shape, use Delete in the panel"
         }
     }
 }

@@ -1,10 +1,7 @@
 //! Commands that keys ask for: which of them wait, and what each means at the moment.
 
 use super::compare::{CompareAction, CompareMeshAction};
-use super::{
-    Action, Ask, Command, UiState, ViewInput, aspect, commands, control_points, number_field,
-    windows,
-};
+use super::{Action, Ask, Command, UiState, ViewInput, aspect, commands, number_field, windows};
 use crate::editor::{Session, View};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
@@ -187,12 +184,6 @@ pub(super) fn press(
         actions.push(Action::View(View::Tell(
             "X deletes nothing that is locked: the Delete key does",
         )));
-        return;
-    }
-    if command == Command::Delete
-        && let Some(action) = control_points::delete_clicked(session, &state.curves)
-    {
-        actions.push(action);
         return;
     }
     let command = commands::meant(command, session, state.pose.tool);

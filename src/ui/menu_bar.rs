@@ -1,4 +1,4 @@
-use super::commands::{Command, Entry, Menu, full_label, is_on, run, why_disabled};
+use super::commands::{Command, Entry, Menu, full_label, full_tooltip, is_on, run, why_disabled};
 use super::key_commands::is_there;
 use super::state::UiState;
 use super::theme::Palette;
@@ -293,9 +293,9 @@ impl Items<'_> {
                 )
             }
         };
-        // What Undo and Redo are about is no part of what they are called; what Copy copies is.
+        // What Undo and Redo are about is no part of what they are called; what Copy copies and Delete deletes is.
         let name = match entry.command {
-            Command::Copy => mark.clone(),
+            Command::Copy | Command::Delete => mark.clone(),
             _ => entry.label.to_owned(),
         };
         let button = Button::new(mark)
@@ -307,7 +307,7 @@ impl Items<'_> {
             ui.ctx()
                 .accesskit_node_builder(item.id, |node| node.set_toggled(toggled));
         }
-        tip_beside(&item, entry.tooltip, why);
+        tip_beside(&item, full_tooltip(entry, self.session, self.state), why);
         if is_chosen(ui, &item) {
             self.run(entry.command);
         }

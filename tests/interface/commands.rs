@@ -1,7 +1,8 @@
 //! Commands by their names: the search for them, and entries that say what their key does.
 
 use crate::interface::Editor;
-use editor_core::editor::View;
+use crate::interface::curves::{place, with_curve};
+use editor_core::editor::{Edit, View};
 use editor_core::ui::COMMANDS;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
@@ -134,4 +135,40 @@ fn who_searches_for_what_is_no_command_is_told_where_it_is() {
         "the picture for it is a command: {:?}",
         editor.painted()
     );
+}
+
+#[test]
+fn delete_in_the_menu_is_about_the_point_that_its_key_would_delete() {
+    let mut editor = with_curve("B-Spline Curve");
+    let id = editor.shape().id;
+    editor.edit(Edit::AddControlPoint {
+        shape: id,
+        curve: 0,
+        after: 1,
+    });
+    let points = |editor: &Editor| {
+        let curve = editor.session().scene().curve(id).unwrap();
+        curve.curves().curve(0).unwrap().control_points().len()
+    };
+    let click_point = |editor: &mut Editor| {
+        let at = place(editor, 2);
+        editor.press(at);
+        editor.release(at);
+    };
+    click_point(&mut editor);
+    editor.choose(&["Edit", "Delete Point"]);
+    assert_eq!(points(&editor), 4);
+    click_point(&mut editor);
+    editor.choose(&["Edit", "Delete Point"]);
+    assert_eq!(points(&editor), 4, "as few as a B-spline needs");
+    editor.key(Key::Delete);
+    assert_eq!(points(&editor), 4);
+    let told = editor.session().messages.fresh().last();
+    assert!(told.is_some_and(|told| told.text.starts_with("This point stays")));
+    editor.click("[1] B-Spline Curve (ID: 1)");
+    editor.click("Edit");
+    assert!(!editor.has("Delete Point"));
+    editor.key(Key::Escape);
+    editor.key(Key::Delete);
+    assert!(editor.session().scene().shapes().is_empty());
 }

@@ -7,8 +7,8 @@ use super::table::is_in;
 use super::{Command, Menu};
 use crate::editor::Session;
 use crate::scene::{Look, Shape, ShapeKind};
-use crate::ui::posing;
 use crate::ui::state::UiState;
+use crate::ui::{control_points, posing};
 
 /// Why a command is disabled, as text for its tooltip; `None` while it is enabled.
 pub(in crate::ui) fn why_disabled(
@@ -16,6 +16,11 @@ pub(in crate::ui) fn why_disabled(
     session: &Session,
     state: &UiState,
 ) -> Option<&'static str> {
+    if command == Command::Delete
+        && let Some(deletes) = control_points::delete_clicked(session, &state.curves)
+    {
+        return deletes.err();
+    }
     match command {
         Command::Revert if !state.has_file => Some("The document has no file yet"),
         Command::Undo if session.done_steps() == 0 && !session.is_in_gesture() => {

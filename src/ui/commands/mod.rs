@@ -14,7 +14,9 @@ pub(super) use enabled::why_disabled;
 pub(super) use keys::{
     gesture, pressed, pressed_with_ctrl, remember_navigation, tooltip, tooltip_now, with_key,
 };
-pub(super) use run::{REVOLUTION_STEPS, curves, full_label, is_on, run, selected_character};
+pub(super) use run::{
+    REVOLUTION_STEPS, curves, full_label, full_tooltip, is_on, run, selected_character,
+};
 pub(super) use table::{entries, entry_of, in_words, label, meant};
 
 use crate::editor::Tool;

@@ -4,7 +4,7 @@ use super::enabled::why_disabled;
 use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
-use super::{Command, Primitive};
+use super::{Command, Entry, Primitive};
 use crate::character::Mirror;
 use crate::editor::{
     Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
@@ -19,7 +19,8 @@ use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
 use crate::ui::{
-    Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, posing, view_overlay,
+    Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, control_points, posing,
+    view_overlay,
 };
 use std::sync::Arc;
 
@@ -133,7 +134,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             let choose = CompareMeshAction::Choose(character_to_compare(session)?);
             return Some(Action::Ask(Ask::CompareMesh(choose)));
         }
-        Command::Delete => return to_selected(session, Edit::Delete),
+        Command::Delete => {
+            let point = control_points::delete_clicked(session, &state.curves);
+            return match point.and_then(Result::ok) {
+                Some(edit) => Some(Action::Edit(edit)),
+                None => to_selected(session, Edit::Delete),
+            };
+        }
         Command::Reset => return to_selected(session, Edit::Reset),
         Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
             return Some(put_back(command, session));
@@ -232,8 +239,29 @@ fn posed_character(session: &Session, state: &UiState) -> Option<ShapeId> {
     Some(id)
 }
 
-/// Label of a command in a menu, with what Copy copies, and the step that Undo or Redo is about.
+/// Tooltip of a row of the table, about what it does at the moment.
+pub(in crate::ui) fn full_tooltip(
+    entry: &Entry,
+    session: &Session,
+    state: &UiState,
+) -> &'static str {
+    if entry.command == Command::Delete && deletes_point(session, state) {
+        return "Delete the control point that was clicked last";
+    }
+    entry.tooltip
+}
+
+/// Whether Delete is about a control point rather than its shape.
+fn deletes_point(session: &Session, state: &UiState) -> bool {
+    control_points::delete_clicked(session, &state.curves).is_some()
+}
+
+/// Label of a command in a menu, with what Copy copies, whether Delete deletes a point, and the step that Undo
+/// or Redo is about.
 pub(in crate::ui) fn full_label(command: Command, session: &Session, state: &UiState) -> String {
+    if command == Command::Delete && deletes_point(session, state) {
+        return "Delete Point".to_owned();
+    }
     if command == Command::Copy {
         let several = session.selected_shapes().count() > 1;
         return match posed_character(session, state) {
