@@ -144,6 +144,7 @@ impl Items<'_> {
         self.all(ui, Menu::Clipboard);
         ui.separator();
         self.all(ui, Menu::Shape);
+        submenu(ui, "Reset Transform", |ui| self.all(ui, Menu::Transform));
         ui.separator();
         self.all(ui, Menu::Preferences);
     }

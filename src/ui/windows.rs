@@ -183,6 +183,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Curves => "Insert, curves",
         Menu::Import => "Insert ⏵ Import",
         Menu::Shape => "Edit, selected shape",
+        Menu::Transform => "Edit ⏵ Reset Transform",
         Menu::View => "View",
         Menu::Look => "View ⏵ Look",
         Menu::Shading => "View ⏵ Shading",

@@ -80,7 +80,7 @@ fn with_a_joint_at_hand_alt_r_puts_that_back_to_rest_and_the_menu_still_turns_th
     editor.key_with(ALT, Key::R);
     assert!(editor.character().pose().is_bind());
     assert_eq!(editor.place_of(0), elsewhere());
-    editor.choose(&["Edit", "Reset Rotation"]);
+    editor.choose(&["Edit", "Reset Transform", "Reset Rotation"]);
     assert_eq!(editor.place_of(0).rotation, Euler::default());
 }
 

@@ -53,6 +53,8 @@ pub enum Menu {
     Pose,
     /// Help.
     Help,
+    /// Edit ▸ Reset Transform.
+    Transform,
     /// Edit, the part about the selected shape; buttons of the shape panel, and icons in its list.
     Shape,
 }
@@ -69,6 +71,7 @@ impl Menu {
         Self::Curves,
         Self::Import,
         Self::Shape,
+        Self::Transform,
         Self::Preferences,
         Self::View,
         Self::Look,
@@ -205,9 +208,9 @@ pub const COMMANDS: &[Entry] = &[
 
     entry(Command::Delete, Menu::Shape, "Delete", "Delete the selected shape", &[key(NONE, Key::Delete)]).also("remove erase"),
     entry(Command::Reset, Menu::Shape, "Reset", "Put position, scale, rotation, color and joint angles back to the start", &[key(SHIFT, Key::R)]).also("restore default zero transform"),
-    only_in(Navigation::Blender, entry(Command::ResetPosition, Menu::Shape, "Reset Position", "Put the selected shapes back to where they started", &[key(ALT, Key::G)])).also("clear location zero origin"),
-    only_in(Navigation::Blender, entry(Command::ResetRotation, Menu::Shape, "Reset Rotation", "Turn the selected shapes back to how they started", &[key(ALT, Key::R)])).also("clear zero angle"),
-    only_in(Navigation::Blender, entry(Command::ResetScale, Menu::Shape, "Reset Scale", "Make the selected shapes as large again as they started", &[key(ALT, Key::S)])).also("clear size"),
+    only_in(Navigation::Blender, entry(Command::ResetPosition, Menu::Transform, "Reset Position", "Put the selected shapes back to where they started", &[key(ALT, Key::G)])).also("clear location zero origin"),
+    only_in(Navigation::Blender, entry(Command::ResetRotation, Menu::Transform, "Reset Rotation", "Turn the selected shapes back to how they started", &[key(ALT, Key::R)])).also("clear zero angle"),
+    only_in(Navigation::Blender, entry(Command::ResetScale, Menu::Transform, "Reset Scale", "Make the selected shapes as large again as they started", &[key(ALT, Key::S)])).also("clear size"),
     entry(Command::Rename, Menu::Shape, "Rename", "Type a new name for the selected shape in the list; a double click there does it, too", &[]),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Move), Menu::Shape, "Move with Pointer", "Move what is selected with the pointer until a click or Enter; X, Y, Z, with Shift the other two axes, and a number can be typed, Esc puts it back", &[key(NONE, Key::G)])).also("translate grab position"),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Rotate), Menu::Shape, "Rotate with Pointer", "Turn what is selected with the pointer until a click or Enter; X, Y, Z and degrees can be typed, Esc puts it back", &[key(NONE, Key::R)])).also("spin"),
