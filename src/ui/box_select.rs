@@ -7,6 +7,7 @@ use super::widgets::forget_buttons;
 use super::{Action, Navigation};
 use crate::editor::{BoxMode, Session, View};
 use crate::scene::pick_in_box;
+use crate::ui::pointing::Pointing;
 use egui::{Context, CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Stroke};
 use egui::{StrokeKind, Ui};
 
@@ -41,9 +42,12 @@ impl BoxSelect {
     }
 
     /// What the status line says while a box is to be drawn.
-    pub(super) fn status(&self) -> Option<&'static str> {
-        (self.armed || self.is_drawing())
-            .then_some("Drag a box · Shift adds · Ctrl takes out · Esc cancels")
+    pub(super) fn status(&self, pointing: Pointing) -> Option<&'static str> {
+        let next = pointing.words(
+            "Drag a box · Shift adds · Ctrl takes out · Esc cancels",
+            "Drag a box",
+        );
+        (self.armed || self.is_drawing()).then_some(next)
     }
 }
 

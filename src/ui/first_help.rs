@@ -1,5 +1,6 @@
 //! The first help: what newcomers do first.
 
+use super::pointing::Pointing;
 use super::posing::BAR_HEIGHT;
 use super::state::UiState;
 use super::theme::Palette;
@@ -22,7 +23,7 @@ const NARROW_LINE_HEIGHT: f32 = 52.0;
 
 /// First help: lines for newcomers in the lower left corner of the view; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) -> bool {
-    let lines = first_steps(session, state);
+    let lines = first_steps(session, state, Pointing::of(ui.ctx()));
     let is_narrow = view.width() < WIDTH + 24.0;
     let (width, line_height) = match is_narrow {
         true => (NARROW_WIDTH, NARROW_LINE_HEIGHT),
@@ -67,14 +68,21 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) 
 }
 
 /// What newcomers do first, and how.
-fn first_steps(session: &Session, state: &UiState) -> Vec<(&'static str, &'static str)> {
-    let mut lines = vec![("Look around", state.navigation.summary())];
+fn first_steps(
+    session: &Session,
+    state: &UiState,
+    pointing: Pointing,
+) -> Vec<(&'static str, &'static str)> {
+    let mut lines = vec![("Look around", state.navigation.summary(pointing))];
     let shapes = session.scene().shapes();
     lines.push(match state.pose.tool {
         Tool::Pose => ("Pose", "drag a bone, or a number at the right"),
         _ => (
             "Pose",
-            "press B and drag a bone, or drag a number at the right",
+            pointing.words(
+                "press B and drag a bone, or drag a number at the right",
+                "tap Pose and drag a bone, or drag a number",
+            ),
         ),
     });
     if shapes
@@ -86,6 +94,12 @@ fn first_steps(session: &Session, state: &UiState) -> Vec<(&'static str, &'stati
             "View ⏵ Compare with Mesh… tells what is wrong in yours",
         ));
     }
-    lines.push(("More", "Insert adds shapes · ? shows every key"));
+    lines.push((
+        "More",
+        pointing.words(
+            "Insert adds shapes · ? shows every key",
+            "Insert adds shapes · Help tells the rest",
+        ),
+    ));
     lines
 }

@@ -32,6 +32,7 @@ mod messages;
 mod method_view;
 mod navigation;
 mod number_field;
+mod pointing;
 mod popups;
 mod posing;
 mod preferences;
@@ -167,6 +168,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     state.notice_another_scene(session);
     commands::remember_navigation(&ctx, state.navigation);
     popups::close_by_press_outside(&ctx, state.menu_titles);
+    pointing::notice(&ctx);
     if !input.keys_are_taken {
         posing::take_keys(&ctx, &mut state.pose);
         box_select::cancel_by_esc(&ctx, &mut state.box_select);

@@ -1,6 +1,7 @@
 use super::commands::{Gesture, gesture};
 use super::turning_keys::{TURN_GESTURES, turned};
 use crate::scene::{Camera, Look};
+use crate::ui::pointing::Pointing;
 use egui::{Context, Event, Id, InputState, Key, Modifiers, PointerButton, Response};
 use glam::{Vec2, Vec3};
 
@@ -237,7 +238,18 @@ impl Navigation {
     }
 
     /// The same as one line, for the status line.
-    pub(super) fn summary(self) -> &'static str {
+    pub(super) fn summary(self, pointing: Pointing) -> &'static str {
+        match (self, pointing) {
+            (Self::Blender, Pointing::Fingers) => {
+                "One finger selects in a box · two move the scene and zoom"
+            }
+            (_, Pointing::Fingers) => "One finger turns the scene · two move it and zoom",
+            (_, Pointing::Mouse) => self.summary_of_mouse(),
+        }
+    }
+
+    /// What a mouse, and keys, do in the view.
+    pub(super) fn summary_of_mouse(self) -> &'static str {
         match self {
             Self::Course => "Left drag moves the scene · right drag turns it · wheel zooms",
             Self::Orbit => "Left drag turns the scene · right drag moves it · wheel zooms",
@@ -248,8 +260,9 @@ impl Navigation {
 
     /// Text of the status line over a shape that is not selected: a click selects it, and a drag
     /// still turns the camera.
-    pub(super) fn over_a_shape(self) -> &'static str {
+    pub(super) fn over_a_shape(self, pointing: Pointing) -> &'static str {
         match self {
+            _ if pointing == Pointing::Fingers => "Tap to select it",
             Self::Course => "Click to select it · right drag turns the camera",
             Self::Orbit | Self::Mannequin => "Click to select it · left drag turns the scene",
             Self::Blender => "Click to select it · middle drag turns the scene",

@@ -46,7 +46,7 @@ pub(super) fn show(
         });
         let about_look = "How files without a view of their own are shown; View ⏵ Look changes it, too. Characters of the course that are seen well in its editor are shown as there, anything else in the Studio look";
         part(ui, "Look of new views", about_look, |ui| looks(ui, state));
-        let about_navigation = format!("Mouse and keys in the view: {}", state.navigation.summary());
+        let about_navigation = format!("Mouse and keys in the view: {}", state.navigation.summary_of_mouse());
         part(ui, "Navigation", &about_navigation, |ui| {
             choose(ui, state, Menu::Navigation);
         });

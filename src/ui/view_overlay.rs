@@ -12,10 +12,12 @@ use super::{
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
+use crate::ui::pointing::Pointing;
 use egui::{
     Align, Button, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
     UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
 };
+use std::borrow::Cow;
 
 /// Width at the right edge left to the handle of the shape panel, in points.
 const PANEL_EDGE: f32 = 4.0;
@@ -184,7 +186,7 @@ pub(super) fn status_line(
                 ui.label(RichText::new(machine).small().color(weak));
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let (over, next) = status(session, state, input);
+                let (over, next) = status(session, state, input, Pointing::of(ui.ctx()));
                 if let Some(over) = over {
                     let color = Palette::of(ui.visuals()).strong;
                     ui.add(Label::new(RichText::new(over).small().color(color)).truncate());
@@ -204,27 +206,39 @@ fn machine(input: &ViewInput) -> String {
 }
 
 /// Name of what is under the pointer, if anything, and what gestures do there.
-fn status(session: &Session, state: &UiState, input: &ViewInput) -> (Option<String>, &'static str) {
+fn status(
+    session: &Session,
+    state: &UiState,
+    input: &ViewInput,
+    pointing: Pointing,
+) -> (Option<String>, Cow<'static, str>) {
     let navigation = state.navigation;
     if state.saves_later() {
-        return (
-            None,
+        let next = pointing.words(
             "It is saved once this movement has ended · Esc cancels the movement",
+            "It is saved once this movement has ended",
         );
+        return (None, next.into());
     }
-    if let Some(next) = state.box_select.status() {
-        return (None, next);
+    if let Some(next) = state.box_select.status(pointing) {
+        return (None, next.into());
     }
     if let Some(point) = hovered_control_point(session) {
-        let next = "Drag to move it · click it, and Delete removes it";
-        return (Some(point), next);
+        let next = pointing.words(
+            "Drag to move it · click it, and Delete removes it",
+            "Drag to move it",
+        );
+        return (Some(point), next.into());
     }
-    if let Some((over, next)) = posing::status(session, &state.pose) {
+    if let Some((over, next)) = posing::status(session, &state.pose, pointing) {
         return (over, next);
     }
     if let Some(joint) = hovered_joint(session) {
-        let next = "Click to select the joint · drag its numbers to turn it";
-        return (Some(joint), next);
+        let next = pointing.words(
+            "Click to select the joint · drag its numbers to turn it",
+            "Tap to select the joint · drag its numbers to turn it",
+        );
+        return (Some(joint), next.into());
     }
     let over = input
         .hovered_shape
@@ -232,9 +246,12 @@ fn status(session: &Session, state: &UiState, input: &ViewInput) -> (Option<Stri
         .map(|shape| (shape.id, format!("{} (ID: {})", shape.name, shape.id)));
     match over {
         Some((id, name)) if session.selected() != Some(id) => {
-            (Some(name), navigation.over_a_shape())
+            (Some(name), navigation.over_a_shape(pointing).into())
         }
-        over => (over.map(|(_, name)| name), navigation.summary()),
+        over => (
+            over.map(|(_, name)| name),
+            navigation.summary(pointing).into(),
+        ),
     }
 }
 

@@ -15,6 +15,7 @@ mod menus;
 mod messages;
 mod navigation;
 mod numbers;
+mod pointing;
 mod popups;
 mod poses;
 mod shapes;

@@ -216,3 +216,14 @@ fn a_finger_in_the_view_leaves_a_number_to_the_one_that_drags_it() {
     assert_ne!(story.degrees("Elbow").z, 0.0);
     assert_eq!(story.session().view().camera, camera);
 }
+
+#[test]
+fn what_is_said_while_a_finger_holds_something_needs_neither_keys_nor_buttons() {
+    let (mut story, bone) = with_bones();
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, bone);
+    hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
+    assert!(story.has_text("A second finger cancels"));
+    hand.lift_all(&mut story);
+    assert!(story.has_text("One finger turns the scene · two move it and zoom"));
+}

@@ -8,6 +8,7 @@ use crate::editor::Session;
 use crate::scene::SkinningMethod;
 use crate::ui::below_view::{Heights, below_the_view, has_room_for_columns};
 use crate::ui::number_field::NumberField;
+use crate::ui::pointing::Pointing;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareMeshAction, CompareMeshView};
@@ -164,7 +165,11 @@ fn numbers(
         }
         if compare.is_none() {
             // Beside a comparison the lines are few.
-            weak(ui, "Click another on the mesh, or a row for its matrices.");
+            let next = Pointing::of(ui.ctx()).words(
+                "Click another on the mesh, or a row for its matrices.",
+                "Tap another on the mesh, or a row for its matrices.",
+            );
+            weak(ui, next);
         }
     });
     let compared = compare.filter(|compare| compare.shape == explained.id);

@@ -8,6 +8,7 @@ pub(super) use typing::is_untouched;
 
 use crate::geometry::MAX_COORDINATE;
 use crate::ui::GestureStep;
+use crate::ui::pointing::Pointing;
 use crate::ui::theme::{Palette, number_font};
 use crate::ui::widgets::{forget_buttons, named, tip_beside_panel};
 use decimals::{fitted, precise};
@@ -332,8 +333,12 @@ impl<'a> NumberField<'a> {
         });
         if !typing && !response.dragged() {
             let mut tip = format!(
-                "{}: {whole}\nDrag, with Shift finer · click to type · right click for {}{}",
+                "{}: {whole}\n{}{}{}",
                 self.name,
+                Pointing::of(ui.ctx()).words(
+                    "Drag, with Shift finer · click to type · right click for ",
+                    "Drag · tap to type · at rest it is ",
+                ),
                 precise(self.rest),
                 self.unit
             );

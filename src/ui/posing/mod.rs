@@ -20,8 +20,10 @@ use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
 use crate::ui::Action;
 use crate::ui::grab::is_pickable;
+use crate::ui::pointing::Pointing;
 use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
+use std::borrow::Cow;
 
 /// State of the tools.
 #[derive(Clone, Debug, Default)]
@@ -158,26 +160,35 @@ pub(super) fn notice_selection(state: &mut PoseState, actions: &[Action]) {
 pub(super) fn status(
     session: &Session,
     state: &PoseState,
-) -> Option<(Option<String>, &'static str)> {
+    pointing: Pointing,
+) -> Option<(Option<String>, Cow<'static, str>)> {
     if let Some(gesture) = &state.gesture {
         let held = gesture.held();
         let over = held_name(session, held);
         let next = if gesture.is_by_key() {
             "Type X, Y, Z, a number · click keeps it · Esc cancels"
+        } else if pointing == Pointing::Fingers {
+            "A second finger cancels"
         } else if held.snaps() {
             "Type X, Y, Z, a number · Ctrl snaps · Esc cancels"
         } else {
             "Esc or right click cancels"
         };
-        return Some((over, next));
+        return Some((over, next.into()));
     }
     if let Some(handle) = state.hot {
-        return Some((None, over_handle(state.tool, handle)));
+        let does = over_handle(state.tool, handle);
+        let next = match pointing {
+            Pointing::Mouse => format!("{does} · Ctrl snaps").into(),
+            Pointing::Fingers => does.into(),
+        };
+        return Some((None, next));
     }
+    // Fingers take hold of bones and are never only above them.
     let hit = state.hovered?;
     if let Some((shape, grip)) = state.hovered_grip {
         let over = joint_name(session, shape, Some(grip.joint()));
-        return Some((over, ik_status(session, shape, grip)));
+        return Some((over, ik_status(session, shape, grip).into()));
     }
     let (joint, next) = match state.tool {
         Tool::Select => (
@@ -195,28 +206,28 @@ pub(super) fn status(
         Tool::Ik => (Some(hit.joint), "Drag to bring it somewhere"),
         Tool::Rotate | Tool::Scale => return None,
     };
-    Some((joint_name(session, hit.shape, joint), next))
+    Some((joint_name(session, hit.shape, joint), next.into()))
 }
 
-/// Effect of a drag of a handle, for the status line.
+/// Effect of a drag of a handle, for the status line. Ctrl snaps all of them.
 fn over_handle(tool: Tool, handle: Handle) -> &'static str {
     match (tool, handle) {
-        (Tool::Scale, Handle::Arrow(0)) => "Drag to scale along X · Ctrl snaps",
-        (Tool::Scale, Handle::Arrow(1)) => "Drag to scale along Y · Ctrl snaps",
-        (Tool::Scale, Handle::Arrow(_)) => "Drag to scale along Z · Ctrl snaps",
-        (Tool::Scale, _) => "Drag to scale all axes alike · Ctrl snaps",
-        (_, Handle::Ring(0)) => "Drag to turn about X · Ctrl snaps",
-        (_, Handle::Ring(1)) => "Drag to turn about Y · Ctrl snaps",
-        (_, Handle::Ring(_)) => "Drag to turn about Z · Ctrl snaps",
-        (Tool::Pose, Handle::FreeRing) => "Drag to turn as the pointer goes · Ctrl snaps",
-        (_, Handle::FreeRing) => "Drag to turn about the line of sight · Ctrl snaps",
-        (_, Handle::Arrow(0)) => "Drag to move along X · Ctrl snaps",
-        (_, Handle::Arrow(1)) => "Drag to move along Y · Ctrl snaps",
-        (_, Handle::Arrow(_)) => "Drag to move along Z · Ctrl snaps",
-        (_, Handle::Plane(0)) => "Drag to move along Y and Z · Ctrl snaps",
-        (_, Handle::Plane(1)) => "Drag to move along X and Z · Ctrl snaps",
-        (_, Handle::Plane(_)) => "Drag to move along X and Y · Ctrl snaps",
-        (_, Handle::Center) => "Drag to move across the view · Ctrl snaps",
+        (Tool::Scale, Handle::Arrow(0)) => "Drag to scale along X",
+        (Tool::Scale, Handle::Arrow(1)) => "Drag to scale along Y",
+        (Tool::Scale, Handle::Arrow(_)) => "Drag to scale along Z",
+        (Tool::Scale, _) => "Drag to scale all axes alike",
+        (_, Handle::Ring(0)) => "Drag to turn about X",
+        (_, Handle::Ring(1)) => "Drag to turn about Y",
+        (_, Handle::Ring(_)) => "Drag to turn about Z",
+        (Tool::Pose, Handle::FreeRing) => "Drag to turn as the pointer goes",
+        (_, Handle::FreeRing) => "Drag to turn about the line of sight",
+        (_, Handle::Arrow(0)) => "Drag to move along X",
+        (_, Handle::Arrow(1)) => "Drag to move along Y",
+        (_, Handle::Arrow(_)) => "Drag to move along Z",
+        (_, Handle::Plane(0)) => "Drag to move along Y and Z",
+        (_, Handle::Plane(1)) => "Drag to move along X and Z",
+        (_, Handle::Plane(_)) => "Drag to move along X and Y",
+        (_, Handle::Center) => "Drag to move across the view",
     }
 }
 

@@ -8,6 +8,7 @@ use crate::scene::{CharacterShape, IkPole, IkSettings, ShapeId};
 use crate::ui::Action;
 use crate::ui::commands::Command;
 use crate::ui::number_field::NumberField;
+use crate::ui::pointing::Pointing;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{axis_ball, commands};
@@ -245,7 +246,10 @@ fn pins(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>) {
     let pinned =
         joint.is_some_and(|(shape, joint)| ik::pins(session, shape).any(|pin| pin == joint));
     let pin = Button::selectable(pinned, "Pin");
-    let why = "Select a joint first: click it in the view or in the list";
+    let why = Pointing::of(ui.ctx()).words(
+        "Select a joint first: click it in the view or in the list",
+        "Select a joint first: tap it in the view or in the list",
+    );
     if pin_button(ui, pin, joint.is_some(), Command::PinJoint, why)
         && let Some((shape, joint)) = joint
     {

@@ -1,0 +1,67 @@
+//! Hints speak of what is at hand: of buttons and keys to who has a mouse, of fingers to who has none.
+
+use super::Editor;
+use egui::{Event, Modifiers, PointerButton, Pos2, TouchDeviceId, TouchId, TouchPhase, pos2};
+
+/// Puts a finger on the screen, which moves the pointer there as in browsers, moves or lifts it.
+fn touch(editor: &mut Editor, at: Pos2, phase: TouchPhase) {
+    editor.harness.event(Event::PointerMoved(at));
+    if phase != TouchPhase::Move {
+        editor.harness.event(Event::PointerButton {
+            pos: at,
+            button: PointerButton::Primary,
+            pressed: phase == TouchPhase::Start,
+            modifiers: Modifiers::NONE,
+        });
+    }
+    editor.harness.event(Event::Touch {
+        device_id: TouchDeviceId(0),
+        id: TouchId(1),
+        phase,
+        pos: at,
+        force: None,
+    });
+    editor.settle();
+}
+
+fn tap(editor: &mut Editor, at: Pos2) {
+    touch(editor, at, TouchPhase::Start);
+    touch(editor, at, TouchPhase::End);
+}
+
+fn point_with_a_mouse(editor: &mut Editor, at: Pos2) {
+    editor.harness.event(Event::PointerMoved(at));
+    editor.settle();
+}
+
+const ON_THE_GROUND: Pos2 = pos2(300.0, 480.0);
+
+#[test]
+fn the_status_line_and_the_first_help_speak_of_fingers_after_a_touch_and_of_buttons_after_a_mouse()
+{
+    for (navigation, mouse, fingers) in [
+        (
+            "As the course's editor",
+            "Left drag moves the scene · right drag turns it · wheel zooms",
+            "One finger turns the scene · two move it and zoom",
+        ),
+        (
+            "Blender",
+            "Middle drag turns, with Shift moves · left drag selects",
+            "One finger selects in a box · two move the scene and zoom",
+        ),
+    ] {
+        let mut editor = Editor::new();
+        editor.choose(&["View", "Navigation", navigation]);
+        editor.choose(&["Insert", "Cube"]);
+        editor.harness.state_mut().state.first_help = true;
+        editor.settle();
+        assert!(editor.has(mouse), "{navigation}");
+        assert!(editor.has("Insert adds shapes · ? shows every key"));
+        tap(&mut editor, ON_THE_GROUND);
+        assert!(editor.has(fingers) && !editor.has(mouse), "{navigation}");
+        assert!(editor.has("Insert adds shapes · Help tells the rest"));
+        point_with_a_mouse(&mut editor, ON_THE_GROUND);
+        assert!(editor.has(mouse) && !editor.has(fingers), "{navigation}");
+    }
+}
