@@ -14,10 +14,50 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
+    /// Uses files that were dropped on the window together. A scene among them is opened, and what it does not name of
+    /// the models is added to it.
+    pub(super) fn use_all_dropped(
+        &mut self,
+        mut dropped: Vec<(PathBuf, Arc<dyn Files>)>,
+        host: &mut dyn Host,
+    ) {
+        if dropped.is_empty() {
+            return;
+        }
+        if self.asked.is_some() {
+            let text = "Nothing was dropped: the question comes first";
+            self.tell(Severity::Warning, text);
+            return;
+        }
+        // All files of a character that are dropped together are one.
+        let mut known = HashSet::new();
+        for (path, files) in &mut dropped {
+            *path = io::character_file(&**files, path).into_owned();
+        }
+        dropped.retain(|(path, _)| known.insert(path.clone()));
+        let scene = dropped.iter().position(|(path, _)| is_scene(path));
+        let Some(scene) = scene.filter(|_| dropped.len() > 1) else {
+            for (path, files) in dropped {
+                self.use_dropped(&path, files, host);
+            }
+            return;
+        };
+        let (scene, files) = dropped.remove(scene);
+        let others = dropped.into_iter().map(|(path, _)| path);
+        let (models, rest): (Vec<PathBuf>, Vec<PathBuf>) = others.partition(|path| is_model(path));
+        // Pictures and the like are read with models that name them.
+        let unused = rest
+            .into_iter()
+            .filter(|path| is_scene(path) || is_pose(path));
+        self.tell_unused(&[vec![scene.clone()], unused.collect()].concat());
+        let paths = [vec![scene], models].concat();
+        self.leave_for(Next::OpenFiles(paths, files), host);
+    }
+
     /// Uses a file that was dropped on the window: a scene to open, a picture that a model lacked or else one to
     /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all
     /// else as an import.
-    pub(super) fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
+    fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();
         let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
@@ -121,6 +161,11 @@ fn once_each(files: &dyn Files, mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
     let mut known = HashSet::new();
     paths.retain(|path| known.insert(io::character_file(files, path).into_owned()));
     paths
+}
+
+fn is_model(path: &Path) -> bool {
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    io::IMPORTABLE.contains(&&*extension.to_lowercase())
 }
 
 fn is_pose(path: &Path) -> bool {

@@ -12,6 +12,7 @@ use crate::editor::{Edit, Severity};
 use crate::io::{self, Diagnostic, Files, Missing, ReadJob, Wanted};
 use crate::scene::{ShapeId, Source, ViewSettings};
 use crate::ui::{Answer, MeshColors};
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -142,6 +143,13 @@ impl Program {
             loaded,
         } = opened;
         let compared = self.comparison.is_some();
+        // Models of a scene may have come together with it.
+        let sources = loaded.shapes.iter().flat_map(|shape| &shape.source);
+        let named: HashSet<PathBuf> = sources
+            .map(|source| files.real(Path::new(&source.file)))
+            .collect();
+        let is_new = |path: &PathBuf| !named.contains(&files.real(path));
+        let others: Vec<PathBuf> = others.into_iter().filter(is_new).collect();
         self.session.messages.dismiss_all();
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);

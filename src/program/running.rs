@@ -15,15 +15,12 @@ use super::reading::Readings;
 use super::start_pictures::StartPictures;
 use super::{FileKind, Host, HostEvent, NotStored, globals};
 use crate::editor::{Session, Severity};
-use crate::io::{
-    self,
-    builtin::{self, BuiltinKind},
-};
+use crate::io::builtin::{self, BuiltinKind};
 use crate::render::Backdrop;
 use crate::revision::Revision;
 use crate::scene::{FitArea, ShapeId, Skinning};
 use crate::ui::{self, Screenshot, UiOutput, UiState};
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::path::PathBuf;
 
 /// Options that the program is started with.
@@ -340,7 +337,7 @@ impl Program {
 
     fn take_waiting_events(&mut self, host: &mut dyn Host) -> bool {
         let mut any = false;
-        let mut dropped = HashSet::new();
+        let mut dropped = Vec::new();
         while let Some(event) = host.next_event() {
             any = true;
             match event {
@@ -358,17 +355,7 @@ impl Program {
                     }
                     self.use_chosen(request.purpose, (path, others), files, host);
                 }
-                HostEvent::Dropped { .. } if self.asked.is_some() => {
-                    let text = "Nothing was dropped: the question comes first";
-                    self.tell(Severity::Warning, text);
-                }
-                HostEvent::Dropped { path, files } => {
-                    // All files of a character that are dropped together are one.
-                    let path = io::character_file(&*files, &path).into_owned();
-                    if dropped.insert(path.clone()) {
-                        self.use_dropped(&path, files, host);
-                    }
-                }
+                HostEvent::Dropped { path, files } => dropped.push((path, files)),
                 HostEvent::StoreFailed(NotStored { error, kept_in }) => {
                     let error = error.to_string();
                     self.tell_store_failure(&error, kept_in.as_deref(), host.now());
@@ -396,6 +383,7 @@ impl Program {
                 },
             }
         }
+        self.use_all_dropped(dropped, host);
         any
     }
 }

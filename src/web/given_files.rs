@@ -121,23 +121,34 @@ impl Files for GivenFiles {
     }
 }
 
+/// Extensions of files that are opened by themselves. A scene names its models, and models their pictures.
+const SCENES: &[&str] = &["scene", "zip"];
+const MODELS: &[&str] = &["obj", "dae", "swp"];
+const POSES: &[&str] = &["json"];
+const PICTURES: &[&str] = &["png", "jpg", "jpeg", "gif"];
+
 /// Of files that came together, those that are opened by themselves: others, such as the `.skel` of
 /// an `.obj` or the pictures of a model, are read with them.
 pub(super) fn main_files(names: &[PathBuf]) -> Vec<PathBuf> {
-    let with = |extensions: &[&str]| -> Vec<PathBuf> {
-        let is = |path: &&PathBuf| {
-            let extension = path.extension().unwrap_or_default().to_string_lossy();
-            extensions.contains(&&*extension.to_lowercase())
-        };
-        names.iter().filter(is).cloned().collect()
-    };
-    // A scene names its models, and models their pictures.
-    let kinds: [&[&str]; 4] = [
-        &["scene", "zip"],
-        &["obj", "dae", "swp"],
-        &["json"],
-        &["png", "jpg", "jpeg", "gif"],
-    ];
-    let found = kinds.into_iter().map(with).find(|found| !found.is_empty());
+    let kinds = [SCENES, MODELS, POSES, PICTURES].into_iter();
+    let found = kinds
+        .map(|kind| of_kind(names, kind))
+        .find(|found| !found.is_empty());
     found.unwrap_or_else(|| names.to_vec())
+}
+
+/// The same where a person has brought them: what came beside a scene may not be named there.
+pub(super) fn brought_files(names: &[PathBuf]) -> Vec<PathBuf> {
+    match of_kind(names, SCENES) {
+        scenes if scenes.is_empty() => main_files(names),
+        scenes => [scenes, of_kind(names, MODELS), of_kind(names, POSES)].concat(),
+    }
+}
+
+fn of_kind(names: &[PathBuf], extensions: &[&str]) -> Vec<PathBuf> {
+    let is = |path: &&PathBuf| {
+        let extension = path.extension().unwrap_or_default().to_string_lossy();
+        extensions.contains(&&*extension.to_lowercase())
+    };
+    names.iter().filter(is).cloned().collect()
 }

@@ -2,7 +2,7 @@
 
 use super::browser;
 use super::fetching::{self, Fetching};
-use super::given_files::{GivenFiles, main_files};
+use super::given_files::{GivenFiles, brought_files};
 use super::tabs::{self, Slots};
 use crate::io::builtin::{WithBuiltin, absent};
 use crate::io::image::PictureFormat;
@@ -81,7 +81,7 @@ impl Events {
         read: Vec<(PathBuf, Result<Vec<u8>, String>)>,
     ) {
         let names = self.take_in(given, read).await;
-        for path in main_files(&names) {
+        for path in brought_files(&names) {
             let files = all_files(given);
             self.push(HostEvent::Dropped { path, files });
         }
@@ -181,7 +181,7 @@ impl PageHost {
                 let names = events.take_in(&given, read).await;
                 let files = all_files(&given);
                 let suits = |path: &PathBuf| request.purpose.offers(&*files, path);
-                let mut chosen = main_files(&names);
+                let mut chosen = brought_files(&names);
                 if !chosen.iter().any(suits) && names.iter().any(suits) {
                     chosen = names.into_iter().filter(suits).collect();
                 }

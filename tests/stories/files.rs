@@ -430,3 +430,41 @@ fn a_folder_that_nothing_could_be_saved_in_is_not_where_the_next_dialog_begins()
     let folder = save(&mut story, "other/more.json");
     assert_eq!(folder.as_deref(), Some("other"));
 }
+
+#[test]
+fn models_that_come_with_a_scene_are_added_to_it_unless_it_names_them() {
+    let scene =
+        br#"{"format": "editor-scene", "version": 1, "shapes": [{"source": "models/strip.obj"}]}"#;
+    for dropped in [true, false] {
+        let mut story = Story::start(&[]);
+        let files = &mut story.host.files;
+        files.insert("two.scene".into(), scene.to_vec());
+        files.insert(
+            "flag.obj".into(),
+            b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec(),
+        );
+        files.insert("bent.json".into(), b"{\"joints\": {}}".to_vec());
+        if dropped {
+            for path in [
+                "flag.obj",
+                "models/strip.attach",
+                "models/strip.obj",
+                "two.scene",
+                "bent.json",
+            ] {
+                story.host.drop_file(path);
+            }
+        } else {
+            story
+                .program
+                .carry_out(vec![Action::Ask(Ask::Open)], &mut story.host);
+            story
+                .host
+                .choose_together("two.scene", &["models/strip.obj", "flag.obj"]);
+        }
+        story.settle();
+        assert_eq!(story.names(), ["Strip", "Flag"], "{dropped}");
+        let unused = (Severity::Warning, "Only two.scene is used, not bent.json");
+        assert_eq!(story.messages(), Vec::from_iter(dropped.then_some(unused)));
+    }
+}
