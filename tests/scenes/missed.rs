@@ -79,3 +79,18 @@ fn built_in_files_and_those_that_are_there_are_not_missed() {
     let WithBuiltin(here) = files();
     assert!(missed_files(&here, &[MAN.into()]).is_empty());
 }
+
+#[test]
+fn the_geometry_of_a_shape_is_not_read_to_find_what_it_names() {
+    let obj = "f 7 8 9\nv one two\n  mtllib first.mtl\nusemtl a\nf x\nmtllib second.mtl\n";
+    let mut here = HashMap::from([(PathBuf::from("a.obj"), obj.as_bytes().to_vec())]);
+    let missed = |here: &HashMap<PathBuf, Vec<u8>>| missed_files(here, &["a.obj".into()]);
+    let materials = ["a.skel", "a.attach", "first.mtl", "second.mtl"];
+    assert_eq!(BTreeSet::from_iter(missed(&here)), paths(&materials));
+    here.insert("first.mtl".into(), b"newmtl a\nmap_Kd wood.png\n".to_vec());
+    assert!(
+        missed(&here).contains(&"wood.png".into()),
+        "{:?}",
+        missed(&here)
+    );
+}
