@@ -135,14 +135,14 @@ pub(super) fn press(
         actions.push(Action::Ask(Ask::CancelWork));
         return;
     }
-    if (is_esc || command == Command::Compare) && input.compare.is_some() {
+    if is_esc && input.compare.is_some() {
         actions.push(Action::Ask(Ask::Compare(CompareAction::Close)));
         return;
     }
     if is_esc && state.explain.end_last() {
         return;
     }
-    if (is_esc || command == Command::CompareMesh) && input.compare_mesh.is_some() {
+    if is_esc && input.compare_mesh.is_some() {
         let close = Ask::CompareMesh(CompareMeshAction::Close);
         return actions.push(Action::Ask(close));
     }

@@ -294,10 +294,10 @@ impl Items<'_> {
                 )
             }
         };
-        // What Undo and Redo are about is no part of what they are called; what Copy copies and Delete deletes is.
+        // What Undo and Redo are about is no part of what they are called; what else is added to labels is.
         let name = match entry.command {
-            Command::Copy | Command::Delete => mark.clone(),
-            _ => entry.label.to_owned(),
+            Command::Undo | Command::Redo => entry.label.to_owned(),
+            command => full_label(command, self.session, self.state),
         };
         let button = Button::new(mark)
             .shortcut_text(key.unwrap_or_default())

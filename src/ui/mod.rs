@@ -167,6 +167,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
     commands::remember_navigation(&ctx, state.navigation);
+    state.compares = [input.compare.is_some(), input.compare_mesh.is_some()];
     popups::close_by_press_outside(&ctx, state.menu_titles);
     pointing::notice(&ctx);
     if !input.keys_are_taken {

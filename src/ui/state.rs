@@ -98,6 +98,8 @@ pub struct UiState {
     pub(super) escaped_at: Option<f64>,
     /// Whether fonts, spacing and colors were set.
     pub(super) styled: bool,
+    /// Whether the view is compared with a picture, and a character with a mesh.
+    pub(super) compares: [bool; 2],
     /// Rectangle of the titles in the menu bar in the last frame, in points.
     pub(super) menu_titles: Rect,
     /// Rectangle of the view in the last frame, in points, for menus that are shown before it is
@@ -148,6 +150,7 @@ impl Default for UiState {
             busy_at: f64::NEG_INFINITY,
             escaped_at: None,
             styled: false,
+            compares: [false; 2],
             menu_titles: Rect::NOTHING,
             view_rect: Rect::from_min_size(Pos2::ZERO, vec2(4.0, 3.0)),
         }

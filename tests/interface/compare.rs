@@ -356,6 +356,15 @@ fn the_key_that_begins_a_comparison_ends_it() {
 }
 
 #[test]
+fn the_entry_of_the_menu_ends_a_comparison_as_its_key_does() {
+    let mut editor = comparing();
+    editor.click("View");
+    assert!(!editor.has("Compare with Picture…"));
+    editor.click("End Comparison with Picture");
+    assert_eq!(editor.asked(), [Ask::Compare(CompareAction::Close)]);
+}
+
+#[test]
 fn every_mode_is_one_click_and_shows_what_is_what() {
     let mut editor = comparing();
     for mode in CompareMode::ALL {

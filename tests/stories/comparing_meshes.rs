@@ -679,3 +679,15 @@ fn a_character_that_is_small_in_the_view_is_seen_large_beside_a_mesh_and_one_tha
     story.key(Key::Home);
     assert_eq!(story.session().view().camera, before);
 }
+
+#[test]
+fn the_entry_of_the_menu_ends_a_comparison_with_a_mesh_as_its_key_does() {
+    let mut story = comparing(&RIGHT);
+    let asked = story.host.requests.len();
+    story.click("View");
+    story.click("End Comparison with Mesh");
+    assert!(!story.has("Stop comparing with the mesh"));
+    assert_eq!(story.host.requests.len(), asked, "no file is asked for");
+    story.click("View");
+    assert!(story.has("Compare with Mesh…"));
+}

@@ -69,6 +69,7 @@ pub(in crate::ui) fn why_disabled(
         Command::Explain if !state.explain.is_open() && !has_character(session) => {
             Some("There is no character")
         }
+        Command::CompareMesh if state.compares[1] => None,
         Command::CompareMesh if character_to_compare(session).is_none() => {
             Some("No character is selected")
         }

@@ -129,7 +129,13 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::ImportCurve => return Some(Action::Ask(Ask::ImportCurve)),
         Command::ImportCharacter => return Some(Action::Ask(Ask::ImportCharacter)),
         Command::Explain => state.explain.set_open(!state.explain.is_open()),
+        Command::Compare if state.compares[0] => {
+            return Some(Action::Ask(Ask::Compare(CompareAction::Close)));
+        }
         Command::Compare => return Some(Action::Ask(Ask::Compare(CompareAction::Choose))),
+        Command::CompareMesh if state.compares[1] => {
+            return Some(Action::Ask(Ask::CompareMesh(CompareMeshAction::Close)));
+        }
         Command::CompareMesh => {
             let choose = CompareMeshAction::Choose(character_to_compare(session)?);
             return Some(Action::Ask(Ask::CompareMesh(choose)));
@@ -256,11 +262,14 @@ fn deletes_point(session: &Session, state: &UiState) -> bool {
     control_points::delete_clicked(session, &state.curves).is_some()
 }
 
-/// Label of a command in a menu, with what Copy copies, whether Delete deletes a point, and the step that Undo
-/// or Redo is about.
+/// Label of a command in a menu, with what Copy copies, whether Delete deletes a point or a comparison ends, and
+/// the step that Undo or Redo is about.
 pub(in crate::ui) fn full_label(command: Command, session: &Session, state: &UiState) -> String {
-    if command == Command::Delete && deletes_point(session, state) {
-        return "Delete Point".to_owned();
+    match command {
+        Command::Delete if deletes_point(session, state) => return "Delete Point".to_owned(),
+        Command::Compare if state.compares[0] => return "End Comparison with Picture".to_owned(),
+        Command::CompareMesh if state.compares[1] => return "End Comparison with Mesh".to_owned(),
+        _ => {}
     }
     if command == Command::Copy {
         let several = session.selected_shapes().count() > 1;
