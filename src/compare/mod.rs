@@ -6,6 +6,7 @@
 //! must stay live, and each of them in small
 //! [`Steps`](crate::steps::Steps), for threads that must not be held up.
 
+mod allowance;
 mod area;
 mod diagnosis;
 mod differences;
@@ -20,6 +21,7 @@ mod ssim;
 #[cfg(test)]
 mod test_pictures;
 
+pub use allowance::Allowance;
 pub use area::Area;
 pub use diagnosis::{Finding, HighlightChange, Which};
 pub use differences::{Differences, side_by_side};
@@ -30,9 +32,7 @@ pub use mesh::{
     compare_meshes, permutation,
 };
 pub use pair::{DRAWN_THRESHOLD, Pair};
-pub use picture_comparison::{
-    Allowance, Judgment, Measured, PictureComparison, PictureJob, PictureOptions,
-};
+pub use picture_comparison::{Judgment, Measured, PictureComparison, PictureJob, PictureOptions};
 pub use rules::sentence;
 
 /// Why two things cannot be compared at all.

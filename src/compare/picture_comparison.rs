@@ -1,10 +1,9 @@
 use super::rules::with_messages;
-use super::{Area, CompareError, Differences, Finding, Pair};
+use super::{Allowance, Area, CompareError, Differences, Finding, Pair};
 use crate::geometry::Picture;
 use crate::steps::{Pace, Steps, at_once};
 use serde::Serialize;
 use std::fmt;
-use std::str::FromStr;
 use std::sync::Arc;
 
 /// Options of a comparison of pictures, and what still passes.
@@ -14,15 +13,6 @@ pub struct PictureOptions {
     pub threshold: u8,
     /// How many pixels may differ.
     pub allowed: Allowance,
-}
-
-/// How many elements may differ. Written `12`, or `0.5%`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Allowance {
-    /// So many.
-    Count(u64),
-    /// A share 0..=1: of the drawn pixels of pictures, of the vertices of meshes.
-    Share(f64),
 }
 
 /// Result of a comparison of two pictures.
@@ -159,38 +149,6 @@ impl Pair<'_> {
             ignored_pixels: self.kept().len() as u64 - differences.compared_pixels,
             differences,
             judgment: self.judge(),
-        }
-    }
-}
-
-impl Allowance {
-    /// The greatest number that may differ, of `total`.
-    pub fn of(self, total: u64) -> u64 {
-        match self {
-            Self::Count(count) => count,
-            Self::Share(share) => (share * total as f64) as u64,
-        }
-    }
-}
-
-impl Default for Allowance {
-    fn default() -> Self {
-        Self::Count(0)
-    }
-}
-
-impl FromStr for Allowance {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let wrong =
-            || format!("expected a number such as 12, or a share such as 0.1%, found “{text}”");
-        match text.strip_suffix('%') {
-            Some(percent) => match percent.trim().parse::<f64>() {
-                Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(Self::Share(percent / 100.0)),
-                _ => Err(wrong()),
-            },
-            None => text.parse().map(Self::Count).map_err(|_| wrong()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The content of pose files: joints by name or index with their angles, read and written.
 
 use super::angle::{self, Angle, Degrees};
-use super::{json, json_text};
+use super::{json_text, json_values};
 use crate::character::{Pose, SkeletalModel};
 use crate::math::Euler;
 use crate::scene::MissingPose;
@@ -102,7 +102,7 @@ pub(super) struct Angles<A>(pub [A; 3]);
 
 impl<'de, A: Angle> Deserialize<'de> for Angles<A> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        json::three(deserializer, PhantomData::<A>).map(Self)
+        json_values::three(deserializer, PhantomData::<A>).map(Self)
     }
 }
 
@@ -111,7 +111,7 @@ struct Offset(Vec3);
 
 impl<'de> Deserialize<'de> for Offset {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        json::vec3(deserializer, |_| Ok(())).map(Self)
+        json_values::vec3(deserializer, |_| Ok(())).map(Self)
     }
 }
 

@@ -1,11 +1,10 @@
+use super::joint_names::{Misfit, find_joint, find_root, no_such_joint};
 use super::json::Json;
 use super::pose_data::{Entries, Key, PoseData};
 use super::{Diagnostic, Position, scanner};
 use crate::character::{Pose, PoseError, SkeletalModel};
 use crate::scene::{MissingPose, Scene, ShapeId, ShapeKind};
-use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use strsim::levenshtein;
 
 /// A pose file: the pose, and the text that errors point into.
 #[derive(Clone, Debug)]
@@ -116,15 +115,6 @@ impl PoseFile {
             ..Diagnostic::new(&self.path, message)
         }
     }
-}
-
-/// An entry that fits no skeleton.
-#[derive(Debug)]
-pub(super) struct Misfit {
-    /// The byte of the text where its key starts.
-    pub at: usize,
-    /// The message: what was expected and what was found.
-    pub message: String,
 }
 
 impl PoseData {
@@ -246,58 +236,6 @@ impl PoseData {
             }
         }
     }
-}
-
-/// Index of the joint of `skeleton` that `key` means.
-///
-/// # Errors
-/// If it has none; the message lists names like it.
-pub(super) fn find_joint(skeleton: &SkeletalModel, key: &Key) -> Result<usize, Misfit> {
-    Pose::find_joint(skeleton, key.as_str()).map_err(|_| Misfit {
-        at: key.at(),
-        message: no_such_joint(key.as_str(), &[skeleton]),
-    })
-}
-
-fn find_root(skeleton: &SkeletalModel, key: &str) -> Result<usize, PoseError> {
-    let joint = Pose::find_joint(skeleton, key)?;
-    if skeleton.roots().contains(&joint) {
-        Ok(joint)
-    } else {
-        Err(PoseError::NotARoot(key.to_owned()))
-    }
-}
-
-/// How many names an error suggests.
-const SUGGESTED: usize = 3;
-
-/// The message about `key`, which is a joint of none of `skeletons`; it lists names like it.
-fn no_such_joint(key: &str, skeletons: &[&SkeletalModel]) -> String {
-    let found = scanner::quoted(key);
-    if key.parse::<i64>().is_ok() {
-        let most = skeletons.iter().map(|skeleton| skeleton.joints().len());
-        let last = most.max().unwrap_or(0).saturating_sub(1);
-        return format!(
-            "expected the name of a joint, or an index from 0 to {last}, found {found}"
-        );
-    }
-    let names = skeletons.iter().flat_map(|skeleton| skeleton.joints());
-    let names: HashSet<&str> = names.map(|joint| joint.name.as_str()).collect();
-    let key = key.to_lowercase();
-    let mut near: Vec<(usize, &str)> = names
-        .into_iter()
-        .map(|name| (levenshtein(&key, &name.to_lowercase()), name))
-        .collect();
-    near.sort_unstable();
-    let near: Vec<String> = near
-        .iter()
-        .take(SUGGESTED)
-        .map(|(_, name)| scanner::quoted(name))
-        .collect();
-    format!(
-        "expected the name or index of a joint, such as {}, found {found}",
-        near.join(", ")
-    )
 }
 
 #[cfg(test)]

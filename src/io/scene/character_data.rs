@@ -6,9 +6,9 @@ use super::text::{degrees, word};
 use crate::character::{Pose, SkeletalModel};
 use crate::io::PoseData;
 use crate::io::angle::ExactDegrees;
+use crate::io::joint_names::{Misfit, find_joint};
 use crate::io::json_text::{Members, Text};
 use crate::io::pose_data::{Entries, Key, key};
-use crate::io::pose_file::{Misfit, find_joint};
 use crate::scene::{
     CharacterDisplay, CharacterShape, IkPole, IkSettings, KeptPose, MissingJoints, MissingPose,
     SkinningMethod,

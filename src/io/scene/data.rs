@@ -2,7 +2,7 @@
 //! options. Angles are in degrees.
 
 use super::super::angle::Angle;
-use super::super::{json, scanner};
+use super::super::{json_values, scanner};
 use crate::scene::{
     COLOR_PRESETS, CUSTOM_PRESET, Camera, CharacterDisplay, CharacterShape, CurveDisplay, CurveSet,
     CurveShape, CurveVisibility, Look, Shading, ShapeColor, ShapeKind, SurfaceVisibility,
@@ -133,15 +133,15 @@ struct CameraData<A>(Camera, PhantomData<A>);
 struct CameraFields<A: Angle> {
     #[serde(deserialize_with = "vector")]
     target: Vec3,
-    #[serde(deserialize_with = "json::positive")]
+    #[serde(deserialize_with = "json_values::positive")]
     radius: f32,
     theta: A,
     phi: A,
     #[serde(deserialize_with = "fovy")]
     fovy: A,
-    #[serde(deserialize_with = "json::positive")]
+    #[serde(deserialize_with = "json_values::positive")]
     near: f32,
-    #[serde(deserialize_with = "json::positive")]
+    #[serde(deserialize_with = "json_values::positive")]
     far: f32,
 }
 
@@ -200,7 +200,7 @@ pub(super) fn is_fovy(radians: f32) -> bool {
 
 /// Three finite numbers.
 pub(super) fn vector<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    json::vec3(deserializer, |_| Ok(()))
+    json_values::vec3(deserializer, |_| Ok(()))
 }
 
 /// How curves and surfaces are drawn.
@@ -318,7 +318,7 @@ impl<'de> Deserialize<'de> for ColorData {
 
             fn visit_seq<A: SeqAccess<'de>>(self, numbers: A) -> Result<ShapeColor, A::Error> {
                 let numbers = SeqAccessDeserializer::new(numbers);
-                let rgb = json::vec3(numbers, |channel| match channel {
+                let rgb = json_values::vec3(numbers, |channel| match channel {
                     0.0..=1.0 => Ok(()),
                     _ => Err(format!("expected a number from 0 to 1, found {channel}")),
                 })?;

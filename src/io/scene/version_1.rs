@@ -7,8 +7,9 @@ use super::reading::{Entry, Reading, share_of};
 use crate::character::{Pose, SkeletalModel};
 use crate::io::angle::Degrees;
 use crate::io::file_importer::import_any_by;
-use crate::io::json::{self, Json};
-use crate::io::pose_file::Misfit;
+use crate::io::joint_names::Misfit;
+use crate::io::json::Json;
+use crate::io::json_values;
 use crate::io::{Diagnostic, PoseData, PoseFile, builtin, is_character};
 use crate::math::{Euler, Transform};
 use crate::scene::{
@@ -80,7 +81,7 @@ fn one() -> Vec3 {
 }
 
 fn scale<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec3, D::Error> {
-    json::vec3(deserializer, |scale| match scale {
+    json_values::vec3(deserializer, |scale| match scale {
         0.0 => Err("expected a scale other than 0, found 0".to_owned()),
         _ => Ok(()),
     })
