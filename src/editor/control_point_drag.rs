@@ -50,20 +50,12 @@ impl ControlPointDrag {
     pub fn begin(session: &Session, pixel: Vec2, size: Vec2) -> Option<Self> {
         let (curve, point) = control_point_at(session, pixel, size)?;
         let shape = session.selected()?;
-        let before = session.scene().curve(shape)?.curves();
         let world_from_model = session.evaluated().shape(shape)?.world_from_model;
-        let grabbed = before.curve(curve)?;
+        let grabbed = session.scene().curve(shape)?.curves().curve(curve)?;
         let start = *grabbed.control_points().get(point)?;
         let origin = world_from_model.transform_point3(start);
         let camera = &session.view().camera;
-        let backward = camera.right().cross(camera.up());
-        let normal = if grabbed.stays_flat() || before.is_profile(curve) {
-            flat_normal(world_from_model)?
-        } else {
-            let flat = flat_normal(world_from_model).filter(|_| grabbed.is_flat());
-            let flat = flat.filter(|normal| normal.dot(backward).abs() > OBLIQUE);
-            flat.unwrap_or(backward)
-        };
+        let normal = plane_normal(session, shape, curve)?;
         Some(Self {
             shape,
             curve,
@@ -112,6 +104,21 @@ impl ControlPointDrag {
             position,
         })
     }
+}
+
+/// Normal, in the world, of the plane in which points of a curve follow the pointer: see [`ControlPointDrag`].
+pub(super) fn plane_normal(session: &Session, shape: ShapeId, curve: usize) -> Option<Vec3> {
+    let world_from_model = session.evaluated().shape(shape)?.world_from_model;
+    let curves = session.scene().curve(shape)?.curves();
+    let grabbed = curves.curve(curve)?;
+    let flat = flat_normal(world_from_model);
+    if grabbed.stays_flat() || curves.is_profile(curve) {
+        return flat;
+    }
+    let camera = &session.view().camera;
+    let backward = camera.right().cross(camera.up());
+    let flat = flat.filter(|normal| grabbed.is_flat() && normal.dot(backward).abs() > OBLIQUE);
+    Some(flat.unwrap_or(backward))
 }
 
 /// Unit normal, in the world, of the model's plane z = 0; `None` if the shape is scaled to a line.

@@ -1,3 +1,4 @@
+use super::control_point_drag::plane_normal;
 use super::shape_group::pivot_of;
 use super::{Edit, Session};
 use crate::character::Pose;
@@ -30,6 +31,15 @@ pub enum MoveTarget {
         /// Index of a joint below the leading root.
         joint: usize,
     },
+    /// A control point of a curve.
+    ControlPoint {
+        /// The shape that has it.
+        shape: ShapeId,
+        /// Index of the curve in its set.
+        curve: usize,
+        /// Index of the point in the curve.
+        point: usize,
+    },
 }
 
 /// Constraint of a movement. Directions are in the world, of any length but zero.
@@ -47,19 +57,22 @@ impl MoveTarget {
     /// Identifier of the shape that moves, or whose roots move.
     pub fn shape(self) -> ShapeId {
         match self {
-            Self::Shape(shape) | Self::Root { shape, .. } | Self::AllRoots { shape, .. } => shape,
+            Self::Shape(shape)
+            | Self::Root { shape, .. }
+            | Self::AllRoots { shape, .. }
+            | Self::ControlPoint { shape, .. } => shape,
         }
     }
 
     /// Index of the joint whose root follows the cursor.
     pub fn joint(self) -> Option<usize> {
         match self {
-            Self::Shape(_) => None,
+            Self::Shape(_) | Self::ControlPoint { .. } => None,
             Self::Root { joint, .. } | Self::AllRoots { joint, .. } => Some(joint),
         }
     }
 
-    /// The same target with all roots of the character; a shape stays a shape.
+    /// The same target with all roots of the character; what is no root stays what it is.
     pub fn all_roots(self) -> Self {
         match self {
             Self::Root { shape, joint } => Self::AllRoots { shape, joint },
@@ -67,7 +80,17 @@ impl MoveTarget {
         }
     }
 
-    /// Position in the world of the shape's pivot, or of the root that follows the cursor.
+    /// Line or plane in which it follows a cursor that is free: parallel to the picture, and for a control point as
+    /// in a [`ControlPointDrag`](super::ControlPointDrag).
+    pub fn free(self, session: &Session) -> MoveAlong {
+        let normal = match self {
+            Self::ControlPoint { shape, curve, .. } => plane_normal(session, shape, curve),
+            _ => None,
+        };
+        MoveAlong::Plane(normal.unwrap_or_else(|| session.view().camera.forward()))
+    }
+
+    /// Position in the world of the shape's pivot, of the root that follows the cursor, or of the control point.
     pub fn place(self, session: &Session) -> Option<Vec3> {
         let evaluated = session.evaluated().shape(self.shape())?;
         let in_model = match self {
@@ -76,6 +99,11 @@ impl MoveTarget {
                 let root = root_of(session, self.shape(), joint)?;
                 *evaluated.geometry.figure.as_ref()?.joints.get(root)?
             }
+            Self::ControlPoint {
+                shape,
+                curve,
+                point,
+            } => control_point(session, shape, curve, point)?,
         };
         Some(evaluated.world_from_model.transform_point3(in_model))
     }
@@ -96,7 +124,13 @@ pub fn root_of(session: &Session, shape: ShapeId, joint: usize) -> Option<usize>
     Some(joint)
 }
 
-/// Drag of a shape or of roots, which move one to one: the point that was grabbed stays where the
+/// Position of a control point in model space.
+fn control_point(session: &Session, shape: ShapeId, curve: usize, point: usize) -> Option<Vec3> {
+    let curve = session.scene().curve(shape)?.curves().curve(curve)?;
+    curve.control_points().get(point).copied()
+}
+
+/// Drag of a shape, of roots or of a control point, which move one to one: the point that was grabbed stays where the
 /// cursor's ray meets the line or plane through the target.
 #[derive(Clone, Debug)]
 pub struct MoveDrag {
@@ -120,6 +154,16 @@ enum Start {
         roots: Vec<usize>,
         /// Matrix of directions from the world to the character's space.
         model_from_world: DMat3,
+    },
+    Point {
+        curve: usize,
+        point: usize,
+        /// Position in the shape's model space.
+        position: Vec3,
+        /// Matrix of directions from the world to that.
+        model_from_world: DMat3,
+        /// Whether it cannot leave z = 0.
+        stays_flat: bool,
     },
 }
 
@@ -171,6 +215,9 @@ impl MoveDrag {
             MoveTarget::AllRoots { .. } => {
                 let character = &session.scene().character(shape)?.character;
                 Start::roots(session, shape, character.skeleton().roots().to_vec())?
+            }
+            MoveTarget::ControlPoint { curve, point, .. } => {
+                Start::point(session, shape, curve, point)?
             }
         };
         let met = |&anchor: &DVec3| Some((anchor, meeting(ray, anchor, along)?));
@@ -259,6 +306,24 @@ impl MoveDrag {
                 }
                 Edit::SetPose(self.target.shape(), pose)
             }
+            &Start::Point {
+                curve,
+                point,
+                position: start,
+                model_from_world,
+                stays_flat,
+            } => {
+                let mut position = start + (model_from_world * self.moved).as_vec3();
+                if stays_flat {
+                    position.z = start.z;
+                }
+                Edit::SetControlPoint {
+                    shape: self.target.shape(),
+                    curve,
+                    point,
+                    position,
+                }
+            }
         }
     }
 
@@ -280,15 +345,30 @@ impl MoveDrag {
 
 impl Start {
     fn roots(session: &Session, shape: ShapeId, roots: Vec<usize>) -> Option<Self> {
-        let world_from_model = session.evaluated().shape(shape)?.world_from_model;
-        let model_from_world = DMat3::from_mat4(world_from_model.as_dmat4()).inverse();
-        let pose = session.scene().character(shape)?.pose().clone();
-        model_from_world.is_finite().then_some(Self::Roots {
-            pose,
+        Some(Self::Roots {
+            pose: session.scene().character(shape)?.pose().clone(),
             roots,
-            model_from_world,
+            model_from_world: model_from_world(session, shape)?,
         })
     }
+
+    fn point(session: &Session, shape: ShapeId, curve: usize, point: usize) -> Option<Self> {
+        let curves = session.scene().curve(shape)?.curves();
+        Some(Self::Point {
+            curve,
+            point,
+            position: control_point(session, shape, curve, point)?,
+            model_from_world: model_from_world(session, shape)?,
+            stays_flat: curves.curve(curve)?.stays_flat() || curves.is_profile(curve),
+        })
+    }
+}
+
+/// Matrix of directions from the world to a shape's model space; `None` if it is scaled to zero.
+fn model_from_world(session: &Session, shape: ShapeId) -> Option<DMat3> {
+    let world_from_model = session.evaluated().shape(shape)?.world_from_model;
+    let model_from_world = DMat3::from_mat4(world_from_model.as_dmat4()).inverse();
+    model_from_world.is_finite().then_some(model_from_world)
 }
 
 /// Point where the ray meets the plane, or comes nearest to the line, through `anchor`.

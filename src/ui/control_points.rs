@@ -259,7 +259,7 @@ fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
 }
 
 /// The control point that was clicked last, if the shape is still the only one selected.
-fn clicked(session: &Session, state: &CurveState) -> Option<(ShapeId, usize, usize)> {
+pub(super) fn clicked(session: &Session, state: &CurveState) -> Option<(ShapeId, usize, usize)> {
     let (shape, curve, point) = state.clicked?;
     let is_only = session.selected() == Some(shape) && session.selected_shapes().count() == 1;
     let points = session.scene().curve(shape)?.curves().curve(curve)?;

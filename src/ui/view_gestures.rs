@@ -55,13 +55,15 @@ fn gestures(
         return None;
     }
     let mut pointer = PointerUse::Free;
-    if state.pose.gesture.is_none() {
+    // What a key has asked for begins also where the pointer is over a point.
+    if state.pose.gesture.is_none() && state.pose.asked.is_none() {
         pointer = control_points::pointer(view, places, session, &mut state.curves, actions);
     }
     let over_point = pointer != PointerUse::Free;
     if pointer == PointerUse::Free {
         let list = state.joints.hovered.or(state.explain.lit());
-        pointer = posing::pointer(view, places, session, &mut state.pose, list, actions);
+        let chosen = (list, control_points::clicked(session, &state.curves));
+        pointer = posing::pointer(view, places, session, &mut state.pose, chosen, actions);
     }
     if pointer == PointerUse::Holding
         || box_of(state, Some(pointer), actions) == PointerUse::Holding

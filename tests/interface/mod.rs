@@ -16,6 +16,7 @@ mod messages;
 mod navigation;
 mod numbers;
 mod pointing;
+mod points_by_key;
 mod popups;
 mod poses;
 mod shapes;

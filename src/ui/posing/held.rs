@@ -84,6 +84,17 @@ impl Held {
         }
     }
 
+    /// Index of the control point that is moved, if one is.
+    pub(super) fn point(&self) -> Option<usize> {
+        match &self.drag {
+            Drag::Move(drag) => match drag.target() {
+                MoveTarget::ControlPoint { point, .. } => Some(point),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// The joint that it is named after; `None` if all of the shape moves.
     pub(super) fn named(&self) -> Option<usize> {
         match &self.drag {
@@ -313,7 +324,10 @@ impl Follow for Held {
     fn is_finer_with_shift(&self) -> bool {
         match &self.drag {
             Drag::Turn(_) | Drag::Scale(_) => true,
-            Drag::Move(drag) => matches!(drag.target(), MoveTarget::Shape(_)),
+            Drag::Move(drag) => matches!(
+                drag.target(),
+                MoveTarget::Shape(_) | MoveTarget::ControlPoint { .. }
+            ),
             Drag::Bone(_) | Drag::Ring(_) | Drag::Ik(_) | Drag::Stuck(..) => false,
         }
     }

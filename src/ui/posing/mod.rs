@@ -247,8 +247,11 @@ fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     }
 }
 
-/// Name of what is dragged: of a joint or a shape, or how many shapes.
+/// Name of what is dragged: of a control point, a joint or a shape, or how many shapes.
 fn held_name(session: &Session, held: &Held) -> Option<String> {
+    if let Some(point) = held.point() {
+        return Some(format!("Point {}", point + 1));
+    }
     let free = session.selected_shapes();
     let shapes = free.filter(|shape| is_pickable(session, shape.id)).count();
     if held.joint().is_none() && shapes > 1 {

@@ -4,8 +4,7 @@ use super::held::{Drag, Held};
 use super::shown_gizmo::{begin_by_key, shown_gizmo};
 use super::{PoseState, ik};
 use crate::editor::{
-    BoneDrag, Edit, IkGrip, MoveAlong, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll,
-    root_of,
+    BoneDrag, Edit, IkGrip, MoveDrag, MoveTarget, ROLL_STEP, Session, Tool, View, roll, root_of,
 };
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
@@ -22,13 +21,14 @@ const FINGER_REACH: f32 = 24.0;
 
 /// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks
 /// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
-/// selected character whose row in the list is under the pointer.
+/// selected character whose row in the list is under the pointer, `point` the control point that was
+/// clicked last: shape, curve and point.
 pub(in crate::ui) fn pointer(
     view: &Response,
     places: &ScenePlaces,
     session: &Session,
     state: &mut PoseState,
-    list: Option<usize>,
+    (list, point): (Option<usize>, Option<(ShapeId, usize, usize)>),
     actions: &mut Vec<Action>,
 ) -> PointerUse {
     state.over_view = view.hovered();
@@ -39,7 +39,7 @@ pub(in crate::ui) fn pointer(
         view.ctx.request_repaint();
     } else if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
         state.gesture = Grab::begin_by_key(view, places, actions, |place, pixel| {
-            begin_by_key(session, state, does, place, pixel)
+            begin_by_key(session, state, (does, point), place, pixel)
         });
     }
     if state.gesture.is_none() {
@@ -225,7 +225,7 @@ fn take(
     }
     let shape = state.picked.shape_at(session, pixel, place.size())?;
     let target = MoveTarget::Shape(shape);
-    let drag = MoveDrag::begin(session, target, across_view(session), &ray)?;
+    let drag = MoveDrag::begin(session, target, target.free(session), &ray)?;
     if session.is_selected(shape) && session.selected() != Some(shape) {
         // Taken out and added again it is the active one, and all others stay selected.
         let toggle = Action::View(View::ToggleSelected(shape));
@@ -249,13 +249,8 @@ fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Dr
         joint: root_of(session, hit.shape, hit.joint)?,
     };
     let target = if all { root.all_roots() } else { root };
-    let drag = MoveDrag::begin(session, target, across_view(session), ray)?;
+    let drag = MoveDrag::begin(session, target, target.free(session), ray)?;
     Some(Drag::Move(drag))
-}
-
-/// Movement in the plane parallel to the picture.
-pub(super) fn across_view(session: &Session) -> MoveAlong {
-    MoveAlong::Plane(session.view().camera.forward())
 }
 
 /// Selects a shape and a joint of it, or none, unless they are selected already.

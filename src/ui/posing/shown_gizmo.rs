@@ -159,12 +159,13 @@ fn scale_shapes(session: &Session, place: Place, handle: Handle, ray: &Ray) -> O
 }
 
 /// Begins what a tool does to the selection with the pointer anywhere, which then moves it without
-/// a button: the selected joint is turned or its root moved where the tool for bones is chosen,
-/// else the shapes are moved, turned or scaled.
+/// a button: the control point that was clicked last, of a curve of the active shape, is moved; the
+/// selected joint is turned or its root moved where the tool for bones is chosen; else the shapes are
+/// moved, turned or scaled.
 pub(super) fn begin_by_key(
     session: &Session,
     state: &PoseState,
-    does: Tool,
+    (does, point): (Tool, Option<(ShapeId, usize, usize)>),
     place: Place,
     pixel: Vec2,
 ) -> Option<Held> {
@@ -176,11 +177,16 @@ pub(super) fn begin_by_key(
         .filter(|_| state.tool.takes_bones());
     let drag = match (does, joint) {
         (Tool::Move, _) => {
-            let target = match joint.filter(|_| state.tool == Tool::Move) {
-                Some(_) => move_target(session, shape)?,
-                None => MoveTarget::Shape(shape),
+            let target = match (joint.filter(|_| state.tool == Tool::Move), point) {
+                (_, Some((shape, curve, point))) => MoveTarget::ControlPoint {
+                    shape,
+                    curve,
+                    point,
+                },
+                (Some(_), None) => move_target(session, shape)?,
+                (None, None) => MoveTarget::Shape(shape),
             };
-            let along = super::pointer::across_view(session);
+            let along = target.free(session);
             Drag::Move(MoveDrag::begin_anywhere(session, target, along, &ray)?)
         }
         (Tool::Rotate, Some(joint)) => {
