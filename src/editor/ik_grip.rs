@@ -16,6 +16,9 @@ const TINY_PALM: f32 = 2.0 * TINY;
 /// Least length of the bone that leads to a wrist, relative to the longest bone of the hand.
 const FOREARM: f32 = 2.0;
 
+/// Length of a foot relative to the bone above it below which that counts as short.
+const SHORT: f32 = 0.6;
+
 /// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IkGrip {
@@ -32,7 +35,7 @@ pub enum IkGrip {
 
 impl IkGrip {
     /// Grip of a bone that was hit: the nearer of its ends; or the wrist above it if the bone is
-    /// tiny on `screen`. Of joints in one place, one above the other, it is the uppermost, which
+    /// tiny on `screen`, or, with a chain of the usual length, the ankle above the end of a foot. Of joints in one place, one above the other, it is the uppermost, which
     /// moves them all.
     pub fn of(session: &Session, hit: &BoneHit, screen: &Screen) -> Option<Self> {
         let character = &session.scene().character(hit.shape)?.character;
@@ -58,13 +61,17 @@ impl IkGrip {
             let offset = skeleton.joints()[child].offset;
             offset.distance(bone.tip) <= near
         };
-        Some(match children.find(ends) {
+        let end = match children.find(ends) {
             Some(&child) => Self::Joint(child),
             None => Self::Tip {
                 joint: bone.joint,
                 tip: bone.tip,
             },
-        })
+        };
+        let shape = session.scene().character(hit.shape)?;
+        let ankle = ankle_above(skeleton, end.joint());
+        let ankle = ankle.filter(|_| shape.ik.length == IkSettings::LIMB);
+        Some(ankle.map_or(end, Self::Joint))
     }
 
     /// Index of the joint, or of the joint that turns the bone.
@@ -134,6 +141,22 @@ fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
     std::iter::successors(Some(joint), same)
         .last()
         .unwrap_or(joint)
+}
+
+/// The ankle above the end of a foot, or above toes there: a foot is short beside the two long bones of its leg, which
+/// are what should follow it. Two joints above toes would fold the ankle.
+fn ankle_above(skeleton: &SkeletalModel, toe: usize) -> Option<usize> {
+    let parent = |joint: usize| skeleton.joints().get(joint).and_then(|j| j.parent);
+    let length = |joint: usize| skeleton.joints()[joint].offset.length();
+    let ankle = parent(toe)?;
+    let knee = parent(ankle)?;
+    // The hip hangs on something.
+    parent(parent(knee)?)?;
+    let (foot, lower, upper) = (length(toe), length(ankle), length(knee));
+    let are_alike = lower >= SHORT * upper && upper >= SHORT * lower;
+    // A palm has several fingers.
+    let is_single = skeleton.children(ankle).len() == 1;
+    (is_single && foot < SHORT * lower && are_alike).then_some(ankle)
 }
 
 /// Index of the wrist above `bone`, or of the ankle above toes: a joint whose branches are much
@@ -255,6 +278,31 @@ mod tests {
         };
         session.edit(Edit::SetIk(shape, ik)).unwrap();
         assert_eq!(chain(&session, 3), [0, 1, 2], "as long as is asked for");
+    }
+
+    #[test]
+    fn a_foot_is_grabbed_at_the_ankle_and_a_finger_where_it_is() {
+        let body = skeleton(&[
+            (None, [0.0, 1.0, 0.0]),
+            (Some(0), [0.1, 0.0, 0.0]),
+            (Some(1), [0.0, -0.45, 0.0]),
+            (Some(2), [0.0, -0.4, 0.0]),
+            (Some(3), [0.0, -0.05, 0.15]),
+            (Some(4), [0.0, 0.0, 0.05]),
+            // An arm of a hand and a finger.
+            (Some(0), [0.2, 0.5, 0.0]),
+            (Some(6), [0.3, 0.0, 0.0]),
+            (Some(7), [0.28, 0.0, 0.0]),
+            (Some(8), [0.1, 0.0, 0.0]),
+            (Some(9), [0.04, 0.0, 0.0]),
+            // A heel.
+            (Some(2), [0.0, -0.4, -0.05]),
+            (Some(11), [0.05, 0.0, 0.0]),
+        ]);
+        for (joint, expected) in [(3, 3), (2, 3), (1, 2), (8, 8), (9, 10), (7, 8)] {
+            let grip = grip(body.clone(), joint, 100.0);
+            assert_eq!(grip, IkGrip::Joint(expected), "the bone of {joint}");
+        }
     }
 
     /// Grip of the bone of `joint`, hit close to its end, where it is `pixels` long.
