@@ -15,7 +15,7 @@ mod comparison;
 mod document;
 mod document_file;
 mod document_name;
-mod draft_size;
+mod draft_detail;
 mod exports;
 mod files;
 mod first_view;

@@ -1,6 +1,6 @@
 //! The picture of the scene in the view.
 
-use super::draft_size::DraftSize;
+use super::draft_detail::{Detail, DraftDetail};
 use super::graphics::{fit, fits};
 use super::scene_key::SceneKey;
 use super::split_view::SplitView;
@@ -19,10 +19,10 @@ pub(super) struct ScenePicture {
     half: Option<Framebuffer>,
     /// Whether the last of these has yet to be enlarged to the picture.
     is_smaller: bool,
-    /// Size of drafts while something moves.
-    draft_size: DraftSize,
-    /// Whether the last frame drew one.
-    drew_draft: bool,
+    /// Detail of drafts while something moves.
+    draft_detail: DraftDetail,
+    /// That of the draft of a movement that the last frame drew, if it did.
+    drew_draft: Option<Detail>,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
     /// The full picture while it is drawn, step by step, and a draft is shown.
@@ -78,8 +78,8 @@ impl ScenePicture {
             picture: None,
             half: None,
             is_smaller: false,
-            draft_size: DraftSize::default(),
-            drew_draft: false,
+            draft_detail: DraftDetail::default(),
+            drew_draft: None,
             split: None,
             full: None,
             without_outlines: None,
@@ -175,8 +175,8 @@ impl ScenePicture {
             last_frame,
             ..
         } = asked;
-        if let (true, Some(took)) = (std::mem::take(&mut self.drew_draft), last_frame) {
-            self.draft_size.count(took);
+        if let Some((detail, took)) = self.drew_draft.take().zip(last_frame) {
+            self.draft_detail.count(took, detail);
         }
         let Some((width, _)) = self.size() else {
             return Ok(());
@@ -219,9 +219,13 @@ impl ScenePicture {
         }
         self.shows(next);
         if is_draft {
-            self.drew_draft = moves;
-            let is_half = self.draft_size.is_half() || is_large(frame);
-            return self.draw_draft((gl, renderer), frame, is_half);
+            let least = match is_large(frame) {
+                true => Detail::Half,
+                false => Detail::Fine,
+            };
+            let detail = self.draft_detail.next().max(least);
+            self.drew_draft = moves.then_some(detail);
+            return self.draw_draft((gl, renderer), frame, detail);
         }
         let Some(target) = &self.picture else {
             return Ok(());
@@ -235,24 +239,27 @@ impl ScenePicture {
         }
     }
 
-    /// Draws `frame` without samples, in half the width and height or all of it.
+    /// Draws `frame` without samples.
     fn draw_draft(
         &mut self,
         (gl, renderer): (&Gl, &mut Renderer),
         frame: &Frame,
-        is_half: bool,
+        detail: Detail,
     ) -> Result<(), RenderError> {
         let Some(((width, height), target)) = self.size().zip(self.picture.as_ref()) else {
             return Ok(());
         };
-        if !is_half {
+        if detail == Detail::Fine {
             self.half = None;
             return renderer.draw_moving(frame, target);
         }
         let half = (width.div_ceil(2), height.div_ceil(2));
         let picture = fit(gl, &mut self.half, half, 0)?;
         self.is_smaller = true;
-        renderer.draw_moving(frame, picture)
+        match detail {
+            Detail::Sketch => renderer.draw_sketch(frame, picture),
+            _ => renderer.draw_moving(frame, picture),
+        }
     }
 
     /// Goes on with the full picture of `frame`, by one step where the others may come later. The last of them

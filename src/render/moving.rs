@@ -17,13 +17,31 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn draw_moving(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        self.draw_moving_by(frame, target, Self::draw_passes)
+    }
+
+    /// As [`Renderer::draw_moving`], but where nothing stands still without shadows and the lines round marked shapes,
+    /// for each of which all triangles are drawn once more.
+    ///
+    /// # Errors
+    /// As [`Renderer::draw`].
+    pub fn draw_sketch(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
+        self.draw_moving_by(frame, target, Self::draw_few_passes)
+    }
+
+    fn draw_moving_by(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        whole: fn(&mut Self, &Frame, &Framebuffer, &PassContext) -> Result<(), GpuError>,
+    ) -> Result<(), RenderError> {
         let tile = Tile::whole((target.width(), target.height()));
         self.draw_by(
             frame,
             target,
             (tile, Background::Look),
             |renderer, context| match renderer.layer.plan(frame, context) {
-                Plan::Whole => renderer.draw_passes(frame, target, context),
+                Plan::Whole => whole(renderer, frame, target, context),
                 Plan::Over { moving, new_layer } => {
                     let layer = new_layer.map_or(Ok(()), |still| {
                         renderer.draw_layer(&without_marks(frame, &still), context)

@@ -35,6 +35,23 @@ impl Renderer {
         drawn.and(self.draw_outlines(frame, target, context))
     }
 
+    /// Draws all but the shadows and the lines round marked shapes.
+    pub(super) fn draw_few_passes(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        context: &PassContext,
+    ) -> Result<(), GpuError> {
+        self.draw_surfaces(frame, target, context, 0..u64::MAX);
+        let drawn = self.draw_lines(frame, context);
+        if has_ground(frame) {
+            let whole = Area::whole([context.width, context.height]);
+            (self.ground).draw_all(&self.gl, context, frame, None, whole, target);
+        }
+        self.draw_rest(frame, context);
+        drawn
+    }
+
     /// Draws, of what comes before all else, the surfaces that hide what is behind them, those `triangles` which
     /// [`SurfacePass::draw_opaque`](super::surface_pass::SurfacePass::draw_opaque) counts, and the background before the first of them. Returns their number.
     pub(super) fn draw_surfaces(
