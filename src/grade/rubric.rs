@@ -5,13 +5,16 @@ use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData};
 use std::collections::BTreeMap;
 
-/// Name of the mistake for which another pose counts.
+/// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
+/// pose of its test shows nothing of what the test asks for, whatever the section.
 const POSE_NOT_APPLIED: &str = "pose-not-applied";
+/// What that leaves unless the rubric says otherwise.
+const LEFT_WITHOUT_POSE: f64 = 0.0;
 
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
 /// where the test has points for that, for all else is right once it is set aside; one whose section
-/// has no points in the test costs them in each. Of explanations that give the same file the one counts
-/// that costs least.
+/// has no points in the test costs them in each, and so does a pose that was not applied. Of explanations that give the
+/// same file the one counts that costs least, unless the first is that the pose was not applied.
 pub(super) fn points(
     test: &TestData,
     graded: &Graded,
@@ -43,8 +46,10 @@ pub(super) fn points(
             let explained = graded.causes.iter().map(|mistakes| left_by(mistakes));
             let total = |points: &BTreeMap<String, f64>| points.values().sum::<f64>();
             // Of equals the first, which is the one that is told.
+            let first = graded.causes.first();
+            let is_at_rest = first.is_some_and(|first| *first == [POSE_NOT_APPLIED]);
             let best = explained.reduce(|best, other| {
-                if total(&other) > total(&best) + 1e-9 {
+                if !is_at_rest && total(&other) > total(&best) + 1e-9 {
                     other
                 } else {
                     best
@@ -59,13 +64,16 @@ pub(super) fn points(
 /// What `mistakes` leave of the points of a section.
 fn share_left(test: &TestData, section: &str, mistakes: &[String], rubric: &RubricData) -> f64 {
     let left = mistakes.iter().map(|id| {
+        let is_of_all = id == POSE_NOT_APPLIED;
         let own = Mistake::find(id).map_or("", |mistake| number(mistake.section));
-        if own == section || !test.points.contains_key(own) {
-            rubric
-                .mistakes
-                .get(id.as_str())
-                .unwrap_or(&rubric.mistake)
-                .0
+        if is_of_all || own == section || !test.points.contains_key(own) {
+            let without = if is_of_all {
+                LEFT_WITHOUT_POSE
+            } else {
+                rubric.mistake.0
+            };
+            let own = rubric.mistakes.get(id.as_str());
+            own.map_or(without, |share| share.0)
         } else {
             1.0
         }
@@ -142,6 +150,19 @@ mod tests {
     fn of_mistakes_that_give_the_same_the_one_counts_that_costs_least() {
         let causes = explained(&[&["no-inverse-bind"], &["euler-zyx"]]);
         assert_eq!(given(TWO, &causes, &RubricData::default()), [3.0, 10.0]);
+    }
+
+    #[test]
+    fn a_test_whose_pose_was_not_applied_shows_none_of_its_sections() {
+        let mut rubric = RubricData::default();
+        let at_rest = explained(&[&["pose-not-applied"], &["one-axis-ignored-z"]]);
+        let other_pose = Graded::without(Outcome::OtherPose, "");
+        assert_eq!(given(TWO, &at_rest, &rubric), [0.0, 0.0]);
+        assert_eq!(given(TWO, &other_pose, &rubric), [0.0, 0.0]);
+        let name = POSE_NOT_APPLIED.to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.25));
+        assert_eq!(given(TWO, &at_rest, &rubric), [1.5, 2.5]);
+        assert_eq!(given(TWO, &other_pose, &rubric), [1.5, 2.5]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A class of eighty: thirty with mistakes, by themselves and two at once, and fifty that are right.
 
-use crate::diagnose::figures::Format;
+use crate::diagnose::figures::{Format, obj};
 use crate::diagnose::student::{RIGHT, Student, with};
 use crate::grade::support::{Class, result};
 use glam::Vec3;
@@ -156,6 +156,18 @@ fn assert_told(class: &Class, report: &Value, ids: &[&str]) {
         is_told |= expected.len() == ids.len();
     }
     assert!(is_told, "{ids:?} make no difference in any test");
+}
+
+#[test]
+fn an_untouched_mesh_gets_no_points_in_any_section_of_its_test() {
+    let class = Class::new(&["adult"]);
+    let (test, figure) = &class.tests[0];
+    let at_rest = obj(&figure.positions, figure, FORMATS[1]);
+    class.write(&format!("class/ada/{test}.obj"), at_rest);
+    let report = class.graded();
+    let ada = result(&report, "ada", test);
+    assert_eq!(ada["causes"][0], json!(["pose-not-applied"]));
+    assert_eq!(ada["points"], json!({"3.2": 0.0, "3.4": 0.0, "4.2": 0.0}));
 }
 
 #[test]

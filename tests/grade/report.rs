@@ -56,7 +56,7 @@ unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)<
 }
 
 #[test]
-fn the_exact_result_of_another_pose_is_told_and_costs_what_no_pose_does() {
+fn the_exact_result_of_another_pose_is_told_and_shows_none_of_the_sections() {
     let class = Class::new(&["robot"]);
     class.submit("bob", &with(&[]), |number| number.to_string());
     class.write(
@@ -68,7 +68,7 @@ fn the_exact_result_of_another_pose_is_told_and_costs_what_no_pose_does() {
     let report = class.graded();
     let bob = result(&report, "bob", "robot-1");
     assert_eq!(bob["outcome"], "other-pose");
-    assert_eq!(bob["points"], json!({"3.2": 4.0, "3.4": 3.0, "4.2": 10.0}));
+    assert_eq!(bob["points"], json!({"3.2": 0.0, "3.4": 0.0, "4.2": 0.0}));
     let text = bob["text"].as_str().unwrap();
     assert!(
         text.contains("of a pose that is not the given one"),

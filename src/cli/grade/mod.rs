@@ -27,6 +27,10 @@ use work::Work;
 /// makes the files, if one does. Prints a row for each submission and writes grade.json, grade.csv and
 /// grade.html into REPORT. What is graded is kept there: started again, it resumes where it stopped, and
 /// only what has changed is graded anew.
+///
+/// A mistake costs points in its own section of the assignment. A mesh in the bind pose or another pose
+/// than that of its test (pose-not-applied, other-pose) shows none of the sections and gets no points, unless the
+/// rubric leaves a share for pose-not-applied.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
     editor grade --example > tests.json\n  \
