@@ -263,7 +263,7 @@ impl fmt::Display for Diagnosis {
 impl Diagnosis {
     /// Whether vertices are the exact ones, no triangle is missing and none winds the other way.
     pub fn is_right(&self) -> bool {
-        self.verdict == Verdict::Right && self.faces.missing == 0 && self.faces.turned == 0
+        self.verdict == Verdict::Right && self.faces.mistakes().next().is_none()
     }
 
     /// Names of the mistakes that together give the mesh.

@@ -1,5 +1,6 @@
 //! The triangles of a mesh, held against those of the character.
 
+use super::mistakes::{Mistake, TRIANGLES_DIFFER, TRIANGLES_TURNED};
 use super::model::Model;
 use super::search::AT_ONCE;
 use super::{Diagnosis, Verdict};
@@ -104,6 +105,13 @@ impl FaceDifference {
             other: 0,
             turned: 0,
         }
+    }
+
+    /// The mistakes that it is. Triangles that are there besides those of the model are none.
+    pub fn mistakes(&self) -> impl Iterator<Item = &'static Mistake> {
+        let differ = (self.missing > 0).then_some(&TRIANGLES_DIFFER);
+        let turned = (self.turned > 0).then_some(&TRIANGLES_TURNED);
+        differ.into_iter().chain(turned)
     }
 
     /// Whether there is none.

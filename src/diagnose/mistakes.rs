@@ -414,6 +414,16 @@ pub static TRIANGLES_TURNED: Mistake = Mistake {
     readings: &[],
 };
 
+/// The same where triangles of the character are missing, whether or not there are others in their place.
+pub static TRIANGLES_DIFFER: Mistake = Mistake {
+    id: "triangles-differ",
+    meaning: "triangles of the model are missing, or others are in their place",
+    section: MESH,
+    look_at: "where faces are read and written: whether all of them are, each with the indices of its own three \
+              vertices, which count from 1 in the file",
+    readings: &[],
+};
+
 /// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
 pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
     id: "one-wrong-parent",
@@ -435,7 +445,12 @@ pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
 };
 
 /// Mistakes that are found otherwise than by making them in every way.
-static FOUND_OTHERWISE: [&Mistake; 3] = [&TRIANGLES_TURNED, &ONE_WRONG_PARENT, &ONE_WRONG_OFFSET];
+static FOUND_OTHERWISE: [&Mistake; 4] = [
+    &TRIANGLES_TURNED,
+    &TRIANGLES_DIFFER,
+    &ONE_WRONG_PARENT,
+    &ONE_WRONG_OFFSET,
+];
 
 impl Mistake {
     /// The mistake with this name, if there is one.

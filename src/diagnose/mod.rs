@@ -32,7 +32,7 @@ pub use formula::{
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
-pub use mistakes::{MISTAKES, Mistake, Reading, TRIANGLES_TURNED};
+pub use mistakes::{MISTAKES, Mistake, Reading};
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};

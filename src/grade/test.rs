@@ -3,9 +3,7 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{
-    Diagnosis, PictureError, TRIANGLES_TURNED, Verdict, diagnose, diagnose_picture, measure,
-};
+use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{TestData, TestKind, read_character_obj};
@@ -115,9 +113,6 @@ impl Test {
             return Graded::without(Outcome::Blank, "all vertices are in one place");
         }
         match diagnose(&self.character, &self.pose, &theirs) {
-            Ok(found) if found.faces.missing > 0 => {
-                Graded::without(Outcome::Unreadable, format!("{name}: {}", found.faces))
-            }
             Ok(found) => self.diagnosed_mesh(&found, &theirs),
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
         }
@@ -137,13 +132,13 @@ impl Test {
         };
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         let mut causes = explanations(found.together(), &found.same_as);
-        if found.faces.turned > 0 {
-            if found.verdict == Verdict::Right {
-                causes.push(Vec::new());
-            }
-            for mistakes in &mut causes {
-                mistakes.push(TRIANGLES_TURNED.id.to_owned());
-            }
+        let of_faces = found.faces.mistakes().map(|mistake| mistake.id.to_owned());
+        let of_faces: Vec<String> = of_faces.collect();
+        if found.verdict == Verdict::Right && !of_faces.is_empty() {
+            causes.push(Vec::new());
+        }
+        for mistakes in &mut causes {
+            mistakes.extend(of_faces.iter().cloned());
         }
         Graded {
             outcome: match &found.other_pose {

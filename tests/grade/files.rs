@@ -85,9 +85,12 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     let last = lines[vertices + 1000].rsplit_once(' ').unwrap().0;
     let cut_in_a_face = format!("{}\n{last}", lines[..vertices + 1000].join("\n"));
     let cut_text = format!(
-        "adult-1.obj: {} of the model's {faces} triangles are missing: the file may be cut off",
+        "but      {} of the model's {faces} triangles are missing: the file may be cut off",
         faces - 1000
     );
+    let mut one_other = lines.clone();
+    one_other[vertices + 100] = "f 1 2 3";
+    let one_other = one_other.join("\n");
     lines[vertices..].reverse();
     let other_order = lines.join("\n");
     for (name, content) in [
@@ -112,6 +115,10 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
     class.write("class/sam/hw2/out/adult-1.obj", &right);
     class.write("class/tim/adult-1.obj", inside_out(&right));
+    class.write("class/una/adult-1.obj", &one_other);
+    let zyx = obj(&with(&["euler-zyx"]).skin(figure), figure, number);
+    let cut = zyx.lines().take(vertices + 1000);
+    class.write("class/eli/adult-1.obj", cut.collect::<Vec<_>>().join("\n"));
     let report = class.graded();
     for (name, outcome, text) in [
         ("ada", "right", "right: this is the exact result"),
@@ -145,7 +152,9 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "unreadable",
             "adult-1.obj: expected a file, found a folder",
         ),
-        ("max", "unreadable", &cut_text),
+        ("max", "explained", "right but for its triangles: "),
+        ("una", "explained", "right but for its triangles: "),
+        ("eli", "explained", "euler-zyx: "),
         ("ned", "unreadable", "adult-1.obj:13301:"),
         ("ole", "right", "right: this is the exact result"),
     ] {
@@ -169,6 +178,21 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         result(&report, "tim", "adult-1")["causes"],
         json!([["triangles-turned"]])
     );
+    let told = |name: &str, told: &str| {
+        let found = result(&report, name, "adult-1");
+        assert!(found["text"].as_str().unwrap().contains(told), "{found}");
+        found["causes"].clone()
+    };
+    assert_eq!(told("max", &cut_text), json!([["triangles-differ"]]));
+    assert_eq!(
+        told("una", "triangles is missing, and 1 other is there"),
+        json!([["triangles-differ"]])
+    );
+    assert_eq!(
+        told("eli", &cut_text),
+        json!([["euler-zyx", "triangles-differ"]])
+    );
+    assert_eq!((points("max"), points("una")), (5.0, 5.0));
     // Half of the points for what agrees, which is nearly all.
     assert!((4.0..5.0).contains(&points("cem")), "{}", points("cem"));
 }
