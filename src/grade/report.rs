@@ -4,7 +4,7 @@ use super::graded::{Graded, Outcome};
 use super::name::Name;
 use super::rubric;
 use crate::diagnose::{MISTAKES, Mistake};
-use crate::io::{TestKind, TestsFile};
+use crate::io::{RubricData, TestData, TestKind, TestsFile};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -86,6 +86,8 @@ pub struct GradedTest {
     pub points: BTreeMap<String, f64>,
     /// The diagnosis in words.
     pub text: String,
+    /// In which other sections mistakes cost points whose own section has none in the test, in sentences.
+    pub elsewhere: Vec<String>,
     /// A PNG of what is off, in Base64.
     #[serde(skip)]
     pub picture: Option<String>,
@@ -126,6 +128,7 @@ impl Report {
                 .map(|(test, graded)| GradedTest {
                     test: test.name.clone(),
                     points: cents(rubric::points(test, &graded, &file.rubric)),
+                    elsewhere: elsewhere(test, &graded, &file.rubric),
                     outcome: graded.outcome,
                     causes: graded.causes,
                     error: graded.error,
@@ -234,6 +237,19 @@ fn cents(points: BTreeMap<String, f64>) -> BTreeMap<String, f64> {
         .into_iter()
         .map(|(section, points)| (section, in_cents(points)))
         .collect()
+}
+
+/// In which sections mistakes cost points whose own section has none in the test.
+fn elsewhere(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
+    let counted = rubric::counted_elsewhere(test, graded, rubric).into_iter();
+    let told = counted.map(|(mistake, section)| {
+        let own = rubric::number(mistake.section);
+        format!(
+            "{} counts against {section}, since the test has no points for {own}",
+            mistake.id
+        )
+    });
+    told.collect()
 }
 
 fn sections(file: &TestsFile) -> Vec<Section> {

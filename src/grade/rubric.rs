@@ -12,73 +12,119 @@ const POSE_NOT_APPLIED: &str = "pose-not-applied";
 const LEFT_WITHOUT_POSE: f64 = 0.0;
 
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
-/// where the test has points for that, for all else is right once it is set aside; one whose section
-/// has no points in the test costs them in each, and so does a pose that was not applied. Of explanations that give the
-/// same file the one counts that costs least, unless the first is that the pose was not applied.
+/// for all else is right once it is set aside; one whose section has no points in the test costs them in the nearest
+/// one, and a pose that was not applied in each. Of explanations that give the same file the one counts that costs
+/// least, unless the first is that the pose was not applied.
 pub(super) fn points(
     test: &TestData,
     graded: &Graded,
     rubric: &RubricData,
 ) -> BTreeMap<String, f64> {
-    let possible = || {
-        test.points
-            .iter()
-            .map(|(section, points)| (section.clone(), points.0))
-    };
-    let of_all = |share: f64| {
-        possible()
-            .map(|(section, points)| (section, points * share))
-            .collect()
-    };
-    let left_by = |mistakes: &[String]| {
-        let left = possible().map(|(section, points)| {
-            let left = points * share_left(test, &section, mistakes, rubric);
-            (section, left)
-        });
-        left.collect::<BTreeMap<String, f64>>()
-    };
     match graded.outcome {
-        Outcome::Right => of_all(1.0),
-        Outcome::Unexplained => of_all(rubric.unexplained.0 * graded.agrees),
+        Outcome::Right => of_all(test, 1.0),
+        Outcome::Unexplained => of_all(test, rubric.unexplained.0 * graded.agrees),
         // The pose that was asked for is as little in it as in one that is not posed at all.
-        Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()]),
-        Outcome::Explained => {
-            let explained = graded.causes.iter().map(|mistakes| left_by(mistakes));
-            let total = |points: &BTreeMap<String, f64>| points.values().sum::<f64>();
-            // Of equals the first, which is the one that is told.
-            let first = graded.causes.first();
-            let is_at_rest = first.is_some_and(|first| *first == [POSE_NOT_APPLIED]);
-            let best = explained.reduce(|best, other| {
-                if !is_at_rest && total(&other) > total(&best) + 1e-9 {
-                    other
-                } else {
-                    best
-                }
-            });
-            best.unwrap_or_else(|| of_all(0.0))
+        Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()], test, rubric),
+        Outcome::Explained => counted(test, graded, rubric)
+            .map_or_else(|| of_all(test, 0.0), |ids| left_by(ids, test, rubric)),
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
+            of_all(test, 0.0)
         }
-        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => of_all(0.0),
     }
 }
 
-/// What `mistakes` leave of the points of a section.
-fn share_left(test: &TestData, section: &str, mistakes: &[String], rubric: &RubricData) -> f64 {
-    let left = mistakes.iter().map(|id| {
-        let is_of_all = id == POSE_NOT_APPLIED;
-        let own = Mistake::find(id).map_or("", |mistake| number(mistake.section));
-        if is_of_all || own == section || !test.points.contains_key(own) {
-            let without = if is_of_all {
-                LEFT_WITHOUT_POSE
-            } else {
-                rubric.mistake.0
-            };
-            let own = rubric.mistakes.get(id.as_str());
-            own.map_or(without, |share| share.0)
+/// Mistakes that cost points in another section than their own, which has none in the test: each with its own and
+/// that other one.
+pub(super) fn counted_elsewhere(
+    test: &TestData,
+    graded: &Graded,
+    rubric: &RubricData,
+) -> Vec<(&'static Mistake, String)> {
+    let ids = counted(test, graded, rubric).unwrap_or_default();
+    let elsewhere = ids.iter().filter_map(|id| {
+        let mistake = Mistake::find(id)?;
+        let section = section_of(mistake, test)?;
+        let is_own = section == number(mistake.section) || id == POSE_NOT_APPLIED;
+        (!is_own).then(|| (mistake, section.to_owned()))
+    });
+    elsewhere.collect()
+}
+
+/// Of the explanations of a file the mistakes that points are taken for.
+fn counted<'a>(test: &TestData, graded: &'a Graded, rubric: &RubricData) -> Option<&'a [String]> {
+    let first = graded.causes.first()?;
+    if *first == [POSE_NOT_APPLIED] {
+        return Some(first);
+    }
+    let total = |ids: &[String]| left_by(ids, test, rubric).into_values().sum::<f64>();
+    // Of equals the first, which is the one that is told.
+    let best = graded.causes.iter().reduce(|best, other| {
+        if total(other) > total(best) + 1e-9 {
+            other
         } else {
-            1.0
+            best
         }
     });
-    left.product()
+    best.map(Vec::as_slice)
+}
+
+/// A share of the points in each section.
+fn of_all(test: &TestData, share: f64) -> BTreeMap<String, f64> {
+    let points = test.points.iter();
+    points
+        .map(|(section, points)| (section.clone(), points.0 * share))
+        .collect()
+}
+
+/// What mistakes that are made together leave in each section.
+fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<String, f64> {
+    let mut left = of_all(test, 1.0);
+    for id in ids {
+        let is_of_all = id == POSE_NOT_APPLIED;
+        let without = if is_of_all {
+            LEFT_WITHOUT_POSE
+        } else {
+            rubric.mistake.0
+        };
+        let share = rubric.mistakes.get(id.as_str());
+        let share = share.map_or(without, |share| share.0);
+        let own = Mistake::find(id).and_then(|mistake| section_of(mistake, test));
+        for (section, points) in &mut left {
+            if is_of_all || own == Some(section) {
+                *points *= share;
+            }
+        }
+    }
+    left
+}
+
+/// The section of a test in which a mistake costs points: its own, or else the one with the nearest number, of two
+/// as near the later one, which builds upon it; where no section has a number, the one with the most points. `None` in
+/// a test without sections.
+fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
+    let own = parts_of(mistake.section)?;
+    let apart = |section: &&String| {
+        let (chapter, part) = parts_of(section)?;
+        let is_before = (chapter, part) < own;
+        Some((chapter.abs_diff(own.0), part.abs_diff(own.1), is_before))
+    };
+    let numbered = test
+        .points
+        .keys()
+        .filter(|section| apart(section).is_some());
+    let nearest = numbered.min_by_key(apart);
+    let largest = || {
+        let sections = test.points.iter();
+        let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
+        largest.map(|(section, _)| section)
+    };
+    nearest.or_else(largest).map(String::as_str)
+}
+
+/// Chapter and part of a section such as `4.2 SSD`.
+fn parts_of(section: &str) -> Option<(u32, u32)> {
+    let (chapter, part) = number(section).split_once('.')?;
+    Some((chapter.parse().ok()?, part.parse().ok()?))
 }
 
 /// The number of a section such as `4.2 SSD`.
@@ -135,8 +181,9 @@ mod tests {
             (&["no-inverse-bind"], [6.0, 5.0]),
             (&["euler-zyx", "no-inverse-bind"], [3.0, 5.0]),
             (&["euler-zyx", "one-axis-ignored-x"], [1.5, 10.0]),
-            // Section 3.2 has no points in this test.
-            (&["parent-missing"], [3.0, 5.0]),
+            // Sections 3.2 and 4.1 have no points in this test.
+            (&["parent-missing"], [3.0, 10.0]),
+            (&["triangles-turned"], [6.0, 5.0]),
         ] {
             assert_eq!(
                 given(TWO, &explained(&[causes]), &rubric),
@@ -150,6 +197,33 @@ mod tests {
     fn of_mistakes_that_give_the_same_the_one_counts_that_costs_least() {
         let causes = explained(&[&["no-inverse-bind"], &["euler-zyx"]]);
         assert_eq!(given(TWO, &causes, &RubricData::default()), [3.0, 10.0]);
+    }
+
+    #[test]
+    fn a_mistake_whose_section_is_not_in_the_test_costs_points_once_in_the_nearest_one() {
+        let rubric = RubricData::default();
+        let turned = explained(&[&["triangles-turned"]]);
+        for (sections, expected) in [
+            (
+                &[("3.4", 4.0), ("4.1", 4.0), ("4.2", 4.0)][..],
+                [4.0, 2.0, 4.0],
+            ),
+            (&[("3.2", 4.0), ("4.2", 4.0), ("5.1", 4.0)], [4.0, 2.0, 4.0]),
+            // As near to the section before as to the one after.
+            (&[("4", 4.0), ("4.0", 4.0), ("4.2", 4.0)], [4.0, 4.0, 2.0]),
+            (
+                &[("3.2", 4.0), ("3.4", 4.0), ("pose", 9.0)],
+                [2.0, 4.0, 9.0],
+            ),
+            (&[("a", 4.0), ("b", 8.0), ("c", 8.0)], [4.0, 4.0, 8.0]),
+        ] {
+            assert_eq!(given(sections, &turned, &rubric), expected, "{sections:?}");
+        }
+        let elsewhere = counted_elsewhere(&test(TWO), &turned, &rubric);
+        let [(mistake, section)] = &elsewhere[..] else {
+            panic!("{elsewhere:?}");
+        };
+        assert_eq!((mistake.id, &**section), ("triangles-turned", "4.2"));
     }
 
     #[test]

@@ -11,8 +11,8 @@ const NAMES: usize = 8;
 const LETTERS: usize = 160;
 
 impl Report {
-    /// Lines for a terminal: a heading, a row for each submission, mistakes that several of them have, and
-    /// why files could not be graded.
+    /// Lines for a terminal: a heading, a row for each submission, mistakes that several of them have, which of them
+    /// cost points in another section than their own, and why files could not be graded.
     pub fn to_lines(&self) -> Vec<String> {
         let heading = ["submission".to_owned(), "points".to_owned()].into_iter();
         let heading = heading.chain(self.sections.iter().map(|section| section.section.clone()));
@@ -60,8 +60,24 @@ impl Report {
                 names.join(", ")
             ));
         }
+        lines.extend(self.elsewhere());
         lines.extend(self.reasons());
         lines
+    }
+
+    /// In which other sections mistakes cost points, each once with the tests that it is about.
+    fn elsewhere(&self) -> Vec<String> {
+        let mut by_sentence: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for test in self.submissions.iter().flat_map(|one| &one.tests) {
+            for sentence in &test.elsewhere {
+                by_sentence.entry(sentence).or_default().insert(&test.test);
+            }
+        }
+        let lines = by_sentence.into_iter().map(|(sentence, tests)| {
+            let tests: Vec<&str> = tests.into_iter().collect();
+            format!("{sentence} ({})", tests.join(", "))
+        });
+        lines.collect()
     }
 
     /// Why files could not be graded, each reason once, with the submissions that it is about.

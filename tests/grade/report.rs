@@ -189,6 +189,28 @@ fn lines_of_a_diagnosis_that_do_not_fit_go_on_below_their_words() {
 }
 
 #[test]
+fn a_mistake_that_counts_against_another_section_than_its_own_says_which() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&["euler-zyx"]), |number| number.to_string());
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"] = json!({"3.2": 4, "4.2": 10});
+    class.set_tests(&tests);
+    let ran = class.run("class --tests tests.json -o report");
+    let told = "euler-zyx counts against 3.2, since the test has no points for 3.4";
+    assert!(
+        ran.out.contains(&format!("\n{told} (robot-1)\n")),
+        "{}",
+        ran.out
+    );
+    let report = class.graded();
+    let eve = result(&report, "eve", "robot-1");
+    assert_eq!(eve["points"], json!({"3.2": 2.0, "4.2": 10.0}));
+    assert_eq!(eve["elsewhere"], json!([told]));
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    assert!(page.contains(told));
+}
+
+#[test]
 fn points_that_are_given_to_nobody_are_told() {
     let class = Class::new(&["robot"]);
     class.submit("eve", &with(&[]), |number| number.to_string());

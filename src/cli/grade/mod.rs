@@ -28,7 +28,8 @@ use work::Work;
 /// grade.html into REPORT. What is graded is kept there: started again, it resumes where it stopped, and
 /// only what has changed is graded anew.
 ///
-/// A mistake costs points in its own section of the assignment. A mesh in the bind pose or another pose
+/// A mistake costs points in its own section of the assignment, or, where the test has no points for that, in the one
+/// with the nearest number, as the result then says. A mesh in the bind pose or another pose
 /// than that of its test (pose-not-applied, other-pose) shows none of the sections and gets no points, unless the
 /// rubric leaves a share for pose-not-applied.
 #[derive(Debug, clap::Args)]

@@ -95,6 +95,9 @@ impl Page {
                 Escaped(&points)
             ));
             self.lines(&test.text);
+            for sentence in &test.elsewhere {
+                self.add(format_args!("<p class=\"dim\">{}</p>", Escaped(sentence)));
+            }
             self.add(format_args!("</div></div>\n"));
         }
         self.add(format_args!("</div>\n</details>\n"));
