@@ -10,6 +10,9 @@ use std::fmt;
 /// Regions that are told in words; the others are counted.
 const TOLD: usize = 5;
 
+/// Share of the vertices that are nearly all.
+const NEARLY_ALL: f64 = 0.99;
+
 /// What to look at where a mesh is right in another pose.
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
                             its angles";
@@ -137,6 +140,17 @@ pub struct Nearest {
     pub mistake: ToldMistake,
     /// By which part the mean distance is less than from the exact mesh, 0 to 1.
     pub explains: f64,
+    /// Share of the vertices that agree with the mesh that it gives, 0 to 1.
+    pub agrees: f64,
+    /// How many do not.
+    pub off: usize,
+}
+
+impl Nearest {
+    /// Whether it gives all vertices but a few.
+    pub fn is_nearly_all(&self) -> bool {
+        self.agrees >= NEARLY_ALL
+    }
 }
 
 impl fmt::Display for ToldMistake {
@@ -302,9 +316,18 @@ impl Diagnosis {
         for finding in &self.findings {
             write!(f, "\n  found    {finding}")?;
         }
-        if let Some(Nearest { mistake, explains }) = &self.nearest {
-            let explains = percent(*explains);
+        if let Some(nearest) = &self.nearest {
+            let mistake = &nearest.mistake;
+            let explains = percent(nearest.explains);
             write!(f, "\n  nearest  {mistake}; that explains {explains} of it")?;
+            if nearest.is_nearly_all() {
+                let vertices = if nearest.off == 1 {
+                    "vertex"
+                } else {
+                    "vertices"
+                };
+                write!(f, ", all but {} {vertices}", nearest.off)?;
+            }
             fmt_where(std::slice::from_ref(mistake), f)?;
         }
         if let Some(first) = &self.first {

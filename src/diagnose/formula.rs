@@ -159,9 +159,9 @@ pub enum Rescaled {
 pub enum Rows {
     /// Its own.
     Exact,
-    /// The one of the vertex before it; the first vertex has none.
+    /// The one of the vertex before it; the first vertex has none, or for a diagnosis its own or the last one.
     Before,
-    /// The one of the vertex after it; the last vertex has none.
+    /// The one of the vertex after it; the last vertex has none, or for a diagnosis its own or the first one.
     After,
 }
 
@@ -183,10 +183,8 @@ pub enum Columns {
 pub enum Kept {
     /// All.
     All,
-    /// So many of the largest; of equals those that come first.
+    /// So many of the largest; of equals those that come first, though a diagnosis takes any.
     Largest(usize),
-    /// So many of the largest; of equals those that come last.
-    LargestLast(usize),
     /// So many of those that are not zero, in the order of the joints.
     First(usize),
 }

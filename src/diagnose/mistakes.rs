@@ -130,10 +130,10 @@ pub static MISTAKES: &[Mistake] = &[
         look_at: "where the .attach file is read: row i belongs to the i-th v line, so no row may be read \
                   and dropped, or put in before the first",
         readings: &[
-            reading("of the vertex after them, the last one none", |formula| {
+            reading("of the vertex after them", |formula| {
                 formula.weights.rows = Rows::After;
             }),
-            reading("of the vertex before them, the first one none", |formula| {
+            reading("of the vertex before them", |formula| {
                 formula.weights.rows = Rows::Before;
             }),
         ],
@@ -263,9 +263,6 @@ pub static MISTAKES: &[Mistake] = &[
             reading("the largest", |formula| {
                 formula.weights.kept = Kept::Largest(4)
             }),
-            reading("the largest, of equals the last", |formula| {
-                formula.weights.kept = Kept::LargestLast(4);
-            }),
             reading("the first", |formula| formula.weights.kept = Kept::First(4)),
         ],
     },
@@ -287,13 +284,6 @@ pub static MISTAKES: &[Mistake] = &[
                 formula.weights.kept = Kept::Largest(4);
                 formula.weights.rescaled = Rescaled::ToSumOfAll;
             }),
-            reading(
-                "the largest, of equals the last, divided by their sum",
-                |formula| {
-                    formula.weights.kept = Kept::LargestLast(4);
-                    formula.weights.rescaled = Rescaled::ToOne;
-                },
-            ),
             reading("the first, divided by their sum", |formula| {
                 formula.weights.kept = Kept::First(4);
                 formula.weights.rescaled = Rescaled::ToOne;
@@ -325,15 +315,8 @@ pub static MISTAKES: &[Mistake] = &[
                 formula.weights.kept = Kept::Largest(1);
                 formula.weights.rescaled = Rescaled::ToOne;
             }),
-            reading("as if it weighed 1, of equals the last", |formula| {
-                formula.weights.kept = Kept::LargestLast(1);
-                formula.weights.rescaled = Rescaled::ToOne;
-            }),
             reading("with its weight", |formula| {
                 formula.weights.kept = Kept::Largest(1)
-            }),
-            reading("with its weight, of equals the last", |formula| {
-                formula.weights.kept = Kept::LargestLast(1);
             }),
         ],
     },

@@ -2,6 +2,7 @@
 //! Mistakes are found by making them: each is a change of the formula, and the one whose mesh agrees is the
 //! one that was made. Nothing here opens a file or a window.
 
+mod choices;
 mod diagnosis;
 mod faces;
 mod formula;
@@ -374,7 +375,8 @@ impl Findings<'_> {
     }
 }
 
-/// The mistake that leaves the least, if it explains much.
+/// The mistake that gives nearly all vertices, if there is one and the exact formula does not, or else the one that
+/// leaves the least, if it explains much.
 fn nearest(
     search: &Search,
     model: &Model,
@@ -386,11 +388,32 @@ fn nearest(
         vertex_order: order,
         ..Formula::default()
     };
-    let all = search.mean(&mut Skinner::new(model, pose, &exact));
-    let best = alone.iter().min_by(|a, b| a.mean.total_cmp(&b.mean))?;
-    let explains = 1.0 - best.mean / all;
-    (explains >= EXPLAINS_MUCH).then(|| Nearest {
-        mistake: ToldMistake::new(best.made),
-        explains,
-    })
+    let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
+    let told = |one: &Alone, off: usize| {
+        let agrees = 1.0 - off as f64 / search.theirs.len() as f64;
+        let explains = 1.0 - one.nearness.mean / exact.mean;
+        Nearest {
+            mistake: ToldMistake::new(one.made),
+            // Single vertices may be anywhere.
+            explains: if explains.is_finite() {
+                explains
+            } else {
+                agrees
+            },
+            agrees,
+            off,
+        }
+    };
+    let most = alone.iter().rev().max_by_key(|one| one.nearness.agreeing)?;
+    if most.nearness.agreeing > exact.agreeing
+        && let Some(nearest) = search.off(most.made).map(|off| told(most, off))
+        && nearest.is_nearly_all()
+    {
+        return Some(nearest);
+    }
+    let best = alone
+        .iter()
+        .min_by(|a, b| a.nearness.mean.total_cmp(&b.nearness.mean))?;
+    let nearest = told(best, search.off(best.made)?);
+    (nearest.explains >= EXPLAINS_MUCH).then_some(nearest)
 }

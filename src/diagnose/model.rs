@@ -60,6 +60,17 @@ impl<'a> Model<'a> {
         row.map_or(&[], |row| self.influences(row))
     }
 
+    /// The rows that a program may take instead where [`Self::influences_by`] is beyond an end of the weights: the one
+    /// at that end again, or the one at the other end.
+    pub(super) fn rows_beyond(&self, rows: Rows, row: usize) -> Vec<usize> {
+        let last = self.positions.len().saturating_sub(1);
+        match rows {
+            Rows::Before if row == 0 => vec![0, last],
+            Rows::After if row == last => vec![last, 0],
+            Rows::Exact | Rows::Before | Rows::After => Vec::new(),
+        }
+    }
+
     /// Whether `joint` is `above` or hangs on it, over however many others.
     pub(super) fn hangs_on(&self, joint: usize, above: usize) -> bool {
         let joints = self.skeleton().joints();

@@ -63,11 +63,20 @@ impl Explanation {
     }
 }
 
-/// A single mistake, and how far vertices are from its mesh on average.
+/// A single mistake, and how near the mesh is to the one that it gives.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Alone {
     pub(super) made: Made,
+    pub(super) nearness: Nearness,
+}
+
+/// How near two meshes are, as far as a sample from all over tells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Nearness {
+    /// Mean distance.
     pub(super) mean: f64,
+    /// Vertices of the sample that agree.
+    pub(super) agreeing: usize,
 }
 
 impl<'a> Search<'a> {
@@ -103,9 +112,9 @@ impl<'a> Search<'a> {
                 continue;
             };
             found.extend(self.explained_by(&mut skinner, vec![made], pace).await);
-            let mean = self.mean(&mut skinner);
+            let nearness = self.nearness(&mut skinner);
             pace.after(self.sample.len()).await;
-            alone.push(Alone { made, mean });
+            alone.push(Alone { made, nearness });
         }
         (alone, found)
     }
@@ -116,7 +125,7 @@ impl<'a> Search<'a> {
             let one = alone
                 .iter()
                 .find(|one| std::ptr::eq(one.made.reading, made.reading));
-            one.map_or(f64::INFINITY, |one| one.mean)
+            one.map_or(f64::INFINITY, |one| one.nearness.mean)
         };
         let all: Vec<(Made, Made, Formula)> = pairs_of_ways().collect();
         let mut found = Vec::new();
@@ -134,11 +143,26 @@ impl<'a> Search<'a> {
         found
     }
 
-    /// Mean distance of the mesh from the one of `skinner`, as far as a sample from all over tells.
-    pub(super) fn mean(&self, skinner: &mut Skinner) -> f64 {
+    /// How near the mesh is to the one of `skinner`.
+    pub(super) fn nearness(&self, skinner: &mut Skinner) -> Nearness {
         let spread = &self.sample[self.sample.len().min(WORST)..];
         let distances = spread.iter().map(|&index| self.distance(skinner, index));
-        distances.sum::<f64>() / spread.len().max(1) as f64
+        let distances: Vec<f64> = distances.collect();
+        Nearness {
+            mean: distances.iter().sum::<f64>() / spread.len().max(1) as f64,
+            agreeing: distances
+                .iter()
+                .filter(|distance| **distance <= self.tolerance)
+                .count(),
+        }
+    }
+
+    /// How many vertices of all are off from the mesh with one mistake.
+    pub(super) fn off(&self, made: Made) -> Option<usize> {
+        let mut skinner = self.skinner(&formula(&[made]))?;
+        let all = 0..self.theirs.len();
+        let off = all.filter(|&index| self.distance(&mut skinner, index) > self.tolerance);
+        Some(off.count())
     }
 
     fn skinner(&self, formula: &Formula) -> Option<Skinner<'a>> {
@@ -147,7 +171,7 @@ impl<'a> Search<'a> {
     }
 
     fn distance(&self, skinner: &mut Skinner, index: usize) -> f64 {
-        skinner.place(index).distance(self.theirs[index])
+        skinner.distance(index, self.theirs[index])
     }
 
     /// `made` if every vertex agrees with the mesh that it gives.

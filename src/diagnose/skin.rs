@@ -1,8 +1,9 @@
 //! Skinning by any formula, in double precision.
 
+use super::choices::choices;
 use super::formula::{
     AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, Kept, OtherJoint, Rescaled,
-    WeightFormula,
+    Rows, WeightFormula,
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
@@ -88,15 +89,43 @@ impl<'a> Skinner<'a> {
             bind
         } else {
             keep(influences, self.formula.weights, &mut self.kept);
-            let moved = self.kept.iter().filter_map(|&(index, weight)| {
-                Some(self.palette[index]?.transform_point3(bind) * weight)
-            });
-            moved.sum()
+            self.sum(bind, &self.kept)
         };
         Placed {
             at: at * DVec3::from_array(self.formula.written),
             is_unweighted,
         }
+    }
+
+    /// The weighted sum of where joints move `bind`.
+    fn sum(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
+        let moved = weights.iter().filter_map(|&(index, weight)| {
+            Some(self.palette[index]?.transform_point3(bind) * weight)
+        });
+        moved.sum()
+    }
+
+    /// How far `theirs` is from the vertex at `index` of those that it writes; from the nearest place where programs
+    /// have it that differ in which of equal weights they keep, or in what they take beyond an end of the weights.
+    pub(super) fn distance(&mut self, index: usize, theirs: DVec3) -> f64 {
+        let usual = self.place(index).distance(theirs);
+        let weights = self.formula.weights;
+        let is_one_way = weights.rows == Rows::Exact && !matches!(weights.kept, Kept::Largest(_));
+        if is_one_way || self.formula.factors == Factors::Nothing {
+            return usual;
+        }
+        let source = self.model.source(self.formula.vertex_order, index);
+        let bind = self.model.positions[source.position];
+        let written = DVec3::from_array(self.formula.written);
+        let own = self.model.influences_by(weights.rows, source.weights);
+        let beyond = self.model.rows_beyond(weights.rows, source.weights);
+        let beyond = beyond.into_iter().map(|row| self.model.influences(row));
+        let rows = [own].into_iter().chain(beyond);
+        let weighted = rows.filter(|row| !row.is_empty());
+        let kept = weighted.flat_map(|row| choices(row, weights));
+        let distances = kept.map(|kept| (self.sum(bind, &kept) * written).distance(theirs));
+        // What is no number is no nearer.
+        distances.fold(usual, f64::min)
     }
 }
 
@@ -113,11 +142,6 @@ pub(super) fn keep(influences: &[Influence], formula: WeightFormula, kept: &mut 
         Kept::All => {}
         // Stable: equals stay in order.
         Kept::Largest(most) => {
-            kept.sort_by(|a, b| b.1.total_cmp(&a.1));
-            kept.truncate(most);
-        }
-        Kept::LargestLast(most) => {
-            kept.reverse();
             kept.sort_by(|a, b| b.1.total_cmp(&a.1));
             kept.truncate(most);
         }

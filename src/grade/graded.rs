@@ -48,6 +48,8 @@ pub struct Graded {
     pub outcome: Outcome,
     /// The diagnosis in words, or why there is none.
     pub text: String,
+    /// What is known of it beyond its outcome, in a few words.
+    pub hint: Option<String>,
     /// Mistakes that together give the file, by name; the first are those of the text, the others
     /// give the same.
     pub causes: Vec<Vec<String>>,
@@ -66,6 +68,7 @@ impl Graded {
         Self {
             outcome,
             text: text.into(),
+            hint: None,
             causes: Vec::new(),
             error: None,
             agrees: 0.0,

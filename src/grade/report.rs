@@ -76,6 +76,8 @@ pub struct GradedTest {
     pub test: String,
     /// What the file is.
     pub outcome: Outcome,
+    /// What is known of it beyond its outcome, in a few words.
+    pub hint: Option<String>,
     /// Mistakes that together give the file; the first are those of `text`, the others give the same.
     pub causes: Vec<Vec<String>>,
     /// How far the file is from the exact one, by the size.
@@ -130,6 +132,7 @@ impl Report {
                     points: cents(rubric::points(test, &graded, &file.rubric)),
                     elsewhere: elsewhere(test, &graded, &file.rubric),
                     outcome: graded.outcome,
+                    hint: graded.hint,
                     causes: graded.causes,
                     error: graded.error,
                     agrees: graded.agrees,
@@ -190,10 +193,12 @@ impl Section {
 }
 
 impl GradedTest {
-    /// The mistakes of the text by name, or else the word for what the file is.
+    /// The mistakes of the text by name, or else the word for what the file is, and what more is known of it.
     pub fn summary(&self) -> String {
         let Some(mistakes) = self.causes.first() else {
-            return self.outcome.word().to_owned();
+            let word = self.outcome.word();
+            let hint = self.hint.as_ref();
+            return hint.map_or(word.to_owned(), |hint| format!("{word}: {hint}"));
         };
         // The same two are told alike, whichever of them accounts for more.
         let mut mistakes = mistakes.clone();

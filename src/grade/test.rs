@@ -147,6 +147,7 @@ impl Test {
                 None => outcome(found.verdict),
             },
             text: found.to_string(),
+            hint: hint(found),
             causes,
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
@@ -193,6 +194,7 @@ impl Test {
         Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
+            hint: None,
             causes: explanations(told, &found.same_as),
             error: rounded(found.error_from_exact),
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
@@ -216,6 +218,13 @@ fn outcome(verdict: Verdict) -> Outcome {
         Verdict::Explained => Outcome::Explained,
         Verdict::Unexplained => Outcome::Unexplained,
     }
+}
+
+/// What is known of a mesh that nothing explains whole, in a few words.
+fn hint(found: &Diagnosis) -> Option<String> {
+    let nearest = found.nearest.as_ref();
+    let nearly = nearest.filter(|nearest| nearest.is_nearly_all());
+    nearly.map(|nearest| format!("nearly {}", nearest.mistake.id))
 }
 
 /// The explanations, the one that is told in words first; none without one.

@@ -1,5 +1,6 @@
 //! What an instructor gets: rows, a table, and a page that needs nothing else.
 
+use crate::diagnose::figures::obj;
 use crate::diagnose::student::with;
 use crate::grade::support::{Class, result};
 use serde_json::json;
@@ -186,6 +187,26 @@ fn lines_of_a_diagnosis_that_do_not_fit_go_on_below_their_words() {
     ] {
         assert!(page.contains(line), "{line}");
     }
+}
+
+#[test]
+fn a_mesh_that_one_mistake_gives_but_for_a_few_vertices_has_its_name_in_the_table() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    let mut theirs = with(&["weights-shifted"]).skin(figure);
+    theirs[7].x += 1.0;
+    let text = obj(&theirs, figure, |number| number.to_string());
+    class.write(&format!("class/eve/{test}.obj"), text);
+    let ran = class.run("class --tests tests.json -o report");
+    let told = "unexplained: nearly weights-shifted";
+    assert!(ran.out.contains(told), "{}", ran.out);
+    let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
+    assert!(csv.contains(told), "{csv}");
+    let report = class.graded();
+    assert_eq!(
+        result(&report, "eve", test)["hint"],
+        "nearly weights-shifted"
+    );
 }
 
 #[test]
