@@ -192,6 +192,23 @@ pub static MISTAKES: &[Mistake] = &[
             formula.bind_chain = Chain::OwnParent;
         }
     ),
+    // Before all that is about angles: of what looks like the bind pose the simplest is that nothing was done, though
+    // angles that are tiny, or of which some are not used, may give the same.
+    Mistake {
+        id: "pose-not-applied",
+        meaning: "the mesh is in the bind pose",
+        section: SLIDERS,
+        look_at: "whether angles reach setJointTransform, and whether \
+                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it",
+        readings: &[
+            reading("as the formula gives it", |formula| {
+                formula.joint.has_pose = false
+            }),
+            reading("as the file has it", |formula| {
+                formula.factors = Factors::Nothing
+            }),
+        ],
+    },
     euler!("euler-xzy", "Rx · Rz · Ry", [0, 2, 1]),
     euler!("euler-yxz", "Ry · Rx · Rz", [1, 0, 2]),
     euler!("euler-yzx", "Ry · Rz · Rx", [1, 2, 0]),
@@ -237,21 +254,6 @@ pub static MISTAKES: &[Mistake] = &[
                 formula.joint.has_bind_offset = false;
             }),
             reading("in T", |formula| formula.joint.has_offset = false),
-        ],
-    },
-    Mistake {
-        id: "pose-not-applied",
-        meaning: "the mesh is in the bind pose",
-        section: SLIDERS,
-        look_at: "whether angles reach setJointTransform, and whether \
-                  updateCurrentJointToWorldTransforms and updateMeshVertices run after it",
-        readings: &[
-            reading("as the formula gives it", |formula| {
-                formula.joint.has_pose = false
-            }),
-            reading("as the file has it", |formula| {
-                formula.factors = Factors::Nothing
-            }),
         ],
     },
     Mistake {

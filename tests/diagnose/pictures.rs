@@ -75,6 +75,20 @@ fn a_picture_of_what_is_right_is_right_in_every_format_and_beside_axes() {
 }
 
 #[test]
+fn a_picture_of_the_bind_pose_is_one_whose_pose_was_not_applied() {
+    for (name, seed) in [("adult", 48), ("robot", 49)] {
+        let degrees = turned(seed);
+        let figure = Figure::builtin(name, |joint| 0.2 * degrees(joint));
+        let folder = folder(&figure, &["pose-not-applied"]);
+        let found = diagnosed(&folder, &format!("builtin:{name}"), "a.png", FRONT, "");
+        assert_eq!(found["mistakes"][0]["id"], "pose-not-applied", "{found}");
+        // Angles that are converted twice are hardly any.
+        let same = found["same_as"].as_array().unwrap();
+        assert!(same.contains(&json!(["radians-as-degrees"])), "{found}");
+    }
+}
+
+#[test]
 fn mistakes_that_move_the_silhouette_are_told_by_it() {
     let all = [
         "weights-shifted",
