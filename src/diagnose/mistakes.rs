@@ -236,6 +236,13 @@ pub static MISTAKES: &[Mistake] = &[
         |formula| formula.joint.is_transposed = true
     ),
     one_way!(
+        "angles-negated",
+        SLIDERS,
+        "the sign of all three angles is wrong, so that joints turn the other way about each axis",
+        "setJointTransform: the sign of the angles, and the signs of the sines in the rotations",
+        |formula| formula.joint.angles = formula.joint.angles.map(|factor| -factor)
+    ),
+    one_way!(
         "rotation-before-translation",
         SLIDERS,
         "a joint's transform is R · T instead of T · R, so that its offset turns with it",

@@ -25,11 +25,15 @@ fn mistakes_that_a_pose_does_not_tell_apart_are_all_named_the_most_telling_first
     let flipped = found(&figure, &["sign-flipped-z"], 6);
     assert_eq!(
         named(&flipped),
-        [["rotation-transposed"], ["sign-flipped-z"]]
+        [
+            ["rotation-transposed"],
+            ["angles-negated"],
+            ["sign-flipped-z"]
+        ]
     );
     let told = flipped.to_string();
     assert!(
-        told.ends_with("\n  indistinguishable here: sign-flipped-z"),
+        told.ends_with("\n  indistinguishable here: angles-negated, sign-flipped-z"),
         "{told}"
     );
     let ignored = found(&figure, &["one-axis-ignored-z"], 6);
@@ -42,6 +46,16 @@ fn mistakes_that_a_pose_does_not_tell_apart_are_all_named_the_most_telling_first
         (ordered.verdict, named(&ordered).len()),
         (Verdict::Right, 0)
     );
+}
+
+#[test]
+fn angles_that_are_all_negated_are_one_mistake_and_not_two() {
+    let figure = Figure::builtin("adult", turned(35));
+    let negated = found(&figure, &["angles-negated"], 6);
+    assert_eq!(named(&negated), [["angles-negated"]]);
+    // The other way to say it.
+    let two = found(&figure, &["rotation-transposed", "euler-zyx"], 6);
+    assert_eq!(named(&two), [["angles-negated"]]);
 }
 
 #[test]

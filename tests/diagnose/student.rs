@@ -285,6 +285,7 @@ pub const WRONG: &[Wrong] = &[
     wrong("rotation-transposed", "rotation", |s| {
         s.keep_rotation = |r| r.transpose()
     }),
+    wrong("angles-negated", "slider", |s| s.slider = |angles| -angles),
     wrong("rotation-before-translation", "joint", |s| {
         s.joint = |t, r| r * t
     }),
