@@ -1,6 +1,6 @@
 //! The formula of skinning as a value: what each mistake changes of it.
 
-use glam::DVec3;
+use glam::{DVec3, DVec4};
 
 /// How a program gets from a character and a pose to vertices: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, part by part.
 /// The default is the exact formula. Mistakes change parts of it, so two mistakes in different parts
@@ -15,6 +15,8 @@ pub struct Formula {
     pub bind_chain: Chain,
     /// Which of T and B move a vertex.
     pub factors: Factors,
+    /// What is divided by its fourth coordinate then.
+    pub divided: Divided,
     /// Which weights count.
     pub weights: WeightFormula,
     /// Order in which a program has its joints.
@@ -94,6 +96,12 @@ pub enum Factors {
     BindNotInverted,
     /// B⁻¹ · T.
     Swapped,
+    /// (T · B⁻¹)ᵀ, by which a row is multiplied on the left of T · B⁻¹.
+    Transposed,
+    /// Tᵀ · B⁻¹.
+    CurrentTransposed,
+    /// T · B⁻ᵀ.
+    InverseBindTransposed,
     /// Nothing: vertices stay as they are in the file.
     Nothing,
 }
@@ -107,6 +115,10 @@ pub enum Factor {
     Bind,
     /// B⁻¹, from model space to the joint's frame in the bind pose.
     InverseBind,
+    /// Tᵀ.
+    CurrentTransposed,
+    /// B⁻ᵀ.
+    InverseBindTransposed,
 }
 
 impl Factors {
@@ -119,7 +131,39 @@ impl Factors {
             Self::InverseBindOnly => &[Factor::InverseBind],
             Self::BindNotInverted => &[Factor::Bind, Factor::Current],
             Self::Swapped => &[Factor::Current, Factor::InverseBind],
+            Self::Transposed => &[Factor::CurrentTransposed, Factor::InverseBindTransposed],
+            Self::CurrentTransposed => &[Factor::InverseBind, Factor::CurrentTransposed],
+            Self::InverseBindTransposed => &[Factor::InverseBindTransposed, Factor::Current],
             Self::Nothing => &[],
+        }
+    }
+}
+
+/// What is divided by the fourth coordinate, which a transposed matrix makes other than 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Divided {
+    /// Nothing.
+    Nothing,
+    /// Where each joint moves a vertex.
+    Each,
+    /// Their weighted sum.
+    Sum,
+}
+
+impl Divided {
+    /// Where one joint moves a vertex.
+    pub(super) fn each(self, moved: DVec4) -> DVec4 {
+        match self {
+            Self::Each => moved / moved.w,
+            Self::Nothing | Self::Sum => moved,
+        }
+    }
+
+    /// What the weighted sum is multiplied by.
+    pub(super) fn factor(self, sum: DVec4) -> f64 {
+        match self {
+            Self::Sum => sum.w.recip(),
+            Self::Nothing | Self::Each => 1.0,
         }
     }
 }
@@ -242,6 +286,7 @@ impl Default for Formula {
             chain: Chain::ParentOwn,
             bind_chain: Chain::ParentOwn,
             factors: Factors::Exact,
+            divided: Divided::Nothing,
             weights: WeightFormula {
                 rows: Rows::Exact,
                 is_normalized: false,

@@ -1,8 +1,8 @@
 //! The mistakes that are known, as one table.
 
 use super::formula::{
-    AngleUnits, Chain, Columns, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled, Rows,
-    VertexOrder,
+    AngleUnits, Chain, Columns, Divided, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled,
+    Rows, VertexOrder,
 };
 
 /// A mistake that programs make in skinning a character.
@@ -167,6 +167,41 @@ pub static MISTAKES: &[Mistake] = &[
          the vertex and so stands on the right",
         |formula| formula.factors = Factors::Swapped
     ),
+    Mistake {
+        id: "matrix-transposed",
+        meaning: "rows and columns of what moves a vertex are exchanged",
+        section: SSD,
+        look_at: "updateMeshVertices: the vertex is a column on the right of the matrix; and wherever a matrix is \
+                  filled, whether that goes by rows or by columns",
+        readings: &[
+            reading(
+                "of T and the inverse of B together, as by v · M",
+                |formula| {
+                    formula.factors = Factors::Transposed;
+                },
+            ),
+            reading(
+                "of both, and the sum is divided by its fourth coordinate",
+                |formula| {
+                    formula.factors = Factors::Transposed;
+                    formula.divided = Divided::Sum;
+                },
+            ),
+            reading(
+                "of both, and what each joint gives is divided by its fourth coordinate",
+                |formula| {
+                    formula.factors = Factors::Transposed;
+                    formula.divided = Divided::Each;
+                },
+            ),
+            reading("of T", |formula| {
+                formula.factors = Factors::CurrentTransposed;
+            }),
+            reading("of the inverse of B", |formula| {
+                formula.factors = Factors::InverseBindTransposed;
+            }),
+        ],
+    },
     Mistake {
         id: "parent-missing",
         meaning: "a joint's transform is its own alone, without those of its parents",

@@ -27,8 +27,8 @@ pub use diagnosis::{
 };
 pub use faces::FaceDifference;
 pub use formula::{
-    AngleUnits, Chain, Columns, Factor, Factors, Formula, JointFormula, JointOrder, JointsBy, Kept,
-    OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
+    AngleUnits, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula, JointOrder,
+    JointsBy, Kept, OtherJoint, Rescaled, Rows, VertexOrder, WeightFormula,
 };
 pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};

@@ -7,7 +7,7 @@ use super::formula::{
 };
 use super::model::Model;
 use crate::character::{Influence, Pose};
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4, Vec4Swizzles};
 
 /// Skins the vertices of a character by a formula, one at a time.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub(super) struct Skinner<'a> {
     model: &'a Model<'a>,
     formula: Formula,
     /// What moves vertices, by the index that a weight has; `None` for an index without a joint.
-    palette: Vec<Option<DAffine3>>,
+    palette: Vec<Option<DMat4>>,
     kept: Vec<(usize, f64)>,
 }
 
@@ -73,7 +73,7 @@ impl<'a> Skinner<'a> {
         let parts = self
             .kept
             .iter()
-            .filter_map(|&(index, weight)| Some(self.palette[index]?.matrix3 * weight));
+            .filter_map(|&(index, weight)| Some(DMat3::from_mat4(self.palette[index]?) * weight));
         written * parts.fold(DMat3::ZERO, |sum, part| sum + part)
     }
 
@@ -99,10 +99,12 @@ impl<'a> Skinner<'a> {
 
     /// The weighted sum of where joints move `bind`.
     fn sum(&self, bind: DVec3, weights: &[(usize, f64)]) -> DVec3 {
+        let divided = self.formula.divided;
         let moved = weights.iter().filter_map(|&(index, weight)| {
-            Some(self.palette[index]?.transform_point3(bind) * weight)
+            Some(divided.each(self.palette[index]? * bind.extend(1.0)) * weight)
         });
-        moved.sum()
+        let sum: DVec4 = moved.sum();
+        sum.xyz() * divided.factor(sum)
     }
 
     /// How far `theirs` is from the vertex at `index` of those that it writes; from the nearest place where programs
@@ -222,11 +224,14 @@ impl Joints {
     }
 
     /// A matrix of `joint`.
-    pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DAffine3 {
+    pub(super) fn matrix(&self, factor: Factor, joint: usize) -> DMat4 {
+        let (current, bind) = (self.current[joint], self.bind[joint]);
         match factor {
-            Factor::Current => self.current[joint],
-            Factor::Bind => self.bind[joint],
-            Factor::InverseBind => self.bind[joint].inverse(),
+            Factor::Current => current.into(),
+            Factor::Bind => bind.into(),
+            Factor::InverseBind => bind.inverse().into(),
+            Factor::CurrentTransposed => DMat4::from(current).transpose(),
+            Factor::InverseBindTransposed => DMat4::from(bind.inverse()).transpose(),
         }
     }
 
@@ -243,10 +248,10 @@ impl Joints {
     }
 
     /// What moves vertices, by the index that a weight has.
-    fn palette(&self, formula: &Formula) -> Vec<Option<DAffine3>> {
+    fn palette(&self, formula: &Formula) -> Vec<Option<DMat4>> {
         let product = |joint: usize| {
             let factors = formula.factors.in_order().iter();
-            factors.fold(DAffine3::IDENTITY, |product, &factor| {
+            factors.fold(DMat4::IDENTITY, |product, &factor| {
                 self.matrix(factor, joint) * product
             })
         };

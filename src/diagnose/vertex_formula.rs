@@ -5,10 +5,10 @@ use super::formula::{Factor, Factors, Formula};
 use super::model::Model;
 use super::skin::{Joints, keep};
 use crate::character::{Character, Pose};
-use glam::{DMat4, DVec3};
+use glam::{DMat4, DVec3, DVec4, Vec4Swizzles};
 
 /// How a formula moves a vertex: v' = Σ wᵢ Tᵢ Bᵢ⁻¹ v, or what a mistake makes of it. Points are in
-/// model space, but for those of a joint's frame between two factors.
+/// model space, but for those of a joint's frame between two factors. A fourth coordinate that is not 1 is not told.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VertexFormula {
     /// Index of the vertex, from 0.
@@ -20,7 +20,7 @@ pub struct VertexFormula {
     pub terms: Vec<Term>,
     /// Joints of which the file has a weight that does not count, with that weight.
     pub left_out: Vec<(usize, f64)>,
-    /// Factor of each coordinate of the sum.
+    /// Factor of each coordinate of the sum, by which it is also divided by its fourth one where it is.
     pub written: DVec3,
     /// Where it is in the pose.
     pub sum: DVec3,
@@ -72,26 +72,29 @@ impl VertexFormula {
         let mut kept = Vec::new();
         keep(influences, formula.weights, &mut kept);
         kept.sort_by_key(|&(index, _)| index);
+        let mut whole = DVec4::ZERO;
         let term = |&(index, weight): &(usize, f64)| {
             let joint = joints.moved_by(formula.weights.columns, index)?;
-            let mut at = rest;
+            let mut at = rest.extend(1.0);
             let step = |&factor: &Factor| {
                 let matrix = joints.matrix(factor, joint);
-                at = matrix.transform_point3(at);
+                at = matrix * at;
                 Step {
                     factor,
-                    matrix: matrix.into(),
-                    at,
+                    matrix,
+                    at: at.xyz(),
                 }
             };
             let steps = formula.factors.in_order().iter().map(step).collect();
+            let moved = formula.divided.each(at);
+            whole += moved * weight;
             Some(Term {
                 joint,
                 weight_of: index,
                 weight,
                 steps,
-                moved: at,
-                weighted: at * weight,
+                moved: moved.xyz(),
+                weighted: moved.xyz() * weight,
             })
         };
         let moves = formula.factors != Factors::Nothing;
@@ -100,7 +103,7 @@ impl VertexFormula {
         let in_file = influences
             .iter()
             .map(|one| (one.joint as usize, f64::from(one.weight)));
-        let written = DVec3::from_array(formula.written);
+        let written = DVec3::from_array(formula.written) * formula.divided.factor(whole);
         let sum = if influences.is_empty() || !moves {
             rest
         } else {

@@ -23,6 +23,8 @@ pub struct Student {
     pub push_bind: fn(Mat4, Mat4) -> Mat4,
     /// What moves a vertex, from T and B.
     pub product: fn(Mat4, Mat4) -> Mat4,
+    /// Where what moves a vertex takes it.
+    pub moved: fn(Mat4, Vec3) -> Vec3,
     /// The rows of weights that are read, from those of the file.
     pub rows: fn(&[Vec<f32>]) -> Vec<Vec<f32>>,
     /// The weights of a row that are read, one a column.
@@ -50,6 +52,7 @@ pub const RIGHT: Student = Student {
     push: |parent, own| parent * own,
     push_bind: |parent, own| parent * own,
     product: |t, b| t * b.inverse(),
+    moved: |matrix, vertex| matrix.transform_point3(vertex),
     rows: |rows| rows.to_vec(),
     row: |row| row.to_vec(),
     joint_of_column: |column| column + 1,
@@ -108,7 +111,7 @@ impl Student {
             for (joint, weight) in (self.weights)(weights.collect()) {
                 // Beyond the last joint a program may read whatever it finds, or have put nothing.
                 let joint = palette.get(joint).copied().unwrap_or(Mat4::ZERO);
-                moved += weight * joint.transform_point3(figure.positions[position]);
+                moved += weight * (self.moved)(joint, figure.positions[position]);
             }
             (self.write)((self.sum)(moved))
         });
@@ -260,6 +263,19 @@ pub const WRONG: &[Wrong] = &[
     wrong("bind-not-inverted", "product", |s| s.product = |t, b| t * b),
     wrong("factors-swapped", "product", |s| {
         s.product = |t, b| b.inverse() * t
+    }),
+    wrong("matrix-transposed", "product", |s| {
+        s.product = |t, b| (t * b.inverse()).transpose()
+    }),
+    wrong("matrix-transposed", "product", |s| {
+        s.product = |t, b| (t * b.inverse()).transpose();
+        s.moved = |matrix, vertex| matrix.project_point3(vertex);
+    }),
+    wrong("matrix-transposed", "product", |s| {
+        s.product = |t, b| t.transpose() * b.inverse()
+    }),
+    wrong("matrix-transposed", "product", |s| {
+        s.product = |t, b| t * b.inverse().transpose()
     }),
     wrong("parent-missing", "stack", |s| {
         s.push = |_, own| own;

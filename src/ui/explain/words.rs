@@ -1,6 +1,6 @@
 //! The formula in letters, with what a mistake changes of it.
 
-use crate::diagnose::{AngleUnits, Chain, Factor, Formula, JointFormula, VertexOrder};
+use crate::diagnose::{AngleUnits, Chain, Divided, Factor, Formula, JointFormula, VertexOrder};
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, Color32, FontId, Stroke, Ui};
@@ -51,6 +51,8 @@ fn letter(factor: Factor) -> (&'static str, &'static str) {
         Factor::Current => ("T", ""),
         Factor::Bind => ("B", ""),
         Factor::InverseBind => ("B", "-1"),
+        Factor::CurrentTransposed => ("T", "T"),
+        Factor::InverseBindTransposed => ("B", "-T"),
     }
 }
 
@@ -75,6 +77,7 @@ fn raised(above: &str) -> &'static str {
     match above {
         "-1" => "⁻¹",
         "T" => "ᵀ",
+        "-T" => "⁻ᵀ",
         _ => "",
     }
 }
@@ -107,7 +110,13 @@ fn vertex(formula: &Formula) -> Line {
     if factors.is_empty() {
         weight.mark = Mark::LeftOut;
     }
-    parts.push(weight);
+    // The fourth coordinate, of the sum or of what each joint adds to it.
+    let by_fourth = part("1/v₄", Mark::Changed);
+    match formula.divided {
+        Divided::Nothing => parts.push(weight),
+        Divided::Sum => parts.extend([by_fourth, weight]),
+        Divided::Each => parts.extend([weight, by_fourth]),
+    }
     let exact = exact.factors.in_order();
     let is_kept = |factor: &Factor| factors.contains(factor);
     let as_part = |factor: &Factor, mark| {
@@ -315,6 +324,11 @@ mod tests {
             "T = T(parent) · Offset · Rx · Ry · Rz(-z)"
         );
         assert_eq!(spoken("parent-missing", 2)[2], "B = Offset");
+        assert_eq!(
+            spoken("matrix-transposed", 1)[0],
+            "v' = 1/v₄ · Σ w · B⁻ᵀ · Tᵀ · v"
+        );
+        assert_eq!(spoken("matrix-transposed", 3)[0], "v' = Σ w · Tᵀ · B⁻¹ · v");
         assert_eq!(
             spoken("sign-flipped-x", 1)[0],
             "v' = mirror x · Σ w · T · B⁻¹ · v"
