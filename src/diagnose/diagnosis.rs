@@ -1,6 +1,7 @@
 //! What is found out about a mesh, as data and in words.
 
 use super::faces::FaceDifference;
+use super::mistakes::Mistake;
 use super::other_pose::OtherPose;
 use super::search::Made;
 use serde::Serialize;
@@ -19,13 +20,17 @@ const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it w
 
 /// What a mesh is, held against the exact one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
+#[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The exact one, but for rounding.
     Right,
+    /// Its vertices are the exact ones, but its triangles are not.
+    Triangles,
     /// The one that known mistakes give.
     Explained,
-    /// Neither.
+    /// The exact one of another pose.
+    OtherPose,
+    /// None of these.
     Unexplained,
 }
 
@@ -54,7 +59,7 @@ pub struct Diagnosis {
     pub unseen: Vec<&'static str>,
     /// Where it shows first; `None` if the mesh is right.
     pub first: Option<Shown>,
-    /// How its triangles differ, which the verdict does not count.
+    /// How its triangles differ, which the verdict counts only where its vertices are right.
     #[serde(flatten)]
     pub faces: FaceDifference,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
@@ -87,11 +92,19 @@ pub struct ToldMistake {
 impl ToldMistake {
     pub(super) fn new(made: Made) -> Self {
         Self {
-            id: made.mistake.id,
-            meaning: made.mistake.meaning,
             how: made.reading.how.into(),
-            section: made.mistake.section,
-            look_at: made.mistake.look_at,
+            ..Self::whole(made.mistake)
+        }
+    }
+
+    /// A mistake that is made in one way.
+    pub(super) fn whole(mistake: &Mistake) -> Self {
+        Self {
+            id: mistake.id,
+            meaning: mistake.meaning,
+            how: "".into(),
+            section: mistake.section,
+            look_at: mistake.look_at,
         }
     }
 }
@@ -248,7 +261,7 @@ pub(super) fn together(ids: &[&str]) -> String {
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.verdict {
-            Verdict::Right => {
+            Verdict::Right | Verdict::Triangles => {
                 let error = of_size(self.error);
                 let what = if self.is_right() {
                     "right: this is"
@@ -258,10 +271,13 @@ impl fmt::Display for Diagnosis {
                 write!(f, "{what} the exact result, but for {error}")
             }
             Verdict::Explained => self.fmt_explained(f),
-            Verdict::Unexplained => self.fmt_unexplained(f),
+            Verdict::OtherPose | Verdict::Unexplained => self.fmt_unexplained(f),
         }?;
         if !self.faces.is_none() {
             write!(f, "\n  but      {}", self.faces)?;
+        }
+        if self.verdict == Verdict::Triangles {
+            fmt_where(&self.mistakes, f)?;
         }
         if !self.unseen.is_empty() {
             let unseen = self.unseen.join(", ");
@@ -277,7 +293,17 @@ impl fmt::Display for Diagnosis {
 impl Diagnosis {
     /// Whether vertices are the exact ones, no triangle is missing and none winds the other way.
     pub fn is_right(&self) -> bool {
-        self.verdict == Verdict::Right && self.faces.mistakes().next().is_none()
+        self.verdict == Verdict::Right
+    }
+
+    /// Takes into account how triangles differ.
+    pub(super) fn judge(&mut self, faces: FaceDifference) {
+        self.faces = faces;
+        if self.verdict == Verdict::Right && faces.mistakes().next().is_some() {
+            self.verdict = Verdict::Triangles;
+            self.mistakes = faces.mistakes().map(ToldMistake::whole).collect();
+            self.causes = self.together();
+        }
     }
 
     /// Names of the mistakes that together give the mesh.

@@ -48,9 +48,9 @@ impl FaceDifference {
         pace: &Pace,
     ) -> Self {
         let knows_which_is_which = match found.verdict {
-            Verdict::Right => true,
+            Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
             Verdict::Explained => !found.causes.contains(&RENUMBERED),
-            Verdict::Unexplained => found.other_pose.is_some(),
+            Verdict::Unexplained => false,
         };
         let (model, theirs) = (model.triangles(), &theirs.triangles);
         if knows_which_is_which {

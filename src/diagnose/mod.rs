@@ -107,7 +107,7 @@ async fn diagnose_by(
 ) -> Result<Diagnosis, DiagnoseError> {
     let model = Model::new(character);
     let mut found = diagnose_vertices(&model, pose, &theirs.positions, &pace).await?;
-    found.faces = FaceDifference::find(&model, &found, theirs, &pace).await;
+    found.judge(FaceDifference::find(&model, &found, theirs, &pace).await);
     Ok(found)
 }
 
@@ -179,6 +179,9 @@ async fn diagnose_vertices(
         if found.findings.is_empty() {
             let limits = (tolerance, size);
             found.other_pose = other_pose::find(model, pose, order, &points, limits, pace).await;
+            if found.other_pose.is_some() {
+                found.verdict = Verdict::OtherPose;
+            }
         }
         // What is explained whole has nothing that is only near it.
         if found.other_pose.is_none() && found.findings.is_empty() {

@@ -30,7 +30,7 @@ pub enum PictureError {
 /// without those at their edges, by the area of the picture's silhouette and the exact one together.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PictureDiagnosis {
-    /// What it shows, as far as the silhouette tells.
+    /// What it shows, as far as the silhouette tells, which shows neither triangles nor other poses.
     pub verdict: Verdict,
     /// Mistakes that together give the silhouette, one or two, the one that accounts for more first, and
     /// then those of [`Self::same_as`], each once.
@@ -149,7 +149,7 @@ impl fmt::Display for PictureDiagnosis {
                     more => write!(f, ", and {more} more")?,
                 }
             }
-            Verdict::Right => {
+            Verdict::Right | Verdict::Triangles => {
                 let sure = 100.0 * self.sure;
                 write!(
                     f,
@@ -157,7 +157,7 @@ impl fmt::Display for PictureDiagnosis {
                      known mistakes would show"
                 )?;
             }
-            Verdict::Unexplained => write!(
+            Verdict::OtherPose | Verdict::Unexplained => write!(
                 f,
                 "unexplained: {error} of the silhouette is off, and no known mistake gives this one, \
                  nor do two of them{}",

@@ -132,20 +132,14 @@ impl Test {
         };
         let drawn = || as_base64(&self.thumbnail().of_theirs(theirs, measure.as_ref()));
         let mut causes = explanations(found.together(), &found.same_as);
-        let of_faces = found.faces.mistakes().map(|mistake| mistake.id.to_owned());
-        let of_faces: Vec<String> = of_faces.collect();
-        if found.verdict == Verdict::Right && !of_faces.is_empty() {
-            causes.push(Vec::new());
-        }
-        for mistakes in &mut causes {
-            mistakes.extend(of_faces.iter().cloned());
+        if found.verdict == Verdict::Explained {
+            for mistakes in &mut causes {
+                let of_faces = found.faces.mistakes();
+                mistakes.extend(of_faces.map(|mistake| mistake.id.to_owned()));
+            }
         }
         Graded {
-            outcome: match &found.other_pose {
-                Some(_) => Outcome::OtherPose,
-                None if found.verdict == Verdict::Right && !is_right => Outcome::Explained,
-                None => outcome(found.verdict),
-            },
+            outcome: outcome(found.verdict),
             text: found.to_string(),
             hint: hint(found),
             causes,
@@ -215,7 +209,8 @@ impl Test {
 fn outcome(verdict: Verdict) -> Outcome {
     match verdict {
         Verdict::Right => Outcome::Right,
-        Verdict::Explained => Outcome::Explained,
+        Verdict::Triangles | Verdict::Explained => Outcome::Explained,
+        Verdict::OtherPose => Outcome::OtherPose,
         Verdict::Unexplained => Outcome::Unexplained,
     }
 }

@@ -43,7 +43,7 @@ fn a_file_that_is_cut_off_among_its_faces_is_told_how_many_triangles_are_missing
     let figure = Figure::builtin("robot", turned(31));
     let all = figure.triangles.len();
     for (ids, verdict) in [
-        (&[][..], Verdict::Right),
+        (&[][..], Verdict::Triangles),
         (&["euler-zyx"], Verdict::Explained),
     ] {
         let whole = obj(&with(ids).skin(&figure), &figure, |number| {
@@ -121,7 +121,11 @@ fn triangles_that_wind_the_other_way_are_not_right_though_their_vertices_are() {
             turned.collect()
         });
         let found = diagnosed(&figure, &inside_out);
-        assert_eq!((found.verdict, found.is_right()), (Verdict::Right, false));
+        assert_eq!(
+            (found.verdict, found.is_right()),
+            (Verdict::Triangles, false)
+        );
+        assert_eq!(found.causes, ["triangles-turned"]);
         assert!(
             found
                 .to_string()

@@ -20,7 +20,9 @@ fn a_right_mesh_of_another_pose_is_told_with_the_pose_that_gives_it() {
             let figure = Figure::builtin(name, turned(theirs));
             let expected = Figure::builtin(name, turned(ours)).pose();
             let found = held_against(&figure, &expected);
-            assert_eq!(found.verdict, Verdict::Unexplained, "{name}: {found}");
+            assert_eq!(found.verdict, Verdict::OtherPose, "{name}: {found}");
+            let json = serde_json::to_value(&found).unwrap();
+            assert_eq!(json["verdict"], "other-pose");
             let told = found.to_string();
             assert!(told.starts_with("another pose: "), "{name}: {told}");
             let other = found.other_pose.expect("a pose");

@@ -105,11 +105,32 @@ right but for its triangles: its vertices are the exact result, but for less tha
     assert_eq!(ran.code, Some(1));
     assert!(ran.out.starts_with(told), "{}", ran.out);
     let (code, cut) = json(folder.path(), "cut.obj");
-    assert_eq!((code, &cut["verdict"]), (Some(1), &"right".into()));
+    assert_eq!((code, &cut["verdict"]), (Some(1), &"triangles".into()));
     let counts = ["triangles", "triangles_missing", "triangles_other"].map(|key| &cut[key]);
     assert_eq!(counts, [2, 1, 0]);
     let (code, right) = json(folder.path(), "right.obj");
     assert_eq!((code, &right["triangles_missing"]), (Some(0), &0.into()));
+}
+
+#[test]
+fn a_misspelled_character_is_told_from_a_wrong_mesh_though_both_end_with_1() {
+    let folder = folder();
+    let ran = diagnose(folder.path(), "right.obj", "men.obj", "bend.json");
+    assert_eq!((ran.code, &*ran.out), (Some(1), ""));
+    assert!(ran.err.starts_with("error: men.obj: "), "{}", ran.err);
+    let words = [
+        "diagnose",
+        "right.obj",
+        "--json",
+        "--character",
+        "men.obj",
+        "--pose",
+        "bend.json",
+    ];
+    let ran = editor_in(folder.path(), &words);
+    let found: Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((ran.code, &found["verdict"]), (Some(1), &Value::Null));
+    assert_eq!(found["failure"]["file"], "men.obj");
 }
 
 #[test]

@@ -159,7 +159,10 @@ impl Parts<'_> {
         }
         let character = self.session.scene().character(self.compare.shape);
         let is_at_rest = character.is_some_and(|character| character.pose().is_bind());
-        let is_of_pose = diagnosis.verdict == Verdict::Right || diagnosis.other_pose.is_some();
+        let is_of_pose = match diagnosis.verdict {
+            Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
+            Verdict::Explained | Verdict::Unexplained => false,
+        };
         let lacks_pose = is_at_rest && !is_of_pose;
         if lacks_pose {
             // What a student forgets first.
@@ -171,7 +174,7 @@ impl Parts<'_> {
             self.load_pose(ui);
         }
         match diagnosis.verdict {
-            Verdict::Right => {
+            Verdict::Right | Verdict::Triangles => {
                 let what = if diagnosis.is_right() {
                     "Right: this is the exact result"
                 } else {
@@ -196,7 +199,7 @@ impl Parts<'_> {
             }
             // Nothing can be said of a mesh in a pose that is not there.
             Verdict::Unexplained if lacks_pose => {}
-            Verdict::Unexplained => self.unexplained(ui, diagnosis),
+            Verdict::OtherPose | Verdict::Unexplained => self.unexplained(ui, diagnosis),
         }
         if !diagnosis.same_as.is_empty() {
             let all = diagnosis.same_as.iter().map(|ids| ids.join(" and "));
