@@ -77,6 +77,26 @@ impl Graded {
     }
 }
 
+impl Graded {
+    /// The same, where it is known to be the exact result of another test.
+    pub(super) fn of_other_test(self, name: &str) -> Self {
+        let (first, rest) = self.text.split_once('\n').unwrap_or((&self.text, ""));
+        Self {
+            outcome: Outcome::OtherPose,
+            text: format!(
+                "{first}\n  found    it is exactly the result of the test {name}\n{rest}"
+            ),
+            hint: Some(format!("the result of {name}")),
+            ..self
+        }
+    }
+
+    /// Whether it follows from all tests, and not from its own alone.
+    pub fn is_of_all_tests(&self) -> bool {
+        matches!(self.outcome, Outcome::OtherPose | Outcome::Unexplained)
+    }
+}
+
 /// A measure with nine digits after the point, which reads back to itself; `None` if it is not finite.
 pub(super) fn rounded(measure: f64) -> Option<f64> {
     measure.is_finite().then(|| (measure * 1e9).round() / 1e9)

@@ -82,18 +82,19 @@ impl Test {
         })
     }
 
-    /// What the file with the content `bytes` is.
-    pub fn grade(&self, bytes: &[u8]) -> Graded {
+    /// What the file with the content `bytes` is. Where it is the exact result of another one of `tests`, it was handed in
+    /// under a wrong name.
+    pub fn grade(&self, bytes: &[u8], tests: &[Self]) -> Graded {
         if bytes.trim_ascii().is_empty() {
             return Graded::without(Outcome::Blank, "the file is empty");
         }
         match self.data.kind {
-            TestKind::Mesh => self.grade_mesh(bytes),
+            TestKind::Mesh => self.grade_mesh(bytes, tests),
             TestKind::Picture { .. } => self.grade_picture(bytes),
         }
     }
 
-    fn grade_mesh(&self, bytes: &[u8]) -> Graded {
+    fn grade_mesh(&self, bytes: &[u8], tests: &[Self]) -> Graded {
         let is_vertex = |line: &[u8]| {
             let line = line.trim_ascii_start();
             line.starts_with(b"v ") || line.starts_with(b"v\t")
@@ -113,9 +114,26 @@ impl Test {
             return Graded::without(Outcome::Blank, "all vertices are in one place");
         }
         match diagnose(&self.character, &self.pose, &theirs) {
-            Ok(found) => self.diagnosed_mesh(&found, &theirs),
+            Ok(found) => {
+                let graded = self.diagnosed_mesh(&found, &theirs);
+                match found.verdict {
+                    Verdict::OtherPose | Verdict::Unexplained => {
+                        let mut others =
+                            tests.iter().filter(|test| test.data.name != self.data.name);
+                        let swapped = others.find(|test| test.is_right(&theirs));
+                        swapped.map_or(graded.clone(), |test| graded.of_other_test(&test.data.name))
+                    }
+                    Verdict::Right | Verdict::Triangles | Verdict::Explained => graded,
+                }
+            }
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
         }
+    }
+
+    /// Whether a mesh has the vertices of the exact result of this test.
+    fn is_right(&self, theirs: &Mesh) -> bool {
+        let measure = || measure(&self.character, &self.exact, &theirs.positions);
+        self.data.kind == TestKind::Mesh && measure().is_some_and(|measure| measure.off == 0)
     }
 
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {

@@ -80,6 +80,39 @@ fn the_exact_result_of_another_pose_is_told_and_shows_none_of_the_sections() {
 }
 
 #[test]
+fn files_that_are_swapped_between_tests_are_said_to_be_and_told_anew_when_tests_change() {
+    let mut class = Class::new(&["robot", "robot"]);
+    class.submit("bob", &with(&[]), |number| number.to_string());
+    let [one, two] = ["robot-1", "robot-2"].map(|test| format!("class/bob/{test}.obj"));
+    let (first, second) = (class.read(&one), class.read(&two));
+    class.write(&one, second);
+    class.write(&two, first);
+    let ran = class.run("class --tests tests.json -o report");
+    for told in [
+        "other-pose: the result of robot-2 (robot-1)",
+        "other-pose: the result of robot-1 (robot-2)",
+    ] {
+        assert!(ran.out.contains(told), "{}", ran.out);
+    }
+    let report = class.graded();
+    let bob = result(&report, "bob", "robot-1");
+    let text = bob["text"].as_str().unwrap();
+    let told = "\n  found    it is exactly the result of the test robot-2\n";
+    assert!(text.contains(told), "{text}");
+    // Without the other test it is that of some other pose.
+    let mut tests = class.tests_file();
+    tests["tests"].as_array_mut().unwrap().pop();
+    class.tests.pop();
+    class.set_tests(&tests);
+    let report = class.graded();
+    let bob = result(&report, "bob", "robot-1");
+    assert_eq!(
+        (&bob["outcome"], &bob["hint"]),
+        (&json!("other-pose"), &json!(null))
+    );
+}
+
+#[test]
 fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     let class = class();
     class.graded();

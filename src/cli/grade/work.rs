@@ -118,13 +118,15 @@ impl Work<'_> {
             let known = before.0.get(name);
             let result = match (&self.command, &at_first) {
                 (Some(command), Some(files)) => {
-                    let key = self.key(test, files);
-                    match known.filter(|known| known.key == key) {
+                    match known.filter(|known| self.holds(known, test, files)) {
                         Some(known) => known.clone(),
                         None => match self.make(test, submission, command, interruption)? {
                             Made::Graded(graded) => {
                                 has_run = true;
-                                KeptResult { key, graded }
+                                KeptResult {
+                                    key: self.key(test, files, &graded),
+                                    graded,
+                                }
                             }
                             Made::Interrupted => {
                                 return Err(CliError::Other("interrupted".to_owned()));
@@ -140,7 +142,7 @@ impl Work<'_> {
         if let Some(files) = self.command.as_ref().filter(|_| has_run).map(of_folder) {
             for test in self.tests {
                 if let Some(result) = results.0.get_mut(&test.data().name) {
-                    result.key = self.key(test, &files);
+                    result.key = self.key(test, &files, &result.graded);
                 }
             }
         }
@@ -169,18 +171,18 @@ impl Work<'_> {
     ) -> KeptResult {
         let name = test.file_name();
         let read = read(&submission.folder.join(&name), &name);
-        let key = self.key(
-            test,
-            &match &read {
-                Ok(bytes) => fingerprint(bytes),
-                Err(graded) => graded.text.clone(),
-            },
-        );
-        if let Some(known) = known.filter(|known| known.key == key) {
+        let file = match &read {
+            Ok(bytes) => fingerprint(bytes),
+            Err(graded) => graded.text.clone(),
+        };
+        if let Some(known) = known.filter(|known| self.holds(known, test, &file)) {
             return known.clone();
         }
-        let graded = read.map_or_else(|graded| graded, |bytes| test.grade(&bytes));
-        KeptResult { key, graded }
+        let graded = read.map_or_else(|graded| *graded, |bytes| test.grade(&bytes, self.tests));
+        KeptResult {
+            key: self.key(test, &file, &graded),
+            graded,
+        }
     }
 
     /// The file that the command makes for a test, graded.
@@ -201,11 +203,11 @@ impl Work<'_> {
         let without = |text: &str| Graded::without(Outcome::Missing, told(text, submission, &name));
         let graded = match ran {
             Ok(()) => match written {
-                Ok(bytes) => test.grade(&bytes),
+                Ok(bytes) => test.grade(&bytes, self.tests),
                 Err(graded) if graded.outcome == Outcome::Missing => {
                     without("the command ended without writing its file")
                 }
-                Err(graded) => graded,
+                Err(graded) => *graded,
             },
             Err(CommandFailure::Interrupted) => return Ok(Made::Interrupted),
             Err(CommandFailure::Missing(text)) => without(&text),
@@ -214,9 +216,21 @@ impl Work<'_> {
         Ok(Made::Graded(graded))
     }
 
+    /// Whether a result of an earlier run is that of the same files.
+    fn holds(&self, known: &KeptResult, test: &Test, files: &str) -> bool {
+        known.key == self.key(test, files, &known.graded)
+    }
+
     /// What a result follows from.
-    fn key(&self, test: &Test, files: &str) -> String {
-        format!("{}-{:08x}-{files}", self.program, test.fingerprint())
+    fn key(&self, test: &Test, files: &str, graded: &Graded) -> String {
+        let key = format!("{}-{:08x}-{files}", self.program, test.fingerprint());
+        if !graded.is_of_all_tests() {
+            return key;
+        }
+        let all = self.tests.iter();
+        let all = all.map(|test| format!("{} {:08x}", test.data().name, test.fingerprint()));
+        let all = all.collect::<Vec<_>>().join("\n");
+        format!("{key}-{}", fingerprint(all.as_bytes()))
     }
 }
 
@@ -246,21 +260,21 @@ fn told(text: &str, submission: &Submission, name: &str) -> String {
 }
 
 /// The content of the file at `path`, called `name`, or what there is in its place.
-fn read(path: &Path, name: &str) -> Result<Vec<u8>, Graded> {
+fn read(path: &Path, name: &str) -> Result<Vec<u8>, Box<Graded>> {
     let Ok(metadata) = std::fs::symlink_metadata(path) else {
-        return Err(Graded::without(Outcome::Missing, missing(path, name)));
+        return Err(Graded::without(Outcome::Missing, missing(path, name)).into());
     };
     // It may lead to the file of another submission.
     if metadata.is_symlink() {
         let text = format!("{name}: expected a file, found a symbolic link");
-        return Err(Graded::without(Outcome::Unreadable, text));
+        return Err(Graded::without(Outcome::Unreadable, text).into());
     }
     read_at_most(path, LARGEST).map_err(|diagnostic| {
         let told = Diagnostic {
             path: name.into(),
             ..diagnostic
         };
-        Graded::without(Outcome::Unreadable, told.to_string())
+        Graded::without(Outcome::Unreadable, told.to_string()).into()
     })
 }
 

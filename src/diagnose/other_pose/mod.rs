@@ -47,6 +47,9 @@ pub struct TurnedJoint {
     pub expected: [f32; 3],
     /// Of a root, how far it is moved otherwise than expected, in model space; `None` if it is not.
     pub moved: Option<[f32; 3]>,
+    /// Whether other angles give the same mesh: those of the joint and of others in the same place share a turn that
+    /// no vertex tells how.
+    pub is_ambiguous: bool,
 }
 
 impl fmt::Display for TurnedJoint {
@@ -55,6 +58,9 @@ impl fmt::Display for TurnedJoint {
         write!(f, "{} {degrees}", self.joint)?;
         if degrees != expected {
             write!(f, " instead of {expected}")?;
+        }
+        if self.is_ambiguous {
+            f.write_str(", or others that give the same")?;
         }
         match self.moved {
             Some([x, y, z]) => write!(f, ", moved by ({x:.4}, {y:.4}, {z:.4})"),
@@ -132,6 +138,7 @@ impl Search<'_> {
         // Joints that differ in a hair are as expected, if the mesh agrees with that.
         let (mut whole, mut plain) = (expected.clone(), expected.clone());
         let mut joints = Vec::new();
+        let ambiguous = ambiguous(model, self.tolerance);
         for &joint in &model.by_depth {
             let before = expected.rotation(joint);
             let after = Euler::nearest(rotations[joint].as_mat3(), before);
@@ -153,6 +160,7 @@ impl Search<'_> {
                     degrees: plain.rotation(joint).degrees().to_array(),
                     expected: before.degrees().to_array(),
                     moved: is_moved.then(|| moved.as_vec3().to_array()),
+                    is_ambiguous: ambiguous[joint],
                 });
             }
         }
@@ -165,6 +173,37 @@ impl Search<'_> {
         let (error, pose) = errors.find(|(error, _)| *error <= self.tolerance)?;
         Some((pose, joints, error))
     }
+}
+
+/// For each joint whether other angles of it and of joints in the same place give the same mesh: where a joint moves no
+/// vertex but by those that hang on it at its own place, its turn can as well be theirs.
+fn ambiguous(model: &Model, tolerance: f64) -> Vec<bool> {
+    let joints = model.skeleton().joints();
+    let mut moves = vec![false; joints.len()];
+    for vertex in 0..model.positions.len() {
+        let influences = model.influences(vertex).iter();
+        for influence in influences.filter(|influence| influence.weight != 0.0) {
+            moves[influence.joint as usize] = true;
+        }
+    }
+    let own = moves.clone();
+    for &joint in model.by_depth.iter().rev() {
+        if let Some(parent) = joints[joint].parent {
+            moves[parent] |= moves[joint];
+        }
+    }
+    let mut found = vec![false; joints.len()];
+    for (parent, &is_moving) in own.iter().enumerate() {
+        let children = model.skeleton().children(parent).iter().copied();
+        let children: Vec<usize> = children.filter(|&child| moves[child]).collect();
+        let is_here = |&child: &usize| joints[child].offset.as_dvec3().length() <= tolerance;
+        if !is_moving && !children.is_empty() && children.iter().all(is_here) {
+            for joint in children.into_iter().chain([parent]) {
+                found[joint] = true;
+            }
+        }
+    }
+    found
 }
 
 /// The angle between two rotations, in degrees.
