@@ -4,7 +4,8 @@ use super::faces::FaceDifference;
 use super::mistakes::Mistake;
 use super::other_pose::OtherPose;
 use super::search::Made;
-use serde::Serialize;
+use crate::compare::MeshFinding;
+use serde::{Serialize, Serializer};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -70,8 +71,28 @@ pub struct Diagnosis {
     /// The mistake that comes nearest, if it explains at least half of what is off and no other pose all of
     /// it.
     pub nearest: Option<Nearest>,
-    /// What else is known of the whole mesh, in sentences.
-    pub findings: Vec<String>,
+    /// What else is known of the whole mesh.
+    pub findings: Vec<OfTheWhole>,
+}
+
+/// What gives the whole mesh from the exact one, without a mistake in skinning; in JSON a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OfTheWhole(pub MeshFinding);
+
+impl fmt::Display for OfTheWhole {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "with A for the exact mesh and B for this one: {}",
+            self.0
+        )
+    }
+}
+
+impl Serialize for OfTheWhole {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 /// A mistake in words.

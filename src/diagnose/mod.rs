@@ -23,7 +23,7 @@ mod skin;
 mod vertex_formula;
 
 pub use diagnosis::{
-    Diagnosis, Nearest, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
+    Diagnosis, Nearest, OfTheWhole, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
 };
 pub use faces::FaceDifference;
 pub use formula::{
@@ -356,7 +356,7 @@ impl Findings<'_> {
     }
 
     /// Movements, scales and turns that give the whole mesh.
-    fn of_the_whole(&self, theirs: &[Vec3]) -> Vec<String> {
+    fn of_the_whole(&self, theirs: &[Vec3]) -> Vec<OfTheWhole> {
         let exact = self
             .exact
             .iter()
@@ -372,9 +372,7 @@ impl Findings<'_> {
         };
         let of_all = |finding: &&MeshFinding| !matches!(finding, MeshFinding::Permuted { .. });
         let findings = compared.findings.iter().filter(of_all);
-        findings
-            .map(|finding| format!("with A for the exact mesh and B for this one: {finding}"))
-            .collect()
+        findings.cloned().map(OfTheWhole).collect()
     }
 }
 

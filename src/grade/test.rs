@@ -235,6 +235,9 @@ fn outcome(verdict: Verdict) -> Outcome {
 
 /// What is known of a mesh that nothing explains whole, in a few words.
 fn hint(found: &Diagnosis) -> Option<String> {
+    if let Some(brief) = found.findings.iter().find_map(|finding| finding.0.brief()) {
+        return Some(brief);
+    }
     let nearest = found.nearest.as_ref();
     let nearly = nearest.filter(|nearest| nearest.is_nearly_all());
     nearly.map(|nearest| format!("nearly {}", nearest.mistake.id))

@@ -113,13 +113,17 @@ fn a_mesh_that_is_moved_or_scaled_as_a_whole_is_told_to_be() {
     let moved: Vec<Vec3> = right.iter().map(|place| *place + Vec3::X).collect();
     let found = figure.diagnose(&moved);
     assert!(
-        found.findings[0].ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
+        found.findings[0]
+            .to_string()
+            .ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
         "{found}"
     );
     let larger: Vec<Vec3> = right.iter().map(|place| *place * 3.0).collect();
     let found = figure.diagnose(&larger);
     assert!(
-        found.findings[0].ends_with("B is A 3.000000 times as large"),
+        found.findings[0]
+            .to_string()
+            .ends_with("B is A 3.000000 times as large"),
         "{found}"
     );
 }

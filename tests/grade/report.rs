@@ -3,6 +3,7 @@
 use crate::diagnose::figures::obj;
 use crate::diagnose::student::with;
 use crate::grade::support::{Class, result};
+use glam::Vec3;
 use serde_json::json;
 
 fn class() -> Class {
@@ -240,6 +241,29 @@ fn a_mesh_that_one_mistake_gives_but_for_a_few_vertices_has_its_name_in_the_tabl
         result(&report, "eve", test)["hint"],
         "nearly weights-shifted"
     );
+}
+
+#[test]
+fn a_mesh_that_is_right_but_for_its_size_place_or_axes_says_so_in_the_table() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    let right = with(&[]).skin(figure);
+    let written = |name: &str, change: fn(Vec3) -> Vec3| {
+        let theirs: Vec<Vec3> = right.iter().copied().map(change).collect();
+        let text = obj(&theirs, figure, |number| number.to_string());
+        class.write(&format!("class/{name}/{test}.obj"), text);
+    };
+    written("ann", |at| at * 100.0);
+    written("bob", |at| at + Vec3::new(3.0, 0.0, 4.0));
+    written("cem", |at| Vec3::new(at.x, -at.z, at.y));
+    let ran = class.run("class --tests tests.json -o report");
+    for told in [
+        "unexplained: the exact result, 100 times as large",
+        "unexplained: the exact result, moved by 5",
+        "unexplained: the exact result with the axes x, -z, y",
+    ] {
+        assert!(ran.out.contains(told), "{}", ran.out);
+    }
 }
 
 #[test]

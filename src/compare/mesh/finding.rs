@@ -1,4 +1,5 @@
 use crate::compare::Which;
+use glam::DVec3;
 use serde::Serialize;
 use std::fmt;
 
@@ -130,6 +131,44 @@ impl MeshFinding {
     }
 }
 
+impl MeshFinding {
+    /// What B is, in a few words; `None` for what is no placement of A.
+    pub fn brief(&self) -> Option<String> {
+        let sized = |words: String, factor: f64| match factor {
+            1.0 => words,
+            _ => format!("{words}, {} times as large", length(factor)),
+        };
+        Some(match self {
+            Self::Offset { by } => {
+                let by = DVec3::from_array(*by).length();
+                format!("the exact result, moved by {}", length(by))
+            }
+            Self::Scaled { factor, .. } => sized("the exact result".to_owned(), *factor),
+            Self::Axes { from_a, factor, .. } => {
+                let axes = from_a.join(", ");
+                sized(format!("the exact result with the axes {axes}"), *factor)
+            }
+            Self::Turned {
+                degrees,
+                factor,
+                mirrored,
+                ..
+            } => {
+                let how =
+                    mirrored.map_or(String::new(), |axis| format!("mirrored along {axis} and "));
+                let words = format!("the exact result, {how}turned by {degrees:.1}°");
+                sized(words, *factor)
+            }
+            Self::OnePlace { .. } => "all vertices in one place".to_owned(),
+            Self::NotFinite { .. }
+            | Self::Permuted { .. }
+            | Self::Winding { .. }
+            | Self::Triangles { .. }
+            | Self::TriangleOrder => return None,
+        })
+    }
+}
+
 impl fmt::Display for MeshFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -204,6 +243,48 @@ impl fmt::Display for MeshFinding {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn placements_are_told_in_a_few_words() {
+        let offset = [0.0; 3];
+        for (finding, expected) in [
+            (
+                MeshFinding::Offset {
+                    by: [3.0, 0.0, 4.0],
+                },
+                "the exact result, moved by 5",
+            ),
+            (
+                MeshFinding::Scaled {
+                    factor: 100.0,
+                    offset,
+                },
+                "the exact result, 100 times as large",
+            ),
+            (
+                MeshFinding::Axes {
+                    from_a: ["x", "-z", "y"],
+                    mirrored: false,
+                    factor: 1.0,
+                    offset,
+                },
+                "the exact result with the axes x, -z, y",
+            ),
+            (
+                MeshFinding::Turned {
+                    mirrored: Some("x"),
+                    degrees: 30.04,
+                    axis: [0.0, 1.0, 0.0],
+                    factor: 2.0,
+                    offset,
+                },
+                "the exact result, mirrored along x and turned by 30.0°, 2 times as large",
+            ),
+        ] {
+            assert_eq!(finding.brief().as_deref(), Some(expected));
+        }
+        assert_eq!(MeshFinding::TriangleOrder.brief(), None);
+    }
 
     #[test]
     fn lengths_are_written_as_people_do() {

@@ -231,7 +231,7 @@ impl Parts<'_> {
             }
         }
         for finding in &diagnosis.findings {
-            say(ui, finding, palette.text);
+            say(ui, &finding.to_string(), palette.text);
         }
         if let Some(nearest) = &diagnosis.nearest {
             let text = format!(
