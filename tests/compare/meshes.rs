@@ -43,6 +43,55 @@ fn equal_meshes_pass_and_nothing_is_wrong_with_them() {
 }
 
 #[test]
+fn rounding_that_a_tiny_threshold_counts_has_no_movement_scale_or_turn_as_its_cause() {
+    let a = reference();
+    let options = MeshOptions {
+        tolerance: Some(1e-9),
+        ..MeshOptions::default()
+    };
+    let mut noisy = a.clone();
+    for (index, position) in noisy.positions.iter_mut().enumerate() {
+        // As programs round that write six digits, on the whole a little too low.
+        let step = [-6e-7, 2e-7, -4e-7, 5e-7][index * 7 % 4];
+        *position += Vec3::new(step, -step, step * 0.5);
+    }
+    let comparison = compare_meshes(&a, &noisy, &options).unwrap();
+    assert!(comparison.differing_vertices > 0);
+    assert_eq!(comparison.findings, []);
+    // A movement that is more than that is one.
+    let mut moved = a.clone();
+    for position in &mut moved.positions {
+        *position += Vec3::X * 5e-6;
+    }
+    let comparison = compare_meshes(&a, &moved, &options).unwrap();
+    let found = comparison.findings[0].to_string();
+    assert_eq!(found, "B is A moved by (0.000005, 0.000000, 0.000000)");
+}
+
+#[test]
+fn a_single_vertex_or_triangle_is_told_as_one() {
+    let a = reference();
+    let mut b = a.clone();
+    b.positions[3].x = f32::NAN;
+    b.triangles[7].swap(0, 1);
+    let (last, of) = (b.triangles.len() - 1, b.triangles.len());
+    b.triangles[last] = [0, 1, 2];
+    let told: Vec<String> = compare(&a, &b)
+        .findings
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert_eq!(
+        told,
+        [
+            "1 vertex of B has coordinates that are not finite numbers",
+            &format!("1 of the {of} triangles of B winds the other way"),
+            "1 triangle is only in A, 1 only in B",
+        ]
+    );
+}
+
+#[test]
 fn distances_agree_with_a_small_case_by_hand() {
     let corners = [Vec3::ZERO, Vec3::X * 3.0, Vec3::Y * 4.0, Vec3::X];
     let a = Mesh::new(corners.to_vec(), vec![[0, 1, 2], [0, 3, 2]]);

@@ -98,9 +98,17 @@ pub(super) fn length(of: f64) -> String {
     rounded.to_string()
 }
 
+/// Coordinates up to this round to nothing in words.
+const NOTHING: f64 = 5e-7;
+
+/// Whether a movement is any in words.
+pub(super) fn is_told(movement: [f64; 3]) -> bool {
+    movement.iter().any(|along| along.abs() > NOTHING)
+}
+
 /// A place or a movement in words. What rounds to nothing has no sign.
 pub(super) fn vector(of: [f64; 3]) -> String {
-    let [x, y, z] = of.map(|value| if value.abs() <= 5e-7 { 0.0 } else { value });
+    let [x, y, z] = of.map(|value| if value.abs() <= NOTHING { 0.0 } else { value });
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
@@ -109,7 +117,7 @@ fn scaled_and_moved(f: &mut fmt::Formatter<'_>, factor: f64, offset: [f64; 3]) -
     if factor != 1.0 {
         write!(f, ", and {factor:.6} times as large")?;
     }
-    if offset != [0.0; 3] {
+    if is_told(offset) {
         write!(f, ", then moved by {}", vector(offset))?;
     }
     Ok(())
@@ -173,18 +181,22 @@ impl fmt::Display for MeshFinding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { mesh, vertices } => {
+                let (vertices, have) = match vertices {
+                    1 => ("1 vertex".to_owned(), "has"),
+                    vertices => (format!("{vertices} vertices"), "have"),
+                };
                 write!(
                     f,
-                    "{vertices} vertices of {mesh} have coordinates that are not finite numbers"
+                    "{vertices} of {mesh} {have} coordinates that are not finite numbers"
                 )
             }
             Self::Offset { by } => write!(f, "B is A moved by {}", vector(*by)),
             Self::Scaled { factor, offset } => {
                 write!(f, "B is A {factor:.6} times as large")?;
-                if *offset == [0.0; 3] {
-                    Ok(())
-                } else {
+                if is_told(*offset) {
                     write!(f, ", then moved by {}", vector(*offset))
+                } else {
+                    Ok(())
                 }
             }
             Self::Axes {
@@ -227,13 +239,19 @@ impl fmt::Display for MeshFinding {
                 "all triangles of B wind the other way: its normals point the other way"
             ),
             Self::Winding { reversed, of } => {
+                let wind = if *reversed == 1 { "winds" } else { "wind" };
                 write!(
                     f,
-                    "{reversed} of the {of} triangles of B wind the other way"
+                    "{reversed} of the {of} triangles of B {wind} the other way"
                 )
             }
             Self::Triangles { only_a, only_b } => {
-                write!(f, "{only_a} triangles are only in A, {only_b} only in B")
+                let are = if *only_a == 1 {
+                    "triangle is"
+                } else {
+                    "triangles are"
+                };
+                write!(f, "{only_a} {are} only in A, {only_b} only in B")
             }
             Self::TriangleOrder => f.write_str("the triangles are the same, in a different order"),
         }

@@ -133,17 +133,18 @@ pub fn compare_meshes(
         Matching::InOrder
     };
     let triangles = matching::compare_triangles(&a.triangles, &b.triangles, &matching);
+    let max = distances.iter().copied().fold(0.0, f64::max);
     let evidence = Evidence {
         points: Points {
             a: &points_a,
             b: &points_b,
             tolerance: rounding,
+            apart: max,
         },
         differing,
         moved_in_order: matching.moved(),
         triangles,
     };
-    let max = distances.iter().copied().fold(0.0, f64::max);
     let found = at_once(|_| found_by(&Evidence::RULES, async |_, applies| applies(&evidence)));
     let findings = without_names(found);
     let places = if is_explained(&findings, differing) {

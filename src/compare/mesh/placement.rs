@@ -2,11 +2,14 @@
 //! another, within a tolerance. Where B is larger, so is the tolerance: the rounding of A grew too.
 
 use super::MeshFinding;
+use super::finding::is_told;
 use glam::{DQuat, DVec3};
 use std::f64::consts::PI;
 
 /// Factors nearer to one than this are rounding.
 const LEAST_SCALE: f64 = 1e-6;
+/// Turns by less are told as none.
+const LEAST_DEGREES: f64 = 5e-5;
 /// Every order of the axes, the turned before the mirrored: where a flat mesh admits both, it
 /// was turned.
 const ORDERS: [[usize; 3]; 6] = [
@@ -27,6 +30,8 @@ pub(super) struct Points<'a> {
     pub(super) a: &'a [DVec3],
     pub(super) b: &'a [DVec3],
     pub(super) tolerance: f64,
+    /// How far apart they are at most.
+    pub(super) apart: f64,
 }
 
 /// A center of A and the point of B that it is taken to.
@@ -54,9 +59,13 @@ impl Points<'_> {
         (factor.is_finite() && factor > 0.0).then_some(factor)
     }
 
-    /// Whether `b_from_a`, which scales by `factor`, takes every vertex of A to that of B.
+    /// Whether `b_from_a`, which scales by `factor`, takes every vertex of A to that of B. Where they agree as they are,
+    /// a cause has to leave less than half of the difference, which else is rounding.
     fn agree(&self, factor: f64, b_from_a: impl Fn(DVec3) -> DVec3) -> bool {
-        let tolerance = self.tolerance * factor.max(1.0);
+        let tolerance = match self.apart <= self.tolerance {
+            true => self.apart / 2.0,
+            false => self.tolerance * factor.max(1.0),
+        };
         let mut pairs = self.a.iter().zip(self.b);
         pairs.all(|(a, b)| b_from_a(*a).distance(*b) <= tolerance)
     }
@@ -66,8 +75,9 @@ impl Points<'_> {
 pub(super) fn offset(points: &Points) -> Option<MeshFinding> {
     let (mean_a, mean_b) = points.means();
     let by = mean_b - mean_a;
-    let agrees = points.agree(1.0, |point| point + by);
-    agrees.then(|| MeshFinding::Offset { by: by.to_array() })
+    let by = by.to_array();
+    let agrees = is_told(by) && points.agree(1.0, |point| point + DVec3::from_array(by));
+    agrees.then_some(MeshFinding::Offset { by })
 }
 
 /// A scale about the origin.
@@ -127,9 +137,10 @@ pub(super) fn turn(points: &Points) -> Option<MeshFinding> {
                 rotation
             };
             let (axis, angle) = rotation.to_axis_angle();
-            Some(MeshFinding::Turned {
+            let degrees = angle.to_degrees();
+            (mirrored.is_some() || degrees >= LEAST_DEGREES).then(|| MeshFinding::Turned {
                 mirrored,
-                degrees: angle.to_degrees(),
+                degrees,
                 axis: axis.to_array(),
                 factor,
                 offset: offset.to_array(),
@@ -219,6 +230,7 @@ pub(crate) fn nearest_rotation(a: &[DVec3], b: &[DVec3]) -> Option<DQuat> {
         a,
         b,
         tolerance: 0.0,
+        apart: 0.0,
     };
     rotations(a, b, points.means()).map(|[turned, _]| turned)
 }
