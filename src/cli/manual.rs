@@ -56,7 +56,29 @@ pub fn man(args: &ManArgs) -> Result<(), CliError> {
         })?,
     };
     let mut page = Vec::new();
-    let made = clap_mangen::Man::new(described.clone()).render(&mut page);
+    let made = clap_mangen::Man::new(for_manual(described.clone())).render(&mut page);
     made.map_err(|error| CliError::Other(error.to_string()))?;
-    print(&String::from_utf8_lossy(&page))
+    // What follows the help of a command are its examples, which a page of man has in a section of that name.
+    let page = String::from_utf8_lossy(&page).replace(".SH EXTRA\n", ".SH EXAMPLES\n");
+    print(&page)
+}
+
+/// A command with the usage of its help, which has the names of values, and examples without their title.
+fn for_manual(mut described: clap::Command) -> clap::Command {
+    if described.get_overridden_usage().is_none() {
+        let usage = described.render_usage().to_string();
+        let usage = usage.strip_prefix("Usage: ").unwrap_or(&usage).to_owned();
+        described = described.override_usage(usage);
+    }
+    let examples = described.get_after_help().map(ToString::to_string);
+    match examples
+        .as_deref()
+        .and_then(|all| all.strip_prefix("Examples:\n"))
+    {
+        Some(examples) => {
+            let examples = examples.to_owned();
+            described.after_help(examples)
+        }
+        None => described,
+    }
 }

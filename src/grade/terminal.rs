@@ -10,8 +10,11 @@ const NAMES: usize = 8;
 /// Letters of a reason.
 const LETTERS: usize = 160;
 
+/// What is told of points that wait.
+const WAITING: &str = "wait: points that are still to be given by hand, by \"given\" in the rubric, in sections with -";
+
 impl Report {
-    /// Lines for a terminal: a heading, a row for each submission, mistakes that several of them have, which of them
+    /// Lines for a terminal: a heading, a row for each submission, what points that wait are, mistakes that several of them have, which of them
     /// cost points in another section than their own, and why files could not be graded.
     pub fn to_lines(&self) -> Vec<String> {
         let heading = ["submission".to_owned(), "points".to_owned()].into_iter();
@@ -47,6 +50,9 @@ impl Report {
             table.push(row);
         }
         let mut lines = aligned(&table);
+        if self.submissions.iter().any(|one| one.not_graded > 0.0) {
+            lines.push(WAITING.to_owned());
+        }
         for group in self
             .mistakes
             .iter()

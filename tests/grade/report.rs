@@ -39,6 +39,7 @@ Ada & <Bob>  40/40 (10 wait)  8/8  12/12  20/20  -/10      -/5           right
 eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
 kim, lee     34/40 (10 wait)  8/8  6/12  20/20  -/10      -/5           euler-zyx
 zoe          0/40 (10 wait)    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
+wait: points that are still to be given by hand, by \"given\" in the rubric, in sections with -
 euler-zyx in 2 submissions: eve, kim, lee
 missing: there is no dog-2.obj (zoe)
 unreadable: robot-1.obj:1:7: expected a number for z, found “<script>alert(1)</script>\\u{1b}[0m” (zoe)
@@ -126,6 +127,20 @@ eve,45.5,50,0,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
 zoe,0,50,10,0,0,0,,,unreadable (robot-1); missing (dog-2)\r
 ";
     assert_eq!(csv, expected);
+}
+
+#[test]
+fn a_name_that_a_spreadsheet_would_run_has_an_apostrophe_in_the_table_alone_as_help_says() {
+    let class = Class::new(&["robot"]);
+    class.submit("-Chen", &with(&[]), |number| number.to_string());
+    let report = class.graded();
+    assert_eq!(report["submissions"][0]["name"], "-Chen");
+    let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
+    assert!(csv.contains("\n'-Chen,20,"), "{csv}");
+    let help = class.run("--help").out;
+    let words: Vec<&str> = help.split_whitespace().collect();
+    let told = "have an apostrophe before them";
+    assert!(words.join(" ").contains(told), "{help}");
 }
 
 #[test]

@@ -65,6 +65,27 @@ fn a_page_of_man_describes_every_option_that_the_help_does() {
             assert!(page.contains(option), "{command} {option}");
         }
     }
+    let page = editor_in(folder.path(), &["man", "diagnose"]).out;
+    let page = page
+        .replace("\\-", "-")
+        .replace("\\fR", "")
+        .replace("\\fB", "");
+    let synopsis = "editor diagnose [OPTIONS] --character <MODEL> --pose <POSE.json> <THEIRS>";
+    let sections = page
+        .split(".SH ")
+        .map(|section| section.split_once('\n').unwrap_or_default());
+    let sections: Vec<(&str, &str)> = sections.collect();
+    let text = |name: &str| {
+        let section = sections.iter().find(|(title, _)| *title == name);
+        section.unwrap_or_else(|| panic!("no {name} in {page}")).1
+    };
+    assert!(text("SYNOPSIS").contains(synopsis), "{}", text("SYNOPSIS"));
+    assert!(
+        text("EXAMPLES")
+            .trim_start()
+            .starts_with("editor diagnose mine.obj"),
+        "{page}"
+    );
     let page = editor_in(folder.path(), &["man"]).out.replace("\\-", "-");
     for command in commands() {
         assert!(page.contains(&format!("editor-{command}(1)")), "{command}");

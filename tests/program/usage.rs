@@ -20,6 +20,30 @@ fn help_and_version_are_results() {
 }
 
 #[test]
+fn help_lists_the_verdicts_of_a_diagnosis_and_shows_a_command_that_makes_files() {
+    let folder = folder();
+    let help = |command: &str| {
+        let help = editor_in(folder.path(), &[command, "--help"]).out;
+        help.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let diagnose = help("diagnose");
+    for word in [
+        "right, triangles (",
+        "explained (",
+        "other-pose (",
+        "and unexplained",
+        "verdict is null",
+    ] {
+        assert!(diagnose.contains(word), "{word}: {diagnose}");
+    }
+    let grade = help("grade");
+    let command = r#"{"run": ["./build/pose", "{character}", "{pose}", "{output}"], "seconds": 60, "memory": 1024}"#;
+    for told in [command, "(pose-not-applied, other-pose)", "nearest number"] {
+        assert!(grade.contains(told), "{told}: {grade}");
+    }
+}
+
+#[test]
 fn wrong_usage_ends_with_2_and_prints_no_result() {
     let folder = folder();
     for arguments in [
