@@ -2,6 +2,7 @@
 
 use super::faces::FaceDifference;
 use super::mistakes::Mistake;
+use super::nearest::Nearest;
 use super::other_pose::OtherPose;
 use super::search::Made;
 use crate::compare::MeshFinding;
@@ -11,9 +12,6 @@ use std::fmt;
 
 /// Regions that are told in words; the others are counted.
 const TOLD: usize = 5;
-
-/// Share of the vertices that are nearly all.
-const NEARLY_ALL: f64 = 0.99;
 
 /// What to look at where a mesh is right in another pose.
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
@@ -165,26 +163,6 @@ pub struct Region {
     pub worst: f64,
     /// The vertex that is so far off, from 0.
     pub worst_vertex: usize,
-}
-
-/// A mistake that explains much, but not all.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Nearest {
-    /// The mistake.
-    pub mistake: ToldMistake,
-    /// By which part the mean distance is less than from the exact mesh, 0 to 1.
-    pub explains: f64,
-    /// Share of the vertices that agree with the mesh that it gives, 0 to 1.
-    pub agrees: f64,
-    /// How many do not.
-    pub off: usize,
-}
-
-impl Nearest {
-    /// Whether it gives all vertices but a few.
-    pub fn is_nearly_all(&self) -> bool {
-        self.agrees >= NEARLY_ALL
-    }
 }
 
 impl fmt::Display for ToldMistake {

@@ -4,6 +4,7 @@ use super::formula::{
     AngleUnits, Chain, Columns, Divided, Factors, Formula, JointOrder, JointsBy, Kept, Rescaled,
     Rows, VertexOrder,
 };
+use super::found_otherwise::FOUND_OTHERWISE;
 
 /// A mistake that programs make in skinning a character.
 #[derive(Debug)]
@@ -29,9 +30,9 @@ pub struct Reading {
     pub make: fn(&mut Formula),
 }
 
-const SKELETON: &str = "3.2 Skeleton";
+pub(super) const SKELETON: &str = "3.2 Skeleton";
 const SLIDERS: &str = "3.4 Sliders";
-const MESH: &str = "4.1 Mesh";
+pub(super) const MESH: &str = "4.1 Mesh";
 const SSD: &str = "4.2 SSD";
 
 const fn reading(how: &'static str, make: fn(&mut Formula)) -> Reading {
@@ -431,53 +432,6 @@ const fn by(by: JointsBy, has_angles: bool) -> JointOrder {
 
 /// The mistake of vertices that are right but in an order of which no formula is known.
 pub(super) static IN_ANY_ORDER: Reading = reading("in another order", |_| {});
-
-/// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
-pub static TRIANGLES_TURNED: Mistake = Mistake {
-    id: "triangles-turned",
-    meaning: "triangles wind the other way, so that normals point the other way",
-    section: MESH,
-    look_at: "where faces are read and written: the order of their three corners",
-    readings: &[],
-};
-
-/// The same where triangles of the character are missing, whether or not there are others in their place.
-pub static TRIANGLES_DIFFER: Mistake = Mistake {
-    id: "triangles-differ",
-    meaning: "triangles of the model are missing, or others are in their place",
-    section: MESH,
-    look_at: "where faces are read and written: whether all of them are, each with the indices of its own three \
-              vertices, which count from 1 in the file",
-    readings: &[],
-};
-
-/// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
-pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
-    id: "one-wrong-parent",
-    meaning: "one joint hangs on another parent than the file says",
-    section: SKELETON,
-    look_at: "where the .skel file is read: the last number of a line is the index of the parent, from 0, and \
-              -1 for a root",
-    readings: &[],
-};
-
-/// A mistake in one line of the skeleton, whose offset is worked out from the mesh.
-pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
-    id: "one-wrong-offset",
-    meaning: "one joint has another offset from its parent than the file says",
-    section: SKELETON,
-    look_at: "where the .skel file is read: the first three numbers of a line are the offset from the parent, \
-              which nothing may change",
-    readings: &[],
-};
-
-/// Mistakes that are found otherwise than by making them in every way.
-static FOUND_OTHERWISE: [&Mistake; 4] = [
-    &TRIANGLES_TURNED,
-    &TRIANGLES_DIFFER,
-    &ONE_WRONG_PARENT,
-    &ONE_WRONG_OFFSET,
-];
 
 impl Mistake {
     /// The mistake with this name, if there is one.

@@ -6,11 +6,13 @@ mod choices;
 mod diagnosis;
 mod faces;
 mod formula;
+mod found_otherwise;
 mod job;
 mod measure;
 mod mistaken;
 mod mistakes;
 mod model;
+mod nearest;
 mod one_joint;
 mod other_pose;
 mod picture;
@@ -23,7 +25,7 @@ mod skin;
 mod vertex_formula;
 
 pub use diagnosis::{
-    Diagnosis, Nearest, OfTheWhole, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
+    Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
 };
 pub use faces::FaceDifference;
 pub use formula::{
@@ -34,6 +36,7 @@ pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
+pub use nearest::{NEARLY_ALL, Nearest};
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
 pub use vertex_formula::{Step, Term, VertexFormula};
@@ -46,8 +49,8 @@ use crate::steps::{Pace, at_once};
 use glam::{DVec3, Vec3};
 use mistakes::IN_ANY_ORDER;
 use model::Model;
-use search::{Alone, Explanation, Made, Search};
-use skin::{Placed, Skinner};
+use search::{Explanation, Made, Search};
+use skin::Placed;
 use std::rc::Rc;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
@@ -64,8 +67,6 @@ const AS_GOOD: f64 = 2.0;
 const AS_GOOD_AS_NONE: f64 = 5e-6;
 /// A mesh that agrees with the exact one is still one of a mistake if that is this many times nearer.
 const MUCH_NEARER: f64 = 10.0;
-/// What the nearest mistake must explain to be named.
-const EXPLAINS_MUCH: f64 = 0.5;
 
 /// Reason why a mesh cannot be one of a character.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -185,7 +186,7 @@ async fn diagnose_vertices(
         }
         // What is explained whole has nothing that is only near it.
         if found.other_pose.is_none() && found.findings.is_empty() {
-            found.nearest = nearest(&search, model, pose, order, &alone);
+            found.nearest = nearest::find(&search, model, pose, order, &alone);
         }
         return Ok(found);
     }
@@ -374,47 +375,4 @@ impl Findings<'_> {
         let findings = compared.findings.iter().filter(of_all);
         findings.cloned().map(OfTheWhole).collect()
     }
-}
-
-/// The mistake that gives nearly all vertices, if there is one and the exact formula does not, or else the one that
-/// leaves the least, if it explains much.
-fn nearest(
-    search: &Search,
-    model: &Model,
-    pose: &Pose,
-    order: VertexOrder,
-    alone: &[Alone],
-) -> Option<Nearest> {
-    let exact = Formula {
-        vertex_order: order,
-        ..Formula::default()
-    };
-    let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
-    let told = |one: &Alone, off: usize| {
-        let agrees = 1.0 - off as f64 / search.theirs.len() as f64;
-        let explains = 1.0 - one.nearness.mean / exact.mean;
-        Nearest {
-            mistake: ToldMistake::new(one.made),
-            // Single vertices may be anywhere.
-            explains: if explains.is_finite() {
-                explains
-            } else {
-                agrees
-            },
-            agrees,
-            off,
-        }
-    };
-    let most = alone.iter().rev().max_by_key(|one| one.nearness.agreeing)?;
-    if most.nearness.agreeing > exact.agreeing
-        && let Some(nearest) = search.off(most.made).map(|off| told(most, off))
-        && nearest.is_nearly_all()
-    {
-        return Some(nearest);
-    }
-    let best = alone
-        .iter()
-        .min_by(|a, b| a.nearness.mean.total_cmp(&b.nearness.mean))?;
-    let nearest = told(best, search.off(best.made)?);
-    (nearest.explains >= EXPLAINS_MUCH).then_some(nearest)
 }

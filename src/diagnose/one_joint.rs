@@ -2,7 +2,8 @@
 //! only where no mistake of a whole program gives the mesh, since one line can be off in so many ways.
 
 use super::formula::{Formula, OtherJoint, VertexOrder};
-use super::mistakes::{Mistake, ONE_WRONG_OFFSET, ONE_WRONG_PARENT, Reading};
+use super::found_otherwise::{ONE_WRONG_OFFSET, ONE_WRONG_PARENT};
+use super::mistakes::{Mistake, Reading};
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
 use super::{AS_GOOD, AS_GOOD_AS_NONE};

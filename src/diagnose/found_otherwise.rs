@@ -1,0 +1,50 @@
+//! Mistakes that are found otherwise than by making them: in the faces of a mesh, and in one line of a skeleton.
+
+use super::mistakes::{MESH, Mistake, SKELETON};
+
+/// A mistake in the faces of a mesh, which no formula for its vertices gives. Grading counts it.
+pub(super) static TRIANGLES_TURNED: Mistake = Mistake {
+    id: "triangles-turned",
+    meaning: "triangles wind the other way, so that normals point the other way",
+    section: MESH,
+    look_at: "where faces are read and written: the order of their three corners",
+    readings: &[],
+};
+
+/// The same where triangles of the character are missing, whether or not there are others in their place.
+pub(super) static TRIANGLES_DIFFER: Mistake = Mistake {
+    id: "triangles-differ",
+    meaning: "triangles of the model are missing, or others are in their place",
+    section: MESH,
+    look_at: "where faces are read and written: whether all of them are, each with the indices of its own three \
+              vertices, which count from 1 in the file",
+    readings: &[],
+};
+
+/// A mistake in one line of the skeleton, which is found joint by joint and parent by parent.
+pub(super) static ONE_WRONG_PARENT: Mistake = Mistake {
+    id: "one-wrong-parent",
+    meaning: "one joint hangs on another parent than the file says",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the last number of a line is the index of the parent, from 0, and \
+              -1 for a root",
+    readings: &[],
+};
+
+/// A mistake in one line of the skeleton, whose offset is worked out from the mesh.
+pub(super) static ONE_WRONG_OFFSET: Mistake = Mistake {
+    id: "one-wrong-offset",
+    meaning: "one joint has another offset from its parent than the file says",
+    section: SKELETON,
+    look_at: "where the .skel file is read: the first three numbers of a line are the offset from the parent, \
+              which nothing may change",
+    readings: &[],
+};
+
+/// Mistakes that are found otherwise than by making them in every way.
+pub(super) static FOUND_OTHERWISE: [&Mistake; 4] = [
+    &TRIANGLES_TURNED,
+    &TRIANGLES_DIFFER,
+    &ONE_WRONG_PARENT,
+    &ONE_WRONG_OFFSET,
+];

@@ -1,0 +1,77 @@
+//! The mistake that comes nearest to a mesh that none gives.
+
+use super::diagnosis::ToldMistake;
+use super::formula::{Formula, VertexOrder};
+use super::model::Model;
+use super::search::{Alone, Search};
+use super::skin::Skinner;
+use crate::character::Pose;
+use serde::Serialize;
+
+/// What the nearest mistake must explain to be named.
+const EXPLAINS_MUCH: f64 = 0.5;
+/// Share of the vertices that are nearly all.
+pub const NEARLY_ALL: f64 = 0.99;
+
+/// A mistake that explains much, but not all.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Nearest {
+    /// The mistake.
+    pub mistake: ToldMistake,
+    /// By which part the mean distance is less than from the exact mesh, 0 to 1.
+    pub explains: f64,
+    /// Share of the vertices that agree with the mesh that it gives, 0 to 1.
+    pub agrees: f64,
+    /// How many do not.
+    pub off: usize,
+}
+
+impl Nearest {
+    /// Whether it gives all vertices but a few.
+    pub fn is_nearly_all(&self) -> bool {
+        self.agrees >= NEARLY_ALL
+    }
+}
+
+/// The mistake that gives nearly all vertices, if there is one and the exact formula does not, or else the one that
+/// leaves the least, if it explains much.
+pub(super) fn find(
+    search: &Search,
+    model: &Model,
+    pose: &Pose,
+    order: VertexOrder,
+    alone: &[Alone],
+) -> Option<Nearest> {
+    let exact = Formula {
+        vertex_order: order,
+        ..Formula::default()
+    };
+    let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
+    let told = |one: &Alone, off: usize| {
+        let agrees = 1.0 - off as f64 / search.theirs.len() as f64;
+        let explains = 1.0 - one.nearness.mean / exact.mean;
+        Nearest {
+            mistake: ToldMistake::new(one.made),
+            // Single vertices may be anywhere.
+            explains: if explains.is_finite() {
+                explains
+            } else {
+                agrees
+            },
+            agrees,
+            off,
+        }
+    };
+    let most = alone.iter().rev().max_by_key(|one| one.nearness.agreeing)?;
+    if most.nearness.agreeing > exact.agreeing
+        && let Some(nearest) = search.off(most.made).map(|off| told(most, off))
+        && nearest.is_nearly_all()
+    {
+        return Some(nearest);
+    }
+    let best = alone
+        .iter()
+        .min_by(|a, b| a.nearness.mean.total_cmp(&b.nearness.mean))?;
+    let nearest = told(best, search.off(best.made)?);
+    (nearest.explains >= EXPLAINS_MUCH).then_some(nearest)
+}
