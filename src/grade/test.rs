@@ -3,7 +3,9 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
+use crate::diagnose::{
+    Diagnosis, NEARLY_ALL, PictureError, Verdict, diagnose, diagnose_picture, measure,
+};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{TestData, TestKind, read_character_obj};
@@ -159,7 +161,7 @@ impl Test {
         Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
-            hint: hint(found),
+            hint: hint(found, theirs.positions.len() - near, agrees),
             causes,
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
@@ -233,14 +235,23 @@ fn outcome(verdict: Verdict) -> Outcome {
     }
 }
 
-/// What is known of a mesh that nothing explains whole, in a few words.
-fn hint(found: &Diagnosis) -> Option<String> {
+/// What is known of a mesh that nothing explains whole, in a few words. So many of its vertices are `off`, and `agrees` is
+/// the share of the others.
+fn hint(found: &Diagnosis, off: usize, agrees: f64) -> Option<String> {
+    if found.verdict != Verdict::Unexplained {
+        return None;
+    }
     if let Some(brief) = found.findings.iter().find_map(|finding| finding.0.brief()) {
         return Some(brief);
     }
     let nearest = found.nearest.as_ref();
     let nearly = nearest.filter(|nearest| nearest.is_nearly_all());
-    nearly.map(|nearest| format!("nearly {}", nearest.mistake.id))
+    match (nearly, off) {
+        (Some(nearest), _) => Some(format!("nearly {}", nearest.mistake.id)),
+        (None, 1) => Some("right but for 1 vertex".to_owned()),
+        (None, _) if agrees >= NEARLY_ALL => Some(format!("right but for {off} vertices")),
+        (None, _) => None,
+    }
 }
 
 /// The explanations, the one that is told in words first; none without one.

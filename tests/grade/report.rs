@@ -282,6 +282,22 @@ fn a_mesh_that_is_right_but_for_its_size_place_or_axes_says_so_in_the_table() {
 }
 
 #[test]
+fn a_mesh_that_is_right_but_for_few_vertices_says_for_how_many() {
+    let class = Class::new(&["robot"]);
+    let (test, figure) = &class.tests[0];
+    for (name, off) in [("ann", 1), ("bob", 5)] {
+        let mut theirs = with(&[]).skin(figure);
+        theirs.iter_mut().take(off).for_each(|at| at.x += 1.0);
+        let text = obj(&theirs, figure, |number| number.to_string());
+        class.write(&format!("class/{name}/{test}.obj"), text);
+    }
+    let report = class.graded();
+    let hint = |name| &result(&report, name, test)["hint"];
+    assert_eq!(*hint("ann"), "right but for 1 vertex");
+    assert_eq!(*hint("bob"), "right but for 5 vertices");
+}
+
+#[test]
 fn a_mistake_that_counts_against_another_section_than_its_own_says_which() {
     let class = Class::new(&["robot"]);
     class.submit("eve", &with(&["euler-zyx"]), |number| number.to_string());
