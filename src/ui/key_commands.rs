@@ -1,7 +1,8 @@
 //! Commands that keys ask for: which of them wait, and what each means at the moment.
 
 use super::compare::{CompareAction, CompareMeshAction};
-use super::{Action, Ask, Command, UiState, ViewInput, aspect, commands, number_field, windows};
+use super::popups::is_in_dialog;
+use super::{Action, Ask, Command, UiState, ViewInput, aspect, commands, number_field};
 use crate::editor::{Session, View};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
@@ -19,7 +20,8 @@ const MEANT_IN_A_DRAG: [Command; 3] = [Command::Save, Command::SaveAs, Command::
 
 /// Has commands about the document wait until what is being typed is taken over, for which the field
 /// gives up the keyboard in this frame, until popups are closed, and saving until a drag has ended; runs
-/// the one that has waited. Where `keys_are_taken`, such as by a file dialog, keys mean no commands.
+/// the one that has waited. Where `keys_are_taken`, such as by a file dialog, or another dialog has to be left
+/// first, keys mean no commands.
 pub(super) fn run_waiting(
     ctx: &egui::Context,
     session: &Session,
@@ -34,6 +36,7 @@ pub(super) fn run_waiting(
         input.events.iter().any(typed)
     });
     let gives_up = !is_typing && std::mem::take(&mut state.gives_up_typing);
+    let takes_none = input.keys_are_taken || input.is_viewer || is_in_dialog(state, input);
     let typing = ctx.text_edit_focused() && state.search.is_none();
     let saves = |command: Command| matches!(command, Command::Save | Command::SaveAs);
     let in_gesture = in_drag || session.is_in_gesture();
@@ -46,7 +49,7 @@ pub(super) fn run_waiting(
             commands::run(command, session, state, aspect)
         });
     }
-    if state.waiting.is_none() && !input.keys_are_taken && !input.is_viewer {
+    if state.waiting.is_none() && !takes_none {
         let meant: &[Command] = if typing || in_popup {
             &MEANT_WHILE_TYPING
         } else {
@@ -115,8 +118,7 @@ pub(super) struct KeyPress {
 /// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
 /// is shown, ends a comparison with a picture,
 /// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
-/// joint, deselects the shape, or, pressed twice, ends the program. While the screenshot dialog is open, no other key
-/// works.
+/// joint, deselects the shape, or, pressed twice, ends the program.
 pub(super) fn press(
     command: Command,
     session: &Session,
@@ -175,7 +177,7 @@ pub(super) fn press(
             return;
         }
     }
-    if state.windows.is_open(windows::Dialog::Screenshot) || !is_there(command, input) {
+    if !is_there(command, input) {
         return;
     }
     // Typed for an axis of a drag that a locked shape has refused.

@@ -178,12 +178,12 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let reorders = shape_list::cancel_drag_by_undo(&ctx, input.keys_are_taken);
     let in_drag = dragging || reorders || state.gesture_under_way();
+    let in_dialog = popups::leave_keys_to_dialog(&ctx, state, input);
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
         || in_drag
         || state.is_beginning()
-        || input.question.is_some()
-        || state.search.is_some()
+        || in_dialog
         || state.keys_were_taken
         || takes_keys(&ctx);
 

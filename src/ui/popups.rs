@@ -1,6 +1,9 @@
-//! Popups: menus, choices from a list, and choices of a color.
+//! Popups: menus, choices from a list, and choices of a color; dialogs that have to be left first.
 
+use super::ViewInput;
+use super::state::UiState;
 use super::widgets::forget_buttons;
+use super::windows::Dialog;
 use egui::{Context, Event, Order, Popup, Pos2, Rect};
 
 /// Closes popups when a button is pressed outside of them, and lets that press do nothing else, as in
@@ -27,6 +30,28 @@ pub(super) fn close_by_press_outside(ctx: &Context, titles: Rect) {
     ctx.stop_dragging();
     forget_buttons(ctx);
     ctx.request_repaint();
+}
+
+/// Whether a dialog of the panels is open that has to be left before anything else is done, and whose the
+/// keyboard is until then.
+pub(super) fn is_in_dialog(state: &UiState, input: &ViewInput) -> bool {
+    input.question.is_some() || state.search.is_some() || state.windows.is_open(Dialog::Screenshot)
+}
+
+/// Takes the keyboard from what lies behind a dialog that was opened, such as a row of a list, which arrow keys
+/// would move on from; returns whether a dialog is open. To be called before the panels, once a frame.
+pub(super) fn leave_keys_to_dialog(ctx: &Context, state: &mut UiState, input: &ViewInput) -> bool {
+    let in_dialog = is_in_dialog(state, input);
+    let opens = in_dialog && !state.was_in_dialog;
+    state.was_in_dialog = in_dialog;
+    if opens {
+        ctx.memory_mut(|memory| {
+            if let Some(behind) = memory.focused() {
+                memory.surrender_focus(behind);
+            }
+        });
+    }
+    in_dialog
 }
 
 /// Whether a popup lies on top at `at`: nothing but popups and dialogs is in the foreground.

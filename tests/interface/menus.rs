@@ -357,6 +357,52 @@ fn esc_closes_the_screenshot_dialog_and_no_other_key_works_below_it() {
     assert!(editor.asked().is_empty());
 }
 
+#[test]
+fn no_key_turns_or_walks_the_camera_behind_a_dialog() {
+    for (navigation, keys) in [
+        (Navigation::Blender, &[Key::Num4, Key::Num8, Key::Num9][..]),
+        (Navigation::Mannequin, &[Key::W, Key::ArrowUp]),
+    ] {
+        let mut editor = Editor::new();
+        let state = &mut editor.harness.state_mut().state;
+        state.set_navigation(navigation);
+        for dialog in ["Screenshot…", "Find Command…"] {
+            editor.choose(&[
+                if dialog == "Screenshot…" {
+                    "File"
+                } else {
+                    "Help"
+                },
+                dialog,
+            ]);
+            let before = editor.session().view().camera;
+            for &key in keys {
+                editor.key(key);
+            }
+            assert_eq!(editor.session().view().camera, before, "{dialog}");
+            editor.key(Key::Escape);
+            editor.key(keys[0]);
+            assert_ne!(editor.session().view().camera, before, "it is closed");
+        }
+    }
+}
+
+#[test]
+fn arrow_keys_move_no_row_behind_a_dialog_and_ctrl_n_begins_no_document_from_its_fields() {
+    let mut editor = Editor::with_figure();
+    editor.click("Neck");
+    let selected = editor.session().selected_joint();
+    assert!(selected.is_some());
+    editor.key(Key::F12);
+    editor.key(Key::ArrowDown);
+    assert_eq!(editor.session().selected_joint(), selected);
+    editor.click("Custom");
+    editor.begin_typing("Picture width", "800");
+    editor.key_with(Modifiers::COMMAND, Key::N);
+    assert!(editor.asked().is_empty());
+    assert!(editor.has("Save…"), "the dialog is still open");
+}
+
 impl Editor {
     /// Whether the item of an open menu can be chosen.
     fn can_choose(&self, item: &str) -> bool {
