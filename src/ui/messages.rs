@@ -67,7 +67,8 @@ fn color(visuals: &Visuals, severity: Severity) -> Color32 {
 }
 
 /// Notices: messages that are not dismissed yet, at the bottom of the view. They fade by
-/// themselves, except while the pointer is over one of them.
+/// themselves, except while the pointer is over one of them. The oldest go when newer ones need their places: shown
+/// later, they would be taken for what has happened just now.
 pub(super) fn notices(
     ui: &mut Ui,
     view: Rect,
@@ -96,6 +97,10 @@ pub(super) fn notices(
             actions.push(Action::View(View::DismissMessage(index)));
         }
         foot.y = rect.top() - 4.0;
+    }
+    for (index, message) in fresh[..first].iter().enumerate().rev() {
+        state.faded += usize::from(message.severity != Severity::Info);
+        actions.push(Action::View(View::DismissMessage(index)));
     }
     state.is_read = is_read;
     if is_read {

@@ -3,7 +3,7 @@
 use crate::interface::Editor;
 use editor_core::editor::View;
 use editor_core::scene::{Camera, Look, Shading, Skinning};
-use editor_core::ui::{Ask, Screenshot, Turntable};
+use editor_core::ui::{Ask, Navigation, Screenshot, Turntable};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::NodeT;
 

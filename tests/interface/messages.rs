@@ -62,20 +62,42 @@ fn a_notice_that_is_dismissed_stays_in_the_messages() {
 }
 
 #[test]
-fn each_message_is_dismissed_by_itself_and_makes_room_for_an_older_one() {
+fn the_newest_three_messages_are_shown_and_no_older_one_takes_the_place_of_one_that_went() {
     let mut editor = Editor::new();
-    for text in ["first", "second", "third", "fourth"] {
+    for text in ["first", "second", "third", "fourth", "fifth"] {
         tell(&mut editor, Severity::Error, text);
     }
-    assert!(!editor.has("first") && editor.has("second"));
-    editor.click("Dismiss: third");
-    for (text, shown) in [
-        ("first", true),
-        ("second", true),
-        ("third", false),
-        ("fourth", true),
-    ] {
-        assert_eq!(editor.has(text), shown, "{text}");
+    let shown = |editor: &Editor| {
+        let all = ["first", "second", "third", "fourth", "fifth"];
+        all.map(|text| editor.has(text))
+    };
+    assert_eq!(shown(&editor), [false, false, true, true, true]);
+    editor.click("Dismiss: fourth");
+    assert_eq!(shown(&editor), [false, false, true, false, true]);
+    editor.harness.hover_at(egui::pos2(300.0, 200.0));
+    wait(&mut editor, 21);
+    assert_eq!(shown(&editor), [false; 5]);
+    editor.click("Show messages");
+    assert_eq!(shown(&editor), [true; 5], "all are in the messages");
+}
+
+#[test]
+fn what_succeeds_after_many_errors_stands_with_the_last_two_and_then_alone() {
+    let mut editor = Editor::new();
+    for file in 1..=6 {
+        tell(
+            &mut editor,
+            Severity::Error,
+            &format!("{file}.obj: no faces"),
+        );
+    }
+    wait(&mut editor, 15);
+    tell(&mut editor, Severity::Info, "Imported cup.obj");
+    assert!(!editor.has("4.obj: no faces") && editor.has("5.obj: no faces"));
+    wait(&mut editor, 4);
+    assert!(editor.has("Imported cup.obj"));
+    for file in 1..=6 {
+        assert!(!editor.has(&format!("{file}.obj: no faces")), "{file}");
     }
 }
 
