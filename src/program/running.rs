@@ -283,6 +283,7 @@ impl Program {
             frames_per_second: self.frame_rate.shown(),
             backend: &self.graphics.description,
             gesture_under_way: self.ui.gesture_under_way(),
+            is_below_dialog: host.is_dialog_open(),
             keys_are_taken: host.is_dialog_open() || pass == Pass::Display,
             compare: compare.as_ref(),
             compare_mesh: compare_mesh.as_ref(),

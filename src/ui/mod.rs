@@ -111,6 +111,8 @@ pub struct ViewInput<'a> {
     /// Whether the program uses the keyboard itself, such as for a file dialog or a gesture that
     /// Esc cancels. The panels then ignore all keys.
     pub keys_are_taken: bool,
+    /// Whether a dialog of the program lies over the panels, such as one for files.
+    pub is_below_dialog: bool,
     /// The comparison under way: its pictures replace the view of the scene.
     pub compare: Option<&'a CompareView<'a>>,
     /// The comparison of a character with a mesh, while there is one.
@@ -178,7 +180,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     let dragging = session.is_in_gesture() && ctx.input(|input| input.pointer.any_down());
     let reorders = shape_list::cancel_drag_by_undo(&ctx, input.keys_are_taken);
     let in_drag = dragging || reorders || state.gesture_under_way();
-    let in_dialog = popups::leave_keys_to_dialog(&ctx, state, input);
+    let in_dialog = popups::leave_to_dialog(&ctx, state, input);
     let mut actions = run_waiting(&ctx, session, state, input, in_drag);
     let keys_taken = input.keys_are_taken
         || in_drag

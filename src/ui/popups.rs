@@ -38,10 +38,17 @@ pub(super) fn is_in_dialog(state: &UiState, input: &ViewInput) -> bool {
     input.question.is_some() || state.search.is_some() || state.windows.is_open(Dialog::Screenshot)
 }
 
-/// Takes the keyboard from what lies behind a dialog that was opened, such as a row of a list, which arrow keys
-/// would move on from; returns whether a dialog is open. To be called before the panels, once a frame.
-pub(super) fn leave_keys_to_dialog(ctx: &Context, state: &mut UiState, input: &ViewInput) -> bool {
+/// Takes the pointer from what lies behind a dialog that was opened, until it moves, and from one of the panels the
+/// keyboard, too: a row of a list would go on by arrow keys. Returns whether a dialog of the panels is open. To be
+/// called before the panels, once a frame.
+pub(super) fn leave_to_dialog(ctx: &Context, state: &mut UiState, input: &ViewInput) -> bool {
     let in_dialog = is_in_dialog(state, input);
+    let lies_below = in_dialog || input.is_below_dialog;
+    if lies_below && !state.was_below_dialog {
+        // egui goes on showing the tooltip of whatever a pointer that rests is over, above all dialogs.
+        forget_buttons(ctx);
+    }
+    state.was_below_dialog = lies_below;
     let opens = in_dialog && !state.was_in_dialog;
     state.was_in_dialog = in_dialog;
     if opens {

@@ -92,8 +92,10 @@ pub struct UiState {
     /// Whether a text field or a popup had the keyboard focus at the end of the last frame. egui
     /// takes it away from them at the start of the frame in which Esc is pressed.
     pub(super) keys_were_taken: bool,
-    /// Whether a dialog that has to be left first was open in the last frame.
+    /// Whether a dialog of the panels that has to be left first was open in the last frame.
     pub(super) was_in_dialog: bool,
+    /// Whether such a dialog, or one of the program, was.
+    pub(super) was_below_dialog: bool,
     /// Time, in seconds of egui's clock, when something was open or under way last that Esc ends.
     pub(super) busy_at: f64,
     /// Time when Esc was pressed last with nothing left to end but the program, by the same clock.
@@ -150,6 +152,7 @@ impl Default for UiState {
             held_point: None,
             keys_were_taken: false,
             was_in_dialog: false,
+            was_below_dialog: false,
             busy_at: f64::NEG_INFINITY,
             escaped_at: None,
             styled: false,

@@ -81,7 +81,8 @@ pub(super) fn select_all(ui: &Ui, id: Id, text: &str) {
     state.store(ui.ctx(), id);
 }
 
-/// Counts the buttons of the mouse as released until they are pressed anew. A press that ends a drag is
+/// Counts the buttons of the mouse as released until they are pressed anew, and the pointer as nowhere until it
+/// moves. A press that ends a drag is
 /// no click on what happens to be under the pointer, and its release, or that of the button that dragged,
 /// is none either.
 pub(super) fn forget_buttons(ctx: &Context) {

@@ -296,6 +296,7 @@ impl Shell {
             backend: "OpenGL 3.3",
             hovered_shape: self.hovered_shape,
             keys_are_taken: self.keys_are_taken,
+            is_below_dialog: self.keys_are_taken,
             is_page: self.is_page,
             ..ViewInput::default()
         };

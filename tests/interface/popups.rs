@@ -2,7 +2,7 @@
 
 use crate::interface::Editor;
 use editor_core::scene::Camera;
-use egui::{Pos2, pos2};
+use egui::{Key, Pos2, pos2};
 
 /// A place in the view that no menu covers.
 const IN_VIEW: Pos2 = pos2(480.0, 520.0);
@@ -92,4 +92,34 @@ fn the_title_of_another_menu_opens_it_by_one_touch_and_its_own_closes_it() {
     assert!(editor.has("Select All") && !editor.has("Save As…"));
     editor.press_and_release_at(edit);
     assert!(!editor.has("Select All"));
+}
+
+#[test]
+fn a_dialog_is_not_covered_by_the_tooltip_of_what_the_pointer_rests_on() {
+    let drag_and_rest = |editor: &mut Editor| {
+        editor.drag("Neck X", 10.0);
+        let at = editor.widget("Neck X").rect().center();
+        editor.harness.hover_at(at);
+        editor.wait();
+        editor.painted().iter().any(|(text, _)| is_tip(text))
+    };
+    let mut editor = Editor::with_figure();
+    assert!(drag_and_rest(&mut editor), "there is a tooltip");
+    editor.key(Key::F12);
+    assert!(editor.has("Save…"), "the dialog is open");
+    editor.wait();
+    assert!(!editor.painted().iter().any(|(text, _)| is_tip(text)));
+    editor.key(Key::Escape);
+
+    // A dialog of the program, such as the one for files.
+    let mut editor = Editor::with_figure();
+    assert!(drag_and_rest(&mut editor), "there is a tooltip");
+    editor.harness.state_mut().keys_are_taken = true;
+    editor.wait();
+    assert!(!editor.painted().iter().any(|(text, _)| is_tip(text)));
+}
+
+/// Whether a text is that of the tooltip of a number.
+fn is_tip(text: &str) -> bool {
+    text.contains("click to type")
 }
