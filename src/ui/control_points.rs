@@ -4,6 +4,7 @@ use super::Action;
 use super::curve_panel::CurveState;
 use super::grab::{Follow, Grab, PointerUse};
 use super::number_field::NumberField;
+use super::pointing::Pointing;
 use super::scene_places::{Place, ScenePlaces};
 use super::theme::Palette;
 use super::widgets::named;
@@ -153,12 +154,10 @@ fn coordinates(
 
 /// Why a control point cannot be removed.
 fn why_it_stays(curve: &Curve, point: usize) -> &'static str {
-    match curve.form() {
-        CurveForm::Spline {
-            basis: Basis::Bezier,
-            ..
-        } if !point.is_multiple_of(3) => "A handle goes with the point on the curve beside it",
-        _ => "This is the last piece",
+    if is_handle(curve, point) {
+        "A handle goes with the point on the curve beside it"
+    } else {
+        "This is the last piece"
     }
 }
 
@@ -223,6 +222,35 @@ pub(super) fn put_back(session: &Session, state: &mut CurveState, actions: &mut 
     mark(session, None, actions);
 }
 
+/// Name of the control point under the pointer, and what can be done with it, for the status line.
+pub(super) fn status(session: &Session, pointing: Pointing) -> Option<(String, &'static str)> {
+    let (index, point) = session.hovered_control_point()?;
+    let shape = session.scene().curve(session.selected()?)?;
+    let item = shape.curves().items().get(index)?;
+    let curve = shape.curves().curve(index)?;
+    let with_mouse = if curve.can_lose_point(point) {
+        "Drag to move it · click it, and Delete removes it"
+    } else if is_handle(curve, point) {
+        "Drag to move it · it is deleted with the point on the curve beside it"
+    } else {
+        "Drag to move it · the curve has as few points as its kind needs"
+    };
+    let name = format!("{}, control point {}", item.name, point + 1);
+    Some((name, pointing.words(with_mouse, "Drag to move it")))
+}
+
+/// Whether a control point is a handle beside one that is on a Bézier curve.
+fn is_handle(curve: &Curve, point: usize) -> bool {
+    let is_bezier = matches!(
+        curve.form(),
+        CurveForm::Spline {
+            basis: Basis::Bezier,
+            ..
+        }
+    );
+    is_bezier && !point.is_multiple_of(3)
+}
+
 /// Deletes the control point that was clicked last, or tells why it has to stay; `None` if none was,
 /// or it does not exist any more.
 pub(super) fn delete_clicked(
@@ -244,17 +272,11 @@ pub(super) fn delete_clicked(
 
 /// Why Delete leaves a control point, as a sentence.
 fn why_it_stays_in_words(curve: &Curve, point: usize) -> &'static str {
-    match curve.form() {
-        CurveForm::Spline {
-            basis: Basis::Bezier,
-            ..
-        } if !point.is_multiple_of(3) => {
-            "A handle is not deleted by itself: it goes with the point on the curve beside it"
-        }
-        _ => {
-            "This point stays: its curve has as few points as its kind needs. To delete all of the \
-             shape, use Delete in the panel"
-        }
+    if is_handle(curve, point) {
+        "A handle is not deleted by itself: it goes with the point on the curve beside it"
+    } else {
+        "This point stays: its curve has as few points as its kind needs. To delete all of the shape, use Delete in \
+         the panel"
     }
 }
 

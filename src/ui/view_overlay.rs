@@ -223,11 +223,7 @@ fn status(
     if let Some(next) = state.box_select.status(pointing) {
         return (None, next.into());
     }
-    if let Some(point) = hovered_control_point(session) {
-        let next = pointing.words(
-            "Drag to move it · click it, and Delete removes it",
-            "Drag to move it",
-        );
+    if let Some((point, next)) = control_points::status(session, pointing) {
         return (Some(point), next.into());
     }
     if let Some((over, next)) = posing::status(session, &state.pose, pointing) {
@@ -260,11 +256,4 @@ fn hovered_joint(session: &Session) -> Option<String> {
     let character = session.scene().character(session.selected()?)?;
     let joints = character.character.skeleton().joints();
     joints.get(joint).map(|joint| joint.name.clone())
-}
-
-fn hovered_control_point(session: &Session) -> Option<String> {
-    let (curve, point) = session.hovered_control_point()?;
-    let shape = session.scene().curve(session.selected()?)?;
-    let item = shape.curves().items().get(curve)?;
-    Some(format!("{}, control point {}", item.name, point + 1))
 }

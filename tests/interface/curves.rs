@@ -382,6 +382,38 @@ fn esc_or_a_right_click_puts_the_curve_back_and_ends_the_gesture() {
 }
 
 #[test]
+fn the_status_line_promises_delete_only_for_points_that_it_deletes() {
+    let mut editor = with_curve("Bézier Curve");
+    editor.harness.state_mut().gestures = true;
+    let over = |editor: &mut Editor, point: usize| {
+        let at = place(editor, point);
+        editor.point(at);
+        let texts = editor.painted().into_iter().map(|(text, _)| text);
+        let mut hints = texts.filter(|text| text.starts_with("Drag to move it"));
+        hints.next().unwrap_or_default()
+    };
+    assert!(over(&mut editor, 0).contains("as few points"), "one piece");
+    editor.click("Add behind 1. curve point 4");
+    for (point, says) in [
+        (0, "Delete removes it"),
+        (1, "deleted with the point on the curve beside it"),
+        (3, "Delete removes it"),
+    ] {
+        let hint = over(&mut editor, point);
+        assert!(hint.contains(says), "{point}: {hint}");
+        editor.press(place(&editor, point));
+        editor.release(place(&editor, point));
+        let before = points(&editor).len();
+        editor.key(Key::Delete);
+        let deletes = points(&editor).len() < before;
+        assert_eq!(deletes, says.starts_with("Delete"), "{point}");
+        if deletes {
+            editor.key_with(Modifiers::COMMAND, Key::Z);
+        }
+    }
+}
+
+#[test]
 fn the_point_under_the_pointer_is_marked_and_named_in_the_view_and_in_the_panel() {
     let mut editor = with_curve("Bézier Curve");
     editor.harness.state_mut().gestures = true;
