@@ -1,7 +1,7 @@
 //! Help ▸ Find Command: every command by its name, with its key.
 
 use super::commands::{
-    COMMANDS, Command, Entry, full_label, full_tooltip, in_words, meant, run, why_disabled,
+    COMMANDS, Command, Entry, full_label, full_tooltip, in_words, key_now, run, why_disabled,
 };
 use super::elsewhere::elsewhere;
 use super::key_commands::is_there;
@@ -110,11 +110,10 @@ fn contents(
         for (row, entry) in found.iter().enumerate() {
             let why = why_disabled(entry.command, session, state);
             let name = name(entry, session, state);
-            // A key that does something else at the moment would mislead.
-            let is_meant = meant(entry.command, session, state.pose.tool) == entry.command;
-            let key = is_meant.then(|| entry.first_key(ui.ctx(), state.navigation));
+            let (navigation, tool) = (state.navigation, state.pose.tool);
+            let key = key_now(ui.ctx(), navigation, (entry, entry.command), session, tool);
             let button = Button::selectable(row == search.row, &name)
-                .shortcut_text(key.unwrap_or_default())
+                .shortcut_text(key)
                 .min_size(vec2(ui.available_width(), 0.0));
             let item = named(ui.add_enabled(why.is_none(), button), &name);
             tip_beside(&item, full_tooltip(entry, session, state), why);

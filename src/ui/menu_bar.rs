@@ -280,7 +280,9 @@ impl Items<'_> {
         let entry = commands::entry_of(meant)
             .filter(|_| replaces)
             .unwrap_or(row);
-        let key = (entry.command == meant).then(|| row.first_key(ui.ctx(), self.state.navigation));
+        let (navigation, tool) = (self.state.navigation, self.state.pose.tool);
+        let row = (row, entry.command);
+        let key = commands::key_now(ui.ctx(), navigation, row, self.session, tool);
         let why = why_disabled(entry.command, self.session, self.state);
         let on = is_on(entry.command, self.session, self.state);
         let mark = match on {
@@ -300,7 +302,7 @@ impl Items<'_> {
             command => full_label(command, self.session, self.state),
         };
         let button = Button::new(mark)
-            .shortcut_text(key.unwrap_or_default())
+            .shortcut_text(key)
             .wrap_mode(egui::TextWrapMode::Extend);
         let item = named(ui.add_enabled(why.is_none(), button), &name);
         if let Some(on) = on {

@@ -5,7 +5,7 @@ use editor_core::editor::{Edit, View};
 use editor_core::math::{Euler, Transform};
 use editor_core::scene::{Camera, Look};
 use editor_core::ui::Navigation;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
 
 const ALT: Modifiers = Modifiers::ALT;
@@ -82,6 +82,39 @@ fn with_a_joint_at_hand_alt_r_puts_that_back_to_rest_and_the_menu_still_turns_th
     assert_eq!(editor.place_of(0), elsewhere());
     editor.choose(&["Edit", "Reset Transform", "Reset Rotation"]);
     assert_eq!(editor.place_of(0).rotation, Euler::default());
+}
+
+#[test]
+fn menus_and_the_search_show_the_keys_of_blender_where_there_are_some() {
+    let mut editor = in_blender(Editor::sized(vec2(900.0, 1400.0)));
+    editor.add_character(super::figure::figure());
+    let is_shown = |editor: &Editor, key: &str| {
+        let painted = editor.painted();
+        painted.iter().any(|(text, _)| text == key)
+    };
+    editor.click("Edit");
+    for key in ["Shift+D", "X"] {
+        assert!(is_shown(&editor, key), "{key}");
+    }
+    assert!(!is_shown(&editor, "Ctrl+D"));
+    editor.key(Key::Escape);
+    editor.click("Help");
+    assert!(is_shown(&editor, "F3"));
+    editor.key(Key::Escape);
+    editor.click("File");
+    assert!(is_shown(&editor, "Ctrl+Q"));
+    editor.key(Key::Escape);
+
+    editor.click("Pose Tool");
+    editor.type_into("Neck X", "10");
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.click("Pose");
+    assert!(is_shown(&editor, "Alt+R"), "it puts the joint back to rest");
+    editor.key(Key::Escape);
+    editor.key(Key::F3);
+    editor.harness.event(egui::Event::Text("duplicate".into()));
+    editor.settle();
+    assert!(is_shown(&editor, "Shift+D"));
 }
 
 #[test]

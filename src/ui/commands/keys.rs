@@ -87,7 +87,7 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
 ];
 
 impl Entry {
-    /// Shortcuts in a navigation, whose own take precedence over the general ones.
+    /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.
     fn shortcuts_in(
         &self,
         navigation: Navigation,
@@ -105,10 +105,11 @@ impl Entry {
             }
         };
         let added = added(navigation).filter(|(command, _)| *command == self.command);
-        self.shortcuts
+        let general = self
+            .shortcuts
             .iter()
-            .filter(move |shortcut| !is_overridden(shortcut) && !walks(shortcut))
-            .chain(added.map(|(_, shortcut)| shortcut))
+            .filter(move |shortcut| !is_overridden(shortcut) && !walks(shortcut));
+        added.map(|(_, shortcut)| shortcut).chain(general)
     }
 
     /// The shortcuts of [`Entry::shortcuts_in`] that are told. Where Esc never quits, it is no key
@@ -129,8 +130,8 @@ impl Entry {
         keys.join(", ")
     }
 
-    /// The first shortcut as text, for a menu; empty if it has none.
-    pub(in crate::ui) fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
+    /// The first shortcut as text; empty if it has none.
+    fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
         self.told_in(navigation)
             .next()
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
@@ -146,6 +147,23 @@ impl Entry {
     }
 }
 
+/// The key in the row `row` of a menu that does `command` at the moment, as text: the first of the row itself
+/// unless that means something else now, or that of another command which now means this one; empty if there is
+/// none.
+pub(in crate::ui) fn key_now(
+    ctx: &Context,
+    navigation: Navigation,
+    (row, command): (&Entry, Command),
+    session: &Session,
+    tool: Tool,
+) -> String {
+    // From the last, so that Alt+R comes before Delete, both of which may put a joint back to rest.
+    let rows = std::iter::once(row).chain(COMMANDS.iter().rev());
+    let meaning_it = rows.filter(|row| meant(row.command, session, tool) == command);
+    let mut keys = meaning_it.map(|row| row.first_key(ctx, navigation));
+    keys.find(|key| !key.is_empty()).unwrap_or_default()
+}
+
 /// Shortcuts that `navigation` adds, with their commands.
 fn added(navigation: Navigation) -> impl Iterator<Item = (Command, &'static KeyboardShortcut)> {
     let all = AS_IN_BLENDER.iter();
@@ -153,12 +171,13 @@ fn added(navigation: Navigation) -> impl Iterator<Item = (Command, &'static Keyb
         .map(|(command, shortcut)| (*command, shortcut))
 }
 
-/// Key names as keyboards have them: `Esc`, `?`, `,`.
+/// Key names as keyboards have them: `Esc`, `?`, `,`, `.`.
 fn short(shortcut: &str) -> String {
     shortcut
         .replace("Escape", "Esc")
         .replace("Questionmark", "?")
         .replace("Comma", ",")
+        .replace("Period", ".")
 }
 
 /// Remembers the navigation, whose shortcuts tooltips show.
@@ -332,6 +351,22 @@ mod tests {
             remember_navigation(&ctx, navigation);
             let tooltip = tooltip(&ctx, Command::SetTool(Tool::Move));
             assert!(tooltip.ends_with(key), "{tooltip}");
+        }
+    }
+
+    #[test]
+    fn the_key_that_a_menu_shows_is_the_one_of_the_navigation_and_that_of_quit_always_works() {
+        let ctx = Context::default();
+        for (command, course, blender) in [
+            (Command::Duplicate, "Ctrl+D", "Shift+D"),
+            (Command::Delete, "Delete", "X"),
+            (Command::FindCommand, "Ctrl+Shift+P", "F3"),
+            (Command::Fit, "F", "."),
+            (Command::Quit, "Ctrl+Q", "Ctrl+Q"),
+        ] {
+            let entry = entry_of(command).unwrap();
+            assert_eq!(entry.first_key(&ctx, Navigation::Course), course);
+            assert_eq!(entry.first_key(&ctx, Navigation::Blender), blender);
         }
     }
 

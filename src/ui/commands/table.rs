@@ -174,7 +174,7 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-5"), Menu::Scenes, "Mannequin 5: Humanoid", "A man with all his fingers", &[key(NONE, Key::Num5)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-6"), Menu::Scenes, "Mannequin 6: Face", "A head with jaw, eyes and brows", &[key(NONE, Key::Num6)])),
     only_in(Navigation::Mannequin, entry(Command::OpenScene("mannequin-7"), Menu::Scenes, "Mannequin 7: Creature", "A body and two hands that nothing joins", &[key(NONE, Key::Num7)])),
-    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else give up an import or other work that shows its progress, else end a comparison, else deselect the joint or the shape, else, pressed twice, end the program; Ctrl+Q ends it at once", &[key(NONE, Key::Escape), key(CTRL, Key::Q)]).also("exit close"),
+    entry(Command::Quit, Menu::File, "Quit", "Close an open dialog, else give up an import or other work that shows its progress, else end a comparison, else deselect the joint or the shape, else, pressed twice, end the program; Ctrl+Q ends it at once", &[key(CTRL, Key::Q), key(NONE, Key::Escape)]).also("exit close"),
 
     entry(Command::Undo, Menu::Edit, "Undo", "Take back the last step; in the middle of a drag, all of the drag", &[key(CTRL, Key::Z)]).also("back"),
     entry(Command::Redo, Menu::Edit, "Redo", "Do the step again that was taken back last", &[key(CTRL.plus(SHIFT), Key::Z), key(CTRL, Key::Y)]).also("again repeat forward"),
