@@ -1,5 +1,6 @@
 //! The first help: what newcomers do first.
 
+use super::Navigation;
 use super::pointing::Pointing;
 use super::posing::BAR_HEIGHT;
 use super::state::UiState;
@@ -75,14 +76,15 @@ fn first_steps(
 ) -> Vec<(&'static str, &'static str)> {
     let mut lines = vec![("Look around", state.navigation.summary(pointing))];
     let shapes = session.scene().shapes();
+    let with_keys = match state.navigation {
+        Navigation::Blender => "press J and drag a bone, or drag a number at the right",
+        _ => "press B and drag a bone, or drag a number at the right",
+    };
     lines.push(match state.pose.tool {
         Tool::Pose => ("Pose", "drag a bone, or a number at the right"),
         _ => (
             "Pose",
-            pointing.words(
-                "press B and drag a bone, or drag a number at the right",
-                "tap Pose and drag a bone, or drag a number",
-            ),
+            pointing.words(with_keys, "tap Pose and drag a bone, or drag a number"),
         ),
     });
     if shapes

@@ -118,6 +118,27 @@ fn menus_and_the_search_show_the_keys_of_blender_where_there_are_some() {
 }
 
 #[test]
+fn b_selects_in_a_box_and_j_poses_and_tab_still_goes_to_the_panels() {
+    let mut editor = in_blender(Editor::with_figure());
+    editor.key(Key::B);
+    assert!(editor.has("Drag a box · Shift adds · Ctrl takes out · Esc cancels"));
+    editor.key(Key::Escape);
+    let has_pose_tool = |editor: &Editor| {
+        let tool = editor.widget("Pose Tool");
+        tool.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+    };
+    for (modifiers, key) in [(Modifiers::NONE, Key::J), (Modifiers::COMMAND, Key::Tab)] {
+        editor.key(Key::V);
+        assert!(!has_pose_tool(&editor));
+        editor.key_with(modifiers, key);
+        assert!(has_pose_tool(&editor), "{key:?}");
+    }
+    editor.key(Key::Tab);
+    let focused = editor.harness.ctx.memory(|memory| memory.focused());
+    assert!(focused.is_some());
+}
+
+#[test]
 fn the_keys_around_5_turn_the_camera_by_15_degrees_to_the_side_they_lie_on() {
     let mut editor = in_blender(Editor::new());
     let right = editor.session().view().camera.right();

@@ -80,6 +80,12 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::FindCommand, KeyboardShortcut::new(NONE, Key::F3)),
     (Command::FitAll, KeyboardShortcut::new(NONE, Key::Home)),
     (Command::Fit, KeyboardShortcut::new(NONE, Key::Period)),
+    (Command::BoxSelect, KeyboardShortcut::new(NONE, Key::B)),
+    // In place of B, as Ctrl+Tab is the browser's on a page. Tab alone, Blender's, goes from field to field.
+    (
+        Command::SetTool(Tool::Pose),
+        KeyboardShortcut::new(NONE, Key::J),
+    ),
     (
         Command::SetTool(Tool::Pose),
         KeyboardShortcut::new(CTRL, Key::Tab),
@@ -336,7 +342,12 @@ mod tests {
         assert_eq!(command(NONE, Key::Home), Some(Command::FitAll));
         assert_eq!(command(NONE, Key::Period), Some(Command::Fit));
         assert_eq!(command(NONE, Key::F3), Some(Command::FindCommand));
-        assert_eq!(command(CTRL, Key::Tab), Some(Command::SetTool(Tool::Pose)));
+        assert_eq!(command(NONE, Key::B), Some(Command::BoxSelect));
+        let poses = Some(Command::SetTool(Tool::Pose));
+        assert_eq!(command(CTRL, Key::Tab), poses);
+        assert_eq!(command(NONE, Key::J), poses);
+        assert_eq!(command_of(NONE, Key::B, Navigation::Orbit), poses);
+        assert_eq!(command_of(NONE, Key::J, Navigation::Orbit), None);
         assert_eq!(command_of(NONE, Key::X, Navigation::Course), None);
         let quit = entry_of(Command::Quit).unwrap();
         let keys = |navigation| quit.keys(&Context::default(), navigation);
