@@ -1,5 +1,6 @@
 //! The actions of panels, menus, keys and gestures, carried out.
 
+use super::clipboard::Sides;
 use super::document::Next;
 use super::files::file_stem;
 use super::running::Program;
@@ -164,10 +165,7 @@ impl Program {
             Ask::Answer(answer) => self.take_answer(answer, host),
             Ask::CopyShapes => drop(self.copy_shapes(host)),
             Ask::CutShapes => self.cut_shapes(host),
-            Ask::Paste => {
-                self.paste_into = Some((self.session.opened(), self.session.selected()));
-                host.request_paste();
-            }
+            Ask::Paste => self.ask_for_clipboard(self.session.selected(), Sides::AsTheyAre, host),
             Ask::CopyPose(shape) => {
                 if let Some(text) = self.pose_text(shape, None) {
                     host.copy_text(text);
@@ -178,8 +176,10 @@ impl Program {
                 }
             }
             Ask::PastePose(shape) => {
-                self.paste_into = Some((self.session.opened(), Some(shape)));
-                host.request_paste();
+                self.ask_for_clipboard(Some(shape), Sides::AsTheyAre, host);
+            }
+            Ask::PastePoseMirrored(shape) => {
+                self.ask_for_clipboard(Some(shape), Sides::Exchanged, host);
             }
             Ask::Compare(action) => self.compare(action, host),
             Ask::CompareMesh(action) => self.compare_mesh(action, host),

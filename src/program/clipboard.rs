@@ -9,13 +9,48 @@ use super::reading::Use;
 use super::running::Program;
 use crate::editor::{Edit, Severity, for_all_selected, scene_of_selected, set_apart};
 use crate::io::{self, Loaded, Missing, PoseFile, ReadJob, Wanted};
+use crate::revision::Revision;
+use crate::scene::ShapeId;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Name under which the text on the clipboard is read as a scene.
 const AS_SCENE: &str = "clipboard.scene";
 
+/// What gets what is on the clipboard.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PasteInto {
+    /// The document.
+    opened: Revision,
+    /// The character that a pose would be for.
+    shape: Option<ShapeId>,
+    sides: Sides,
+}
+
+/// What is left and right in a pose that a character gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sides {
+    AsTheyAre,
+    Exchanged,
+}
+
 impl Program {
+    /// Asks the host for what is on the clipboard, of which a pose is for the character `shape`.
+    pub(super) fn ask_for_clipboard(
+        &mut self,
+        shape: Option<ShapeId>,
+        sides: Sides,
+        host: &mut dyn Host,
+    ) {
+        let opened = self.session.opened();
+        self.paste_into = Some(PasteInto {
+            opened,
+            shape,
+            sides,
+        });
+        host.request_paste();
+    }
+
     /// Puts the selected shapes on the clipboard; whether that was possible.
     pub(super) fn copy_shapes(&mut self, host: &mut dyn Host) -> bool {
         let scene = scene_of_selected(&self.session);
@@ -49,9 +84,14 @@ impl Program {
 
     /// Adds the shapes that were asked for from the clipboard, or gives the pose to its character.
     pub(super) fn paste(&mut self, text: &str, host: &mut dyn Host) {
-        let Some((opened, shape)) = self.paste_into.take() else {
+        let Some(into) = self.paste_into.take() else {
             return;
         };
+        let PasteInto {
+            opened,
+            shape,
+            sides,
+        } = into;
         if self.is_from_another_scene(opened) {
             return;
         }
@@ -65,7 +105,7 @@ impl Program {
             _ if is_scene => return self.paste_shapes(text, host),
             // What begins like this is meant to be a pose, whose fault is worth telling.
             Some(shape) if text.trim_start().starts_with('{') => {
-                return self.take_pose(shape, path, text.as_bytes());
+                return self.take_pose(shape, path, text.as_bytes(), sides);
             }
             None if PoseFile::read(path, text.as_bytes()).is_ok() => {
                 "There is a pose on the clipboard, no shape: select the character that takes it"

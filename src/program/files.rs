@@ -1,11 +1,12 @@
 //! What the program does with files: opening, importing, posing, comparing, exporting, saving.
 
 use super::awaited::Awaited;
+use super::clipboard::Sides;
 use super::document_file::DocumentFile;
 use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous};
-use crate::character::Pose;
+use crate::character::{Mirror, Pose};
 use crate::editor::{Edit, Severity, View};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
@@ -179,12 +180,12 @@ impl Program {
 
     pub(super) fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         match files.read(path) {
-            Ok(bytes) => self.take_pose(shape, path, &bytes),
+            Ok(bytes) => self.take_pose(shape, path, &bytes, Sides::AsTheyAre),
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }
 
-    pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8]) {
+    pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], sides: Sides) {
         let Some(character) = self.session.scene().character(shape) else {
             let text = format!("{}: there is no character any more to pose", path.display());
             return self.tell(Severity::Error, text);
@@ -207,6 +208,10 @@ impl Program {
         }
         match file.what_fits(skeleton) {
             Ok((pose, missing)) => {
+                let pose = match sides {
+                    Sides::AsTheyAre => pose,
+                    Sides::Exchanged => Mirror::new(skeleton).pose(&pose),
+                };
                 if !missing.is_empty() {
                     let text = without(path, &missing);
                     self.tell(Severity::Warning, text);

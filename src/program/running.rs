@@ -1,5 +1,6 @@
 use super::autosave::Autosave;
 use super::awaited::Awaited;
+use super::clipboard::PasteInto;
 use super::comparison::Comparison;
 use super::document_file::DocumentFile;
 use super::frame::Pass;
@@ -76,9 +77,8 @@ pub struct Program {
     pub(super) encoding: usize,
     /// Whether the program ends as soon as all pictures are written.
     pub(super) quitting: bool,
-    /// The document that gets what is on the clipboard, once its text is there, and the character
-    /// that a pose would be for.
-    pub(super) paste_into: Option<(Revision, Option<ShapeId>)>,
+    /// What gets what is on the clipboard, once its text is there.
+    pub(super) paste_into: Option<PasteInto>,
     /// The shape under the pointer when the last frame was drawn.
     pub(super) hovered_shape: Option<ShapeId>,
     pub(super) frame_rate: FrameRate,

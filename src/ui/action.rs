@@ -97,6 +97,8 @@ pub enum Ask {
     CopyPose(ShapeId),
     /// Apply the pose on the clipboard to a character.
     PastePose(ShapeId),
+    /// Apply the pose on the clipboard to a character, with left and right exchanged.
+    PastePoseMirrored(ShapeId),
     /// Choose a file, and write the pose of a character to it as `POSE.json`; with an index, that
     /// pose of its list.
     SavePose(ShapeId, Option<usize>),

@@ -6,6 +6,7 @@ use editor_core::math::{Euler, Transform};
 use editor_core::scene::{Camera, Look};
 use editor_core::ui::Navigation;
 use egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::NodeT;
 use glam::Vec3;
 
 const ALT: Modifiers = Modifiers::ALT;

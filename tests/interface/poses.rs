@@ -53,6 +53,11 @@ fn copy_and_paste_ask_for_the_clipboard() {
     editor.settle();
     editor.harness.event(Event::Paste("{}".into()));
     editor.settle();
+    let pasted = Event::Paste("{}".into());
+    let with_shift = Modifiers::COMMAND | Modifiers::SHIFT;
+    editor.harness.event_modifiers(pasted, with_shift);
+    editor.settle();
+    editor.choose(&["Pose", "Paste Pose Mirrored"]);
     // With the Pose tool, the same keys are about the pose.
     editor.key(Key::B);
     editor.harness.event(Event::Copy);
@@ -62,6 +67,8 @@ fn copy_and_paste_ask_for_the_clipboard() {
         Ask::PastePose(id),
         Ask::CopyShapes,
         Ask::Paste,
+        Ask::PastePoseMirrored(id),
+        Ask::PastePoseMirrored(id),
         Ask::CopyPose(id),
     ];
     assert_eq!(editor.asked(), asked);

@@ -290,6 +290,26 @@ fn a_clipboard_with_nothing_but_white_space_has_no_pose() {
 }
 
 #[test]
+fn a_pose_that_is_pasted_mirrored_is_the_mirrored_pose_and_one_step() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let (id, steps) = (story.shape().id, story.session().steps().len());
+    story.host.clipboard = r#"{"joints": {"Elbow": [10, 20, 50]}}"#.into();
+    let mut paste = |ask| {
+        story
+            .program
+            .carry_out(vec![Action::Ask(ask)], &mut story.host);
+        story.settle();
+        (story.degrees("Elbow"), story.session().steps().len())
+    };
+    let (mirrored, steps_after) = paste(Ask::PastePoseMirrored(id));
+    let (plain, _) = paste(Ask::PastePose(id));
+    assert_ne!(plain, mirrored);
+    story.key(Key::M);
+    assert_eq!(story.degrees("Elbow"), mirrored);
+    assert_eq!(steps_after, steps + 1);
+}
+
+#[test]
 fn the_pose_of_another_character_on_the_clipboard_is_refused_in_plain_words() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.host.clipboard = r#"{"joints": {"Left wing": [0, 0, 50]}}"#.into();

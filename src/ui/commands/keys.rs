@@ -221,6 +221,7 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         let held = input.pointer.any_down();
+        let Modifiers { command, shift, .. } = input.modifiers;
         input.events.retain(|event| {
             let (modifiers, key) = match event {
                 Event::Key {
@@ -232,6 +233,7 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
                 // egui reports these shortcuts as what they mean.
                 Event::Copy => (CTRL, Key::C),
                 Event::Cut => (CTRL, Key::X),
+                Event::Paste(_) if command && shift => (CTRL.plus(SHIFT), Key::V),
                 Event::Paste(_) => (CTRL, Key::V),
                 _ => return true,
             };

@@ -168,6 +168,8 @@ pub enum Command {
     CopyPose,
     /// Applies the pose on the clipboard to the selected character.
     PastePose,
+    /// Applies the pose on the clipboard to the selected character, with left and right exchanged.
+    PastePoseMirrored,
     /// Adds the pose to the list of the selected character.
     KeepPose,
     /// Saves the pose of the selected character.

@@ -105,6 +105,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         | Command::MirrorPose
         | Command::CopyPose
         | Command::PastePose
+        | Command::PastePoseMirrored
         | Command::KeepPose
         | Command::SavePose
         | Command::LoadPose => return pose_action(command, session),
@@ -374,6 +375,7 @@ fn pose_action(command: Command, session: &Session) -> Option<Action> {
         },
         Command::CopyPose => return Some(Action::Ask(Ask::CopyPose(shape))),
         Command::PastePose => return Some(Action::Ask(Ask::PastePose(shape))),
+        Command::PastePoseMirrored => return Some(Action::Ask(Ask::PastePoseMirrored(shape))),
         Command::SavePose => return Some(Action::Ask(Ask::SavePose(shape, None))),
         Command::LoadPose => return Some(Action::Ask(Ask::LoadPose(shape))),
         _ => return None,

@@ -273,6 +273,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::MirrorPose, Menu::Pose, "Mirror Pose", "Exchange left and right, which are found by the joints' names or else by their places", &[key(NONE, Key::M)]).also("flip symmetry symmetric reflect swap"),
     entry(Command::CopyPose, Menu::Pose, "Copy Pose", "Put the pose on the clipboard, as the text of a pose file", &[key(CTRL.plus(Modifiers::ALT), Key::C)]),
     entry(Command::PastePose, Menu::Pose, "Paste Pose", "Apply the pose on the clipboard", &[key(CTRL.plus(Modifiers::ALT), Key::V)]),
+    entry(Command::PastePoseMirrored, Menu::Pose, "Paste Pose Mirrored", "Apply the pose on the clipboard with left and right exchanged", &[key(CTRL.plus(SHIFT), Key::V)]).also("flip flipped symmetry reflect swap"),
     entry(Command::KeepPose, Menu::Pose, "Keep Pose", "Keep the pose in the character's list of poses", &[key(CTRL, Key::K)]).also("save store remember"),
     entry(Command::SavePose, Menu::Pose, "Save Pose…", "Write the pose as a .json file", &[key(CTRL, Key::P)]).also("export store"),
     entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(Modifiers::ALT), Key::P)]).also("open import"),
