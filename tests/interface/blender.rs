@@ -140,6 +140,49 @@ fn b_selects_in_a_box_and_j_poses_and_tab_still_goes_to_the_panels() {
 }
 
 #[test]
+fn with_a_bone_at_hand_g_moves_its_root_alone_and_no_key_the_whole_character() {
+    const ROOT: usize = 0;
+    let mut editor = in_blender(Editor::with_figure());
+    editor.harness.state_mut().gestures = true;
+    editor.click("Pose Tool");
+    let drag_by_key = |editor: &mut Editor, joint: usize, key: Key| {
+        editor.view(View::SelectJoint(Some(joint)));
+        let from = editor.harness.state().view.center();
+        editor.harness.hover_at(from);
+        editor.settle();
+        editor.key(key);
+        editor.harness.hover_at(from + vec2(40.0, 20.0));
+        editor.settle();
+        editor.key(Key::Enter);
+    };
+    for (key, told) in [
+        (Key::G, "Only the root moves"),
+        (Key::S, "A bone only turns"),
+    ] {
+        drag_by_key(&mut editor, NECK, key);
+        let last = editor.last_told().unwrap_or_default();
+        assert!(last.starts_with(told), "{last}");
+    }
+    assert!(editor.character().pose().is_bind());
+    drag_by_key(&mut editor, ROOT, Key::G);
+    assert_ne!(editor.character().pose().root_offset(ROOT), Vec3::ZERO);
+    assert_eq!(editor.place_of(0), Transform::default());
+    drag_by_key(&mut editor, NECK, Key::R);
+    assert_ne!(editor.joint(NECK), Vec3::ZERO);
+
+    editor.view(View::SelectJoint(None));
+    let before = editor.place_of(0);
+    let from = editor.harness.state().view.center();
+    editor.harness.hover_at(from);
+    editor.settle();
+    editor.key(Key::G);
+    editor.harness.hover_at(from + vec2(40.0, 20.0));
+    editor.settle();
+    editor.key(Key::Enter);
+    assert_ne!(editor.place_of(0), before, "without a joint, the character");
+}
+
+#[test]
 fn the_keys_around_5_turn_the_camera_by_15_degrees_to_the_side_they_lie_on() {
     let mut editor = in_blender(Editor::new());
     let right = editor.session().view().camera.right();

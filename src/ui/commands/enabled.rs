@@ -5,7 +5,7 @@ use super::run::{character_to_compare, curves, hidden, selected_character, selec
 use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};
-use crate::editor::Session;
+use crate::editor::{Session, Tool, root_of};
 use crate::scene::{Look, Shape, ShapeKind};
 use crate::ui::state::UiState;
 use crate::ui::{control_points, posing};
@@ -57,7 +57,7 @@ pub(in crate::ui) fn why_disabled(
         Command::ResetPosition | Command::ResetRotation | Command::ResetScale => {
             why_nothing_back(command, session)
         }
-        Command::Begin(_) => why_nothing_begins(session),
+        Command::Begin(does) => why_nothing_begins(does, session, state.pose.tool),
         Command::SelectAll
         | Command::BoxSelect
         | Command::ExportGeometry
@@ -105,14 +105,28 @@ fn has_files(session: &Session) -> bool {
     session.scene().shapes().iter().any(needs)
 }
 
-/// Why nothing can be done to the selection with the pointer.
-fn why_nothing_begins(session: &Session) -> Option<&'static str> {
+/// Why nothing can be done to the selection with the pointer. With a tool that poses and a bone at hand, all
+/// of the character would move in place of it.
+fn why_nothing_begins(does: Tool, session: &Session, tool: Tool) -> Option<&'static str> {
     let Some(id) = session.selected() else {
         return Some("No shape is selected");
     };
     let shape = session.evaluated().shape(id);
     let is_free = shape.is_some_and(|shape| shape.pickable);
-    (!is_free).then_some("The selected shape is hidden or locked")
+    if !is_free {
+        return Some("The selected shape is hidden or locked");
+    }
+    let joint = session.selected_joint();
+    let joint = joint.filter(|_| matches!(tool, Tool::Pose | Tool::Ik))?;
+    match does {
+        Tool::Move if root_of(session, id, joint) != Some(joint) => Some(
+            "Only the root moves: a bone turns (R). With no joint selected (Esc), G moves the character",
+        ),
+        Tool::Scale => {
+            Some("A bone only turns (R). With no joint selected (Esc), S scales the character")
+        }
+        _ => None,
+    }
 }
 
 /// Why a command about curves is disabled.

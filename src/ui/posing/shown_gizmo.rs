@@ -177,7 +177,7 @@ pub(super) fn begin_by_key(
         .filter(|_| state.tool.takes_bones());
     let drag = match (does, joint) {
         (Tool::Move, _) => {
-            let target = match (joint.filter(|_| state.tool == Tool::Move), point) {
+            let target = match (joint, point) {
                 (_, Some((shape, curve, point))) => MoveTarget::ControlPoint {
                     shape,
                     curve,
