@@ -152,7 +152,7 @@ fn deed(story: &mut Story, dice: &mut Dice) {
             .purpose
             .title()
         {
-            "Export Geometry" => "out.obj",
+            "Export Geometry of All Shapes" => "out.obj",
             "Save As" => ["a.scene", "b.scene"][dice.roll(2)],
             "Open" if broken => "broken.scene",
             "Open" => ["a.scene", "b.scene"][dice.roll(2)],

@@ -149,7 +149,7 @@ pub(super) async fn import_character_by(
         "dae" => {
             let read = read_dae_by(&recorder, &file, pace).await?;
             if read.value.characters.is_empty() {
-                let message = "expected a character, found only shapes: import it as a shape";
+                let message = "expected a character, found only shapes, which Import Shape reads";
                 return Err(Diagnostic::new(path, message));
             }
             let source = source(&recorder, path, Importer::Character);

@@ -63,7 +63,7 @@ pub(super) async fn read_character_by(
             name(&parts.attach)
         )),
         (false, false) => Some(format!(
-            "expected {} and {} beside it, found neither: as it is, this is a shape",
+            "expected {} and {} beside it, found neither: without them it is a shape, which Import Shape reads",
             name(&parts.skel),
             name(&parts.attach)
         )),

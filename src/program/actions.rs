@@ -121,6 +121,14 @@ impl Program {
                 self.stop_waiting(host);
                 self.cancel_reading(host);
             }
+            Ask::ExportSelected => {
+                let mut selected = self.session.selected_shapes();
+                let stem = match (selected.next(), selected.next()) {
+                    (Some(shape), None) => file_stem(&shape.name),
+                    _ => self.document_stem(),
+                };
+                self.choose_file(Purpose::ExportSelected, &format!("{stem}.obj"), host);
+            }
             Ask::ExportMaterials => {
                 let name = format!("{}.obj", self.document_stem());
                 self.choose_file(Purpose::ExportMaterials, &name, host);

@@ -102,6 +102,7 @@ impl Program {
             Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),
             Purpose::ExportCurve(id) => self.export_curve(id, &path, host),
             Purpose::ExportGeometry => self.export_geometry(&path, host),
+            Purpose::ExportSelected => self.export_selected(&path, host),
             Purpose::ExportMaterials => self.export_materials(&path, host),
             Purpose::ExportCharacter(shape) => self.export_character(shape, &path, host),
             Purpose::SavePose(shape, kept) => self.save_pose(shape, kept, &path, host),

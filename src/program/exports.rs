@@ -4,9 +4,9 @@ use super::document_file::Writing;
 use super::questions::Asked;
 use super::running::Program;
 use super::{Host, Previous};
-use crate::editor::Severity;
+use crate::editor::{Severity, scene_of_selected};
 use crate::io::{self, Diagnostic, Files};
-use crate::scene::{Scene, ShapeId};
+use crate::scene::{Evaluator, Scene, ShapeId};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +38,28 @@ impl Program {
 
     /// Writes the geometry of the scene as one `.obj` file, bare.
     pub(super) fn export_geometry(&mut self, path: &Path, host: &mut dyn Host) {
-        match io::export_obj(self.session.scene(), self.session.evaluated()) {
+        let text = io::export_obj(self.session.scene(), self.session.evaluated());
+        self.write_geometry(path, text, host);
+    }
+
+    /// Writes the geometry of the selected shapes as one `.obj` file, bare.
+    pub(super) fn export_selected(&mut self, path: &Path, host: &mut dyn Host) {
+        let selected = scene_of_selected(&self.session);
+        // It may have been deleted while the dialog was open.
+        if selected.shapes().is_empty() {
+            return self.tell(Severity::Error, "Not saved: no shape is selected any more");
+        }
+        let evaluated = Evaluator::new().evaluate(&selected, 0.0);
+        self.write_geometry(path, io::export_obj(&selected, &evaluated), host);
+    }
+
+    fn write_geometry(
+        &mut self,
+        path: &Path,
+        text: Result<String, io::TooFarOut>,
+        host: &mut dyn Host,
+    ) {
+        match text {
             Ok(_) if self.sources(&*host.files()).have(path) => self.tell_needed(path, path),
             Ok(text) => self.write(path, "obj", text, host),
             Err(error) => self.tell_written(path, Err(Diagnostic::new(path, error.to_string()))),

@@ -64,6 +64,8 @@ pub enum Purpose {
     ExportCurve(ShapeId),
     /// Writing the geometry of the scene.
     ExportGeometry,
+    /// Writing the geometry of the selected shapes.
+    ExportSelected,
     /// Writing the geometry of the scene with its materials.
     ExportMaterials,
     /// Writing a character as `.skel`, `.attach` and `.obj`.
@@ -96,9 +98,10 @@ impl Purpose {
             }
             Self::ImportCurve => "Import Curve",
             Self::ExportCurve(_) => "Export Curve",
-            Self::ExportGeometry => "Export Geometry",
+            Self::ExportGeometry => "Export Geometry of All Shapes",
+            Self::ExportSelected => "Export Geometry of the Selected Shapes",
             Self::ExportMaterials => {
-                "Export with Materials (.obj, with .mtl and pictures beside it)"
+                "Export All Shapes with Materials (.obj, with .mtl and pictures beside it)"
             }
             Self::ExportCharacter(_) => {
                 "Export Character (.skel, with .attach, .obj and .json beside it)"
@@ -124,9 +127,10 @@ impl Purpose {
             Self::ImportShape => "Shapes (.obj, .dae)",
             Self::ImportCharacter => "Characters (.obj, .dae)",
             Self::ImportCurve | Self::ExportCurve(_) => "Curves (.swp)",
-            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => {
-                "Geometry (.obj)"
-            }
+            Self::ExportGeometry
+            | Self::ExportSelected
+            | Self::ExportMaterials
+            | Self::CompareMesh(_) => "Geometry (.obj)",
             Self::ExportCharacter(_) => "Skeletons (.skel)",
             Self::SaveScreenshot(shot) if shot.turntable.is_some() => "Animations (.gif)",
             Self::SaveScreenshot(shot) if shot.transparent => "Pictures (.png)",
@@ -144,7 +148,9 @@ impl Purpose {
             Self::SaveScene => &[("Scenes", "scene")],
             Self::SaveWithFiles => &[("Archives", "zip"), ("Scene with a folder", "scene")],
             Self::ExportCurve(_) => &[("Curves", "swp")],
-            Self::ExportGeometry | Self::ExportMaterials => &[("Geometry", "obj")],
+            Self::ExportGeometry | Self::ExportSelected | Self::ExportMaterials => {
+                &[("Geometry", "obj")]
+            }
             Self::ExportCharacter(_) => &[("Skeletons", "skel")],
             Self::SaveScreenshot(shot) if shot.turntable.is_some() => &[("GIF", "gif")],
             Self::SaveScreenshot(shot) if shot.transparent => &[("PNG", "png")],
@@ -173,6 +179,7 @@ impl Purpose {
             | Self::ImportCharacter
             | Self::ExportCurve(_)
             | Self::ExportGeometry
+            | Self::ExportSelected
             | Self::ExportMaterials
             | Self::ExportCharacter(_)
             | Self::CompareMesh(_) => FileKind::Models,
@@ -197,6 +204,7 @@ impl Purpose {
             | Self::ImportCurve
             | Self::ImportCharacter
             | Self::ExportGeometry
+            | Self::ExportSelected
             | Self::ExportMaterials
             | Self::SaveScreenshot(_)
             | Self::Compare
@@ -210,6 +218,7 @@ impl Purpose {
             self,
             Self::ExportCurve(_)
                 | Self::ExportGeometry
+                | Self::ExportSelected
                 | Self::ExportMaterials
                 | Self::ExportCharacter(_)
         )
@@ -240,7 +249,10 @@ impl Purpose {
             Self::FindSource(_) => &["obj", "dae", "swp"],
             Self::SaveScene => &["scene"],
             Self::ImportShape | Self::ImportCharacter => &["obj", "dae"],
-            Self::ExportGeometry | Self::ExportMaterials | Self::CompareMesh(_) => &["obj"],
+            Self::ExportGeometry
+            | Self::ExportSelected
+            | Self::ExportMaterials
+            | Self::CompareMesh(_) => &["obj"],
             Self::ExportCharacter(_) => &["skel"],
             Self::SavePose(..) | Self::LoadPose(_) => &["json"],
             Self::ImportCurve | Self::ExportCurve(_) => &["swp"],

@@ -79,6 +79,8 @@ pub enum Ask {
     ExportCurve(ShapeId),
     /// Choose a file, and write the geometry of the scene to it as `.obj`.
     ExportGeometry,
+    /// Choose a file, and write the geometry of the selected shapes to it as `.obj`.
+    ExportSelected,
     /// Choose a file, and write the geometry of the scene to it with its materials beside it.
     ExportMaterials,
     /// Choose a file, and write a character to it as `.skel`, with the others beside it.

@@ -122,7 +122,7 @@ fn a_shape_is_no_character() {
         .unwrap_err();
     assert_eq!(
         error.to_string(),
-        "box.obj: expected box.skel and box.attach beside it, found neither: as it is, this is a shape"
+        "box.obj: expected box.skel and box.attach beside it, found neither: without them it is a shape, which Import Shape reads"
     );
 }
 

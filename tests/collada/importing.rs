@@ -56,7 +56,7 @@ fn what_is_alone_in_its_file_has_the_files_name() {
         .to_string();
     assert_eq!(
         error,
-        "a/vase.DAE: expected a character, found only shapes: import it as a shape"
+        "a/vase.DAE: expected a character, found only shapes, which Import Shape reads"
     );
 }
 

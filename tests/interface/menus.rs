@@ -473,6 +473,7 @@ fn an_ellipsis_says_that_a_dialog_follows_and_nothing_else_has_one() {
                 | Command::Screenshot
                 | Command::ExportCurve
                 | Command::ExportGeometry
+                | Command::ExportSelected
                 | Command::ExportMaterials
                 | Command::ExportCharacter
                 | Command::ImportShape

@@ -41,6 +41,32 @@ fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file(
 }
 
 #[test]
+fn the_selected_shapes_alone_are_exported_where_that_is_asked_for() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    for (item, title, names) in [
+        (
+            "Export Geometry…",
+            "Export Geometry of All Shapes",
+            &["o Strip", "o Cube"][..],
+        ),
+        (
+            "Export Selected Geometry…",
+            "Export Geometry of the Selected Shapes",
+            &["o Cube"],
+        ),
+    ] {
+        story.click("File");
+        story.click(item);
+        assert_eq!(story.host.requests.last().unwrap().purpose.title(), title);
+        story.choose("out/some.obj");
+        let text = story.host.text("out/some.obj");
+        let written: Vec<&str> = text.lines().filter(|line| line.starts_with("o ")).collect();
+        assert_eq!(written, names);
+    }
+}
+
+#[test]
 fn a_name_that_could_not_be_read_again_is_refused_and_so_is_a_full_disk() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.click("File");

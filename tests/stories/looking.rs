@@ -344,7 +344,7 @@ fn every_key_of_the_views_tools_and_insert_menus_does_what_its_entry_says() {
             s.asks_for("Import Character (.dae, or .obj with .skel and .attach beside it)")
         }),
         (ctrl.plus(shift), Key::E, Command::ExportGeometry, |s| {
-            s.asks_for("Export Geometry")
+            s.asks_for("Export Geometry of All Shapes")
         }),
         (none, Key::G, Command::SetTool(Tool::Move), |s| {
             s.has_selected("Move Tool")

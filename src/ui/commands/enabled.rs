@@ -47,6 +47,7 @@ pub(in crate::ui) fn why_disabled(
         | Command::Cut
         | Command::Copy
         | Command::Duplicate
+        | Command::ExportSelected
         | Command::Rename
         | Command::ToggleVisible
         | Command::ToggleLocked

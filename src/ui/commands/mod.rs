@@ -51,6 +51,8 @@ pub enum Command {
     ExportCurve,
     /// Exports the geometry of the scene.
     ExportGeometry,
+    /// Exports the geometry of the selected shapes.
+    ExportSelected,
     /// Exports the geometry of the scene with its materials.
     ExportMaterials,
     /// Exports the selected character.

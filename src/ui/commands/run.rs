@@ -121,6 +121,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::MakeSurfaceOfRevolution => return revolution(session),
         Command::ExportCurve => return export_curves(session),
         Command::ExportGeometry => return Some(Action::Ask(Ask::ExportGeometry)),
+        Command::ExportSelected => return Some(Action::Ask(Ask::ExportSelected)),
         Command::ExportMaterials => return Some(Action::Ask(Ask::ExportMaterials)),
         Command::ExportCharacter => {
             let (character, _) = selected_character(session)?;
