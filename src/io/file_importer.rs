@@ -23,6 +23,9 @@ use std::sync::Arc;
 /// The extensions of files that can be imported into a scene, in lower case.
 pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
 
+/// Those of them that hold meshes.
+const WITH_MESHES: &[&str] = &["obj", "dae"];
+
 /// Imports the file at `path` by its extension: an `.obj` file with a skeleton or
 /// weights beside it is a character, others are shapes; a `.swp` file holds curves, and a `.dae`
 /// file may hold several characters and shapes. `builtin:NAME` stands for a file too.
@@ -160,7 +163,7 @@ pub(super) async fn import_character_by(
             path,
             extension,
             "a character",
-            IMPORTABLE,
+            WITH_MESHES,
         )),
     }
 }
@@ -206,7 +209,7 @@ pub(super) async fn import_shape_by(
                 .filter(|shape| !shape.kind.mesh().positions.is_empty())
                 .collect()
         })),
-        extension => Err(cannot_open(files, path, extension, "a shape", IMPORTABLE)),
+        extension => Err(cannot_open(files, path, extension, "a shape", WITH_MESHES)),
     }
 }
 

@@ -212,8 +212,17 @@ struct Opened<D> {
 
 /// Whether `bytes` begin as a picture that [`decode`] reads.
 pub fn is_picture(bytes: &[u8]) -> bool {
-    let read = [ImageFormat::Png, ImageFormat::Jpeg, ImageFormat::Gif];
-    ::image::guess_format(bytes).is_ok_and(|format| read.contains(&format))
+    format_of(bytes).is_some()
+}
+
+/// Name of the format of the picture that `bytes` begin as, if [`decode`] reads it.
+pub(super) fn format_of(bytes: &[u8]) -> Option<&'static str> {
+    match ::image::guess_format(bytes) {
+        Ok(ImageFormat::Png) => Some("PNG"),
+        Ok(ImageFormat::Jpeg) => Some("JPEG"),
+        Ok(ImageFormat::Gif) => Some("GIF"),
+        _ => None,
+    }
 }
 
 fn open<'a>(

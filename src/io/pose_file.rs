@@ -19,14 +19,25 @@ impl PoseFile {
     /// "roots": {"Root": [0, 0.2, 0]}}`.
     ///
     /// # Errors
-    /// If it is no JSON, or not of this form, or has a name or an index twice.
+    /// If it is no JSON, or not of this form, or has a name or an index twice, or several poses.
     pub fn read(path: &Path, bytes: &[u8]) -> Result<Self, Diagnostic> {
         let json = Json::parse(path, bytes)?;
-        Ok(Self {
+        match json.read() {
+            Ok(data) => Ok(Self::of(&json, path, data)),
+            Err(error) => match Self::read_several(path, bytes) {
+                Ok(Some(several)) => Err(only_one(path, &several)),
+                _ => Err(error),
+            },
+        }
+    }
+
+    /// The pose `data`, which was read from `json`.
+    pub(super) fn of(json: &Json, path: &Path, data: PoseData) -> Self {
+        Self {
             path: path.to_owned(),
             text: json.text().to_owned(),
-            data: json.read()?,
-        })
+            data,
+        }
     }
 
     /// Its content.
@@ -236,6 +247,17 @@ impl PoseData {
             }
         }
     }
+}
+
+/// The error for a file with several poses where one is needed.
+fn only_one(path: &Path, several: &[(String, PoseFile)]) -> Diagnostic {
+    let names: Vec<&str> = several.iter().map(|(name, _)| &**name).collect();
+    let message = format!(
+        "expected one pose, found {} ({}): Load Pose in the window keeps them all with a character",
+        names.len(),
+        scanner::shown(&names.join(", "))
+    );
+    Diagnostic::new(path, message)
 }
 
 #[cfg(test)]

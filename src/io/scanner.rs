@@ -1,7 +1,7 @@
 //! Words of text files, each with its line and column.
 
 use super::numbers::{finite, plain_corner, plain_decimal};
-use super::{Diagnostic, Position};
+use super::{Diagnostic, Position, image};
 use std::path::Path;
 
 /// Walks a text file word by word and line by line, and knows where it is, so that an error
@@ -247,6 +247,14 @@ impl<'a> Scanner<'a> {
 pub(super) fn utf8<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, Diagnostic> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     std::str::from_utf8(bytes).map_err(|error| {
+        // Under the name of another format no place in it says anything.
+        let format = match bytes {
+            [b'P', b'K', 3, 4, ..] => Some("a .zip archive".to_owned()),
+            _ => image::format_of(bytes).map(|format| format!("a {format} picture")),
+        };
+        if let Some(found) = format {
+            return Diagnostic::new(path, format!("expected text, found {found}"));
+        }
         let good = &bytes[..error.valid_up_to()];
         let line = good.iter().filter(|&&byte| byte == b'\n').count() + 1;
         let last = good.rsplit(|&byte| byte == b'\n').next().unwrap_or(good);

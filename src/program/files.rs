@@ -180,15 +180,23 @@ impl Program {
 
     pub(super) fn load_pose(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
         match files.read(path) {
-            Ok(bytes) => self.take_pose(shape, path, &bytes, Sides::AsTheyAre),
+            Ok(bytes) => match PoseFile::read_several(path, &bytes) {
+                Ok(Some(poses)) => self.keep_poses(shape, path, &poses),
+                Ok(None) => self.take_pose(shape, path, &bytes, Sides::AsTheyAre),
+                Err(error) => self.tell(Severity::Error, error.to_string()),
+            },
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }
 
+    pub(super) fn tell_no_character(&mut self, path: &Path) {
+        let text = format!("{}: there is no character any more to pose", path.display());
+        self.tell(Severity::Error, text);
+    }
+
     pub(super) fn take_pose(&mut self, shape: ShapeId, path: &Path, bytes: &[u8], sides: Sides) {
         let Some(character) = self.session.scene().character(shape) else {
-            let text = format!("{}: there is no character any more to pose", path.display());
-            return self.tell(Severity::Error, text);
+            return self.tell_no_character(path);
         };
         let skeleton = character.character.skeleton();
         let file = match PoseFile::read(path, bytes) {
@@ -295,7 +303,7 @@ pub(super) fn file_stem(name: &str) -> String {
 }
 
 /// Message about a pose that some joints of `missing` names were left out of.
-fn without(path: &Path, missing: &[&str]) -> String {
+pub(super) fn without(path: &Path, missing: &[&str]) -> String {
     let missing = listed(missing);
     format!(
         "{}: applied without {missing}, which this character does not have",

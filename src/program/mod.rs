@@ -40,6 +40,7 @@ mod scene_link;
 mod scene_picture;
 #[cfg(test)]
 mod scene_picture_tests;
+mod several_poses;
 mod sources;
 mod split_view;
 mod start_pictures;

@@ -41,6 +41,74 @@ fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file(
 }
 
 #[test]
+fn all_poses_of_a_file_with_several_are_kept_and_the_first_is_taken() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let several = br#"{"euler": "Rx Ry Rz", "poses": {
+        "bent": {"1": {"name": "Elbow", "xyz_deg": [0, 0, 50]}},
+        "back": {"1": {"name": "Elbow", "xyz_deg": [0, 0, -20]}}}}"#;
+    story
+        .host
+        .files
+        .insert("poses.json".into(), several.to_vec());
+    let steps = story.session().steps().len();
+    story.click("Pose");
+    story.click("Load Pose…");
+    story.choose("poses.json");
+    assert!((story.degrees("Elbow").z - 50.0).abs() < 1e-4);
+    let id = story.shape().id;
+    let character = story.session().scene().character(id).unwrap();
+    let kept: Vec<&str> = character.poses().iter().map(|kept| &*kept.name).collect();
+    assert_eq!(kept, ["bent", "back"]);
+    assert_eq!(story.session().steps().len(), steps + 1, "one step");
+    let told = "poses.json has 2 poses (bent, back): they are in the list Poses of the panel, and the \
+                character has bent now";
+    assert_eq!(story.messages(), [(Severity::Info, told)]);
+    story.click("back");
+    assert!((story.degrees("Elbow").z + 20.0).abs() < 1e-4);
+}
+
+#[test]
+fn a_file_under_a_wrong_name_is_said_to_be_what_it_is() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let picture = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec();
+    for (name, bytes) in [
+        ("picture.obj", picture),
+        ("packed.obj", b"PK\x03\x04\xff".to_vec()),
+        ("notes.txt", b"notes".to_vec()),
+    ] {
+        story.host.files.insert(name.into(), bytes);
+    }
+    for (item, file, told) in [
+        (
+            "Import Shape…",
+            "picture.obj",
+            "picture.obj: expected text, found a PNG picture",
+        ),
+        (
+            "Import Shape…",
+            "packed.obj",
+            "packed.obj: expected text, found a .zip archive",
+        ),
+        (
+            "Import Character…",
+            "notes.txt",
+            "notes.txt: expected a character (.obj, .dae), found .txt",
+        ),
+        (
+            "Import Shape…",
+            "notes.txt",
+            "notes.txt: expected a shape (.obj, .dae), found .txt",
+        ),
+    ] {
+        story.click("Insert");
+        story.click("Import");
+        story.click(item);
+        story.choose(file);
+        assert_eq!(story.messages().last(), Some(&(Severity::Error, told)));
+    }
+}
+
+#[test]
 fn the_selected_shapes_alone_are_exported_where_that_is_asked_for() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.key_with(Modifiers::SHIFT, Key::C);
