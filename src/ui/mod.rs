@@ -267,6 +267,8 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
         question::show(root, question, &mut actions);
     }
     add_gestures_of_panels(&ctx, holding, session, state, &mut actions);
+    let wrong = number_field::take_wrong(&ctx);
+    actions.extend(wrong.map(|why| Action::View(View::Tell(why))));
     state.view_rect = view_rect;
 
     // Last, so that a list or a field with the keyboard focus comes first, even if it only just got

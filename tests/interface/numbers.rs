@@ -46,6 +46,38 @@ impl Editor {
 }
 
 #[test]
+fn what_is_no_number_changes_nothing_and_is_said_to_be_none() {
+    for (typed, is_wrong) in [
+        ("abc", true),
+        ("1/0", true),
+        ("", false),
+        (" ", false),
+        ("45/2", false),
+    ] {
+        let mut editor = Editor::with_figure();
+        editor.click("Neck X");
+        editor.key(Key::Delete);
+        editor.harness.event(egui::Event::Text(typed.to_owned()));
+        editor.settle();
+        editor.key(Key::Enter);
+        let fresh = editor.session().messages.fresh();
+        let told = fresh
+            .iter()
+            .filter(|told| told.text.contains("is no number"));
+        assert_eq!(told.count(), usize::from(is_wrong), "“{typed}”");
+        let angle = if typed == "45/2" { 22.5 } else { 0.0 };
+        assert!((editor.joint(3).x - angle).abs() < 1e-3, "“{typed}”");
+    }
+    let mut editor = Editor::with_figure();
+    editor.begin_typing("Neck X", "abc");
+    editor.key(Key::Escape);
+    assert!(
+        editor.session().messages.fresh().is_empty(),
+        "it is given up"
+    );
+}
+
+#[test]
 fn a_right_click_that_cancels_the_drag_of_a_number_does_nothing_to_the_one_under_the_pointer() {
     for (dragged, other) in [("Neck X", "Neck Y"), ("Position X", "Position Y")] {
         for left_first in [true, false] {

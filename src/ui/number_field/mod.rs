@@ -4,7 +4,7 @@ mod decimals;
 mod typing;
 
 pub use typing::evaluate;
-pub(super) use typing::is_untouched;
+pub(super) use typing::{is_untouched, take_wrong};
 
 use crate::geometry::MAX_COORDINATE;
 use crate::ui::GestureStep;

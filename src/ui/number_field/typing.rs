@@ -34,6 +34,13 @@ impl Typed {
         }
     }
 
+    /// Whether what was typed is no number. Nothing at all is none either, but leaves no doubt that the field is
+    /// to stay as it was.
+    fn is_wrong(&self) -> bool {
+        let is_typed = self.text != self.began_with && !self.text.trim().is_empty();
+        is_typed && evaluate(&self.text).is_none()
+    }
+
     fn value(&self) -> Option<f64> {
         (self.text != self.began_with).then(|| evaluate(&self.text))?
     }
@@ -57,6 +64,7 @@ impl NumberField<'_> {
         let just_now = typed.pass + 1 == ui.ctx().cumulative_pass_nr();
         let escaped = ui.input(|input| input.key_pressed(Key::Escape));
         if just_now && !escaped {
+            note_wrong(ui, &typed);
             typed.value()
         } else {
             None
@@ -94,8 +102,11 @@ impl NumberField<'_> {
         }
         if response.lost_focus() {
             let escaped = ui.input(|input| input.key_pressed(Key::Escape));
-            let given = if escaped { None } else { typed.value() };
-            return (response, given.or(stepped));
+            if escaped {
+                return (response, stepped);
+            }
+            note_wrong(ui, &typed);
+            return (response, typed.value().or(stepped));
         }
         typed.pass = ui.ctx().cumulative_pass_nr();
         ui.data_mut(|data| data.insert_temp(id, typed));
@@ -127,6 +138,22 @@ fn take_back(ui: &Ui, typed: &mut Typed) -> bool {
         typed.text.clone_from(&typed.began_with);
     }
     undone
+}
+
+/// Key of egui's memory for whether a field was left in a frame with what is no number in it.
+const WRONG: &str = "no number was typed";
+
+/// Records that a field is left with what is no number in it, for [`take_wrong`].
+fn note_wrong(ui: &Ui, typed: &Typed) {
+    if typed.is_wrong() {
+        ui.data_mut(|data| data.insert_temp(Id::new(WRONG), true));
+    }
+}
+
+/// Why a field that was left since the last call has its old number, if what was typed into it is none.
+pub(in crate::ui) fn take_wrong(ctx: &Context) -> Option<&'static str> {
+    let wrong: Option<bool> = ctx.data_mut(|data| data.remove_temp(Id::new(WRONG)));
+    wrong.map(|_| "What was typed is no number, and nothing was changed: a value or a sum such as 45/2 is one")
 }
 
 /// Whether the keyboard belongs to a number field into which nothing has been typed yet.
