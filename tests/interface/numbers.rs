@@ -46,6 +46,32 @@ impl Editor {
 }
 
 #[test]
+fn an_angle_has_its_sign_at_the_panels_first_width_and_its_decimal_under_the_pointer() {
+    let mut editor = Editor::with_figure();
+    editor.type_into("Neck X", "-120.3");
+    editor.harness.hover_at(pos2(200.0, 300.0));
+    editor.settle();
+    let written = |editor: &Editor| {
+        let place = editor.widget("Neck X").rect();
+        let painted = editor.painted().into_iter();
+        let mut inside =
+            painted.filter(|(text, at)| place.contains_rect(*at) && text.contains('1'));
+        inside.next().map(|(text, _)| text).unwrap_or_default()
+    };
+    let at_rest = written(&editor);
+    assert!(at_rest.ends_with('°'), "{at_rest}");
+    editor
+        .harness
+        .hover_at(editor.widget("Neck X").rect().center());
+    editor.settle();
+    assert!(
+        written(&editor).starts_with("-120.3"),
+        "{}",
+        written(&editor)
+    );
+}
+
+#[test]
 fn what_is_no_number_changes_nothing_and_is_said_to_be_none() {
     for (typed, is_wrong) in [
         ("abc", true),

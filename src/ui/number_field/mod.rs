@@ -286,7 +286,8 @@ impl<'a> NumberField<'a> {
             }
         }
         let decimals = self.decimals.clone();
-        let text = fitted(self.shown(), self.unit, decimals, self.wrap, |text| {
+        let turn = (self.wrap, is_used);
+        let text = fitted(self.shown(), self.unit, decimals, turn, |text| {
             painter
                 .layout_no_wrap(text.to_owned(), font.clone(), text_color)
                 .size()
