@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -19,13 +19,21 @@ const BACK: f32 = -0.5;
 
 /// Places `shapes`, which are to be added, if one of them is a character: turned round where it would
 /// show its back beside other characters, or else to `camera`, and beside whatever it would stand in, on
-/// the ground of the other characters. What stands in nothing stays where its file has it: on a horse, or in
-/// the air.
+/// the ground of the other characters. Curves are placed beside characters, too, in which nobody would find
+/// either of them, but not beside other curves, which they may belong to. What stands in nothing stays where
+/// its file has it: on a horse, or in the air.
 pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
+    let mut bounds = bounds_of(shapes);
+    let is_curve = |shape: &NewShape| matches!(shape.kind, ShapeKind::Curve(_));
     let Some(front) = shapes.iter().find_map(NewShape::front) else {
+        if shapes.iter().all(is_curve) {
+            let mut figures = standing(session);
+            figures.retain(|other| other.is_figure);
+            let beside = way_out(&body_of(&bounds), &figures);
+            stand_beside(session, shapes, beside, &bounds);
+        }
         return;
     };
-    let mut bounds = bounds_of(shapes);
     let to_eye = camera.eye() - bounds.center();
     let wanted = session.scene().shapes().iter().find_map(|shape| {
         let front = shape.front();
@@ -34,14 +42,35 @@ pub fn set_among(session: &Session, shapes: &mut [NewShape], camera: &Camera) {
     if shows_back(front, wanted.unwrap_or(to_eye)) && turn_round(shapes, bounds.center()) {
         bounds = bounds_of(shapes);
     }
+    let beside = way_out(&bounds, &standing(session));
+    stand_beside(session, shapes, beside, &bounds);
+}
+
+/// What is seen in the document.
+fn standing(session: &Session) -> Vec<Stander> {
     let all = (session.scene().shapes().iter()).zip(&session.evaluated().shapes);
     let there = all.filter(|(_, evaluated)| evaluated.visible);
     let there = there.map(|(shape, evaluated)| Stander {
         bounds: evaluated.world_bounds(),
         is_figure: shape.front().is_some(),
     });
-    let there: Vec<Stander> = there.collect();
-    let mut beside = way_out(&bounds, &there);
+    there.collect()
+}
+
+/// The bounds of a curve, as deep as it is wide: what is made of it takes up as much, and a flat one would stand in
+/// nothing.
+fn body_of(bounds: &Aabb) -> Aabb {
+    let (center, half) = (bounds.center(), bounds.size() / 2.0);
+    let radius = half.x.max(half.z);
+    let half = half.with_x(radius).with_z(radius);
+    Aabb {
+        min: center - half,
+        max: center + half,
+    }
+}
+
+/// Moves shapes with these `bounds` by `beside`, and then onto the ground of the characters.
+fn stand_beside(session: &Session, shapes: &mut [NewShape], mut beside: Vec3, bounds: &Aabb) {
     if beside != Vec3::ZERO
         && let Some(ground) = ground_of_characters(session)
     {
@@ -202,6 +231,16 @@ mod tests {
         assert!((way.x - 6.5).abs() < 1e-5, "{way}");
         let horse = boxed([-0.6, -1.5, -5.0], [0.6, 0.4, 5.0]);
         assert_eq!(way_among(&own, &[horse], true), Vec3::ZERO);
+    }
+
+    #[test]
+    fn a_flat_curve_that_is_larger_than_a_figure_goes_past_it_and_one_overhead_stays() {
+        let figure = boxed([-0.5, 0.0, -0.2], [0.5, 2.0, 0.2]);
+        let curve = boxed([-5.0, 0.0, 0.0], [5.0, 20.0, 0.0]);
+        let way = way_among(&body_of(&curve), &[figure], true);
+        assert!((way.x - 6.5).abs() < 1e-5, "{way}");
+        let overhead = boxed([-1.0, 3.0, 0.0], [1.0, 4.0, 0.0]);
+        assert_eq!(way_among(&body_of(&overhead), &[figure], true), Vec3::ZERO);
     }
 
     #[test]

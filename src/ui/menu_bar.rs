@@ -188,7 +188,7 @@ impl Items<'_> {
                 let item = ui.button(name_of_import(name));
                 tip_beside(
                     &item,
-                    "Add it at the origin, a character beside others",
+                    "Add it at the origin, or beside the characters that are there",
                     None,
                 );
                 if is_chosen(ui, &item) {

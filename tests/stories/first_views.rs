@@ -327,6 +327,28 @@ fn the_first_import_is_fitted_and_others_move_the_camera_only_if_they_are_out_of
 }
 
 #[test]
+fn a_curve_that_is_imported_swallows_no_character_and_stays_with_other_curves() {
+    let mut story = start(&["builtin:adult"]);
+    let insert = |story: &mut Story, name| {
+        let ask = Action::Ask(Ask::InsertBuiltin(name));
+        story.program.carry_out(vec![ask], &mut story.host);
+        story.settle();
+        story.shape().placement
+    };
+    let vase = insert(&mut story, "vase").transform.position;
+    let shapes = &story.session().evaluated().shapes;
+    let [adult, curve] = [&shapes[0], &shapes[1]].map(|shape| shape.world_bounds());
+    assert!(curve.min.x > adult.max.x, "{curve:?} beside {adult:?}");
+    assert!((curve.min.y - adult.min.y).abs() < 1e-4, "on one ground");
+    assert_eq!(story.shape().placement, story.shape().start);
+    assert_eq!(insert(&mut story, "vase").transform.position, vase);
+
+    let mut story = start(&["builtin:vase"]);
+    let alone = insert(&mut story, "goblet").transform.position;
+    assert_eq!(alone, Vec3::ZERO, "no character is there");
+}
+
+#[test]
 fn a_figure_that_is_imported_stands_beside_others_and_faces_as_they_do() {
     let mut story = start(&["builtin:adult"]);
     let insert = |story: &mut Story, name| {
