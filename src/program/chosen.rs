@@ -2,7 +2,7 @@
 
 use super::comparison::Comparison;
 use super::document::Next;
-use super::document_name::is_scene;
+use super::document_name::holds_document;
 use super::files::{file_name, is_picture, listed};
 use super::running::Program;
 use super::{Host, Purpose};
@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
-    /// Uses files that were dropped on the window together. A scene among them is opened, and what it does not name of
+    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and what it does not name of
     /// the models is added to it.
     pub(super) fn use_all_dropped(
         &mut self,
@@ -35,7 +35,7 @@ impl Program {
             *path = io::character_file(&**files, path).into_owned();
         }
         dropped.retain(|(path, _)| known.insert(path.clone()));
-        let scene = dropped.iter().position(|(path, _)| is_scene(path));
+        let scene = dropped.iter().position(|(path, _)| holds_document(path));
         let Some(scene) = scene.filter(|_| dropped.len() > 1) else {
             for (path, files) in dropped {
                 self.use_dropped(&path, files, host);
@@ -48,20 +48,20 @@ impl Program {
         // Pictures and the like are read with models that name them.
         let unused = rest
             .into_iter()
-            .filter(|path| is_scene(path) || is_pose(path));
+            .filter(|path| holds_document(path) || is_pose(path));
         self.tell_unused(&[vec![scene.clone()], unused.collect()].concat());
         let paths = [vec![scene], models].concat();
         self.leave_for(Next::OpenFiles(paths, files), host);
     }
 
-    /// Uses a file that was dropped on the window: a scene to open, a picture that a model lacked or else one to
+    /// Uses a file that was dropped on the window: a scene or an archive to open, a picture that a model lacked or else one to
     /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all
     /// else as an import.
     fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();
         let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
-        if is_scene(path) {
+        if holds_document(path) {
             self.leave_for(Next::OpenFiles(vec![path.to_owned()], files), host);
         } else if is_picture(path) {
             if !self.complete_models(path, &*files) {

@@ -2,7 +2,7 @@
 
 use super::awaited::Awaited;
 use super::document_file::{DocumentFile, Writing, digest_at};
-use super::document_name::{free_name, is_archive, is_scene};
+use super::document_name::{free_name, holds_document, is_archive};
 use super::preferences::MOST_RECENT;
 use super::questions::Asked;
 use super::reading::{Opened, Use};
@@ -192,8 +192,7 @@ impl Program {
             stem: stem.map(|stem| stem.to_string_lossy().into_owned()),
             ..DocumentFile::untitled(self.session.document())
         };
-        let holds_documents = is_scene(path) || is_archive(path);
-        if !holds_documents || io::builtin::is_builtin(path) {
+        if !holds_document(path) || io::builtin::is_builtin(path) {
             return untitled;
         }
         DocumentFile {

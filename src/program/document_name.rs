@@ -64,3 +64,8 @@ pub(super) fn is_archive(path: &Path) -> bool {
 pub(super) fn is_scene(path: &Path) -> bool {
     io::expect_extension(path, "scene").is_ok()
 }
+
+/// Whether the name of a file is that of a scene or of an archive that may have one.
+pub(super) fn holds_document(path: &Path) -> bool {
+    is_scene(path) || is_archive(path)
+}

@@ -1,4 +1,4 @@
-//! Several files chosen together, as a page lets them be.
+//! Several files chosen together, as a page lets them be, and archives, which hold several.
 
 use super::Story;
 use editor_core::editor::Severity;
@@ -104,4 +104,34 @@ fn what_is_chosen_beside_the_one_file_that_is_needed_is_told() {
     let told = told.iter().map(|(_, text)| *text);
     let told: Vec<&str> = told.filter(|text| text.contains("b.json")).collect();
     assert_eq!(told, ["Only a.json is used, not b.json"]);
+}
+
+/// Drops files on the window, at the same time.
+fn drop_together(story: &mut Story, paths: &[&str]) {
+    for path in paths {
+        story.host.drop_file(path);
+    }
+    story.settle();
+}
+
+#[test]
+fn an_archive_that_was_saved_with_its_files_is_opened_when_it_is_dropped() {
+    let mut story = with_files();
+    story.host.drop_file("flag.obj");
+    story.settle();
+    story.click("File");
+    story.click("Save with Files…");
+    story.choose("out/mine.zip");
+    story.host.files.remove(std::path::Path::new("flag.obj"));
+    story.key_with(CTRL, Key::N);
+    assert!(story.names().is_empty());
+    drop_together(&mut story, &["out/mine.zip"]);
+    assert_eq!(story.names(), ["Flag"]);
+    assert!(story.host.title.contains("mine.zip"), "{}", story.host.title);
+    // A model beside it is added, as beside a scene.
+    drop_together(&mut story, &["models/strip.obj", "out/mine.zip"]);
+    assert_eq!(story.names(), ["Flag", "Strip"]);
+    let errors = story.messages().into_iter();
+    let errors: Vec<_> = errors.filter(|(severity, _)| *severity == Severity::Error).collect();
+    assert!(errors.is_empty(), "{errors:?}");
 }
