@@ -1,7 +1,8 @@
 //! Archives, `.zip`: written from files in memory, and read as if they were folders.
 
 use super::file_access::{self, is_note_of_macos};
-use super::{Diagnostic, Files};
+use super::{Diagnostic, Files, IMPORTABLE};
+use std::collections::BTreeSet;
 use std::io::{Cursor, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -175,27 +176,57 @@ impl Archive {
     }
 }
 
-/// The one scene in the archive at `path`, as a path that [`WithArchives`] reads.
+/// What is opened of the archive at `path`, as paths that [`WithArchives`] reads: its one scene, or else all
+/// models in it, in the order of their names, as if they had been chosen together.
 ///
 /// # Errors
-/// If the archive cannot be read, or there is no scene in it or more than one.
-pub(super) fn only_scene(files: &dyn Files, path: &Path) -> Result<PathBuf, Diagnostic> {
+/// If the archive cannot be read, or there is more than one scene in it, or neither a scene nor a model.
+pub(super) fn main_files(files: &dyn Files, path: &Path) -> Result<Vec<PathBuf>, Diagnostic> {
     let archive = Archive::open(path, files.read(path)?)?;
-    let is_scene = |name: &String| {
-        let name = Path::new(name);
-        let is_note = name.file_name().is_some_and(is_note_of_macos);
-        file_access::extension(name) == "scene" && !is_note
-    };
     let names = archive.zip.file_names().filter_map(Result::ok);
-    let scenes: Vec<String> = names.map(Into::into).filter(is_scene).collect();
-    match scenes.as_slice() {
-        [only] => Ok(path.join(only)),
-        _ => {
-            let count = scenes.len();
-            let message = format!("expected one .scene in it, found {count}");
-            Err(Diagnostic::new(path, message))
-        }
+    let names = names.map(|name| PathBuf::from(name.as_ref()));
+    let is_note = |name: &Path| name.file_name().is_some_and(is_note_of_macos);
+    let names: Vec<PathBuf> = names.filter(|name| !is_note(name)).collect();
+    let scenes = names.iter().filter(|name| is_scene(name));
+    let scenes: Vec<&PathBuf> = scenes.collect();
+    let wrong = |message| Err(Diagnostic::new(path, message));
+    if let [only] = scenes[..] {
+        return Ok(vec![path.join(only)]);
     }
+    if !scenes.is_empty() {
+        let count = scenes.len();
+        return wrong(format!("expected one .scene in it, found {count}"));
+    }
+    let is_model = |name: &&PathBuf| IMPORTABLE.contains(&&*file_access::extension(name));
+    let models = names.iter().filter(is_model).map(|name| path.join(name));
+    let models: BTreeSet<PathBuf> = models.collect();
+    if models.is_empty() {
+        let models = IMPORTABLE
+            .map(|extension| format!(".{extension}"))
+            .join(", ");
+        return wrong(format!(
+            "expected a .scene or a model ({models}) in it, found neither"
+        ));
+    }
+    Ok(models.into_iter().collect())
+}
+
+/// The models in the archive at `path` if there is no scene among them, and else `path` itself: what is to be opened
+/// where an archive stands for the files in it. One that cannot be opened stands for itself, so that reading it says
+/// why.
+pub fn unpacked(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
+    let own = || vec![path.to_owned()];
+    if file_access::extension(path) != "zip" {
+        return own();
+    }
+    match main_files(files, path) {
+        Ok(models) if !models.iter().any(|model| is_scene(model)) => models,
+        _ => own(),
+    }
+}
+
+fn is_scene(path: &Path) -> bool {
+    file_access::extension(path) == "scene"
 }
 
 /// Whether a name leads to a place inside the archive, on every system.

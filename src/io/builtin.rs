@@ -1,6 +1,6 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
-use super::archive::only_scene;
+use super::archive::main_files;
 use super::{Diagnostic, Files, file_access};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -206,13 +206,15 @@ pub fn absent(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
     };
     let own = companions(&path).filter(|path| !files.exists(path));
     let mut absent: Vec<PathBuf> = own.collect();
-    let scene = match &*file_access::extension(&path) {
-        "scene" => Some(path),
-        "zip" => only_scene(files, &path).ok(),
-        _ => None,
+    let main = match &*file_access::extension(&path) {
+        "zip" => main_files(files, &path).unwrap_or_default(),
+        _ => vec![path],
     };
-    if let Some(Ok(bytes)) = scene.map(|scene| files.read(&scene)) {
-        absent.extend(absent_in(files, &String::from_utf8_lossy(&bytes)));
+    let is_scene = |path: &PathBuf| file_access::extension(path) == "scene";
+    for scene in main.into_iter().filter(is_scene) {
+        if let Ok(bytes) = files.read(&scene) {
+            absent.extend(absent_in(files, &String::from_utf8_lossy(&bytes)));
+        }
     }
     absent
 }

@@ -1,6 +1,6 @@
 use super::{
     Diagnostic, Files, Imported,
-    archive::only_scene,
+    archive::main_files,
     builtin,
     dae::{DaeReport, DaeScene, read_dae_by},
     file_access,
@@ -21,7 +21,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// The extensions of files that can be imported into a scene, in lower case.
-pub const IMPORTABLE: &[&str] = &["obj", "swp", "dae"];
+pub const IMPORTABLE: [&str; 3] = ["obj", "swp", "dae"];
 
 /// Those of them that hold meshes.
 const WITH_MESHES: &[&str] = &["obj", "dae"];
@@ -60,7 +60,7 @@ pub(super) async fn import_any_by(
             path,
             extension,
             "a file that can be imported",
-            IMPORTABLE,
+            &IMPORTABLE,
         )),
     }
 }
@@ -246,7 +246,7 @@ pub struct Loaded {
 
 impl Loaded {
     /// Adds the content of the file at `path`: the shapes of a scene with its view, those of the one
-    /// scene in an archive, or an import.
+    /// scene in an archive or else all models there, or an import.
     ///
     /// # Errors
     /// If it cannot be read or is not well formed; then nothing is added.
@@ -269,11 +269,21 @@ impl Loaded {
         match file_access::extension(&file).as_str() {
             "scene" => self.add_scene(files, &file, pace).await?,
             "zip" => {
-                let scene = only_scene(files, &file)?;
-                self.add_scene(files, &scene, pace).await?;
+                let mut packed = Self {
+                    missing: self.missing,
+                    ..Self::default()
+                };
+                for path in main_files(files, &file)? {
+                    if file_access::extension(&path) == "scene" {
+                        packed.add_scene(files, &path, pace).await?;
+                    } else {
+                        packed.add_imported(import_any_by(files, &path, pace).await?);
+                    }
+                }
+                self.add_loaded(packed);
             }
             extension if !IMPORTABLE.contains(&extension) => {
-                let openable = [&["scene", "zip"], IMPORTABLE].concat();
+                let openable = [&["scene", "zip"], &IMPORTABLE[..]].concat();
                 return Err(cannot_open(
                     files,
                     path,
@@ -298,6 +308,13 @@ impl Loaded {
         self.view = Some(read.value.view);
         self.shapes.extend(read.value.shapes);
         Ok(())
+    }
+
+    /// Adds what was loaded from another file.
+    fn add_loaded(&mut self, other: Self) {
+        self.warnings.extend(other.warnings);
+        self.view = other.view.or(self.view);
+        self.shapes.extend(other.shapes);
     }
 
     /// Adds imported shapes.

@@ -46,7 +46,7 @@ mod swp;
 mod tests_file;
 
 pub use animation::Animation;
-pub use archive::{WithArchives, to_zip};
+pub use archive::{WithArchives, to_zip, unpacked};
 pub use attach::read_attach;
 pub use content_kind::extension_of;
 pub use diagnostic::{Diagnostic, Imported, Position};

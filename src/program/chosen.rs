@@ -29,6 +29,11 @@ impl Program {
             self.tell(Severity::Warning, text);
             return;
         }
+        let unpack = |(path, files): (PathBuf, Arc<dyn Files>)| {
+            let unpacked = io::unpacked(&*files, &path).into_iter();
+            unpacked.map(move |path| (path, Arc::clone(&files)))
+        };
+        dropped = dropped.into_iter().flat_map(unpack).collect();
         // All files of a character that are dropped together are one.
         let mut known = HashSet::new();
         for (path, files) in &mut dropped {
@@ -157,8 +162,11 @@ fn takes_several(purpose: Purpose) -> bool {
     )
 }
 
-/// `paths` without those that stand for the same character as one before.
-fn once_each(files: &dyn Files, mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
+/// `paths` without those that stand for the same character as one before, with models in the place of the archives
+/// that hold nothing else.
+fn once_each(files: &dyn Files, paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    let unpacked = paths.iter().flat_map(|path| io::unpacked(files, path));
+    let mut paths: Vec<PathBuf> = unpacked.collect();
     let mut known = HashSet::new();
     paths.retain(|path| known.insert(io::character_file(files, path).into_owned()));
     paths

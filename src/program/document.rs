@@ -117,7 +117,7 @@ impl Program {
     /// document untouched. What is read for the document before is not wanted any more.
     fn open(
         &mut self,
-        mut paths: Vec<PathBuf>,
+        paths: Vec<PathBuf>,
         files: Arc<dyn Files>,
         missing: Missing,
         host: &mut dyn Host,
@@ -125,6 +125,8 @@ impl Program {
         self.cancel_reading(host);
         // What is done meanwhile is asked about then; what is not wanted now is not.
         self.document.discarded = Some(self.session.document());
+        let unpacked = paths.iter().flat_map(|path| io::unpacked(&*files, path));
+        let mut paths: Vec<PathBuf> = unpacked.collect();
         let others = paths.split_off(paths.len().min(1));
         let job = ReadJob {
             files,
@@ -395,6 +397,9 @@ impl Program {
 
     /// Puts a file first in File ▸ Open Recent.
     pub(super) fn remember_recent(&mut self, path: &Path) {
+        // A model that was opened from an archive is found with all others there.
+        let mut folders = path.ancestors().skip(1);
+        let path = folders.find(|folder| is_archive(folder)).unwrap_or(path);
         if io::builtin::is_builtin(path) {
             return;
         }

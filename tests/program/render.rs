@@ -646,3 +646,25 @@ fn characters_are_colored_by_numbers_and_only_where_that_is_asked_for() {
         assert!(!folder.path().join("none.png").exists());
     }
 }
+
+#[test]
+fn a_character_in_an_archive_without_a_scene_is_drawn_as_the_character_itself() {
+    let folder = folder();
+    let entry = |name: &str| {
+        (
+            name.into(),
+            std::fs::read(folder.path().join(name)).unwrap(),
+        )
+    };
+    let entries = ["man.obj", "man.skel", "man.attach"].map(entry);
+    let zip = editor_core::io::to_zip(&entries).unwrap();
+    std::fs::create_dir(folder.path().join("mail")).unwrap();
+    std::fs::write(folder.path().join("mail/man.zip"), zip).unwrap();
+    for (file, name) in [("man.obj", "own.png"), ("mail/man.zip", "packed.png")] {
+        let arguments = ["render", file, "--fit", "--pose", "bend.json", "-o", name];
+        let ran = editor_in(folder.path(), &arguments);
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+    }
+    let [own, packed] = ["own.png", "packed.png"].map(|name| picture(folder.path(), name));
+    assert!(drawn(&own) > 1000 && own == packed);
+}

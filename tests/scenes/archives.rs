@@ -2,8 +2,8 @@
 
 use super::support::{MAN, SCENE, Table, files, read};
 use editor_core::io::builtin::WithBuiltin;
-use editor_core::io::{Files, Missing, WithArchives, package, scene_text, to_zip};
-use editor_core::scene::{Scene, ShapeKind, ViewSettings};
+use editor_core::io::{Files, Loaded, Missing, WithArchives, package, scene_text, to_zip};
+use editor_core::scene::{NewShape, Scene, ShapeKind, ViewSettings};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -134,22 +134,52 @@ fn a_file_in_an_archive_is_read_and_what_is_not_there_is_told() {
 }
 
 #[test]
-fn an_archive_without_one_scene_is_refused() {
+fn an_archive_with_nothing_to_open_or_two_scenes_is_refused() {
     let scene = r#"{"format": "editor-scene", "version": 2}"#;
-    for (entries, found) in [
-        (vec![("a.obj", ""), ("__MACOSX/._a.scene", "")], 0),
-        (vec![("a.scene", scene), ("b.scene", scene)], 2),
+    let neither = "a.zip: expected a .scene or a model (.obj, .swp, .dae) in it, found neither";
+    let two = "a.zip: expected one .scene in it, found 2";
+    for (entries, message) in [
+        (vec![("a.png", ""), ("__MACOSX/._a.scene", "")], neither),
+        (vec![("a.scene", scene), ("b.scene", scene)], two),
     ] {
         let files = archives(&[("a.zip", zip(&entries))]);
         let error = read(&files, "a.zip", Missing::Refuse).unwrap_err();
-        assert_eq!(
-            error,
-            format!("a.zip: expected one .scene in it, found {found}")
-        );
+        assert_eq!(error, message);
     }
     let entries = [("d/a.scene", scene), ("__MACOSX/d/._a.scene", "x")];
     let files = archives(&[("a.zip", zip(&entries))]);
     assert!(read(&files, "a.zip", Missing::Refuse).is_ok());
+}
+
+#[test]
+fn an_archive_without_a_scene_opens_as_all_models_in_it() {
+    let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let entries = [
+        ("rigs/man.skel", "0 0 0 -1\n0 1 0 0\n"),
+        ("rigs/man.obj", triangle),
+        ("rigs/man.attach", "1\n1\n1\n"),
+        ("flag.obj", triangle),
+        ("__MACOSX/._flag.obj", "x"),
+        ("readme.txt", "x"),
+    ];
+    let files = archives(&[("d/a.zip", zip(&entries))]);
+    let mut loaded = Loaded::default();
+    loaded.add(&files, Path::new("d/a.zip")).unwrap();
+    let source = |shape: &NewShape| shape.source.as_ref().unwrap().file.clone();
+    let found: Vec<(&str, String)> = loaded
+        .shapes
+        .iter()
+        .map(|shape| (&*shape.name, source(shape)))
+        .collect();
+    let flag = ("Flag", "d/a.zip/flag.obj".to_owned());
+    let man = ("Man", "d/a.zip/rigs/man.obj".to_owned());
+    assert_eq!(found, [flag, man]);
+    let [ShapeKind::Mesh(_), ShapeKind::Character(_)] =
+        [&loaded.shapes[0].kind, &loaded.shapes[1].kind]
+    else {
+        panic!("a shape and a character");
+    };
+    assert!(loaded.view.is_none());
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! Several files chosen together, as a page lets them be, and archives, which hold several.
 
-use super::Story;
+use super::{STRIP, Story};
 use editor_core::editor::Severity;
+use editor_core::io::to_zip;
 use egui::{Key, Modifiers};
+use std::path::{Path, PathBuf};
 
 const CTRL: Modifiers = Modifiers::COMMAND;
 
@@ -122,16 +124,64 @@ fn an_archive_that_was_saved_with_its_files_is_opened_when_it_is_dropped() {
     story.click("File");
     story.click("Save with Files…");
     story.choose("out/mine.zip");
-    story.host.files.remove(std::path::Path::new("flag.obj"));
+    story.host.files.remove(Path::new("flag.obj"));
     story.key_with(CTRL, Key::N);
     assert!(story.names().is_empty());
     drop_together(&mut story, &["out/mine.zip"]);
     assert_eq!(story.names(), ["Flag"]);
-    assert!(story.host.title.contains("mine.zip"), "{}", story.host.title);
+    assert!(
+        story.host.title.contains("mine.zip"),
+        "{}",
+        story.host.title
+    );
     // A model beside it is added, as beside a scene.
     drop_together(&mut story, &["models/strip.obj", "out/mine.zip"]);
     assert_eq!(story.names(), ["Flag", "Strip"]);
     let errors = story.messages().into_iter();
-    let errors: Vec<_> = errors.filter(|(severity, _)| *severity == Severity::Error).collect();
+    let errors: Vec<_> = errors
+        .filter(|(severity, _)| *severity == Severity::Error)
+        .collect();
     assert!(errors.is_empty(), "{errors:?}");
+}
+
+/// A document without shapes beside `course.zip` with the strip's three files and a flag, in which no scene is.
+fn with_archive_of_models() -> Story {
+    let mut story = with_files();
+    let flag = story.host.files.remove(Path::new("flag.obj"));
+    let mut entries: Vec<(PathBuf, Vec<u8>)> = vec![("flag.obj".into(), flag.unwrap())];
+    for (path, text) in STRIP {
+        story.host.files.remove(Path::new(path));
+        entries.push((path.into(), text.into()));
+    }
+    let zip = to_zip(&entries).unwrap();
+    story.host.files.insert("course.zip".into(), zip);
+    story
+}
+
+#[test]
+fn models_in_an_archive_are_opened_as_if_they_were_chosen_together() {
+    let mut story = with_archive_of_models();
+    story.key_with(CTRL, Key::O);
+    story.choose("course.zip");
+    assert_eq!(story.names(), ["Flag", "Strip"]);
+    assert_eq!(story.messages(), []);
+    assert!(story.host.title.contains("flag"), "{}", story.host.title);
+    // The archive that was handed out is not written over.
+    story.key_with(CTRL, Key::S);
+    assert_eq!(story.host.requests.last().unwrap().name, "flag.scene");
+    story.host.dialog_is_open = false;
+    story.click("File");
+    story.click("Open Recent");
+    assert!(story.has("course.zip"), "all of them are opened again");
+}
+
+#[test]
+fn models_in_an_archive_that_is_dropped_are_added() {
+    let mut story = with_archive_of_models();
+    story.key_with(Modifiers::SHIFT, Key::C);
+    drop_together(&mut story, &["course.zip"]);
+    assert_eq!(story.names(), ["Cube", "Flag", "Strip"]);
+    assert_eq!(story.messages(), []);
+    story.type_into("Elbow Z", "30");
+    assert!((story.degrees("Elbow").z - 30.0).abs() < 1e-4);
 }
