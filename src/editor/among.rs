@@ -2,7 +2,7 @@
 
 use super::Session;
 use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind, ViewSettings};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -83,6 +83,26 @@ fn stand_beside(session: &Session, shapes: &mut [NewShape], mut beside: Vec3, bo
         shape.placement.transform.position += beside;
         shape.start.transform.position += beside;
     }
+}
+
+/// `shapes` of several files, of which the next so many are from one each, so that none stands in those of a file
+/// before it: placed as by [`set_among`] one file after the other.
+pub fn set_beside_each_other(
+    shapes: Vec<NewShape>,
+    counts: impl Iterator<Item = usize>,
+    camera: &Camera,
+) -> Vec<NewShape> {
+    let mut rest = shapes.into_iter();
+    let mut placed: Vec<NewShape> = Vec::new();
+    for count in counts {
+        let mut next: Vec<NewShape> = rest.by_ref().take(count).collect();
+        if !placed.is_empty() && next.iter().any(|shape| shape.front().is_some()) {
+            let before = Session::with_shapes(placed.clone(), ViewSettings::default());
+            set_among(&before, &mut next, camera);
+        }
+        placed.extend(next);
+    }
+    placed
 }
 
 /// Lifts a shape that is to be added onto the ground of the characters, if the view shows a ground, which

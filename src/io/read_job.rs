@@ -46,6 +46,8 @@ pub enum Wanted {
 pub struct ReadFiles {
     /// What could be read.
     pub loaded: Loaded,
+    /// Number of shapes from each file, in the order of the files.
+    pub counts: Vec<usize>,
     /// Why others could not, in their order.
     pub failed: Vec<Diagnostic>,
 }
@@ -75,6 +77,8 @@ impl ReadJob {
                 let share = index as f32 / count..(index + 1) as f32 / count;
                 let added = self.add(path, &mut read.loaded, &pace);
                 read.failed.extend(pace.within(share, added).await.err());
+                let before: usize = read.counts.iter().sum();
+                read.counts.push(read.loaded.shapes.len() - before);
             }
             for shape in &read.loaded.shapes {
                 let mesh = shape.kind.mesh();
@@ -131,7 +135,7 @@ mod tests {
             assert!(part <= steps.part() && steps.part() <= 1.0);
             part = steps.part();
         };
-        let ReadFiles { loaded, failed } = read;
+        let ReadFiles { loaded, failed, .. } = read;
         let told = loaded.warnings.iter().chain(&failed);
         let told: Vec<String> = told.map(ToString::to_string).collect();
         let shapes = format!("{:?}", loaded.shapes);

@@ -7,7 +7,7 @@ use super::reading::Use;
 use super::running::Program;
 use super::{Host, Previous};
 use crate::character::{Mirror, Pose};
-use crate::editor::{Edit, Severity, View};
+use crate::editor::{Edit, Severity, View, set_beside_each_other};
 use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{self, Diagnostic, Files, Loaded, Missing, PoseData, PoseFile, ReadJob, Wanted};
@@ -28,8 +28,10 @@ impl Program {
         let picture = pictures.into_iter().next_back();
         if paths.is_empty() {
             let nothing = Loaded::default();
-            return self.begin_with(nothing, &paths, &*files, Vec::new(), picture.as_deref());
+            return self.begin_with(nothing, &[], &*files, Vec::new(), picture.as_deref());
         }
+        let unpacked = paths.iter().flat_map(|path| io::unpacked(&*files, path));
+        let paths: Vec<PathBuf> = unpacked.collect();
         // What is seen while large files are read.
         self.session.open(Vec::new(), self.view_without_scene());
         self.document = DocumentFile::untitled(self.session.document());
@@ -42,13 +44,13 @@ impl Program {
         self.read(job, Use::Start(picture), host);
     }
 
-    /// Shows what the program was started with: what was `loaded` from `paths`, compared with a
-    /// picture if there is one. What could not be opened becomes a message. Whoever has begun
+    /// Shows what the program was started with: what was `loaded` from `paths`, each with the number of its shapes,
+    /// compared with a picture if there is one. What could not be opened becomes a message. Whoever has begun
     /// something else meanwhile has the shapes added to that.
     pub(super) fn begin_with(
         &mut self,
         mut loaded: Loaded,
-        paths: &[PathBuf],
+        paths: &[(PathBuf, usize)],
         files: &dyn Files,
         failed: Vec<Diagnostic>,
         picture: Option<&Path>,
@@ -56,18 +58,15 @@ impl Program {
         if self.is_modified() {
             self.insert(loaded);
         } else {
-            self.show_opened(
-                std::mem::take(&mut loaded.shapes),
-                loaded.view,
-                picture.is_some(),
-            );
-            self.document = match paths {
-                [path] if failed.is_empty() => {
-                    self.remember_recent(&io::character_file(files, path));
-                    self.file_of(path, files)
-                }
-                _ => DocumentFile::untitled(self.session.document()),
-            };
+            let mut shapes = std::mem::take(&mut loaded.shapes);
+            // The picture shows them where their files have them.
+            if picture.is_none() {
+                let counts = paths.iter().map(|(_, count)| *count);
+                let camera = loaded.view.unwrap_or_default().camera;
+                shapes = set_beside_each_other(shapes, counts, &camera);
+            }
+            self.show_opened(shapes, loaded.view, picture.is_some());
+            self.document = self.document_of(paths, files, !failed.is_empty());
             self.tell_all(Severity::Warning, loaded.warnings);
         }
         self.tell_all(Severity::Error, failed);
@@ -76,6 +75,30 @@ impl Program {
         }
         if self.is_viewer {
             self.session.look(View::Select(None));
+        }
+    }
+
+    /// What is known of the file of the first document, which was read from `paths`, each with the number of its
+    /// shapes: of several files it has the name of the first that is there.
+    fn document_of(
+        &mut self,
+        paths: &[(PathBuf, usize)],
+        files: &dyn Files,
+        any_failed: bool,
+    ) -> DocumentFile {
+        let mut there = paths.iter().filter(|(_, count)| *count > 0 || !any_failed);
+        let Some((first, _)) = there.next() else {
+            return DocumentFile::untitled(self.session.document());
+        };
+        self.remember_recent(&io::character_file(files, first));
+        let file = self.file_of(first, files);
+        if paths.len() == 1 {
+            return file;
+        }
+        // Saved over its first file, the others would be in that.
+        DocumentFile {
+            stem: file.stem,
+            ..DocumentFile::untitled(self.session.document())
         }
     }
 

@@ -149,11 +149,16 @@ impl Program {
     }
 
     fn use_files(&mut self, request: Request, read: ReadFiles, host: &mut dyn Host) {
-        let ReadFiles { loaded, failed } = read;
+        let ReadFiles {
+            loaded,
+            counts,
+            failed,
+        } = read;
         let Request { job, becomes } = request;
         let ReadJob { files, paths, .. } = job;
         match (becomes, &paths[..], failed.first()) {
             (Use::Start(picture), ..) => {
+                let paths: Vec<(PathBuf, usize)> = paths.into_iter().zip(counts).collect();
                 self.begin_with(loaded, &paths, &*files, failed, picture.as_deref());
             }
             (Use::Restore(_), _, Some(error)) => self.give_up_restoring(&error.to_string(), host),

@@ -3,6 +3,8 @@
 use super::{Story, differing};
 use crate::host::MemoryHost;
 use editor_core::editor::Severity;
+use editor_core::geometry::Picture;
+use editor_core::io::image::{PictureFormat, encode};
 use editor_core::program::{FrameInput, Options, StorageKey};
 use editor_core::scene::{Look, Skinning, ViewDirection};
 use editor_core::ui::Navigation;
@@ -41,10 +43,50 @@ fn files_that_are_named_at_the_start_are_opened_and_faults_are_messages() {
     };
     let files = ["models/strip.obj", "no/such.obj", "builtin:gem"];
     let story = Story::start_with(MemoryHost::default(), options, &files);
-    assert_eq!(story.host.title, "Editor — Ann");
+    assert_eq!(story.host.title, "strip — Editor — Ann");
     assert_eq!(story.names(), ["Strip", "Gem"]);
     let missing = (Severity::Error, "no/such.obj: there is no such file");
     assert_eq!(story.messages(), [missing]);
+}
+
+/// Places of the shapes along x.
+fn places(story: &Story) -> Vec<f32> {
+    let shapes = story.session().scene().shapes().iter();
+    shapes
+        .map(|shape| shape.placement.transform.position.x)
+        .collect()
+}
+
+#[test]
+fn figures_that_the_program_starts_with_stand_beside_each_other_and_name_the_document() {
+    let story = Story::start(&["builtin:robot", "builtin:robot", "builtin:adult"]);
+    assert_eq!(story.names(), ["Robot", "Robot", "Adult"]);
+    let places = places(&story);
+    assert!(places[0] == 0.0 && places[1].abs() > 0.4, "{places:?}");
+    assert!(places[2] != 0.0 && places[2] != places[1], "{places:?}");
+    assert_eq!(story.host.title, "robot — Editor");
+    assert!(!story.program.is_modified());
+    assert_eq!(story.session().done_steps(), 0, "nothing to take back");
+}
+
+#[test]
+fn figures_that_a_picture_is_compared_with_at_the_start_stay_where_their_files_have_them() {
+    let picture = Picture {
+        width: 8,
+        height: 6,
+        rgba: [26, 26, 26, 255].repeat(48),
+    };
+    let host = MemoryHost {
+        files: [(
+            "a.png".into(),
+            encode(&picture, PictureFormat::Png).unwrap(),
+        )]
+        .into(),
+        stored: [super::started_before()].into(),
+        ..MemoryHost::default()
+    };
+    let story = Story::start_at(host, &["builtin:robot", "builtin:robot", "a.png"]);
+    assert_eq!(places(&story), [0.0, 0.0]);
 }
 
 #[test]
