@@ -42,7 +42,13 @@ impl Program {
         dropped.retain(|(path, _)| known.insert(path.clone()));
         let scene = dropped.iter().position(|(path, _)| holds_document(path));
         let Some(scene) = scene.filter(|_| dropped.len() > 1) else {
-            for (path, files) in dropped {
+            // One that is found may bring others that are dropped with it.
+            let is_missing = |(path, _): &(PathBuf, _)| self.missing_shape_from(path).is_some();
+            let (found, others): (Vec<_>, Vec<_>) = dropped.into_iter().partition(is_missing);
+            for (path, files) in found {
+                self.complete_scene(&path, &*files);
+            }
+            for (path, files) in others {
                 self.use_dropped(&path, files, host);
             }
             return;
@@ -59,7 +65,7 @@ impl Program {
         self.leave_for(Next::OpenFiles(paths, files), host);
     }
 
-    /// Uses a file that was dropped on the window: a scene or an archive to open, a picture that a model lacked or else one to
+    /// Uses a file that was dropped on the window, of which no shape is missing: a scene or an archive to open, a picture that a model lacked or else one to
     /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all
     /// else as an import.
     fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
@@ -101,7 +107,9 @@ impl Program {
             Purpose::ImportCharacter => self.import_all(all, &files, Wanted::Character, host),
             Purpose::SaveScene => self.save_to(path, host),
             Purpose::SaveWithFiles => self.save_with_files(&path, host),
-            Purpose::FindSource(shape) => self.use_found(shape, &path, reader),
+            Purpose::FindSource(shape) => {
+                self.use_found(shape, &path, reader);
+            }
             Purpose::LoadPose(shape) => self.load_pose(shape, &path, reader),
             Purpose::Compare => self.compare_with(&path, reader),
             Purpose::CompareMesh(shape) => self.compare_with_mesh(shape, &path, reader),

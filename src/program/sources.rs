@@ -5,6 +5,7 @@ use super::document::Next;
 use super::document_file::Writing;
 use super::document_name::is_archive;
 use super::exports::needed_error;
+use super::files::file_name;
 use super::running::Program;
 use super::{Host, Purpose};
 use crate::editor::{Edit, Severity};
@@ -118,16 +119,34 @@ impl Program {
             .collect();
         let (count, _) = self.replace(&ids, &|_| None, files);
         if count > 0 {
-            let name = path
-                .file_name()
-                .unwrap_or(path.as_os_str())
-                .to_string_lossy();
-            self.tell(
-                Severity::Info,
-                format!("{name} is on the model that names it"),
-            );
+            let text = format!("{} is on the model that names it", file_name(path));
+            self.tell(Severity::Info, text);
         }
         count > 0
+    }
+
+    /// The first shape that is missing because a model of the name that `path` has was not there.
+    pub(super) fn missing_shape_from(&self, path: &Path) -> Option<ShapeId> {
+        let name = path.file_name()?;
+        let mut shapes = self.session.scene().shapes().iter();
+        let missing = shapes.find(|shape| {
+            let source = shape.source.as_ref();
+            let file = source.map(|source| Path::new(&source.file));
+            matches!(shape.kind, ShapeKind::Missing(_))
+                && file.and_then(Path::file_name) == Some(name)
+        });
+        missing.map(|shape| shape.id)
+    }
+
+    /// Puts the model at `path` in the place of the shape that is missing without it, if one still is.
+    pub(super) fn complete_scene(&mut self, path: &Path, files: &dyn Files) {
+        let Some(shape) = self.missing_shape_from(path) else {
+            return;
+        };
+        if self.use_found(shape, path, files) {
+            let text = format!("{} is where it was missing", file_name(path));
+            self.tell(Severity::Info, text);
+        }
     }
 
     /// Lets the file of a shape be chosen, where it is now.
@@ -136,8 +155,8 @@ impl Program {
     }
 
     /// Reads the file of a shape from `path` from now on; and those of other shapes that are
-    /// missing, too, where they lie beside it.
-    pub(super) fn use_found(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) {
+    /// missing, too, where they lie beside it. Returns whether any could be.
+    pub(super) fn use_found(&mut self, shape: ShapeId, path: &Path, files: &dyn Files) -> bool {
         let folder = path.parent().unwrap_or(Path::new(""));
         let is_now = |other: &Shape| {
             if other.id == shape {
@@ -151,7 +170,7 @@ impl Program {
         let shapes = self.session.scene().shapes().iter();
         let found = shapes.filter(|shape| is_now(shape).is_some());
         let found: Vec<ShapeId> = found.map(|shape| shape.id).collect();
-        self.replace(&found, &is_now, files);
+        self.replace(&found, &is_now, files).0 > 0
     }
 
     /// Writes the document and the files that it needs: an archive, or a scene with a folder beside

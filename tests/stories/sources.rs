@@ -605,3 +605,30 @@ fn a_folder_whose_name_is_no_unicode_keeps_the_names_of_models_beside_its_scene(
     let saved = String::from_utf8(story.host.files[&folder.join("a.scene")].clone()).unwrap();
     assert!(saved.contains("\"strip.obj\""), "{saved}");
 }
+
+#[test]
+fn a_missing_model_that_is_dropped_takes_the_place_of_its_box() {
+    let scene = br#"{"format": "editor-scene", "version": 1, "shapes": [
+        {"source": "old/strip.obj"}, {"source": "old/flag.obj"}]}"#;
+    let mut story = Story::start(&[]);
+    story.host.files.insert("a.scene".into(), scene.to_vec());
+    open(&mut story, "a.scene");
+    let is_missing = |story: &Story| -> Vec<bool> {
+        let shapes = story.session().scene().shapes().iter();
+        shapes.map(|shape| matches!(shape.kind, ShapeKind::Missing(_))).collect()
+    };
+    assert_eq!(is_missing(&story), [true, true]);
+    let flag = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec();
+    story.host.files.insert("models/flag.obj".into(), flag);
+    for path in ["models/strip.obj", "models/strip.skel", "models/flag.obj"] {
+        story.host.drop_file(path);
+    }
+    story.settle();
+    assert_eq!(is_missing(&story), [false, false], "and nothing is added");
+    let told = (Severity::Info, "strip.obj is where it was missing");
+    assert_eq!(story.messages().last(), Some(&told));
+    // Once it is there, the same file is one more.
+    story.host.drop_file("models/flag.obj");
+    story.settle();
+    assert_eq!(is_missing(&story), [false; 3]);
+}
