@@ -49,7 +49,9 @@ impl Asked {
         if !fetched.is_empty() {
             let names: Vec<PathBuf> = fetched.iter().map(|(path, _)| path.clone()).collect();
             let opened = main_files(&names);
-            let folder = given.place(with_named(fetched, &opened).await).await;
+            let (fetched, absent) = with_named(fetched, &opened).await;
+            let folder = given.place(fetched).await;
+            given.note_absent(absent.iter().map(|path| folder.join(path)));
             let opened = opened.into_iter().map(|path| folder.join(path));
             asked.files.extend(opened);
         }
@@ -73,9 +75,12 @@ impl Asked {
     }
 }
 
-/// `files` with those of the page's site that are read with them when `opened` are opened. What is not there is
-/// told when it is read.
-async fn with_named(files: Vec<(PathBuf, Vec<u8>)>, opened: &[PathBuf]) -> Vec<(PathBuf, Vec<u8>)> {
+/// `files` with those of the page's site that are read with them when `opened` are opened, and the paths of those
+/// that are not there, which is told when they are read.
+async fn with_named(
+    files: Vec<(PathBuf, Vec<u8>)>,
+    opened: &[PathBuf],
+) -> (Vec<(PathBuf, Vec<u8>)>, HashSet<PathBuf>) {
     let mut files: HashMap<PathBuf, Vec<u8>> = files.into_iter().collect();
     let mut looked_for = HashSet::new();
     for _ in 0..MOST_ROUNDS {
@@ -87,7 +92,8 @@ async fn with_named(files: Vec<(PathBuf, Vec<u8>)>, opened: &[PathBuf]) -> Vec<(
         }
         files.extend(fetched);
     }
-    files.into_iter().collect()
+    looked_for.retain(|path| !files.contains_key(path));
+    (files.into_iter().collect(), looked_for)
 }
 
 /// The text of the scene in the page's address, as in `#scene=…`, if there is one.

@@ -4,7 +4,7 @@ use super::browser;
 use super::kept_files;
 use crate::io::builtin::is_builtin;
 use crate::io::{Diagnostic, Files, namesakes};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use wasm_bindgen_futures::spawn_local;
@@ -14,6 +14,8 @@ use wasm_bindgen_futures::spawn_local;
 #[derive(Clone, Debug)]
 pub(super) struct GivenFiles {
     files: Arc<Mutex<Table>>,
+    /// Files that were looked for beside the page, which has them not.
+    absent: Arc<Mutex<HashSet<PathBuf>>>,
     /// Whether they are kept for the next visit.
     are_kept: bool,
 }
@@ -25,6 +27,7 @@ impl GivenFiles {
     pub fn of(files: Table, are_kept: bool) -> Self {
         Self {
             files: Arc::new(Mutex::new(files)),
+            absent: Arc::default(),
             are_kept,
         }
     }
@@ -77,6 +80,18 @@ impl GivenFiles {
         self.table().insert(path, bytes);
     }
 
+    /// Takes note of files that are not beside the page either.
+    pub fn note_absent(&self, paths: impl Iterator<Item = PathBuf>) {
+        let mut absent = self.absent.lock().unwrap_or_else(PoisonError::into_inner);
+        absent.extend(paths);
+    }
+
+    /// Whether the file at `path` was looked for beside the page, in vain.
+    fn is_absent(&self, path: &Path) -> bool {
+        let absent = self.absent.lock().unwrap_or_else(PoisonError::into_inner);
+        absent.contains(path)
+    }
+
     /// `path`, or a name like it if one of the files is called the same but for its extension: what is
     /// exported must not take the place of a model.
     pub fn free_name(&self, path: PathBuf) -> PathBuf {
@@ -110,8 +125,13 @@ impl Files for GivenFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, Diagnostic> {
         let files = self.table();
         found(&files, path).cloned().ok_or_else(|| {
-            let message = "the page has not been given this file: choose or drop all files that \
-                           belong together at once";
+            let message = match self.is_absent(path) {
+                true => "there is no such file beside the page",
+                false => {
+                    "the page has not been given this file: choose or drop all files that belong \
+                     together at once"
+                }
+            };
             Diagnostic::new(path, message)
         })
     }
