@@ -316,14 +316,19 @@ impl Comparison {
 }
 
 impl Program {
-    /// Begins a comparison with the picture `reference` from a file called `name`, in the Course look,
-    /// or in the Studio's if that is what the picture has.
+    /// Begins a comparison with the picture `reference` from a file called `name`: in the Studio look if that is what
+    /// the picture has, else in the look of the program that it may be from. That is the Virtual Mannequin's where the
+    /// document is shown in its look, and otherwise the course's.
     pub(super) fn begin_comparison(&mut self, name: String, reference: Picture) {
         let before = self.comparison.as_ref();
         let before = before.map_or(self.session.view().look, |before| before.look_before);
         self.mesh_comparison = None;
         let studio = Backdrop::of_studio(&reference);
-        let look = studio.map_or(Look::Course, |_| Look::Studio);
+        let look = match (studio, before) {
+            (Some(_), _) => Look::Studio,
+            (None, Look::Mannequin) => Look::Mannequin,
+            (None, Look::Course | Look::Studio) => Look::Course,
+        };
         self.session.look(View::SetLook(look));
         let settings = self.compare_settings();
         let mut comparison = Comparison::new(name, reference, settings, before);

@@ -444,6 +444,31 @@ fn the_course_look_is_one_click() {
 }
 
 #[test]
+fn the_mannequin_look_is_one_click_and_the_hint_names_the_look_that_the_view_has() {
+    let mut editor = comparing();
+    let began_in = |editor: &mut Editor, look| {
+        let comparing = &mut editor.harness.state_mut().comparing;
+        comparing.as_mut().expect("a comparison").look = look;
+        editor.settle();
+    };
+    let with_background = CompareReport {
+        differences: Some(counts(240, 200)),
+        ..CompareReport::default()
+    };
+    report(&mut editor, with_background);
+    editor.click("Mannequin look");
+    assert_eq!(editor.session().view().look, Look::Mannequin);
+    let other = "B has the Mannequin look. Course look draws it as the course's program does.";
+    assert!(editor.has(other));
+    began_in(&mut editor, Look::Mannequin);
+    assert!(!editor.has(other));
+    editor.view(View::SetLook(Look::Course));
+    assert!(
+        editor.has("B has the Course look. Mannequin look draws it as the Virtual Mannequin does.")
+    );
+}
+
+#[test]
 fn numbers_and_causes_are_told_in_words() {
     let mut editor = comparing();
     assert!(editor.has("Measuring…"));

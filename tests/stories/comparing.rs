@@ -3,8 +3,10 @@
 use super::Story;
 use crate::host::MemoryHost;
 use editor_core::compare::Area;
+use editor_core::editor::View;
 use editor_core::io::image::{self, PictureFormat};
 use editor_core::program::{HostEvent, Purpose, RunningJob};
+use editor_core::scene::Look;
 use editor_core::ui::{Action, Ask, CompareAction, CompareSettings};
 use egui::{Key, vec2};
 use std::path::Path;
@@ -378,4 +380,22 @@ fn texts(story: &Story) -> Vec<String> {
 
 fn has_text(story: &Story, part: &str) -> bool {
     texts(story).iter().any(|text| text.starts_with(part))
+}
+
+#[test]
+fn a_document_in_the_mannequin_look_is_compared_in_it() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    let set = Action::View(View::SetLook(Look::Mannequin));
+    story.program.carry_out(vec![set], &mut story.host);
+    story.save_view((300, 200), "mine.png");
+    let saved = story.host.written[Path::new("mine.png")].clone();
+    story.host.files.insert("mine.png".into(), saved);
+    story.key(Key::F8);
+    story.choose("mine.png");
+    assert_eq!(story.session().view().look, Look::Mannequin);
+    smooth_edges(&mut story);
+    judge(&mut story);
+    assert!(has_text(&story, "0 of 60000"), "{:?}", texts(&story));
+    story.click("Stop comparing");
+    assert_eq!(story.session().view().look, Look::Mannequin);
 }

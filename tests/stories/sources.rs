@@ -615,7 +615,9 @@ fn a_missing_model_that_is_dropped_takes_the_place_of_its_box() {
     open(&mut story, "a.scene");
     let is_missing = |story: &Story| -> Vec<bool> {
         let shapes = story.session().scene().shapes().iter();
-        shapes.map(|shape| matches!(shape.kind, ShapeKind::Missing(_))).collect()
+        shapes
+            .map(|shape| matches!(shape.kind, ShapeKind::Missing(_)))
+            .collect()
     };
     assert_eq!(is_missing(&story), [true, true]);
     let flag = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".to_vec();

@@ -29,7 +29,7 @@ pub(in crate::ui) fn show(
     outlined: &mut Outlined,
     actions: &mut Vec<Action>,
 ) {
-    let look_is_course = session.view().look == Look::Course;
+    let look = session.view().look;
     below_the_view(root, ("compare", false), HEIGHTS, |ui| {
         header(ui, compare, changed, actions);
         // What is scrolled is so for one picture.
@@ -38,14 +38,14 @@ pub(in crate::ui) fn show(
                 columns(ui, |number, ui| match number {
                     0 => findings(ui, session, compare, outlined),
                     1 => numbers(ui, compare.report),
-                    _ => settings(ui, look_is_course, compare, changed, actions),
+                    _ => settings(ui, look, compare, changed, actions),
                 });
             } else {
                 scrolled(ui, |ui| {
                     findings(ui, session, compare, outlined);
                     numbers(ui, compare.report);
                     ui.separator();
-                    settings(ui, look_is_course, compare, changed, actions);
+                    settings(ui, look, compare, changed, actions);
                 });
             }
         });
@@ -125,7 +125,7 @@ fn explained(mode: CompareMode) -> &'static str {
 /// What counts as a difference, how the live view is drawn, and what is left out.
 fn settings(
     ui: &mut Ui,
-    look_is_course: bool,
+    look: Look,
     compare: &CompareView,
     changed: &mut CompareSettings,
     actions: &mut Vec<Action>,
@@ -143,7 +143,7 @@ fn settings(
             .on_hover_text("Draw the live view with antialiasing; the course's program has none");
     });
     ui.horizontal_wrapped(|ui| {
-        let as_course = look_is_course && !changed.smooth_edges;
+        let as_course = look == Look::Course && !changed.smooth_edges;
         let course = ui
             .add_enabled(!as_course, Button::new("Course look"))
             .on_hover_text("Draw the live view as the course's program does: its light and background, hard edges")
@@ -152,6 +152,13 @@ fn settings(
             changed.smooth_edges = false;
             actions.push(Action::View(View::SetLook(Look::Course)));
             actions.push(Action::View(View::SetShading(Shading::AsAuthored)));
+        }
+        let mannequin = ui
+            .add_enabled(look != Look::Mannequin, Button::new("Mannequin look"))
+            .on_hover_text("Draw the live view as the Virtual Mannequin does: its light and background")
+            .on_disabled_hover_text("The live view is drawn as the Virtual Mannequin does");
+        if mannequin.clicked() {
+            actions.push(Action::View(View::SetLook(Look::Mannequin)));
         }
         masks::buttons(ui, compare.size(), &mut changed.masks);
     });
@@ -327,8 +334,6 @@ fn link(ui: &mut Ui, place: &str, area: Area, outlined: &mut Outlined) {
 }
 
 const COVERED: &str = "If A shows the other program's panels, leave them out: Mask its panels.";
-const OTHER_LOOK: &str =
-    "B has the Studio look. Course look draws it as the course's program does.";
 const SMOOTH: &str =
     "B has smooth edges. If A has none, as the course's program draws it, untick Smooth edges.";
 
@@ -342,13 +347,32 @@ fn hints(
     let look_is_course = look == Look::Course;
     // Where not even the border has a color of its own, something lies over the scene.
     let covered = settings.masks.is_empty() && counts.drawn_pixels == counts.compared_pixels;
-    [
-        (!look_is_course && compare.look == Look::Course, OTHER_LOOK),
+    let other_look = other_look(look, compare.look).into_iter();
+    let others = [
         (look_is_course && settings.smooth_edges, SMOOTH),
         (look_is_course && covered, COVERED),
-    ]
-    .into_iter()
-    .filter_map(|(applies, hint)| applies.then_some(hint))
+    ];
+    let others = others.into_iter();
+    other_look.chain(others.filter_map(|(applies, hint)| applies.then_some(hint)))
+}
+
+/// The way back to the look that the comparison began with, if the live view has another one.
+fn other_look(now: Look, began_in: Look) -> Option<&'static str> {
+    match (now, began_in) {
+        (Look::Studio, Look::Course) => {
+            Some("B has the Studio look. Course look draws it as the course's program does.")
+        }
+        (Look::Mannequin, Look::Course) => {
+            Some("B has the Mannequin look. Course look draws it as the course's program does.")
+        }
+        (Look::Studio, Look::Mannequin) => {
+            Some("B has the Studio look. Mannequin look draws it as the Virtual Mannequin does.")
+        }
+        (Look::Course, Look::Mannequin) => {
+            Some("B has the Course look. Mannequin look draws it as the Virtual Mannequin does.")
+        }
+        _ => None,
+    }
 }
 
 #[cfg(test)]
