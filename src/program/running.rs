@@ -38,6 +38,8 @@ pub struct Options {
     pub asks_for_files: bool,
     /// Whether there is only the scene, to be turned, posed and reset, without panels.
     pub is_viewer: bool,
+    /// Whether the machine is made for fingers first of all, as a phone is.
+    pub has_fingers_first: bool,
 }
 
 impl Options {
@@ -193,6 +195,7 @@ impl Program {
 
         let is_first = !program.preferences.started_before;
         program.ui.first_help = is_first;
+        program.ui.has_fingers_first = options.has_fingers_first;
         program.is_viewer = options.is_viewer;
         if options.is_viewer {
             program.ui.become_viewer();

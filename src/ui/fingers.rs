@@ -1,10 +1,24 @@
 //! Several fingers on the view, which move it and zoom, and do nothing else.
 
+use super::commands::{Gesture, gesture};
 use super::scene_places::ScenePlaces;
 use super::{Action, UiState, control_points, posing};
 use crate::editor::{Session, View};
 use egui::{InputState, Response};
 use glam::{Vec2, Vec3};
+
+/// What fingers do, for Help ▸ Keys and Mouse, but for one that is drawn over the view (see
+/// [`Navigation::drag_of_a_finger`](super::Navigation::drag_of_a_finger)).
+pub(super) const GESTURES: &[Gesture] = &[
+    gesture("Two fingers", "Move the scene and zoom"),
+    gesture("A second finger in a drag", "Put everything back"),
+    gesture("Tap in the view", "Select a shape"),
+    gesture("Pose: drag a bone", "Turn it"),
+    gesture("Pose: tap a bone", "Show rings that turn it"),
+    gesture("Drag a number", "Change it"),
+    gesture("Tap a number", "Type a value or a sum such as 45/2"),
+    gesture("Long press", "The right button: a number at rest"),
+];
 
 /// What several fingers have been for since they came together. One that is left of them does nothing
 /// until it is lifted: nobody lifts all of them at the same moment.

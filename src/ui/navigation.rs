@@ -237,7 +237,15 @@ impl Navigation {
         drags.chain(steps).chain(turns)
     }
 
-    /// The same as one line, for the status line.
+    /// What one finger that is drawn over the view does, for Help ▸ Keys and Mouse.
+    pub(super) fn drag_of_a_finger(self) -> Gesture {
+        match self {
+            Self::Blender => gesture("One finger", "Select the shapes in a box"),
+            Self::Course | Self::Orbit | Self::Mannequin => gesture("One finger", "Turn the scene"),
+        }
+    }
+
+    /// The gestures of a mouse as one line, or those of fingers, for the status line.
     pub(super) fn summary(self, pointing: Pointing) -> &'static str {
         match (self, pointing) {
             (Self::Blender, Pointing::Fingers) => {

@@ -27,8 +27,9 @@ impl Pointing {
     }
 }
 
-/// Takes note of what points in this frame. To be called before the panels.
-pub(super) fn notice(ctx: &Context) {
+/// Takes note of what points in this frame. To be called before the panels. Where nothing has pointed yet, these are
+/// fingers if the machine `has_fingers_first`.
+pub(super) fn notice(ctx: &Context, has_fingers_first: bool) {
     let now = ctx.input(|input| {
         let mut events = input.events.iter();
         let is_touch = |event: &Event| matches!(event, Event::Touch { .. });
@@ -39,7 +40,9 @@ pub(super) fn notice(ctx: &Context) {
         let is_moved = events.any(|event| matches!(event, Event::PointerMoved(_)));
         is_moved.then_some(Pointing::Mouse)
     });
-    if let Some(now) = now {
+    let is_known = ctx.data(|data| data.get_temp::<Pointing>(id()).is_some());
+    let first = (has_fingers_first && !is_known).then_some(Pointing::Fingers);
+    if let Some(now) = now.or(first) {
         ctx.data_mut(|data| data.insert_temp(id(), now));
     }
 }

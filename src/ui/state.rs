@@ -50,6 +50,8 @@ pub struct UiState {
     pub panel_width: Option<f32>,
     /// How often the panel got its first width back, which begins its layout anew.
     pub(super) panel_resets: u32,
+    /// Whether the machine is made for fingers, so that hints speak of them before anything has pointed.
+    pub has_fingers_first: bool,
     /// Whether the first help is shown: lines for newcomers.
     pub first_help: bool,
     pub(super) windows: Windows,
@@ -127,6 +129,7 @@ impl Default for UiState {
             unfolded_in_narrow: false,
             panel_width: None,
             panel_resets: 0,
+            has_fingers_first: false,
             first_help: false,
             windows: Windows::default(),
             opened: None,

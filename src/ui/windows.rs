@@ -2,10 +2,11 @@
 
 use super::commands::{GESTURES, Menu, entries, entry_of, meant};
 use super::key_commands::is_there;
+use super::pointing::Pointing;
 use super::screenshot::{self, ScreenshotForm};
 use super::state::UiState;
 use super::theme::Palette;
-use super::{Action, ViewInput, history, messages, preferences};
+use super::{Action, ViewInput, fingers, history, messages, preferences};
 use crate::editor::Session;
 use egui::{Align, Id, Label, Layout, Response, RichText, ScrollArea, Ui, Window, vec2};
 
@@ -129,6 +130,14 @@ fn keys_and_mouse(ui: &mut Ui, session: &Session, state: &UiState, input: &ViewI
     let context = ui.ctx().clone();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let room = ui.available_width();
+        // Who has a mouse has no use for them; a screen of touch is known by its first touch.
+        if Pointing::of(ui.ctx()) == Pointing::Fingers {
+            heading(ui, "Fingers");
+            let drag = navigation.drag_of_a_finger();
+            for gesture in std::iter::once(&drag).chain(fingers::GESTURES) {
+                row(ui, gesture.gesture, gesture.does, room);
+            }
+        }
         heading(ui, "Mouse");
         for gesture in navigation.gestures().chain(GESTURES) {
             row(ui, gesture.gesture, gesture.does, room);

@@ -270,6 +270,12 @@ pub(super) fn reload() {
     }
 }
 
+/// Whether the machine is pointed at with fingers first of all, as a phone is.
+pub(super) fn has_fingers_first() -> bool {
+    let query = window().and_then(|window| window.match_media("(pointer: coarse)").ok()?);
+    query.is_some_and(|query| query.matches())
+}
+
 /// Values of `name` in the page's address, as `?open=a.obj,b.scene`.
 pub(super) fn in_address(name: &str) -> Option<String> {
     let query = window()?.location().search().ok()?;

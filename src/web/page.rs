@@ -56,6 +56,7 @@ impl Page {
             asks_for_files: asked.is_any(),
             files: asked.files,
             is_viewer,
+            has_fingers_first: browser::has_fingers_first(),
             ..Options::default()
         };
         if options.is_viewer {

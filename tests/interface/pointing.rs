@@ -65,3 +65,26 @@ fn the_status_line_and_the_first_help_speak_of_fingers_after_a_touch_and_of_butt
         assert!(editor.has(mouse) && !editor.has(fingers), "{navigation}");
     }
 }
+
+#[test]
+fn a_machine_that_is_made_for_fingers_is_told_of_them_before_the_first_touch() {
+    let mut editor = Editor::with_figure();
+    editor.harness.state_mut().state.has_fingers_first = true;
+    editor.harness.state_mut().state.first_help = true;
+    editor.settle();
+    assert!(editor.has("One finger turns the scene · two move it and zoom"));
+    assert!(editor.has("Insert adds shapes · Help tells the rest"));
+    point_with_a_mouse(&mut editor, ON_THE_GROUND);
+    assert!(editor.has("Insert adds shapes · ? shows every key"));
+}
+
+#[test]
+fn the_list_of_keys_has_the_gestures_of_fingers_where_these_point() {
+    let mut editor = Editor::new();
+    point_with_a_mouse(&mut editor, ON_THE_GROUND);
+    editor.choose(&["Help", "Keys and Mouse"]);
+    assert!(editor.has("Mouse") && !editor.has("Long press"));
+    tap(&mut editor, ON_THE_GROUND);
+    assert!(editor.has("Fingers") && editor.has("Long press"));
+    assert!(editor.has("Turn the scene") && editor.has("Mouse"));
+}
