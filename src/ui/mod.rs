@@ -26,6 +26,7 @@ mod joint_rows;
 mod joint_tree;
 mod key_commands;
 mod look_switch;
+mod machine;
 mod menu_bar;
 mod mesh_colors;
 mod messages;

@@ -12,15 +12,19 @@ use super::{
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
+use crate::ui::machine;
 use crate::ui::pointing::Pointing;
+use crate::ui::shortened::text_width;
 use egui::{
-    Align, Button, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, Ui,
-    UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
+    Align, Button, Frame, Label, Layout, Margin, Panel, Rect, Response, RichText, Sense, TextStyle,
+    Ui, UiBuilder, Vec2, WidgetInfo, WidgetType, vec2,
 };
 use std::borrow::Cow;
 
 /// Width at the right edge left to the handle of the shape panel, in points.
 const PANEL_EDGE: f32 = 4.0;
+/// Least distance in the status line between what can be done and what draws, in points.
+const GAP: f32 = 16.0;
 
 /// Makes the view of what the panels leave free, and shows what lies over it. Returns the view's
 /// rectangle in points, its widget, and the pictures of the scene in it. `settings` are those of
@@ -58,7 +62,13 @@ pub(super) fn show(
             actions.push(Action::View(View::Select(None)));
             actions.push(Action::View(View::ResetCamera));
         }
-        messages::notices(&mut over, rect, session, &mut state.notices, actions);
+        messages::notices(
+            &mut over,
+            rect,
+            (session, true),
+            &mut state.notices,
+            actions,
+        );
         return (rect, response, places);
     }
     posing::show(
@@ -91,7 +101,13 @@ pub(super) fn show(
     } else if input.compare.is_none() {
         look_switch::show(&mut over, rect, session.view().look, actions);
     }
-    messages::notices(&mut over, rect, session, &mut state.notices, actions);
+    messages::notices(
+        &mut over,
+        rect,
+        (session, false),
+        &mut state.notices,
+        actions,
+    );
     if let Some(work) = input.progress {
         progress::show(&mut over, rect, work, actions);
     }
@@ -181,28 +197,24 @@ pub(super) fn status_line(
             } else if messages::faded(ui, &state.notices) {
                 state.windows.open(Dialog::Messages);
             }
-            let machine = machine(input);
-            if !machine.is_empty() && ui.available_width() > 480.0 {
-                ui.label(RichText::new(machine).small().color(weak));
-            }
+            let (over, next) = status(session, state, input, Pointing::of(ui.ctx()));
+            let strong = Palette::of(ui.visuals()).strong;
+            let over = over.as_deref().map(|over| (over, strong));
+            let texts = || over.into_iter().chain([(&*next, weak)]);
+            // What can be done comes before what draws.
+            let font = TextStyle::Small.resolve(ui.style());
+            let gap = ui.spacing().item_spacing.x;
+            let hint: f32 = texts()
+                .map(|(text, _)| text_width(ui, text, &font) + gap)
+                .sum();
+            machine::show(ui, input, ui.available_width() - hint - GAP);
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let (over, next) = status(session, state, input, Pointing::of(ui.ctx()));
-                if let Some(over) = over {
-                    let color = Palette::of(ui.visuals()).strong;
-                    ui.add(Label::new(RichText::new(over).small().color(color)).truncate());
+                for (text, color) in texts() {
+                    ui.add(Label::new(RichText::new(text).small().color(color)).truncate());
                 }
-                ui.add(Label::new(RichText::new(next).small().color(weak)).truncate());
             });
         });
     });
-}
-
-/// Pictures per second while pictures are drawn, and what draws them.
-fn machine(input: &ViewInput) -> String {
-    match input.frames_per_second {
-        Some(rate) => format!("{rate:.0} fps · {}", input.backend),
-        None => input.backend.to_owned(),
-    }
 }
 
 /// Name of what is under the pointer, if anything, and what gestures do there.

@@ -3,7 +3,7 @@
 use crate::interface::{Editor, figure};
 use egui::accesskit::Role;
 use egui::{Key, Rect, vec2};
-use egui_kittest::kittest::NodeT;
+use egui_kittest::kittest::{NodeT, Queryable};
 
 const INTERACTIVE: &[Role] = &[
     Role::Button,
@@ -277,5 +277,35 @@ fn in_small_windows_the_start_page_offers_all_it_has() {
             let tile = editor.widget(label).rect();
             assert!(view.contains_rect(tile), "{label} in {size}: {tile}");
         }
+    }
+}
+
+#[test]
+fn the_name_of_the_driver_leaves_the_status_line_to_the_hint() {
+    const WHOLE: &str = "WebGL 2.0 · ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)";
+    const SHORT: &str = "WebGL 2.0 · SwiftShader";
+    const HINT: &str = "Left drag moves the scene · right drag turns it · wheel zooms";
+    let mut widest = 0.0;
+    for (width, shown) in [
+        (1400.0, Some(WHOLE)),
+        (850.0, Some(SHORT)),
+        (780.0, Some(SHORT)),
+        (430.0, None),
+    ] {
+        let mut editor = Editor::sized(vec2(width, 600.0));
+        editor.harness.state_mut().backend = WHOLE;
+        editor.settle();
+        let found = [WHOLE, SHORT].into_iter().find(|text| editor.has(text));
+        assert_eq!(found, shown, "{width}");
+        let hint = editor.harness.get_by_label(HINT).rect();
+        if let Some(shown) = shown {
+            let machine = editor.harness.get_by_label(shown).rect();
+            assert!(hint.right() < machine.left(), "{width}");
+        }
+        assert!(
+            hint.width() >= widest && hint.left() >= 0.0,
+            "all of it at {width}"
+        );
+        widest = hint.width();
     }
 }

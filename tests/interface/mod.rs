@@ -51,6 +51,8 @@ struct Shell {
     gestures: bool,
     /// The shape under the pointer in the view, which the program finds out.
     hovered_shape: Option<ShapeId>,
+    /// Version and renderer of the graphics driver.
+    backend: &'static str,
     /// Where the scene is; while it is compared, its live picture.
     view: Rect,
     comparing: Option<compare::Comparing>,
@@ -83,6 +85,7 @@ impl Editor {
             is_page: false,
             gestures: false,
             hovered_shape: None,
+            backend: "OpenGL 3.3",
             view: Rect::NOTHING,
             comparing: None,
         };
@@ -293,7 +296,7 @@ impl Shell {
             builtin_characters: BUILT_IN,
             builtin_curves: &["vase"],
             builtin_poses: &["robot-greet", "adult-wave"],
-            backend: "OpenGL 3.3",
+            backend: self.backend,
             hovered_shape: self.hovered_shape,
             keys_are_taken: self.keys_are_taken,
             is_below_dialog: self.keys_are_taken,
