@@ -13,6 +13,7 @@ mod commands;
 mod compare;
 mod control_points;
 mod curve_panel;
+mod dropping;
 mod elsewhere;
 mod explain;
 mod fingers;
@@ -267,6 +268,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     if let Some(question) = input.question {
         question::show(root, question, &mut actions);
     }
+    dropping::show(&ctx, input.question.is_some());
     add_gestures_of_panels(&ctx, holding, session, state, &mut actions);
     let wrong = number_field::take_wrong(&ctx);
     actions.extend(wrong.map(|why| Action::View(View::Tell(why))));

@@ -309,3 +309,17 @@ fn the_name_of_the_driver_leaves_the_status_line_to_the_hint() {
         widest = hint.width();
     }
 }
+
+#[test]
+fn files_that_are_dragged_over_the_window_can_be_dropped_and_it_says_so() {
+    let mut editor = Editor::new();
+    let words = "Drop to open or add";
+    assert!(!editor.has(words));
+    let dragged = egui::HoveredFile::default();
+    editor.harness.input_mut().hovered_files.push(dragged);
+    editor.settle();
+    assert!(editor.has(words));
+    editor.harness.input_mut().hovered_files.clear();
+    editor.settle();
+    assert!(!editor.has(words));
+}
