@@ -1,6 +1,7 @@
 //! Files of the same name that came one after the other to where all files lie beside each other, as on a page,
 //! which is not told from where they are.
 
+use super::file_access;
 use std::path::{Component, Path, PathBuf};
 
 /// The folder in which files that came together lie beside each other, so that none of them takes the place of
@@ -26,6 +27,24 @@ pub fn in_common_folder(path: &Path) -> Option<(&Path, &Path)> {
     let number: u32 = first.to_str()?.parse().ok()?;
     let rest = parts.as_path();
     (number >= 2 && !rest.as_os_str().is_empty()).then_some((rest, Path::new(first)))
+}
+
+/// `path`, or else `NAME-2`, `NAME-3` and so on with its extension: the first that takes no other file's place, and
+/// that is not read with files that are there as if it was one of theirs, as an `.obj` is with a `.skel` of its name.
+pub fn free_name(path: PathBuf, is_there: impl Fn(&Path) -> bool) -> PathBuf {
+    const TOGETHER: [&str; 4] = ["obj", "skel", "attach", "mtl"];
+    let is_taken = |path: &PathBuf| {
+        let extension = file_access::extension(path);
+        let is_one = TOGETHER.contains(&&*extension);
+        let others = TOGETHER.iter().filter(|_| is_one);
+        let mut others = others.map(|other| path.with_extension(other));
+        is_there(path) || others.any(|path| is_there(&path))
+    };
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let extension = path.extension().unwrap_or_default().to_string_lossy();
+    let others = (2..).map(|number| PathBuf::from(format!("{stem}-{number}.{extension}")));
+    let mut names = std::iter::once(path.clone()).chain(others);
+    names.find(|path| !is_taken(path)).unwrap_or(path)
 }
 
 #[cfg(test)]
@@ -88,6 +107,23 @@ mod tests {
             "../2/wood.jpg",
         ] {
             assert_eq!(found(path), None, "{path}");
+        }
+    }
+
+    #[test]
+    fn an_export_takes_no_other_file_s_place_and_has_a_name_of_its_own_only_then() {
+        for (name, there, free) in [
+            ("robot.obj", &["robot.dae", "robot.png"][..], "robot.obj"),
+            ("robot.obj", &["robot.obj"], "robot-2.obj"),
+            ("robot.obj", &["robot.obj", "robot-2.obj"], "robot-3.obj"),
+            // It would become a character's.
+            ("robot.obj", &["robot.skel"], "robot-2.obj"),
+            ("vase.swp", &["vase.obj"], "vase.swp"),
+            ("vase.swp", &["vase.swp"], "vase-2.swp"),
+        ] {
+            let is_there = |path: &Path| there.iter().any(|there| Path::new(there) == path);
+            let found = free_name(name.into(), is_there);
+            assert_eq!(found, Path::new(free), "{name} beside {there:?}");
         }
     }
 }

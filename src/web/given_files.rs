@@ -5,6 +5,7 @@ use super::kept_files;
 use crate::io::builtin::is_builtin;
 use crate::io::{Diagnostic, Files, namesakes};
 use std::collections::{HashMap, HashSet};
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use wasm_bindgen_futures::spawn_local;
@@ -92,23 +93,15 @@ impl GivenFiles {
         absent.contains(path)
     }
 
-    /// `path`, or a name like it if one of the files is called the same but for its extension: what is
-    /// exported must not take the place of a model.
+    /// `path`, or a name like it if a file of that name was given, in whatever folder: what is exported must not take
+    /// the place of a model.
     pub fn free_name(&self, path: PathBuf) -> PathBuf {
         let files = self.table();
-        let is_taken = |path: &Path| {
-            files
-                .keys()
-                .filter(|file| !is_builtin(file))
-                .any(|file| file.file_stem() == path.file_stem())
-        };
-        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
-        let extension = path.extension().unwrap_or_default().to_string_lossy();
-        let mut others = (2..).map(|number| PathBuf::from(format!("{stem}-{number}.{extension}")));
-        if !is_taken(&path) {
-            return path;
-        }
-        others.find(|path| !is_taken(path)).unwrap_or(path)
+        let given = files.keys().filter(|file| !is_builtin(file));
+        let names: HashSet<&OsStr> = given.filter_map(|file| file.file_name()).collect();
+        namesakes::free_name(path, |path| {
+            path.file_name().is_some_and(|name| names.contains(name))
+        })
     }
 }
 
