@@ -29,9 +29,11 @@ const SHOWN: usize = 3;
 /// Seconds in which a notice fades at the end of its time.
 const FADE: f64 = 0.5;
 
-/// Seconds for which a notice is shown: the more it matters, the longer.
-fn stays(severity: Severity) -> f64 {
+/// Seconds for which a notice is shown: the more it matters, the longer. Where there is only the scene, nothing else
+/// says why it is not as it should be, so that errors stay.
+fn stays(severity: Severity, is_viewer: bool) -> f64 {
     match severity {
+        Severity::Error if is_viewer => f64::INFINITY,
         Severity::Info => 6.0,
         Severity::Warning => 12.0,
         Severity::Error => 20.0,
@@ -72,7 +74,7 @@ fn color(visuals: &Visuals, severity: Severity) -> Color32 {
 pub(super) fn notices(
     ui: &mut Ui,
     view: Rect,
-    session: &Session,
+    (session, is_viewer): (&Session, bool),
     state: &mut NoticeState,
     actions: &mut Vec<Action>,
 ) {
@@ -85,7 +87,7 @@ pub(super) fn notices(
     let mut next = f64::INFINITY;
     // From the last to the first, so that those before a dismissed one keep their places.
     for (index, message) in fresh.iter().enumerate().skip(first).rev() {
-        let left = stays(message.severity) - ages[index - first];
+        let left = stays(message.severity, is_viewer) - ages[index - first];
         let opacity = (left / FADE).clamp(0.0, 1.0);
         next = next.min(if left > FADE { left - FADE } else { 0.0 });
         let (rect, dismissed) = notice(ui, message, foot, widest, opacity as f32);

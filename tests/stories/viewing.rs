@@ -68,8 +68,11 @@ fn arrow_keys_roll_the_bone_under_the_pointer() {
 
 #[test]
 fn a_scene_without_panels_tells_what_is_wrong() {
-    let story = without_panels(&["missing.obj"]);
-    assert!(story.has("Dismiss: missing.obj: there is no such file"));
+    let mut story = without_panels(&["missing.obj"]);
+    let told = "Dismiss: missing.obj: there is no such file";
+    assert!(story.has(told));
+    story.wait(3600.0);
+    assert!(story.has(told), "nothing else says why it is empty");
 }
 
 #[test]
