@@ -1,7 +1,8 @@
 //! When commands are disabled.
 
+use super::hiding::hidden;
 use super::put_back::why_nothing_back;
-use super::run::{character_to_compare, curves, hidden, selected_character, selected_curves};
+use super::run::{character_to_compare, curves, selected_character, selected_curves};
 use super::sweep::sweep;
 use super::table::is_in;
 use super::{Command, Menu};

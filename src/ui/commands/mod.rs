@@ -1,19 +1,21 @@
 //! Commands: everything that a menu item or a key can start.
 
 mod enabled;
+mod gestures;
+mod hiding;
 mod keys;
 mod put_back;
 mod run;
 mod sweep;
 mod table;
 
-pub use keys::{GESTURES, Gesture};
+pub use gestures::{GESTURES, Gesture};
 pub use table::{COMMANDS, Entry, Menu};
 
 pub(super) use enabled::why_disabled;
+pub(super) use gestures::gesture;
 pub(super) use keys::{
-    gesture, key_now, pressed, pressed_with_ctrl, remember_navigation, tooltip, tooltip_now,
-    with_key,
+    key_now, pressed, pressed_with_ctrl, remember_navigation, tooltip, tooltip_now, with_key,
 };
 pub(super) use run::{
     REVOLUTION_STEPS, curves, full_label, full_tooltip, is_on, run, selected_character,

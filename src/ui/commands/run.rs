@@ -1,6 +1,7 @@
 //! What commands do.
 
 use super::enabled::why_disabled;
+use super::hiding::{show_all, toggle};
 use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
@@ -211,27 +212,6 @@ fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
     let mut shape = NewShape::new(label(command), primitive.kind());
     set_on_ground(session, &mut shape);
     Action::Edit(Edit::Insert(vec![shape]))
-}
-
-/// Hides, shows, locks or unlocks the selected shape.
-fn toggle(command: Command, session: &Session) -> Option<Action> {
-    let shape = session.scene().shape(session.selected()?)?;
-    let edit = match command {
-        Command::ToggleVisible => Edit::SetVisible(shape.id, !shape.visible),
-        _ => Edit::SetLocked(shape.id, !shape.locked),
-    };
-    Some(Action::Edit(for_all_selected(session, edit)))
-}
-
-/// Shows the shapes that are hidden.
-fn show_all(session: &Session) -> Action {
-    let show = hidden(session).map(|shape| Edit::SetVisible(shape.id, true));
-    Action::Edit(Edit::Together(show.collect()))
-}
-
-pub(super) fn hidden(session: &Session) -> impl Iterator<Item = &Shape> {
-    let shapes = session.scene().shapes().iter();
-    shapes.filter(|shape| !shape.visible)
 }
 
 /// Does something to every selected shape.

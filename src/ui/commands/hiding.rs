@@ -1,0 +1,28 @@
+//! Commands that hide, show, lock and unlock shapes.
+
+use super::Command;
+use crate::editor::{Edit, Session, for_all_selected};
+use crate::scene::Shape;
+use crate::ui::Action;
+
+/// Hides, shows, locks or unlocks the selected shape.
+pub(super) fn toggle(command: Command, session: &Session) -> Option<Action> {
+    let shape = session.scene().shape(session.selected()?)?;
+    let edit = match command {
+        Command::ToggleVisible => Edit::SetVisible(shape.id, !shape.visible),
+        _ => Edit::SetLocked(shape.id, !shape.locked),
+    };
+    Some(Action::Edit(for_all_selected(session, edit)))
+}
+
+/// Shows the shapes that are hidden.
+pub(super) fn show_all(session: &Session) -> Action {
+    let show = hidden(session).map(|shape| Edit::SetVisible(shape.id, true));
+    Action::Edit(Edit::Together(show.collect()))
+}
+
+/// The shapes that are hidden.
+pub(super) fn hidden(session: &Session) -> impl Iterator<Item = &Shape> {
+    let shapes = session.scene().shapes().iter();
+    shapes.filter(|shape| !shape.visible)
+}
