@@ -1,4 +1,4 @@
-//! Two fingers on a screen: whatever the first one began is put back, and both move the view.
+//! Fingers on a screen: of two whatever the first one began is put back, and both move the view; taps on numbers.
 
 use super::Story;
 use editor_core::ui::Navigation;
@@ -226,4 +226,41 @@ fn what_is_said_while_a_finger_holds_something_needs_neither_keys_nor_buttons() 
     assert!(story.has_text("A second finger cancels"));
     hand.lift_all(&mut story);
     assert!(story.has_text("One finger turns the scene · two move it and zoom"));
+}
+
+#[test]
+fn a_double_tap_on_a_number_leaves_all_of_it_selected() {
+    // Fingers are slower than a mouse, and seldom hit the same point twice.
+    for (pause, aside) in [(0.05, 0.0), (0.25, 8.0), (0.45, 3.0)] {
+        let mut story = Story::start(&["models/strip.obj"]);
+        story.type_into("Elbow Z", "-28.923");
+        let field = story.place("Elbow Z");
+        let mut hand = Hand::new();
+        for x in [0.0, aside] {
+            hand.put_down(&mut story, 1, field + vec2(x, 0.0));
+            hand.lift_all(&mut story);
+            story.wait(pause);
+        }
+        story.frame(vec![Event::Text("30".to_owned())]);
+        story.key(Key::Enter);
+        let z = story.degrees("Elbow").z;
+        assert!((z - 30.0).abs() < 1e-3, "{z} after a pause of {pause} s");
+    }
+}
+
+#[test]
+fn a_tap_some_time_after_the_first_puts_the_cursor_into_the_number() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.type_into("Elbow Z", "12");
+    let field = story.place("Elbow Z");
+    let mut hand = Hand::new();
+    for _ in 0..2 {
+        hand.put_down(&mut story, 1, field + vec2(14.0, 0.0));
+        hand.lift_all(&mut story);
+        story.wait(2.0);
+    }
+    story.frame(vec![Event::Text("3".to_owned())]);
+    story.key(Key::Enter);
+    let z = story.degrees("Elbow").z;
+    assert!((z - 3.0).abs() > 1.0, "not in the place of the number: {z}");
 }

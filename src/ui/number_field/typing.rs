@@ -2,6 +2,7 @@
 
 use super::decimals::precise;
 use super::{NumberField, clean};
+use crate::ui::pointing::Pointing;
 use crate::ui::theme::{Palette, number_font};
 use crate::ui::widgets::select_all;
 use egui::{Context, Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder, pos2, vec2};
@@ -10,6 +11,9 @@ use egui::{Context, Id, Key, Modifiers, Rect, Response, TextEdit, Ui, UiBuilder,
 const ROOM_TO_TYPE: f32 = 76.0;
 /// Space between a field's edges and the text that is typed into it, on each side, in points.
 const MARGIN: f32 = 4.0;
+/// Seconds after the beginning of typing in which another tap is the second of a double one. Fingers are slower than
+/// the clicks that egui takes for a double one.
+const DOUBLE_TAP: f64 = 0.6;
 /// Room for the cursor behind the text, in points.
 const CURSOR: f32 = 4.0;
 
@@ -20,15 +24,18 @@ struct Typed {
     /// Text when typing began. If it is left as it is, the value does not change, though the value
     /// may have more decimals.
     began_with: String,
+    /// Time when typing began, in seconds of egui's clock.
+    began_at: f64,
     /// egui's pass number when the field was last shown. Text is dropped if the field was not shown
     /// in between.
     pass: u64,
 }
 
 impl Typed {
-    fn beginning_with(text: String) -> Self {
+    fn beginning_with(text: String, now: f64) -> Self {
         Self {
             began_with: text.clone(),
+            began_at: now,
             text,
             pass: 0,
         }
@@ -75,7 +82,8 @@ impl NumberField<'_> {
     pub(super) fn type_into(&self, ui: &mut Ui, id: Id, rect: Rect) -> (Response, Option<f64>) {
         let kept: Option<Typed> = ui.data_mut(|data| data.remove_temp(id));
         let begins = kept.is_none();
-        let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.shown())));
+        let now = ui.input(|input| input.time);
+        let mut typed = kept.unwrap_or_else(|| Typed::beginning_with(precise(self.shown()), now));
         let stepped = self.stepped(ui, &mut typed);
         let undone = take_back(ui, &mut typed);
         if begins || undone {
@@ -96,7 +104,8 @@ impl NumberField<'_> {
             .clip_text(true);
         let mut inner = ui.new_child(UiBuilder::new().max_rect(rect));
         let response = inner.add_sized(rect.size(), edit);
-        if response.double_clicked() {
+        let is_tapped = response.clicked() && Pointing::of(ui.ctx()) == Pointing::Fingers;
+        if response.double_clicked() || (is_tapped && now < typed.began_at + DOUBLE_TAP) {
             // A double click begins to type as one click does: it selects all, not a word.
             select_all(ui, id, &typed.text);
         }
@@ -124,7 +133,7 @@ impl NumberField<'_> {
         }
         let from = typed.value().unwrap_or(self.value);
         let value = self.brought_into_range(clean(from + steps * self.step));
-        *typed = Typed::beginning_with(precise(value));
+        *typed = Typed::beginning_with(precise(value), typed.began_at);
         Some(value)
     }
 }
