@@ -151,6 +151,9 @@ impl ScenePicture {
 
     /// Time after which [`ScenePicture::draw`] goes on with the full picture, if a draft is shown.
     pub fn full_picture_after(&self, now: Duration) -> Duration {
+        if self.full.is_some() {
+            return Duration::ZERO;
+        }
         let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
         since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
     }

@@ -140,7 +140,10 @@ fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is
     viewed.frame(false);
     viewed.turn_camera();
     viewed.frame(true);
-    assert!(!viewed.frame(false) && !viewed.frame(false));
+    assert!(!viewed.frame(false));
+    let next = viewed.picture.full_picture_after(viewed.now);
+    assert_eq!(next, Duration::ZERO, "the end of a drag needs no rest");
+    assert!(!viewed.frame(false));
     viewed.turn_camera();
     assert!(viewed.frame(true) && viewed.shows(0));
     assert!(!viewed.frame(false) && !viewed.frame(false));
