@@ -192,7 +192,8 @@ mod tests {
             let entries = found(words).into_iter();
             entries.map(|(_, entry)| entry.label).collect()
         };
-        assert_eq!(found("pose mirror"), ["Mirror Pose", "Paste Pose Mirrored"]);
+        let mirroring = ["Mirror Pose", "Paste Pose Mirrored"];
+        assert_eq!(found("pose mirror"), mirroring);
         assert_eq!(found("ICOSA"), ["Icosahedron"]);
         assert_eq!(found("utah"), ["Teapot"]);
         assert_eq!(found("bezier")[0], "Bézier Curve");

@@ -200,7 +200,7 @@ fn a_file_that_is_wrong_or_does_not_fit_is_one_clear_error() {
         ),
         (
             "right.obj box.obj bend.json",
-            "box.obj: expected box.skel and box.attach beside it, found neither: as it is, this is a \
+            "box.obj: expected box.skel and box.attach beside it, found neither: without them it is a \
              shape",
         ),
         (

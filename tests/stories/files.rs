@@ -44,8 +44,8 @@ fn geometry_is_exported_as_it_stands_with_the_vertices_in_the_order_of_the_file(
 fn all_poses_of_a_file_with_several_are_kept_and_the_first_is_taken() {
     let mut story = Story::start(&["models/strip.obj"]);
     let several = br#"{"euler": "Rx Ry Rz", "poses": {
-        "bent": {"1": {"name": "Elbow", "xyz_deg": [0, 0, 50]}},
-        "back": {"1": {"name": "Elbow", "xyz_deg": [0, 0, -20]}}}}"#;
+        "bent": {"2": {"name": "Elbow", "xyz_deg": [0, 0, 50]}},
+        "back": {"2": {"name": "Elbow", "xyz_deg": [0, 0, -20]}}}}"#;
     story
         .host
         .files
@@ -63,6 +63,7 @@ fn all_poses_of_a_file_with_several_are_kept_and_the_first_is_taken() {
     let told = "poses.json has 2 poses (bent, back): they are in the list Poses of the panel, and the \
                 character has bent now";
     assert_eq!(story.messages(), [(Severity::Info, told)]);
+    story.click("Poses (2)");
     story.click("back");
     assert!((story.degrees("Elbow").z + 20.0).abs() < 1e-4);
 }

@@ -296,7 +296,7 @@ fn all_that_is_selected_turns_and_grows_about_the_active_shape() {
 fn with_the_pose_tool_r_turns_the_selected_joint_about_its_axis() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);
-    story.key(Key::B);
+    story.key(Key::J);
     let elbow = Action::View(View::SelectJoint(Some(2)));
     story.program.carry_out(vec![elbow], &mut story.host);
     let beside = story.view().center() + vec2(80.0, 30.0);
