@@ -1,5 +1,6 @@
 use super::{Edit, Session};
-use crate::scene::{self, ShapeId};
+use crate::geometry::Curve;
+use crate::scene::{self, CurveSet, ShapeId};
 use glam::{Mat3, Mat4, Vec2, Vec3};
 
 /// Sine of the angle (about 1°) between the ray and a plane below which the pointer does not move a
@@ -92,10 +93,7 @@ impl ControlPointDrag {
         }
         let world_from_model = session.evaluated().shape(self.shape)?.world_from_model;
         let position = world_from_model.inverse().transform_point3(world);
-        // Each axis of the model has its own length in the world.
-        let lengths = Mat3::from_mat4(world_from_model);
-        let lengths = [lengths.x_axis, lengths.y_axis, lengths.z_axis].map(Vec3::length);
-        let rounding = ROUNDING * ray.origin.distance(self.plane.origin) / Vec3::from(lengths);
+        let rounding = rounding(world_from_model, ray.origin.distance(self.plane.origin));
         let position = without_rounding(position, self.start, rounding);
         position.is_finite().then_some(Edit::SetControlPoint {
             shape: self.shape,
@@ -109,16 +107,30 @@ impl ControlPointDrag {
 /// Normal, in the world, of the plane in which points of a curve follow the pointer: see [`ControlPointDrag`].
 pub(super) fn plane_normal(session: &Session, shape: ShapeId, curve: usize) -> Option<Vec3> {
     let world_from_model = session.evaluated().shape(shape)?.world_from_model;
-    let curves = session.scene().curve(shape)?.curves();
-    let grabbed = curves.curve(curve)?;
     let flat = flat_normal(world_from_model);
-    if grabbed.stays_flat() || curves.is_profile(curve) {
+    let curves = session.scene().curve(shape)?.curves();
+    if cannot_leave_plane(curves, curve) {
         return flat;
     }
     let camera = &session.view().camera;
     let backward = camera.right().cross(camera.up());
-    let flat = flat.filter(|normal| grabbed.is_flat() && normal.dot(backward).abs() > OBLIQUE);
+    let is_flat = curves.curve(curve)?.is_flat();
+    let flat = flat.filter(|normal| is_flat && normal.dot(backward).abs() > OBLIQUE);
     Some(flat.unwrap_or(backward))
+}
+
+/// Whether the points of a curve cannot leave z = 0: it says so itself, or a surface needs it.
+pub(super) fn cannot_leave_plane(curves: &CurveSet, curve: usize) -> bool {
+    let stays_flat = curves.curve(curve).is_some_and(Curve::stays_flat);
+    stays_flat || curves.is_profile(curve)
+}
+
+/// Rounding error of a point that the pointer has moved, along each axis of its model, whose lengths in the world
+/// may differ; `distance` from the eye.
+pub(super) fn rounding(world_from_model: Mat4, distance: f32) -> Vec3 {
+    let axes = Mat3::from_mat4(world_from_model);
+    let lengths = [axes.x_axis, axes.y_axis, axes.z_axis].map(Vec3::length);
+    ROUNDING * distance / Vec3::from(lengths)
 }
 
 /// Unit normal, in the world, of the model's plane z = 0; `None` if the shape is scaled to a line.
@@ -129,7 +141,7 @@ fn flat_normal(world_from_model: Mat4) -> Option<Vec3> {
 
 /// `position` with the coordinates of `start` where they differ by rounding alone, so that a curve
 /// that is edited in a view along an axis stays flat.
-fn without_rounding(position: Vec3, start: Vec3, rounding: Vec3) -> Vec3 {
+pub(super) fn without_rounding(position: Vec3, start: Vec3, rounding: Vec3) -> Vec3 {
     let same = (position - start).abs().cmple(rounding);
     Vec3::select(same, start, position)
 }

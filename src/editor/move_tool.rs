@@ -1,4 +1,4 @@
-use super::control_point_drag::plane_normal;
+use super::control_point_drag::{cannot_leave_plane, plane_normal, rounding, without_rounding};
 use super::shape_group::pivot_of;
 use super::{Edit, Session};
 use crate::character::Pose;
@@ -162,6 +162,8 @@ enum Start {
         position: Vec3,
         /// Matrix of directions from the world to that.
         model_from_world: DMat3,
+        /// Rounding error of where it is moved, along each axis of that.
+        rounding: Vec3,
         /// Whether it cannot leave z = 0.
         stays_flat: bool,
     },
@@ -311,9 +313,11 @@ impl MoveDrag {
                 point,
                 position: start,
                 model_from_world,
+                rounding,
                 stays_flat,
             } => {
-                let mut position = start + (model_from_world * self.moved).as_vec3();
+                let position = start + (model_from_world * self.moved).as_vec3();
+                let mut position = without_rounding(position, start, rounding);
                 if stays_flat {
                     position.z = start.z;
                 }
@@ -353,13 +357,17 @@ impl Start {
     }
 
     fn point(session: &Session, shape: ShapeId, curve: usize, point: usize) -> Option<Self> {
-        let curves = session.scene().curve(shape)?.curves();
+        let position = control_point(session, shape, curve, point)?;
+        let world_from_model = session.evaluated().shape(shape)?.world_from_model;
+        let world = world_from_model.transform_point3(position);
+        let distance = session.view().camera.eye().distance(world);
         Some(Self::Point {
             curve,
             point,
-            position: control_point(session, shape, curve, point)?,
+            position,
             model_from_world: model_from_world(session, shape)?,
-            stays_flat: curves.curve(curve)?.stays_flat() || curves.is_profile(curve),
+            rounding: rounding(world_from_model, distance),
+            stays_flat: cannot_leave_plane(session.scene().curve(shape)?.curves(), curve),
         })
     }
 }

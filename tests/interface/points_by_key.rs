@@ -2,6 +2,8 @@
 
 use crate::interface::Editor;
 use crate::interface::curves::{place, with_curve};
+use editor_core::editor::Edit;
+use editor_core::math::Euler;
 use editor_core::ui::Navigation;
 use egui::{Key, Modifiers, vec2};
 use glam::Vec3;
@@ -45,6 +47,26 @@ fn g_moves_the_point_that_was_clicked_with_the_pointer_and_esc_puts_it_back() {
     assert_eq!(editor.shape().placement.transform, transform);
     editor.key(Key::Escape);
     assert_eq!(points(&editor), before);
+}
+
+#[test]
+fn a_flat_curve_of_a_turned_shape_stays_flat() {
+    let mut editor = with_point("Bézier Curve", 3);
+    let shape = editor.shape();
+    let mut transform = shape.placement.transform;
+    transform.rotation = Euler::from_degrees(Vec3::new(17.0, 31.0, 8.0));
+    editor.edit(Edit::SetTransform(shape.id, transform));
+    let at = place(&editor, 3);
+    editor.press(at);
+    editor.release(at);
+    editor.point(at);
+    let before = points(&editor);
+    editor.key(Key::G);
+    for by in [vec2(-33.0, 21.0), vec2(47.0, 5.0), vec2(-8.0, -61.0)] {
+        editor.point(at + by);
+        assert_ne!(points(&editor), before);
+        assert_eq!(points(&editor)[3].z, 0.0, "{by:?}");
+    }
 }
 
 #[test]
