@@ -35,10 +35,11 @@ pub enum IkGrip {
 
 impl IkGrip {
     /// Grip of a bone that was hit: the nearer of its ends; or the wrist above it if the bone is
-    /// tiny on `screen`, or, with a chain of the usual length, the ankle above the end of a foot. Of joints in one place, one above the other, it is the uppermost, which
-    /// moves them all.
+    /// tiny on `screen`, or, with a chain of the usual length, the ankle above the end of a foot. Of
+    /// joints in one place, one above the other, it is the uppermost, which moves them all.
     pub fn of(session: &Session, hit: &BoneHit, screen: &Screen) -> Option<Self> {
-        let character = &session.scene().character(hit.shape)?.character;
+        let posed = session.scene().character(hit.shape)?;
+        let character = &posed.character;
         let shape = session.evaluated().shape(hit.shape)?;
         let frames = &shape.geometry.figure.as_ref()?.model_from_joint;
         let bone = character.bones().get(hit.bone)?;
@@ -68,9 +69,8 @@ impl IkGrip {
                 tip: bone.tip,
             },
         };
-        let shape = session.scene().character(hit.shape)?;
         let ankle = ankle_above(skeleton, end.joint());
-        let ankle = ankle.filter(|_| shape.ik.length == IkSettings::LIMB);
+        let ankle = ankle.filter(|_| posed.ik.length == IkSettings::LIMB);
         Some(ankle.map_or(end, Self::Joint))
     }
 
@@ -303,11 +303,22 @@ mod tests {
             let grip = grip(body.clone(), joint, 100.0);
             assert_eq!(grip, IkGrip::Joint(expected), "the bone of {joint}");
         }
+        let (mut session, shape) = session(body);
+        let ik = IkSettings {
+            length: 3,
+            ..IkSettings::default()
+        };
+        session.edit(Edit::SetIk(shape, ik)).unwrap();
+        let toes = grip_in((session, shape), 3, 100.0);
+        assert_eq!(toes, IkGrip::Joint(4), "with a chain that was chosen");
     }
 
     /// Grip of the bone of `joint`, hit close to its end, where it is `pixels` long.
     fn grip(skeleton: SkeletalModel, joint: usize, pixels: f32) -> IkGrip {
-        let (session, shape) = session(skeleton);
+        grip_in(session(skeleton), joint, pixels)
+    }
+
+    fn grip_in((session, shape): (Session, ShapeId), joint: usize, pixels: f32) -> IkGrip {
         let start = IkGrip::Joint(joint).place(&session, shape).unwrap();
         let bones = session.scene().character(shape).unwrap().character.bones();
         let bone = bones.iter().position(|bone| bone.joint == joint).unwrap();

@@ -4,6 +4,7 @@ use super::area::Area;
 use super::backdrop_pass::draw_axis;
 use super::frame::{Background, Frame, Marks, PassContext, has_ground};
 use super::ground_pass::{Shadows, shadow_area};
+use super::passes::Passes;
 use super::renderer::{RenderError, Renderer};
 use super::still_layer::Plan;
 use super::tile::Tile;
@@ -17,7 +18,7 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn draw_moving(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
-        self.draw_moving_by(frame, target, Self::draw_passes)
+        self.draw_moving_by(frame, target, Passes::All)
     }
 
     /// As [`Renderer::draw_moving`], but where nothing stands still without shadows and the lines round marked shapes,
@@ -26,14 +27,14 @@ impl Renderer {
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn draw_sketch(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
-        self.draw_moving_by(frame, target, Self::draw_few_passes)
+        self.draw_moving_by(frame, target, Passes::Sketch)
     }
 
     fn draw_moving_by(
         &mut self,
         frame: &Frame,
         target: &Framebuffer,
-        whole: fn(&mut Self, &Frame, &Framebuffer, &PassContext) -> Result<(), GpuError>,
+        passes: Passes,
     ) -> Result<(), RenderError> {
         let tile = Tile::whole((target.width(), target.height()));
         self.draw_by(
@@ -41,7 +42,7 @@ impl Renderer {
             target,
             (tile, Background::Look),
             |renderer, context| match renderer.layer.plan(frame, context) {
-                Plan::Whole => whole(renderer, frame, target, context),
+                Plan::Whole => renderer.draw_passes(frame, target, context, passes),
                 Plan::Over { moving, new_layer } => {
                     let layer = new_layer.map_or(Ok(()), |still| {
                         renderer.draw_layer(&without_marks(frame, &still), context)

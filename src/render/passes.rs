@@ -11,49 +11,48 @@ use crate::gpu::{Framebuffer, GpuError};
 use crate::scene::Look;
 use std::ops::Range;
 
+/// Which passes a picture is drawn in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passes {
+    All,
+    /// All but the shadows and the lines round marked shapes, for each of which all triangles are drawn once more.
+    Sketch,
+}
+
 impl Renderer {
-    /// Draws all of them.
+    /// Draws them.
     pub(super) fn draw_passes(
         &mut self,
         frame: &Frame,
         target: &Framebuffer,
         context: &PassContext,
+        passes: Passes,
     ) -> Result<(), GpuError> {
         self.draw_surfaces(frame, target, context, 0..u64::MAX);
         let mut drawn = self.draw_lines(frame, context);
         if has_ground(frame) {
-            let shadows = (self.shadows).draw(&self.gl, context, frame, &self.meshes, None);
+            let (gl, meshes) = (&self.gl, &self.meshes);
+            let shadows = (passes == Passes::All)
+                .then(|| self.shadows.draw(gl, context, frame, meshes, None))
+                .transpose();
             let (picture, result) = match shadows {
-                Ok(picture) => (Some(picture), Ok(())),
+                Ok(picture) => (picture, Ok(())),
                 Err(error) => (None, Err(error)),
             };
             drawn = drawn.and(result);
             let whole = Area::whole([context.width, context.height]);
-            (self.ground).draw_all(&self.gl, context, frame, picture, whole, target);
+            (self.ground).draw_all(gl, context, frame, picture, whole, target);
         }
         self.draw_rest(frame, context);
-        drawn.and(self.draw_outlines(frame, target, context))
-    }
-
-    /// Draws all but the shadows and the lines round marked shapes.
-    pub(super) fn draw_few_passes(
-        &mut self,
-        frame: &Frame,
-        target: &Framebuffer,
-        context: &PassContext,
-    ) -> Result<(), GpuError> {
-        self.draw_surfaces(frame, target, context, 0..u64::MAX);
-        let drawn = self.draw_lines(frame, context);
-        if has_ground(frame) {
-            let whole = Area::whole([context.width, context.height]);
-            (self.ground).draw_all(&self.gl, context, frame, None, whole, target);
+        match passes {
+            Passes::All => drawn.and(self.draw_outlines(frame, target, context)),
+            Passes::Sketch => drawn,
         }
-        self.draw_rest(frame, context);
-        drawn
     }
 
     /// Draws, of what comes before all else, the surfaces that hide what is behind them, those `triangles` which
-    /// [`SurfacePass::draw_opaque`](super::surface_pass::SurfacePass::draw_opaque) counts, and the background before the first of them. Returns their number.
+    /// [`SurfacePass::draw_opaque`](super::surface_pass::SurfacePass::draw_opaque) counts, and the background
+    /// before the first of them. Returns their number.
     pub(super) fn draw_surfaces(
         &mut self,
         frame: &Frame,

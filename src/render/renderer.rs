@@ -7,6 +7,7 @@ use super::ghost_pass::GhostPass;
 use super::ground_pass::{GroundPass, ShadowPass};
 use super::mesh_cache::MeshCache;
 use super::outline_pass::OutlinePass;
+use super::passes::Passes;
 use super::samples::Samples;
 use super::sight::Sight;
 use super::skeleton_pass::SkeletonPass;
@@ -100,7 +101,7 @@ impl Renderer {
         background: Background,
     ) -> Result<(), RenderError> {
         self.draw_by(frame, target, (tile, background), |renderer, context| {
-            renderer.draw_passes(frame, target, context)
+            renderer.draw_passes(frame, target, context, Passes::All)
         })
     }
 
