@@ -68,6 +68,11 @@ impl Messages {
         self.fresh.clear();
     }
 
+    /// Dismisses those with a smaller [`Message::number`].
+    pub fn dismiss_before(&mut self, number: u64) {
+        self.fresh.retain(|message| message.number >= number);
+    }
+
     /// Dismisses the fresh message at `index`; the history keeps it.
     pub fn dismiss(&mut self, index: usize) {
         if index < self.fresh.len() {

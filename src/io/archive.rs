@@ -225,7 +225,7 @@ pub fn unpacked(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
     }
 }
 
-fn is_scene(path: &Path) -> bool {
+pub(super) fn is_scene(path: &Path) -> bool {
     file_access::extension(path) == "scene"
 }
 

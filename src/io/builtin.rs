@@ -1,6 +1,6 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
-use super::archive::main_files;
+use super::archive::{is_scene, main_files};
 use super::{Diagnostic, Files, file_access};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -210,8 +210,7 @@ pub fn absent(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
         "zip" => main_files(files, &path).unwrap_or_default(),
         _ => vec![path],
     };
-    let is_scene = |path: &PathBuf| file_access::extension(path) == "scene";
-    for scene in main.into_iter().filter(is_scene) {
+    for scene in main.into_iter().filter(|path| is_scene(path)) {
         if let Ok(bytes) = files.read(&scene) {
             absent.extend(absent_in(files, &String::from_utf8_lossy(&bytes)));
         }

@@ -40,7 +40,7 @@ impl Files for HashMap<PathBuf, Vec<u8>> {
 }
 
 /// The extension of `path` in lower case, empty if there is none.
-pub(super) fn extension(path: &Path) -> String {
+pub fn extension(path: &Path) -> String {
     path.extension()
         .map(|extension| extension.to_string_lossy().to_lowercase())
         .unwrap_or_default()

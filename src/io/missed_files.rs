@@ -71,20 +71,17 @@ impl Files for Noting<'_> {
     }
 }
 
-/// An `.obj` file that names and uses the same materials as `obj`, on a single triangle. Reading all of the geometry would
-/// take as long as opening the file does afterwards, and nothing in it names a file.
+/// An `.obj` file that names and uses the same materials as `obj`, on a single triangle. Reading all of the
+/// geometry would take as long as opening the file does afterwards, and nothing in it names a file.
 fn without_geometry(obj: &[u8]) -> Vec<u8> {
     const TRIANGLE: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     let mut kept = TRIANGLE.to_vec();
-    // A line that ends in a backslash goes on.
-    let mut goes_on = false;
     for line in obj.split(|&byte| byte == b'\n') {
         let words = line.trim_ascii_start();
         let uses = words.starts_with(b"usemtl");
-        if goes_on || uses || words.starts_with(b"mtllib") {
+        if uses || words.starts_with(b"mtllib") {
             kept.extend(line);
             kept.push(b'\n');
-            goes_on = line.trim_ascii_end().ends_with(b"\\");
         }
         if uses {
             // Materials that no face has are not looked for.

@@ -157,7 +157,8 @@ impl Program {
             Ask::New => self.leave_for(Next::New, host),
             Ask::Open => self.leave_for(Next::Open, host),
             Ask::OpenRecent(path) => {
-                self.leave_for(Next::OpenFiles(vec![path], host.files()), host)
+                let to_open = self.to_open(vec![path], host.files());
+                self.leave_for(Next::OpenFiles(to_open), host);
             }
             Ask::OpenBuiltin(name) => self.leave_for(Next::OpenBuiltin(name), host),
             Ask::Save => self.save(None, host),

@@ -3,7 +3,7 @@
 
 use super::Host;
 use super::autosave::Kept;
-use super::document::Next;
+use super::document::{Next, ToOpen};
 use super::reading::Use;
 use super::running::Program;
 use crate::editor::Severity;
@@ -29,7 +29,7 @@ impl Awaited {
     /// Built-in files that it reads and that are not there.
     fn absent(&self, files: &dyn Files) -> Vec<PathBuf> {
         match self {
-            Self::Next(Next::OpenFiles(paths, files)) => {
+            Self::Next(Next::OpenFiles(ToOpen { paths, files, .. })) => {
                 let absent = paths.iter().map(|path| builtin::absent(&**files, path));
                 absent.flatten().collect()
             }

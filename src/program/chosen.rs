@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
-    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and what it does not name of
-    /// the models is added to it.
+    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and models
+    /// that it does not name are added.
     pub(super) fn use_all_dropped(
         &mut self,
         mut dropped: Vec<(PathBuf, Arc<dyn Files>)>,
@@ -58,22 +58,28 @@ impl Program {
         let (models, rest): (Vec<PathBuf>, Vec<PathBuf>) = others.partition(|path| is_model(path));
         // Pictures and the like are read with models that name them.
         let unused = rest
-            .into_iter()
+            .iter()
             .filter(|path| holds_document(path) || is_pose(path));
-        self.tell_unused(&[vec![scene.clone()], unused.collect()].concat());
-        let paths = [vec![scene], models].concat();
-        self.leave_for(Next::OpenFiles(paths, files), host);
+        let unused: Vec<String> = unused.map(|path| file_name(path)).collect();
+        let to_open = self.to_open([vec![scene], models].concat(), files);
+        if !unused.is_empty() {
+            let unused: Vec<&str> = unused.iter().map(String::as_str).collect();
+            let text = format!("Not used: {}", listed(&unused));
+            self.tell(Severity::Warning, text);
+        }
+        self.leave_for(Next::OpenFiles(to_open), host);
     }
 
-    /// Uses a file that was dropped on the window, of which no shape is missing: a scene or an archive to open, a picture that a model lacked or else one to
-    /// compare the view with, a pose for the selected character, another mesh for the comparison with one, all
-    /// else as an import.
+    /// Uses a file that was dropped on the window, of which no shape is missing: a scene or an archive to open, a
+    /// picture that a model lacked or else one to compare the view with, a pose for the selected character, another
+    /// mesh for the comparison with one, all else as an import.
     fn use_dropped(&mut self, path: &Path, files: Arc<dyn Files>, host: &mut dyn Host) {
         let scene = self.session.scene();
         let selected = self.session.selected();
         let posed = selected.filter(|&id| is_pose(path) && scene.character(id).is_some());
         if holds_document(path) {
-            self.leave_for(Next::OpenFiles(vec![path.to_owned()], files), host);
+            let to_open = self.to_open(vec![path.to_owned()], files);
+            self.leave_for(Next::OpenFiles(to_open), host);
         } else if is_picture(path) {
             if !self.complete_models(path, &*files) {
                 self.compare_with(path, &*files);
@@ -101,7 +107,10 @@ impl Program {
             self.tell_unused(&all);
         }
         match purpose {
-            Purpose::Open => self.leave_as_answered(Next::OpenFiles(all, files), host),
+            Purpose::Open => {
+                let to_open = self.to_open(all, files);
+                self.leave_as_answered(Next::OpenFiles(to_open), host);
+            }
             Purpose::ImportShape => self.import_all(all, &files, Wanted::Shape, host),
             Purpose::ImportCurve => self.import_all(all, &files, Wanted::Curve, host),
             Purpose::ImportCharacter => self.import_all(all, &files, Wanted::Character, host),
@@ -144,7 +153,8 @@ impl Program {
         wanted: Wanted,
         host: &mut dyn Host,
     ) {
-        for path in paths {
+        let unpacked = paths.iter().flat_map(|path| io::unpacked(&**files, path));
+        for path in unpacked {
             self.import(path, Arc::clone(files), wanted, host);
         }
     }
@@ -170,19 +180,15 @@ fn takes_several(purpose: Purpose) -> bool {
     )
 }
 
-/// `paths` without those that stand for the same character as one before, with models in the place of the archives
-/// that hold nothing else.
-fn once_each(files: &dyn Files, paths: Vec<PathBuf>) -> Vec<PathBuf> {
-    let unpacked = paths.iter().flat_map(|path| io::unpacked(files, path));
-    let mut paths: Vec<PathBuf> = unpacked.collect();
+/// `paths` without those that stand for the same character as one before.
+fn once_each(files: &dyn Files, mut paths: Vec<PathBuf>) -> Vec<PathBuf> {
     let mut known = HashSet::new();
     paths.retain(|path| known.insert(io::character_file(files, path).into_owned()));
     paths
 }
 
 fn is_model(path: &Path) -> bool {
-    let extension = path.extension().unwrap_or_default().to_string_lossy();
-    io::IMPORTABLE.contains(&&*extension.to_lowercase())
+    io::IMPORTABLE.contains(&&*io::extension(path))
 }
 
 fn is_pose(path: &Path) -> bool {

@@ -23,7 +23,7 @@ pub(super) enum Next {
     /// Choose a file, and open it.
     Open,
     /// Open the first of some files, and add the others to it.
-    OpenFiles(Vec<PathBuf>, Arc<dyn Files>),
+    OpenFiles(ToOpen),
     OpenBuiltin(&'static str),
     /// Open the document's own file again, as it is now.
     Revert(PathBuf, Arc<dyn Files>),
@@ -32,7 +32,26 @@ pub(super) enum Next {
     Quit,
 }
 
+/// Files to open in the place of the document.
+#[derive(Clone)]
+pub(super) struct ToOpen {
+    pub paths: Vec<PathBuf>,
+    pub files: Arc<dyn Files>,
+    /// Number of the first message about these files: those before it are about the document before.
+    pub since: u64,
+}
+
 impl Program {
+    /// Files to open, about which nothing has been told.
+    pub(super) fn to_open(&self, paths: Vec<PathBuf>, files: Arc<dyn Files>) -> ToOpen {
+        let since = self.session.messages.count();
+        ToOpen {
+            paths,
+            files,
+            since,
+        }
+    }
+
     /// Whether there are changes that are not in the document's file.
     pub fn is_modified(&self) -> bool {
         self.session.document() != self.document.saved
@@ -86,12 +105,18 @@ impl Program {
                 self.document = DocumentFile::untitled(self.session.document());
             }
             Next::Open => self.choose_file(Purpose::Open, "", host),
-            Next::OpenFiles(paths, files) => self.open(paths, files, Missing::StandIn, host),
+            Next::OpenFiles(to_open) => self.open(to_open, Missing::StandIn, host),
             // What is in memory must not become a box because a file is gone.
-            Next::Revert(path, files) => self.open(vec![path], files, Missing::Refuse, host),
+            Next::Revert(path, files) => {
+                self.open(self.to_open(vec![path], files), Missing::Refuse, host);
+            }
             Next::OpenBuiltin(name) => {
                 let path = PathBuf::from(format!("builtin:{name}"));
-                self.open(vec![path], host.files(), Missing::Refuse, host);
+                self.open(
+                    self.to_open(vec![path], host.files()),
+                    Missing::Refuse,
+                    host,
+                );
             }
             Next::Show(opened) => self.show_document(*opened, host),
             Next::Quit if self.has_pictures_under_way() => {
@@ -115,13 +140,12 @@ impl Program {
     /// Opens the first scene or model of `paths` in the place of the document, once it has been read, and
     /// adds the others to it. One that cannot be read leaves its place to the next, and the last one the
     /// document untouched. What is read for the document before is not wanted any more.
-    fn open(
-        &mut self,
-        paths: Vec<PathBuf>,
-        files: Arc<dyn Files>,
-        missing: Missing,
-        host: &mut dyn Host,
-    ) {
+    fn open(&mut self, to_open: ToOpen, missing: Missing, host: &mut dyn Host) {
+        let ToOpen {
+            paths,
+            files,
+            since,
+        } = to_open;
         self.cancel_reading(host);
         // What is done meanwhile is asked about then; what is not wanted now is not.
         self.document.discarded = Some(self.session.document());
@@ -133,7 +157,7 @@ impl Program {
             paths,
             wanted: Wanted::Document(missing),
         };
-        self.read(job, Use::Open(others), host);
+        self.read(job, Use::Open { others, since }, host);
     }
 
     /// Shows a document that was read, and adds what was chosen together with it.
@@ -141,6 +165,7 @@ impl Program {
         let Opened {
             path,
             others,
+            since,
             files,
             loaded,
         } = opened;
@@ -152,7 +177,7 @@ impl Program {
             .collect();
         let is_new = |path: &PathBuf| !named.contains(&files.real(path));
         let others: Vec<PathBuf> = others.into_iter().filter(is_new).collect();
-        self.session.messages.dismiss_all();
+        self.session.messages.dismiss_before(since);
         self.show_opened(loaded.shapes, loaded.view, compared);
         self.document = self.file_of(&path, &*files);
         self.remember_recent(&io::character_file(&*files, &path));
@@ -167,20 +192,20 @@ impl Program {
         }
     }
 
-    /// Says why the file at `path` is not opened, and opens the first of `others` instead.
+    /// Says why the file at `path` is not opened, and opens `others` instead.
     pub(super) fn go_on_without(
         &mut self,
         path: &Path,
         error: &Diagnostic,
-        (others, files): (Vec<PathBuf>, Arc<dyn Files>),
+        others: ToOpen,
         host: &mut dyn Host,
     ) {
         self.preferences.recent.retain(|recent| recent != path);
         self.tell(Severity::Error, error.to_string());
-        if others.is_empty() {
+        if others.paths.is_empty() {
             self.document.discarded = None;
         } else {
-            self.leave_as_answered(Next::OpenFiles(others, files), host);
+            self.leave_as_answered(Next::OpenFiles(others), host);
         }
     }
 

@@ -164,7 +164,8 @@ impl Program {
     }
 
     /// Has the camera of a document's own view go back where the picture is higher than wide, as on a phone, so that
-    /// as much is seen as in a window, which the view was made in. Returns whether it did.
+    /// as much is seen as in a window, which the view was made in; but no further than all needs, since the view may
+    /// have been kept as it was here. Returns whether it did.
     pub(super) fn suit_own_view(&mut self) -> bool {
         let is_due = std::mem::take(&mut self.own_view_due);
         if !is_due || self.fit_area.aspect >= 1.0 {
@@ -177,10 +178,12 @@ impl Program {
             fitted.fit_shapes(shapes.filter(|shape| shape.visible), area);
             fitted.radius
         };
-        let further = fitted(self.fit_area) / fitted(FitArea::whole(COURSE_ASPECT));
-        let goes_back = further.is_finite() && further > 1.0;
+        let enough = fitted(self.fit_area);
+        let further = enough / fitted(FitArea::whole(COURSE_ASPECT));
+        let radius = (camera.radius * further).min(enough);
+        let goes_back = radius > camera.radius;
         if goes_back {
-            camera.radius *= further;
+            camera.radius = radius;
             self.session.look(View::BeginAt(camera));
         }
         goes_back

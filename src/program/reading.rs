@@ -3,7 +3,8 @@
 
 use super::Host;
 use super::autosave::Kept;
-use super::document::Next;
+use super::document::{Next, ToOpen};
+use super::files::file_name;
 use super::job::{Job, JobHandle, Work};
 use super::running::Program;
 use crate::editor::Severity;
@@ -29,8 +30,9 @@ pub(super) enum Use {
     Import,
     /// So are they, beside the shapes that they are copies of.
     Paste,
-    /// They take the place of the document, and these files are added to it.
-    Open(Vec<PathBuf>),
+    /// They take the place of the document, and `others` are added to it. Messages before `since` are about the
+    /// document before.
+    Open { others: Vec<PathBuf>, since: u64 },
     /// They are the first document, compared with a picture if there is one.
     Start(Option<PathBuf>),
     /// They are what an earlier run left.
@@ -43,6 +45,8 @@ pub(super) struct Opened {
     pub path: PathBuf,
     /// Files that are added to it.
     pub others: Vec<PathBuf>,
+    /// Number of the first message about it.
+    pub since: u64,
     pub files: Arc<dyn Files>,
     pub loaded: Loaded,
 }
@@ -72,11 +76,8 @@ struct Running {
 impl Request {
     /// Names of its files, of many the first.
     fn name(&self) -> String {
-        let name = |path: &PathBuf| {
-            let name = path.file_name().unwrap_or(path.as_os_str());
-            name.to_string_lossy().into_owned()
-        };
-        let first = self.job.paths.first().map(name).unwrap_or_default();
+        let first = self.job.paths.first().map(|path| file_name(path));
+        let first = first.unwrap_or_default();
         match self.job.paths.len().saturating_sub(1) {
             0 => first,
             more => format!("{first} and {more} more"),
@@ -163,14 +164,20 @@ impl Program {
             }
             (Use::Restore(_), _, Some(error)) => self.give_up_restoring(&error.to_string(), host),
             (Use::Restore(kept), _, None) => self.show_restored(&kept, loaded, host),
-            (Use::Open(others), [path, ..], Some(error)) => {
-                self.go_on_without(path, error, (others, files), host);
+            (Use::Open { others, since }, [path, ..], Some(error)) => {
+                let others = ToOpen {
+                    paths: others,
+                    files,
+                    since,
+                };
+                self.go_on_without(path, error, others, host);
             }
-            (Use::Open(others), [path, ..], None) => {
+            (Use::Open { others, since }, [path, ..], None) => {
                 let path = path.clone();
                 let opened = Opened {
                     path,
                     others,
+                    since,
                     files,
                     loaded,
                 };
@@ -178,7 +185,7 @@ impl Program {
             }
             (_, _, Some(_)) => self.tell_all(Severity::Error, failed),
             (Use::Paste, ..) => self.insert_pasted(loaded),
-            (Use::Import | Use::Open(_), ..) => self.insert(loaded),
+            (Use::Import | Use::Open { .. }, ..) => self.insert(loaded),
         }
     }
 
@@ -189,7 +196,7 @@ impl Program {
         for request in running.into_iter().chain(waiting) {
             let becomes = match request.becomes {
                 Use::Import | Use::Paste => "imported",
-                Use::Open(_) | Use::Start(_) => "opened",
+                Use::Open { .. } | Use::Start(_) => "opened",
                 // Nothing of it is lost.
                 Use::Restore(_) => {
                     self.offer_restoring(host);
@@ -223,7 +230,7 @@ impl Program {
         let running = running.filter(|running| now >= running.since + SHOWN_AFTER)?;
         let doing = match running.request.becomes {
             Use::Import | Use::Paste => "Importing",
-            Use::Open(_) | Use::Start(_) | Use::Restore(_) => "Opening",
+            Use::Open { .. } | Use::Start(_) | Use::Restore(_) => "Opening",
         };
         let name = running.request.name();
         let text = match self.readings.waiting.len() {

@@ -3,7 +3,7 @@
 use super::browser;
 use super::kept_files;
 use crate::io::builtin::is_builtin;
-use crate::io::{Diagnostic, Files, namesakes};
+use crate::io::{self, Diagnostic, Files, namesakes};
 use std::collections::{HashMap, HashSet};
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
@@ -136,7 +136,7 @@ impl Files for GivenFiles {
 
 /// Extensions of files that are opened by themselves. A scene names its models, and models their pictures.
 const SCENES: &[&str] = &["scene", "zip"];
-const MODELS: &[&str] = &["obj", "dae", "swp"];
+const MODELS: &[&str] = &io::IMPORTABLE;
 const POSES: &[&str] = &["json"];
 const PICTURES: &[&str] = &["png", "jpg", "jpeg", "gif"];
 
@@ -159,9 +159,6 @@ pub(super) fn brought_files(names: &[PathBuf]) -> Vec<PathBuf> {
 }
 
 fn of_kind(names: &[PathBuf], extensions: &[&str]) -> Vec<PathBuf> {
-    let is = |path: &&PathBuf| {
-        let extension = path.extension().unwrap_or_default().to_string_lossy();
-        extensions.contains(&&*extension.to_lowercase())
-    };
+    let is = |path: &&PathBuf| extensions.contains(&&*io::extension(path));
     names.iter().filter(is).cloned().collect()
 }

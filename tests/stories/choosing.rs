@@ -64,6 +64,7 @@ fn a_file_that_cannot_be_opened_leaves_its_place_to_the_next() {
             .all(|(severity, _)| *severity == Severity::Error)
     );
     assert!(told[0].1.starts_with("torn.obj") && told[1].1.starts_with("gone.obj"));
+    assert_eq!(story.session().messages.fresh().len(), 2, "both are shown");
 }
 
 #[test]

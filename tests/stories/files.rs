@@ -579,7 +579,8 @@ fn models_that_come_with_a_scene_are_added_to_it_unless_it_names_them() {
         }
         story.settle();
         assert_eq!(story.names(), ["Strip", "Flag"], "{dropped}");
-        let unused = (Severity::Warning, "Only two.scene is used, not bent.json");
+        let unused = (Severity::Warning, "Not used: bent.json");
         assert_eq!(story.messages(), Vec::from_iter(dropped.then_some(unused)));
+        assert_eq!(story.session().messages.fresh().len(), usize::from(dropped));
     }
 }
