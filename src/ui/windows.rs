@@ -194,6 +194,7 @@ fn title(menu: Menu) -> &'static str {
         Menu::Shape => "Edit, selected shape",
         Menu::Transform => "Edit ⏵ Reset Transform",
         Menu::View => "View",
+        Menu::Directions => "View ⏵ View from",
         Menu::Look => "View ⏵ Look",
         Menu::Shading => "View ⏵ Shading",
         Menu::Colors => "View ⏵ Colors",

@@ -267,6 +267,25 @@ fn in_small_windows_menus_and_dialogs_stay_inside() {
 }
 
 #[test]
+fn menus_hang_below_their_titles_in_low_windows_too() {
+    for height in [420.0, 500.0, 530.0, 560.0, 600.0, 650.0, 700.0] {
+        let mut editor = Editor::sized(vec2(1000.0, height));
+        editor.add_character(figure::figure());
+        for menu in ["File", "Edit", "Insert", "View", "Pose", "Help"] {
+            let titles = editor.widget(menu).rect().bottom();
+            let before = interactive(&editor);
+            editor.click(menu);
+            let mut items = interactive(&editor);
+            items.retain(|(name, _)| before.iter().all(|(known, _)| known != name));
+            let tops = items.iter().map(|(_, rect)| rect.top());
+            let top = tops.fold(f32::INFINITY, f32::min);
+            assert!(top >= titles - 0.5, "{menu} of {height}: {top}");
+            editor.key(Key::Escape);
+        }
+    }
+}
+
+#[test]
 fn in_small_windows_the_start_page_offers_all_it_has() {
     for size in SMALL {
         let mut editor = Editor::sized(size);

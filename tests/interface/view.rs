@@ -45,7 +45,7 @@ fn the_views_of_the_menu_are_the_courses() {
     let mut editor = Editor::new();
     for direction in ViewDirection::ALL {
         let label = format!("View from {}", direction.label());
-        editor.choose(&["View", &label]);
+        editor.choose(&["View", "View from", &label]);
         let camera = editor.session().view().camera;
         assert_eq!(camera, Camera::preset(direction), "{label}");
     }
