@@ -1,5 +1,5 @@
-//! `-` as a FILE, for standard input, and as an output, for standard output. Commands say which of their arguments may be
-//! that; all else is here.
+//! `-` as a FILE, for standard input, and as an output, for standard output. Commands say which of their arguments
+//! may be that; all else is here.
 
 use super::CliError;
 use super::output::print_bytes;
@@ -53,7 +53,7 @@ pub(super) fn connect(ends: Ends) -> Result<(), CliError> {
 pub(super) fn write(files: &[(PathBuf, Vec<u8>)]) -> Result<(), CliError> {
     match files {
         [(path, bytes)] if is_pipe(path) => {
-            if std::io::stdout().is_terminal() && !bytes.is_ascii() {
+            if std::io::stdout().is_terminal() && std::str::from_utf8(bytes).is_err() {
                 let message = "expected a pipe or a file for what is no text, found a terminal";
                 return Err(CliError::Other(message.to_owned()));
             }

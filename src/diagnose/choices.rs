@@ -17,8 +17,8 @@ pub(super) fn choices(influences: &[Influence], formula: WeightFormula) -> Vec<V
     };
     let mut sorted = influences.to_vec();
     sorted.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-    let least = match formula.kept {
-        Kept::Largest(most) if most > 0 && most < sorted.len() => sorted[most - 1].weight,
+    let (most, least) = match formula.kept {
+        Kept::Largest(most) if most > 0 && most < sorted.len() => (most, sorted[most - 1].weight),
         _ => return vec![kept(influences)],
     };
     let (larger, rest): (Vec<Influence>, Vec<Influence>) =
@@ -27,10 +27,7 @@ pub(super) fn choices(influences: &[Influence], formula: WeightFormula) -> Vec<V
         rest.into_iter().partition(|one| one.weight == least);
     let (exchanged, others) = equals.split_at(equals.len().min(MOST_EQUALS));
     // As many of the equals come first as there is room for.
-    let room = match formula.kept {
-        Kept::Largest(most) => most - larger.len(),
-        Kept::All | Kept::First(_) => 0,
-    };
+    let room = most - larger.len();
     let all = (0_u32..1 << exchanged.len()).filter(|set| set.count_ones() as usize == room);
     let orders = all.map(|set| {
         let is_first = |&at: &usize| set >> at & 1 == 1;

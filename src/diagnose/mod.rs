@@ -65,6 +65,12 @@ const SINGLE_PRECISION: f64 = 1e-6;
 const AS_GOOD: f64 = 2.0;
 /// Errors that are as good as none, by the size.
 const AS_GOOD_AS_NONE: f64 = 5e-6;
+
+/// The largest error that is as good as the `least`, of a mesh of this size.
+fn as_good(least: f64, size: f64) -> f64 {
+    (AS_GOOD * least).max(AS_GOOD_AS_NONE * size)
+}
+
 /// A mesh that agrees with the exact one is still one of a mistake if that is this many times nearer.
 const MUCH_NEARER: f64 = 10.0;
 
@@ -269,7 +275,7 @@ impl Findings<'_> {
         let mut found = self.diagnosis(Verdict::Explained);
         let errors = explanations.iter().map(|explanation| explanation.error);
         let least = errors.fold(f64::INFINITY, f64::min);
-        let enough = (AS_GOOD * least).max(AS_GOOD_AS_NONE * self.size);
+        let enough = as_good(least, self.size);
         let mut good = explanations
             .iter()
             .filter(|explanation| explanation.error <= enough);

@@ -49,15 +49,9 @@ pub(super) fn find(
     let exact = search.nearness(&mut Skinner::new(model, pose, &exact));
     let told = |one: &Alone, off: usize| {
         let agrees = 1.0 - off as f64 / search.theirs.len() as f64;
-        let explains = 1.0 - one.nearness.mean / exact.mean;
         Nearest {
             mistake: ToldMistake::new(one.made),
-            // Single vertices may be anywhere.
-            explains: if explains.is_finite() {
-                explains
-            } else {
-                agrees
-            },
+            explains: 1.0 - one.nearness.mean / exact.mean,
             agrees,
             off,
         }

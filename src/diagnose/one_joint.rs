@@ -1,12 +1,12 @@
 //! Mistakes in one line of a skeleton: a joint that hangs on a wrong parent, or has a wrong offset. They are sought
 //! only where no mistake of a whole program gives the mesh, since one line can be off in so many ways.
 
+use super::as_good;
 use super::formula::{Formula, OtherJoint, VertexOrder};
 use super::found_otherwise::{ONE_WRONG_OFFSET, ONE_WRONG_PARENT};
 use super::mistakes::{Mistake, Reading};
 use super::search::{Explanation, Made, Search};
 use super::skin::{Placed, Skinner};
-use super::{AS_GOOD, AS_GOOD_AS_NONE};
 use crate::steps::Pace;
 use glam::{DMat3, DVec3};
 
@@ -125,7 +125,7 @@ impl Lines<'_> {
         }
         found.sort_by(|(a, _), (b, _)| a.error.total_cmp(&b.error));
         let least = found.first()?.0.error;
-        let enough = (AS_GOOD * least).max(AS_GOOD_AS_NONE * size);
+        let enough = as_good(least, size);
         let good = found.iter().filter(|(one, _)| one.error <= enough);
         let told: Vec<String> = good
             .map(|(_, other)| self.on_another_parent(*other))

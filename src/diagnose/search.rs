@@ -145,7 +145,8 @@ impl<'a> Search<'a> {
 
     /// How near the mesh is to the one of `skinner`.
     pub(super) fn nearness(&self, skinner: &mut Skinner) -> Nearness {
-        let spread = &self.sample[self.sample.len().min(WORST)..];
+        // After those that are the farthest apart, of which a small mesh has fewer.
+        let spread = &self.sample[self.theirs.len().min(WORST)..];
         let distances = spread.iter().map(|&index| self.distance(skinner, index));
         let distances: Vec<f64> = distances.collect();
         Nearness {

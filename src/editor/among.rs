@@ -1,8 +1,8 @@
 //! Where a figure that is added stands among the shapes that are there already.
 
-use super::Session;
+use super::{Edit, Session};
 use crate::math::{Aabb, Euler};
-use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind, ViewSettings};
+use crate::scene::{Camera, Evaluated, Evaluator, NewShape, Scene, ShapeKind};
 use glam::Vec3;
 
 /// Gap between a figure and what it stands beside, relative to its width.
@@ -94,12 +94,14 @@ pub fn set_beside_each_other(
 ) -> Vec<NewShape> {
     let mut rest = shapes.into_iter();
     let mut placed: Vec<NewShape> = Vec::new();
+    let mut before = Session::new();
     for count in counts {
         let mut next: Vec<NewShape> = rest.by_ref().take(count).collect();
-        if !placed.is_empty() && next.iter().any(|shape| shape.front().is_some()) {
-            let before = Session::with_shapes(placed.clone(), ViewSettings::default());
+        if !placed.is_empty() {
             set_among(&before, &mut next, camera);
         }
+        // Adding shapes is never refused.
+        let _ = before.edit(Edit::Insert(next.clone()));
         placed.extend(next);
     }
     placed

@@ -3,6 +3,7 @@
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
@@ -53,7 +54,8 @@ pub(super) fn counted_elsewhere(
 /// Of the explanations of a file the mistakes that points are taken for.
 fn counted<'a>(test: &TestData, graded: &'a Graded, rubric: &RubricData) -> Option<&'a [String]> {
     let first = graded.causes.first()?;
-    if *first == [POSE_NOT_APPLIED] {
+    // Wrong triangles may come with it.
+    if first.iter().any(|id| id == POSE_NOT_APPLIED) {
         return Some(first);
     }
     let total = |ids: &[String]| left_by(ids, test, rubric).into_values().sum::<f64>();
@@ -106,7 +108,13 @@ fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
     let apart = |section: &&String| {
         let (chapter, part) = parts_of(section)?;
         let is_before = (chapter, part) < own;
-        Some((chapter.abs_diff(own.0), part.abs_diff(own.1), is_before))
+        let part_apart = match chapter.cmp(&own.0) {
+            Ordering::Equal => part.abs_diff(own.1),
+            // Nearest are the last of a chapter before and the first of one after.
+            Ordering::Less => u32::MAX - part,
+            Ordering::Greater => part,
+        };
+        Some((chapter.abs_diff(own.0), part_apart, is_before))
     };
     let numbered = test
         .points
@@ -213,8 +221,9 @@ mod tests {
             (&[("4", 4.0), ("4.0", 4.0), ("4.2", 4.0)], [4.0, 4.0, 2.0]),
             (
                 &[("3.2", 4.0), ("3.4", 4.0), ("pose", 9.0)],
-                [2.0, 4.0, 9.0],
+                [4.0, 2.0, 9.0],
             ),
+            (&[("2", 4.0), ("5.1", 4.0), ("5.2", 4.0)], [4.0, 2.0, 4.0]),
             (&[("a", 4.0), ("b", 8.0), ("c", 8.0)], [4.0, 4.0, 8.0]),
         ] {
             assert_eq!(given(sections, &turned, &rubric), expected, "{sections:?}");
@@ -232,6 +241,11 @@ mod tests {
         let at_rest = explained(&[&["pose-not-applied"], &["one-axis-ignored-z"]]);
         let other_pose = Graded::without(Outcome::OtherPose, "");
         assert_eq!(given(TWO, &at_rest, &rubric), [0.0, 0.0]);
+        let cut_off = explained(&[
+            &["pose-not-applied", "triangles-differ"],
+            &["one-axis-ignored-z", "triangles-differ"],
+        ]);
+        assert_eq!(given(TWO, &cut_off, &rubric), [0.0, 0.0]);
         assert_eq!(given(TWO, &other_pose, &rubric), [0.0, 0.0]);
         let name = POSE_NOT_APPLIED.to_owned().try_into().unwrap();
         rubric.mistakes.insert(name, Share(0.25));

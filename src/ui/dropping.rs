@@ -1,11 +1,11 @@
 //! What is shown over the window while files are dragged over it.
 
 use super::theme::Palette;
-use egui::{Area, Context, Id, Label, LayerId, Order, RichText, Stroke, StrokeKind, pos2, vec2};
+use egui::{Area, Context, Id, Label, LayerId, Order, RichText, Stroke, StrokeKind, vec2};
 
 /// Width of the frame along the window's edges, and its distance from them, in points.
 const EDGE: f32 = 3.0;
-/// How much of the panels is seen behind it.
+/// How much of the panels it covers.
 const SHADE: f32 = 0.75;
 
 /// Says that files can be dropped while some are dragged over the window, or that a question comes first if
@@ -29,7 +29,7 @@ pub(super) fn show(ctx: &Context, is_asked: bool) {
         .order(Order::Tooltip)
         .interactable(false)
         .pivot(egui::Align2::CENTER_CENTER)
-        .fixed_pos(pos2(window.center().x, window.center().y));
+        .fixed_pos(window.center());
     middle.show(ctx, |ui| {
         ui.set_max_size(vec2(window.width(), 40.0));
         let words = RichText::new(text).heading().color(palette.strong);

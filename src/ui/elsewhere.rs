@@ -8,7 +8,7 @@ const ELSEWHERE: &[(&[&str], &str)] = &[
          Screenshot… saves the picture for it.",
     ),
     (
-        &["grade", "grading", "points"],
+        &["grade", "grading"],
         "The program grades a class when it is called in a terminal: editor grade --help",
     ),
     (
@@ -47,7 +47,9 @@ pub(super) fn elsewhere(searched: &str) -> Option<&'static str> {
     if searched.chars().count() < FEWEST {
         return None;
     }
-    let is_meant = |word: &&str| word.starts_with(&searched) || searched.contains(*word);
+    // At the beginning of a word: "rectangle" has another one in it.
+    let words = format!(" {searched}");
+    let is_meant = |word: &&str| word.starts_with(&searched) || words.contains(&format!(" {word}"));
     let mut all = ELSEWHERE.iter();
     let found = all.find(|(words, _)| words.iter().any(is_meant))?;
     Some(found.1)
@@ -65,7 +67,9 @@ mod tests {
         }
         assert_eq!(elsewhere("sub"), None, "as subdivide begins");
         assert_eq!(elsewhere(""), None);
-        assert_eq!(elsewhere("teapot"), None);
+        for searched in ["teapot", "rectangle", "triangle", "control point"] {
+            assert_eq!(elsewhere(searched), None, "{searched}");
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What draws, in the status line: pictures per second, and the version and device of the graphics driver.
 
 use super::ViewInput;
+use super::shortened::text_width;
 use super::theme::Palette;
 use egui::{Label, RichText, TextStyle, Ui};
 
@@ -10,15 +11,9 @@ pub(super) fn show(ui: &mut Ui, input: &ViewInput, room: f32) {
     if whole.is_empty() {
         return;
     }
-    let style = ui.style();
-    let font = TextStyle::Small.resolve(style);
+    let font = TextStyle::Small.resolve(ui.style());
     let weak = Palette::of(ui.visuals()).weak;
-    let fits = |text: &String| {
-        let laid_out = ui
-            .painter()
-            .layout_no_wrap(text.clone(), font.clone(), weak);
-        laid_out.size().x <= room
-    };
+    let fits = |text: &String| !text.is_empty() && text_width(ui, text, &font) <= room;
     let short = with_rate(input, &shortened(input.backend));
     let rate = with_rate(input, "");
     let Some(text) = [whole.clone(), short, rate].into_iter().find(fits) else {
@@ -39,8 +34,8 @@ fn with_rate(input: &ViewInput, backend: &str) -> String {
     parts.join(" · ")
 }
 
-/// The version and device of a `backend` such as `OpenGL 4.5 (Core Profile) Mesa 25.0.7 · llvmpipe (LLVM 19.1.7, 256 bits)`,
-/// without what surrounds them.
+/// The version and device of a `backend` such as `OpenGL 4.5 (Core Profile) Mesa 25.0.7 · llvmpipe (LLVM 19.1.7, 256
+/// bits)`, without what surrounds them.
 fn shortened(backend: &str) -> String {
     let Some((version, renderer)) = backend.split_once(" · ") else {
         return backend.to_owned();

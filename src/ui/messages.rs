@@ -79,15 +79,25 @@ pub(super) fn notices(
     actions: &mut Vec<Action>,
 ) {
     let fresh = session.messages.fresh();
-    let first = fresh.len().saturating_sub(SHOWN);
-    let ages = state.ages(ui, &fresh[first..]);
+    let stay = |index: &usize| stays(fresh[*index].severity, is_viewer).is_infinite();
+    let (mut shown, mut passing): (Vec<usize>, Vec<usize>) = (0..fresh.len()).partition(stay);
+    // What stays has its place whatever comes after it.
+    shown.drain(..shown.len().saturating_sub(SHOWN));
+    let room = SHOWN - shown.len();
+    shown.extend(passing.drain(passing.len().saturating_sub(room)..));
+    shown.sort_unstable();
+    let ages = state.ages(ui, shown.iter().map(|&index| &fresh[index]));
     let widest = (view.width() - 24.0).clamp(80.0, 560.0);
     let mut foot = view.left_bottom() + vec2(12.0, -12.0);
     let mut is_read = false;
     let mut next = f64::INFINITY;
-    // From the last to the first, so that those before a dismissed one keep their places.
-    for (index, message) in fresh.iter().enumerate().skip(first).rev() {
-        let left = stays(message.severity, is_viewer) - ages[index - first];
+    for index in &passing {
+        state.faded += usize::from(fresh[*index].severity != Severity::Info);
+    }
+    let mut gone = passing;
+    for (&index, age) in shown.iter().zip(ages).rev() {
+        let message = &fresh[index];
+        let left = stays(message.severity, is_viewer) - age;
         let opacity = (left / FADE).clamp(0.0, 1.0);
         next = next.min(if left > FADE { left - FADE } else { 0.0 });
         let (rect, dismissed) = notice(ui, message, foot, widest, opacity as f32);
@@ -96,14 +106,14 @@ pub(super) fn notices(
             state.faded += 1;
         }
         if dismissed || left <= 0.0 {
-            actions.push(Action::View(View::DismissMessage(index)));
+            gone.push(index);
         }
         foot.y = rect.top() - 4.0;
     }
-    for (index, message) in fresh[..first].iter().enumerate().rev() {
-        state.faded += usize::from(message.severity != Severity::Info);
-        actions.push(Action::View(View::DismissMessage(index)));
-    }
+    gone.sort_unstable();
+    // From the last to the first, so that those before one that goes keep their places.
+    let gone = gone.into_iter().rev();
+    actions.extend(gone.map(|index| Action::View(View::DismissMessage(index))));
     state.is_read = is_read;
     if is_read {
         state.shown.iter_mut().for_each(|(_, age)| *age = 0.0);
@@ -115,7 +125,11 @@ pub(super) fn notices(
 
 impl NoticeState {
     /// Seconds for which each of `messages` has been shown, this frame included.
-    fn ages(&mut self, ui: &Ui, messages: &[Message]) -> Vec<f64> {
+    fn ages<'a>(
+        &mut self,
+        ui: &Ui,
+        messages: impl Iterator<Item = &'a Message> + Clone,
+    ) -> Vec<f64> {
         let now = ui.input(|input| input.time);
         let since_last = now - std::mem::replace(&mut self.last_frame, now);
         let passed = if self.is_read { 0.0 } else { since_last };
@@ -123,8 +137,8 @@ impl NoticeState {
             let known = self.shown.iter().find(|(of, _)| *of == message.number);
             known.map_or(0.0, |(_, age)| age + passed)
         };
-        let ages: Vec<f64> = messages.iter().map(age_of).collect();
-        let numbers = messages.iter().map(|message| message.number);
+        let ages: Vec<f64> = messages.clone().map(age_of).collect();
+        let numbers = messages.map(|message| message.number);
         self.shown = numbers.zip(ages.iter().copied()).collect();
         ages
     }

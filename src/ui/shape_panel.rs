@@ -4,7 +4,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::{labelled, named};
 use super::{Action, Ask, character_panel, commands, curve_panel, joint_list, shape_list};
-use crate::editor::{Edit, Session, Tool, View, for_all_selected};
+use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::math::Transform;
 use crate::scene::{COLOR_PRESETS, CUSTOM_PRESET, Shape, ShapeColor, ShapeKind};
 use egui::epaint::TextShape;
@@ -169,7 +169,7 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         return;
     };
     ui.push_id(shape.id, |ui| {
-        properties(ui, session, shape, state.pose.tool, actions);
+        properties(ui, session, shape, state, actions);
         if let ShapeKind::Character(character) = &shape.kind {
             ui.separator();
             character_panel::display(ui, shape.id, character.display, actions);
@@ -220,11 +220,11 @@ fn properties(
     ui: &mut Ui,
     session: &Session,
     shape: &Shape,
-    tool: Tool,
+    state: &UiState,
     actions: &mut Vec<Action>,
 ) {
     let for_all = |edit| Action::Edit(for_all_selected(session, edit));
-    title(ui, session, shape, tool, actions);
+    title(ui, session, shape, state, actions);
     let placement = &shape.placement;
     let (now, start) = (placement.transform, shape.start.transform);
     let mut edited = None;
@@ -304,7 +304,13 @@ fn with(transform: Transform, change: impl FnOnce(&mut Transform)) -> Transform 
 }
 
 /// The shape's ID, with Delete and Reset.
-fn title(ui: &mut Ui, session: &Session, shape: &Shape, tool: Tool, actions: &mut Vec<Action>) {
+fn title(
+    ui: &mut Ui,
+    session: &Session,
+    shape: &Shape,
+    state: &UiState,
+    actions: &mut Vec<Action>,
+) {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
         for (command, label, edit) in [
@@ -312,7 +318,7 @@ fn title(ui: &mut Ui, session: &Session, shape: &Shape, tool: Tool, actions: &mu
             (Command::Reset, "Reset", Edit::Reset(shape.id)),
         ] {
             let button = ui.add(Button::new(label));
-            let tip = commands::tooltip_now(ui.ctx(), command, session, tool);
+            let tip = commands::tooltip_now(ui.ctx(), command, session, state);
             if button.on_hover_text(tip).clicked() {
                 actions.push(Action::Edit(for_all_selected(session, edit)));
             }

@@ -58,6 +58,14 @@ fn rounding_that_a_tiny_threshold_counts_has_no_movement_scale_or_turn_as_its_ca
     let comparison = compare_meshes(&a, &noisy, &options).unwrap();
     assert!(comparison.differing_vertices > 0);
     assert_eq!(comparison.findings, []);
+    // Nor is a movement that would be written as zero one, or the axes as they are.
+    let mut small = a.clone();
+    small.positions.iter_mut().for_each(|at| *at *= 1e-3);
+    let mut moved = small.clone();
+    moved.positions.iter_mut().for_each(|at| at.x += 3e-7);
+    let comparison = compare_meshes(&small, &moved, &options).unwrap();
+    assert!(comparison.differing_vertices > 0);
+    assert_eq!(comparison.findings, []);
     // A movement that is more than that is one.
     let mut moved = a.clone();
     for position in &mut moved.positions {

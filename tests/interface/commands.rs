@@ -113,6 +113,29 @@ fn the_button_that_deletes_names_its_key_only_while_the_key_does_the_same() {
 }
 
 #[test]
+fn nor_does_it_while_the_key_deletes_a_control_point() {
+    let mut editor = with_curve("Bézier Curve");
+    let at = place(&editor, 3);
+    editor.press(at);
+    editor.release(at);
+    editor.widget("Delete").hover();
+    editor.harness.run_steps(40);
+    let painted = editor.painted();
+    let is_told = |tip: &str| painted.iter().any(|(text, _)| text == tip);
+    assert!(is_told("Delete the selected shape") && !is_told("Delete the selected shape (Delete)"));
+}
+
+#[test]
+fn what_a_row_is_called_at_the_moment_finds_it() {
+    let mut editor = with_curve("Bézier Curve");
+    let at = place(&editor, 0);
+    editor.press(at);
+    editor.release(at);
+    editor.find_command("delete point");
+    assert!(editor.has("Delete Point"));
+}
+
+#[test]
 fn a_command_that_is_searched_for_does_what_it_is_called_whatever_its_key_does_now() {
     let mut editor = Editor::with_figure();
     editor.click("Pose Tool");

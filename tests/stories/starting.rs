@@ -70,6 +70,13 @@ fn figures_that_the_program_starts_with_stand_beside_each_other_and_name_the_doc
 }
 
 #[test]
+fn a_curve_at_the_start_stands_beside_a_figure_that_was_named_before_it() {
+    let story = Story::start(&["builtin:robot", "builtin:vase"]);
+    let places = places(&story);
+    assert!(places[0] == 0.0 && places[1].abs() > 0.4, "{places:?}");
+}
+
+#[test]
 fn figures_that_a_picture_is_compared_with_at_the_start_stay_where_their_files_have_them() {
     let picture = Picture {
         width: 8,

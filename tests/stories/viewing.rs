@@ -2,6 +2,7 @@
 
 use super::{Story, differing, started_before};
 use crate::host::MemoryHost;
+use editor_core::editor::Severity;
 use editor_core::program::Options;
 use egui::{Key, Modifiers};
 use glam::Vec3;
@@ -73,6 +74,12 @@ fn a_scene_without_panels_tells_what_is_wrong() {
     assert!(story.has(told));
     story.wait(3600.0);
     assert!(story.has(told), "nothing else says why it is empty");
+    for text in ["a", "b", "c", "d"] {
+        let messages = &mut story.program.session_mut().messages;
+        messages.tell(Severity::Warning, text);
+        story.settle();
+    }
+    assert!(story.has(told), "nor do newer messages take its place");
 }
 
 #[test]

@@ -31,21 +31,17 @@ fn other_size(character: &Character) -> Option<String> {
     if !(mesh > 0.0 && skeleton > 0.0 && mesh.is_finite() && skeleton.is_finite()) {
         return None;
     }
-    let (times, which) = if mesh > skeleton {
-        (
-            mesh / skeleton,
-            "the mesh is some {} times as large as the skeleton",
-        )
+    let (times, larger, smaller) = if mesh > skeleton {
+        (mesh / skeleton, "mesh", "skeleton")
     } else {
-        (
-            skeleton / mesh,
-            "the skeleton is some {} times as large as the mesh",
-        )
+        (skeleton / mesh, "skeleton", "mesh")
     };
     (times > SAME_UNITS).then(|| {
         let times = in_two_digits(times);
-        let which = which.replace("{}", &times);
-        format!("{which}: one of them may be in other units, such as centimeters and meters")
+        format!(
+            "the {larger} is some {times} times as large as the {smaller}: one of them may be in other \
+             units, such as centimeters and meters"
+        )
     })
 }
 

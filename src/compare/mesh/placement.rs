@@ -59,8 +59,8 @@ impl Points<'_> {
         (factor.is_finite() && factor > 0.0).then_some(factor)
     }
 
-    /// Whether `b_from_a`, which scales by `factor`, takes every vertex of A to that of B. Where they agree as they are,
-    /// a cause has to leave less than half of the difference, which else is rounding.
+    /// Whether `b_from_a`, which scales by `factor`, takes every vertex of A to that of B. Where they agree as they
+    /// are, a cause has to leave less than half of the difference, which else is rounding.
     fn agree(&self, factor: f64, b_from_a: impl Fn(DVec3) -> DVec3) -> bool {
         let tolerance = match self.apart <= self.tolerance {
             true => self.apart / 2.0,
@@ -137,14 +137,17 @@ pub(super) fn turn(points: &Points) -> Option<MeshFinding> {
                 rotation
             };
             let (axis, angle) = rotation.to_axis_angle();
-            let degrees = angle.to_degrees();
-            (mirrored.is_some() || degrees >= LEAST_DEGREES).then(|| MeshFinding::Turned {
+            Some(MeshFinding::Turned {
                 mirrored,
-                degrees,
+                degrees: angle.to_degrees(),
                 axis: axis.to_array(),
                 factor,
                 offset: offset.to_array(),
             })
+        })
+        // Of a flat mesh the mirror image does as well as a turn too small to be told.
+        .filter(|found| {
+            !matches!(found, MeshFinding::Turned { mirrored: None, degrees, .. } if *degrees < LEAST_DEGREES)
         })
 }
 
@@ -192,7 +195,9 @@ fn axes_about(points: &Points, (center_a, center_b): Centers, factor: f64) -> Op
     let found = turned
         .into_iter()
         .chain(mirrored)
-        .find(|&axes| points.agree(factor, |point| placed(axes, point - center_a) + center_b));
+        .find(|&axes| points.agree(factor, |point| placed(axes, point - center_a) + center_b))
+        // The axes as they are, about the means: a movement too short to be told.
+        .filter(|&axes| axes != ([0, 1, 2], 0));
     found.map(|(order, signs)| MeshFinding::Axes {
         from_a: std::array::from_fn(|axis| AXIS_NAMES[order[axis]][signs >> axis & 1]),
         mirrored: is_mirrored((order, signs)),

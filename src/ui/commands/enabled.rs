@@ -143,8 +143,7 @@ fn why_no_curves(command: Command, session: &Session) -> Option<&'static str> {
         return Some("The selected shape has no curve");
     }
     let flat = curves(set).any(|(_, curve)| curve.is_flat());
-    (command == Command::MakeSurfaceOfRevolution && !flat)
-        .then_some("No curve of the selected shape lies in the plane z = 0")
+    (!flat).then_some("No curve of the selected shape lies in the plane z = 0")
 }
 
 /// Why a command about poses is disabled.

@@ -1,9 +1,10 @@
 //! Keyboard shortcuts of the commands.
 
+use super::run::deletes_point;
 use super::table::{ALT, CTRL, NONE, SHIFT, entry_of, meant};
 use super::{COMMANDS, Command, Entry};
 use crate::editor::{Session, Tool};
-use crate::ui::Navigation;
+use crate::ui::{Navigation, UiState};
 use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 
 /// Shortcuts that Blender's navigation adds, because its users' hands know them.
@@ -138,9 +139,10 @@ pub(in crate::ui) fn tooltip_now(
     ctx: &Context,
     command: Command,
     session: &Session,
-    tool: Tool,
+    state: &UiState,
 ) -> String {
-    if meant(command, session, tool) == command {
+    let is_of_point = command == Command::Delete && deletes_point(session, state);
+    if meant(command, session, state.pose.tool) == command && !is_of_point {
         return tooltip(ctx, command);
     }
     entry_of(command).map_or_else(String::new, |entry| entry.tooltip.to_owned())

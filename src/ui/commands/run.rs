@@ -233,14 +233,18 @@ pub(in crate::ui) fn full_tooltip(
     session: &Session,
     state: &UiState,
 ) -> &'static str {
-    if entry.command == Command::Delete && deletes_point(session, state) {
-        return "Delete the control point that was clicked last";
+    match entry.command {
+        Command::Delete if deletes_point(session, state) => {
+            "Delete the control point that was clicked last"
+        }
+        Command::Compare if state.compares[0] => "Show the view alone again",
+        Command::CompareMesh if state.compares[1] => "Show the character alone again",
+        _ => entry.tooltip,
     }
-    entry.tooltip
 }
 
 /// Whether Delete is about a control point rather than its shape.
-fn deletes_point(session: &Session, state: &UiState) -> bool {
+pub(super) fn deletes_point(session: &Session, state: &UiState) -> bool {
     control_points::delete_clicked(session, &state.curves).is_some()
 }
 
