@@ -223,6 +223,14 @@ impl Camera {
         self.radius = (self.radius * away.exp()).clamp(2.0 * self.near, self.far * 10.0);
     }
 
+    /// As [`Camera::dolly`], with the scene growing or shrinking about `held`, a point in the world, which stays where
+    /// it is in the picture.
+    pub fn dolly_about(&mut self, away: f32, held: Vec3) {
+        let before = self.radius;
+        self.dolly(away);
+        self.target = held + (self.target - held) * (self.radius / before);
+    }
+
     /// Moves eye and target by `by`, in the world: along the picture's right, the world's up, and
     /// forward.
     pub fn walk(&mut self, by: Vec3) {
@@ -326,6 +334,30 @@ mod tests {
         assert!((camera.radius - 5.0).abs() < 1e-5);
         camera.dolly(-1000.0);
         assert_eq!(camera.radius, 0.2);
+    }
+
+    #[test]
+    fn a_dolly_about_a_point_keeps_it_where_it_is_in_the_picture() {
+        let size = Vec2::new(800.0, 600.0);
+        let mut camera = Camera {
+            theta: 0.4,
+            ..Camera::default()
+        };
+        let held = camera.ray(Vec2::new(650.0, 120.0), size).at(3.0);
+        let before = camera.pixel(held, size).unwrap();
+        for away in [0.3, -0.9] {
+            camera.dolly_about(away, held);
+            let now = camera.pixel(held, size).unwrap();
+            assert!(now.abs_diff_eq(before, 1e-2), "{away}: {now}");
+        }
+        assert!((camera.radius - 5.0 * (-0.6_f32).exp()).abs() < 1e-5);
+        assert!(camera.target.distance(held) > 0.1);
+        let nearest = camera.target;
+        camera.dolly(-1000.0);
+        let there = camera;
+        camera.dolly_about(-1.0, held);
+        assert_eq!(camera, there, "as near as it may be");
+        assert_eq!(camera.target, nearest);
     }
 
     #[test]

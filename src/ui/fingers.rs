@@ -51,7 +51,7 @@ impl SeveralFingers {
             let is_on_view = view.interact_rect.contains(first)
                 && view.ctx.layer_id_at(first) == Some(view.layer_id);
             *self = if is_on_view {
-                let held = places.surface_at(session, touch.center_pos);
+                let held = places.point_at(session, touch.center_pos);
                 Self::OnView(held.unwrap_or(session.view().camera.target))
             } else {
                 Self::Elsewhere
@@ -88,7 +88,7 @@ pub(super) fn pointer(
     {
         let moved = touch.translation_delta / places.points_per_pixel;
         camera.pan_with_pointer(Vec2::new(moved.x, moved.y), places.height(), held);
-        camera.dolly(-touch.zoom_delta.ln());
+        camera.dolly_about(-touch.zoom_delta.ln(), held);
     }
     if camera != session.view().camera {
         actions.push(Action::View(View::SetCamera(camera)));

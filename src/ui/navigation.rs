@@ -89,10 +89,10 @@ const BLENDER: &[Drag] = &[
     drag(MIDDLE, NONE, Motion::Orbit, "Middle drag in the view", "Turn the scene with the pointer"),
     drag(LEFT, Modifiers::ALT, Motion::Orbit, "Alt and left drag", "Turn the scene, without a middle button"),
 ];
-const BLENDER_GESTURES: &[Gesture] = &[gesture(
-    "Left drag in the view",
-    "Select in a box; Shift adds to it",
-)];
+const BLENDER_GESTURES: &[Gesture] = &[
+    gesture("Wheel", "Zoom to what is under the pointer"),
+    gesture("Left drag in the view", "Select in a box; Shift adds to it"),
+];
 
 /// A key that moves the eye while it is held, along the picture's right, the world's up and the
 /// direction of view (x, y and z of `along`); or that turns it about the target.
@@ -151,6 +151,8 @@ pub(super) struct PointerMove {
     pub height: f32,
     /// Notches of the wheel.
     pub notches: f32,
+    /// Point in the world that the wheel was turned over, if it was.
+    pub turned_over: Option<Vec3>,
 }
 
 /// Step of one press of a key, in units of the world or in radians.
@@ -307,7 +309,11 @@ impl Navigation {
         if notches != 0.0 {
             match self {
                 Self::Course => camera.zoom(notches),
-                _ => camera.dolly(-notches * DOLLY_PER_NOTCH),
+                Self::Orbit | Self::Mannequin => camera.dolly(-notches * DOLLY_PER_NOTCH),
+                Self::Blender => {
+                    let over = by.turned_over.unwrap_or(camera.target);
+                    camera.dolly_about(-notches * DOLLY_PER_NOTCH, over);
+                }
             }
         }
         camera

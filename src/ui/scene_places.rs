@@ -59,6 +59,18 @@ impl ScenePlaces {
         pick_shape(session.evaluated(), &ray).map(|(_, distance)| ray.at(distance))
     }
 
+    /// The same, or beside all surfaces the point there that is as far away as the camera's target.
+    pub(super) fn point_at(&self, session: &Session, position: Pos2) -> Option<Vec3> {
+        let place = self.at(position)?;
+        let camera = &session.view().camera;
+        let beside = || {
+            let ray = camera.ray(place.pixel(position), place.size());
+            let forward = (camera.target - ray.origin).normalize();
+            ray.at(camera.radius / ray.direction.dot(forward))
+        };
+        Some((self.surface_at(session, position)).unwrap_or_else(beside))
+    }
+
     /// Height of a picture in its pixels.
     pub(super) fn height(&self) -> f32 {
         let height = self.rects.first().map_or(1.0, Rect::height);

@@ -123,16 +123,17 @@ fn pointer_move(
         all = in_pixels(now - pressed);
         *held = places.surface_at(session, pressed);
     }
+    let hovered = view.hover_pos();
+    let notches = hovered.map_or(0.0, |_| notches(&view.ctx));
     PointerMove {
         delta,
         all,
         held: held.unwrap_or(session.view().camera.target),
         height: places.height(),
-        notches: if view.hovered() {
-            notches(&view.ctx)
-        } else {
-            0.0
-        },
+        notches,
+        turned_over: hovered
+            .filter(|_| notches != 0.0)
+            .and_then(|at| places.point_at(session, at)),
     }
 }
 

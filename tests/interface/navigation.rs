@@ -119,6 +119,25 @@ fn as_in_blender_the_middle_button_does_it_all() {
 }
 
 #[test]
+fn in_blender_the_wheel_zooms_to_what_is_under_the_pointer_and_elsewhere_to_the_middle() {
+    for (navigation, stays) in [("Blender", true), ("Orbit", false), ("Mannequin", false)] {
+        let mut editor = empty(navigation);
+        let before = editor.session().view().camera;
+        let view = editor.harness.state().view;
+        let [pixel, size] = [FROM - view.min, view.size()].map(|at| vec2(at.x, at.y));
+        let ray = before.ray(pixel, size);
+        // As far away as the target.
+        let under = ray.at(-ray.origin.z / ray.direction.z);
+        wheel(&mut editor, 3.0);
+        let now = editor.session().view().camera;
+        assert!(now.radius < before.radius);
+        let moved = now.pixel(under, size).unwrap().distance(pixel);
+        assert_eq!(moved < 0.1, stays, "{navigation}: {moved}");
+        assert_eq!(now.target == before.target, !stays, "{navigation}");
+    }
+}
+
+#[test]
 fn in_the_mannequin_keys_walk_and_r_puts_view_and_pose_back() {
     let mut editor = empty("Mannequin");
     let by = egui::vec2(0.0, 30.0);
