@@ -76,6 +76,22 @@ impl Character {
         })
     }
 
+    /// The same with some of its vertices: those of `bind_mesh`, with their rows.
+    pub(super) fn with_some_vertices(
+        &self,
+        attachments: Attachments,
+        bind_mesh: SharedMesh,
+    ) -> Self {
+        Self {
+            skeleton: self.skeleton.clone(),
+            attachments,
+            bind_mesh,
+            bones: self.bones.clone(),
+            bounds: self.bounds.clone(),
+            blocks: OnceLock::new(),
+        }
+    }
+
     /// Skeleton, at rest.
     pub fn skeleton(&self) -> &SkeletalModel {
         &self.skeleton

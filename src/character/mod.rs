@@ -5,6 +5,7 @@
 
 mod attachments;
 mod bones;
+mod coarse_character;
 mod dual_quaternions;
 mod facing;
 pub mod ik;

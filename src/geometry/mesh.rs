@@ -193,6 +193,14 @@ impl SharedMesh {
         }
     }
 
+    /// Shares `mesh`, which stands for another one within these `bounds`.
+    pub fn with_bounds(mesh: Mesh, bounds: Aabb) -> Self {
+        Self {
+            bounds: Arc::new(bounds.into()),
+            ..Self::new(mesh)
+        }
+    }
+
     /// Order of the triangles for rays, worked out when it is first asked for.
     pub fn triangle_order(&self) -> &TriangleOrder {
         let new = || TriangleOrder::new(&self.positions, &self.triangles);

@@ -2,6 +2,7 @@
 //! scale 1.
 
 mod bone_box;
+mod coarse;
 mod control_points;
 mod cube;
 mod curve;
@@ -20,6 +21,7 @@ mod volume;
 mod winding;
 
 pub use bone_box::{BONE_HALF_WIDTH, cuboid_from_unit};
+pub use coarse::CoarseMesh;
 pub use cube::cube;
 pub use curve::{Basis, Curve, CurveError, CurveForm, MAX_COORDINATE, MAX_CURVE_POINTS, MAX_STEPS};
 pub use curve_evaluation::{CurveFrame, CurvePoint, close_frames, is_closed};

@@ -22,8 +22,9 @@ pub(super) enum Detail {
     Fine,
     /// The same with half the width and height.
     Half,
-    /// Half the width and height, without shadows and the lines round marked shapes, for which all triangles are drawn
-    /// once more each.
+    /// Half the width and height, of a scene of many triangles with fewer.
+    Coarse,
+    /// The same without shadows and the lines round marked shapes, for which all triangles are drawn once more each.
     Sketch,
 }
 
@@ -32,6 +33,8 @@ pub(super) enum Detail {
 pub(super) struct DraftDetail {
     mean: Duration,
     detail: Detail,
+    /// Whether drafts of the scene with all its triangles have been slow.
+    whole_is_slow: bool,
 }
 
 impl Default for DraftDetail {
@@ -39,28 +42,40 @@ impl Default for DraftDetail {
         Self {
             mean: UNKNOWN,
             detail: Detail::default(),
+            whole_is_slow: false,
         }
     }
 }
 
 impl DraftDetail {
-    /// Takes note of how long the frame with the last draft, which had this `detail`, took.
-    pub fn count(&mut self, took: Duration, detail: Detail) {
+    /// Has the drafts of a scene of many triangles, which is new, begin as coarse ones.
+    pub fn begin_coarse(&mut self) {
+        *self = Self {
+            detail: Detail::Coarse,
+            ..Self::default()
+        };
+    }
+
+    /// Takes note of how long the frame with the last draft, which had this `detail`, took. Of a scene that `is_large`,
+    /// coarse drafts say little of how long others take.
+    pub fn count(&mut self, took: Duration, detail: Detail, is_large: bool) {
         if detail != self.detail {
-            *self = Self {
-                mean: UNKNOWN,
-                detail,
-            };
+            self.mean = UNKNOWN;
+            self.detail = detail;
         }
         self.mean = self.mean.mul_f32(1.0 - SHARE) + took.min(MOST).mul_f32(SHARE);
         let next = match detail {
             Detail::Fine if self.mean > SLOW => Detail::Half,
-            Detail::Half if self.mean > SLOW => Detail::Sketch,
+            Detail::Half if self.mean > SLOW && is_large => Detail::Coarse,
+            Detail::Half | Detail::Coarse if self.mean > SLOW => Detail::Sketch,
             Detail::Half if self.mean < FAST => Detail::Fine,
+            Detail::Coarse if self.mean < FAST && !(is_large && self.whole_is_slow) => Detail::Half,
+            Detail::Sketch if self.mean < FAST && is_large => Detail::Coarse,
             Detail::Sketch if self.mean < FAST => Detail::Half,
             same => same,
         };
         if next != detail {
+            self.whole_is_slow |= next > Detail::Half;
             self.mean = UNKNOWN;
             self.detail = next;
         }
@@ -75,11 +90,11 @@ impl DraftDetail {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Detail::{Fine, Half, Sketch};
+    use Detail::{Coarse, Fine, Half, Sketch};
 
     fn after(detail: &mut DraftDetail, frames: &[u64]) -> Detail {
         for &milliseconds in frames {
-            detail.count(Duration::from_millis(milliseconds), detail.next());
+            detail.count(Duration::from_millis(milliseconds), detail.next(), false);
         }
         detail.next()
     }
@@ -105,5 +120,33 @@ mod tests {
         assert_eq!(after(&mut detail, &[15; 4]), Half);
         assert_eq!(after(&mut detail, &[15; 20]), Fine);
         assert_eq!(after(&mut detail, &[60; 50]), Fine);
+    }
+
+    #[test]
+    fn coarse_drafts_of_a_large_scene_give_way_to_whole_ones_and_for_good_only_if_these_are_fast() {
+        let mut detail = DraftDetail::default();
+        detail.begin_coarse();
+        let frames = |detail: &mut DraftDetail, milliseconds, is_large| {
+            for _ in 0..3 {
+                detail.count(Duration::from_millis(milliseconds), detail.next(), is_large);
+            }
+            detail.next()
+        };
+        assert_eq!(detail.next(), Coarse);
+        assert_eq!(frames(&mut detail, 40, true), Coarse);
+        assert_eq!(frames(&mut detail, 10, true), Half, "they are worth a try");
+        assert_eq!(frames(&mut detail, 90, true), Coarse);
+        assert_eq!(
+            frames(&mut detail, 10, true),
+            Coarse,
+            "and not a second one"
+        );
+        assert_eq!(frames(&mut detail, 90, true), Sketch);
+        assert_eq!(frames(&mut detail, 10, true), Coarse);
+        assert_eq!(
+            frames(&mut detail, 10, false),
+            Fine,
+            "when most of it is deleted"
+        );
     }
 }

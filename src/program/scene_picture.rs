@@ -5,7 +5,7 @@ use super::graphics::{fit, fits};
 use super::scene_key::SceneKey;
 use super::split_view::SplitView;
 use crate::gpu::{Framebuffer, Gl, GpuError};
-use crate::render::{Frame, GradualPicture, RenderError, Renderer};
+use crate::render::{Frame, GradualPicture, Passes, RenderError, Renderer};
 use crate::revision::Revision;
 use crate::scene::Evaluated;
 use std::time::Duration;
@@ -23,6 +23,8 @@ pub(super) struct ScenePicture {
     draft_detail: DraftDetail,
     /// That of the draft of a movement that the last frame drew, if it did.
     drew_draft: Option<Detail>,
+    /// Triangles of the scene that was drawn last.
+    triangles: usize,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
     /// The full picture while it is drawn, step by step, and a draft is shown.
@@ -80,6 +82,7 @@ impl ScenePicture {
             is_smaller: false,
             draft_detail: DraftDetail::default(),
             drew_draft: None,
+            triangles: 0,
             split: None,
             full: None,
             without_outlines: None,
@@ -179,7 +182,8 @@ impl ScenePicture {
             ..
         } = asked;
         if let Some((detail, took)) = self.drew_draft.take().zip(last_frame) {
-            self.draft_detail.count(took, detail);
+            let is_large = self.triangles > MANY_TRIANGLES;
+            self.draft_detail.count(took, detail, is_large);
         }
         let Some((width, _)) = self.size() else {
             return Ok(());
@@ -200,7 +204,7 @@ impl ScenePicture {
             Some(Some(since)) if is_same && moves && now < since + REST => return Ok(()),
             Some(Some(_)) if is_same => false,
             Some(Some(_)) => moves,
-            None => self.drafts && (moves || is_large(frame)),
+            None => self.drafts && (moves || triangles(frame) > MANY_TRIANGLES),
         };
         if is_draft || alike.is_none() {
             self.full = None;
@@ -222,11 +226,7 @@ impl ScenePicture {
         }
         self.shows(next);
         if is_draft {
-            let least = match is_large(frame) {
-                true => Detail::Half,
-                false => Detail::Fine,
-            };
-            let detail = self.draft_detail.next().max(least);
+            let detail = self.detail_for(triangles(frame));
             self.drew_draft = moves.then_some(detail);
             return self.draw_draft((gl, renderer), frame, detail);
         }
@@ -240,6 +240,19 @@ impl ScenePicture {
             }
             None => renderer.draw(frame, target),
         }
+    }
+
+    /// Detail of a draft of a scene with so many triangles.
+    fn detail_for(&mut self, triangles: usize) -> Detail {
+        let before = std::mem::replace(&mut self.triangles, triangles);
+        if triangles <= MANY_TRIANGLES {
+            return self.draft_detail.next();
+        }
+        // The larger part of a large scene is new, and has yet to be uploaded.
+        if triangles > before.max(MANY_TRIANGLES / 2) * 2 {
+            self.draft_detail.begin_coarse();
+        }
+        self.draft_detail.next().max(Detail::Half)
     }
 
     /// Draws `frame` without samples.
@@ -260,8 +273,9 @@ impl ScenePicture {
         let picture = fit(gl, &mut self.half, half, 0)?;
         self.is_smaller = true;
         match detail {
-            Detail::Sketch => renderer.draw_sketch(frame, picture),
-            _ => renderer.draw_moving(frame, picture),
+            Detail::Fine | Detail::Half => renderer.draw_moving(frame, picture),
+            Detail::Coarse => renderer.draw_coarse(frame, picture, Passes::All),
+            Detail::Sketch => renderer.draw_coarse(frame, picture, Passes::Sketch),
         }
     }
 
@@ -340,10 +354,10 @@ impl ScenePicture {
     }
 }
 
-/// Whether drawing all of `frame` keeps software OpenGL busy for long.
-fn is_large(frame: &Frame) -> bool {
-    let triangles = frame
+/// Triangles of all that is drawn.
+fn triangles(frame: &Frame) -> usize {
+    let each = frame
         .shapes()
         .map(|(_, it)| it.geometry.mesh.triangles.len());
-    triangles.sum::<usize>() > MANY_TRIANGLES
+    each.sum()
 }

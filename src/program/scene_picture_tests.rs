@@ -3,7 +3,7 @@
 use super::scene_picture::{Asked, REST, ScenePicture};
 use crate::geometry::{Mesh, Poles, SharedMesh, sphere};
 use crate::gpu::{Backend, Framebuffer, HeadlessContext};
-use crate::render::{Frame, Marks, Renderer};
+use crate::render::{Frame, Marks, Passes, RenderError, Renderer};
 use crate::revision::Revision;
 use crate::scene::{Evaluated, Evaluator, Look, NewShape, Scene, ShapeId, ShapeKind, ViewSettings};
 use glam::Vec3;
@@ -93,6 +93,23 @@ impl Viewed {
 
     /// Whether it is a picture of this size that was enlarged.
     fn shows_enlarged(&mut self, size: (u32, u32), samples: u32) -> bool {
+        self.shows_drawn(size, samples, Renderer::draw)
+    }
+
+    /// Whether it is one of half the width and height with fewer triangles, drawn by these `passes`.
+    fn shows_coarse(&mut self, passes: Passes) -> bool {
+        self.shows_drawn(HALF, 0, |renderer, frame, target| {
+            renderer.draw_coarse(frame, target, passes)
+        })
+    }
+
+    /// Whether it is what `draw` draws in this size, enlarged.
+    fn shows_drawn(
+        &mut self,
+        size: (u32, u32),
+        samples: u32,
+        draw: impl FnOnce(&mut Renderer, &Frame, &Framebuffer) -> Result<(), RenderError>,
+    ) -> bool {
         let frame = Frame {
             marks: self.marks.clone(),
             ..Frame::plain(&self.scene, &self.evaluated, &self.view)
@@ -100,7 +117,7 @@ impl Viewed {
         let gl = self.headless.gl();
         let drawn = Framebuffer::new(gl, size.0, size.1, samples).unwrap();
         let mut renderer = Renderer::new(gl).unwrap();
-        renderer.draw(&frame, &drawn).unwrap();
+        draw(&mut renderer, &frame, &drawn).unwrap();
         let expected = Framebuffer::new(gl, SIZE.0, SIZE.1, 0).unwrap();
         drawn
             .blit_into(&expected, drawn.rect(), expected.rect())
@@ -159,7 +176,7 @@ fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
     for (triangles, is_draft) in [(80_000, false), (120_000, true)] {
         let mut viewed = Viewed::new(triangles);
         let is_as_expected = |viewed: &mut Viewed| match is_draft {
-            true => viewed.shows_enlarged(HALF, 0),
+            true => viewed.shows_coarse(Passes::All) && !viewed.shows_enlarged(HALF, 0),
             false => viewed.shows(4),
         };
         assert!(viewed.frame(false) && is_as_expected(&mut viewed));
@@ -179,14 +196,51 @@ fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
 }
 
 #[test]
-fn a_movement_in_a_scene_of_many_triangles_is_shown_in_half_the_width_and_height() {
+fn a_movement_in_a_scene_of_many_triangles_is_shown_with_fewer_unless_there_is_time_for_all() {
     let mut viewed = Viewed::new(120_000);
     viewed.frame(false);
-    for _ in 0..3 {
+    let turned = |viewed: &mut Viewed, milliseconds| {
+        viewed.last_frame = Some(Duration::from_millis(milliseconds));
         viewed.turn_camera();
-        assert!(viewed.frame(true) && viewed.shows_enlarged(HALF, 0));
+        assert!(viewed.frame(true));
+    };
+    for _ in 0..3 {
+        turned(&mut viewed, 50);
+        assert!(viewed.shows_coarse(Passes::All));
     }
+    for _ in 0..20 {
+        turned(&mut viewed, 10);
+    }
+    assert!(
+        viewed.shows_enlarged(HALF, 0),
+        "all pixels would take too long"
+    );
+    for _ in 0..20 {
+        turned(&mut viewed, 130);
+    }
+    assert!(viewed.shows_coarse(Passes::Sketch));
+    viewed.now += REST;
+    viewed.last_frame = None;
     assert!(viewed.frames_until_new() > 3 && viewed.shows(4));
+}
+
+#[test]
+fn what_is_added_to_a_scene_of_many_triangles_is_shown_with_fewer_first() {
+    let mut viewed = Viewed::new(120_000);
+    viewed.frame(false);
+    for _ in 0..20 {
+        viewed.last_frame = Some(Duration::from_millis(10));
+        viewed.turn_camera();
+        viewed.frame(true);
+    }
+    assert!(viewed.shows_enlarged(HALF, 0));
+    let ball = viewed.scene.shapes()[0].kind.clone();
+    for _ in 0..3 {
+        viewed.scene.add(NewShape::new("Ball", ball.clone()));
+    }
+    viewed.evaluated = Evaluator::new().evaluate(&viewed.scene, 0.0);
+    viewed.document = Revision::new();
+    assert!(viewed.frame(false) && viewed.shows_coarse(Passes::All));
 }
 
 #[test]

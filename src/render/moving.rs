@@ -21,13 +21,28 @@ impl Renderer {
         self.draw_moving_by(frame, target, Passes::All)
     }
 
-    /// As [`Renderer::draw_moving`], but where nothing stands still without shadows and the lines round marked shapes,
-    /// for each of which all triangles are drawn once more.
+    /// As [`Renderer::draw_moving`], but with fewer triangles where there are many, and where nothing stands still by
+    /// these `passes`.
     ///
     /// # Errors
     /// As [`Renderer::draw`].
-    pub fn draw_sketch(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
-        self.draw_moving_by(frame, target, Passes::Sketch)
+    pub fn draw_coarse(
+        &mut self,
+        frame: &Frame,
+        target: &Framebuffer,
+        passes: Passes,
+    ) -> Result<(), RenderError> {
+        let Some(evaluated) = self.coarse.of(frame) else {
+            return self.draw_moving_by(frame, target, passes);
+        };
+        let coarse = Frame {
+            evaluated: &evaluated,
+            ..frame.clone()
+        };
+        std::mem::swap(&mut self.meshes, &mut self.coarse.meshes);
+        let drawn = self.draw_moving_by(&coarse, target, passes);
+        std::mem::swap(&mut self.meshes, &mut self.coarse.meshes);
+        drawn
     }
 
     fn draw_moving_by(

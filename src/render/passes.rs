@@ -13,7 +13,8 @@ use std::ops::Range;
 
 /// Which passes a picture is drawn in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passes {
+pub enum Passes {
+    /// All of them.
     All,
     /// All but the shadows and the lines round marked shapes, for each of which all triangles are drawn once more.
     Sketch,

@@ -1,6 +1,7 @@
 //! The renderer: frames in, pictures out.
 
 use super::backdrop_pass::{BackgroundPass, FloorPass};
+use super::coarse_meshes::CoarseMeshes;
 use super::curve_pass::CurvePass;
 use super::frame::{Background, Frame, PassContext};
 use super::ghost_pass::GhostPass;
@@ -36,6 +37,7 @@ pub enum RenderError {
 pub struct Renderer {
     pub(super) gl: Gl,
     pub(super) meshes: MeshCache,
+    pub(super) coarse: CoarseMeshes,
     pub(super) skinning: SkinningChoice,
     pub(super) notices: Vec<String>,
     pub(super) background: BackgroundPass,
@@ -60,6 +62,7 @@ impl Renderer {
         Ok(Self {
             gl: gl.clone(),
             meshes: MeshCache::new(gl.info().max_texture_size),
+            coarse: CoarseMeshes::new(gl.info().max_texture_size),
             skinning: SkinningChoice::automatic(gl.info()),
             notices: Vec::new(),
             background: BackgroundPass::new(gl)?,

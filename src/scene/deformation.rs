@@ -45,6 +45,21 @@ impl Deformation {
         }
     }
 
+    /// The same of another character with the same joints.
+    pub(super) fn of_character(&self, character: &Arc<Character>) -> Self {
+        Self {
+            character: Arc::clone(character),
+            model_from_joint: self.model_from_joint.clone(),
+            skinned: OnceLock::new(),
+            method: self.method,
+        }
+    }
+
+    /// Whether the vertices follow from the frames at all.
+    pub(super) fn is_by_joints(&self) -> bool {
+        self.method.is_some()
+    }
+
     /// Whether the vertices follow from the frames by the exact formula of linear blending, as a
     /// vertex shader computes it; not so with dual quaternions, nor after [`EvaluatedGeometry::with_vertices`](super::EvaluatedGeometry::with_vertices).
     pub fn is_exact(&self) -> bool {

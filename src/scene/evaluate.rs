@@ -90,6 +90,15 @@ impl EvaluatedGeometry {
         })
     }
 
+    /// The same with another mesh, whose vertices are some of this one's.
+    pub(super) fn with_mesh(&self, mesh: SharedMesh, deformation: Option<Deformation>) -> Self {
+        Self {
+            deformation,
+            figure: self.figure.clone(),
+            ..Self::rigid(mesh, self.fixed_bounds, self.revision)
+        }
+    }
+
     /// Current positions in model space, in the order of the file.
     pub fn positions(&self) -> &[Vec3] {
         self.deformation

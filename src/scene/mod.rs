@@ -4,6 +4,7 @@ mod box_picking;
 mod camera;
 mod camera_fit;
 mod character_shape;
+mod coarse;
 mod color_presets;
 mod color_scale;
 mod curve_shape;
@@ -28,6 +29,7 @@ pub use camera_fit::FitArea;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay, SkinningMethod,
 };
+pub use coarse::Coarsener;
 pub use color_presets::{COLOR_PRESETS, CUSTOM_PRESET, ColorPreset, ShapeColor};
 pub use color_scale::{SCALE_GRAY, scale_color};
 pub use curve_shape::{CurveDisplay, CurveShape, CurveVisibility, SurfaceVisibility};

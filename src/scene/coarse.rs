@@ -1,0 +1,310 @@
+//! Scenes with fewer triangles, for pictures that are seen for a moment.
+
+use super::{Evaluated, EvaluatedGeometry, EvaluatedShape, ShapeId};
+use crate::character::Character;
+use crate::geometry::{CoarseMesh, SharedMesh};
+use std::sync::Arc;
+
+/// Triangles of a mesh up to which it stays as it is.
+const FEW: usize = 4_000;
+
+/// Makes evaluations of scenes coarse, and keeps what it has made of their meshes while these are there.
+#[derive(Debug, Default)]
+pub struct Coarsener {
+    models: Vec<Known>,
+    shapes: Vec<(ShapeId, CoarseShape)>,
+}
+
+/// A mesh, and what it was made.
+#[derive(Clone, Debug)]
+struct Known {
+    of: Model,
+    fewer: u32,
+    coarse: Model,
+}
+
+/// What an evaluated shape was made.
+#[derive(Clone, Debug)]
+struct CoarseShape {
+    of: Arc<EvaluatedGeometry>,
+    fewer: u32,
+    coarse: Arc<EvaluatedGeometry>,
+}
+
+/// What the vertices of a shape follow from.
+#[derive(Clone, Debug)]
+enum Model {
+    Rigid(SharedMesh),
+    Character(Arc<Character>),
+}
+
+impl Coarsener {
+    /// `evaluated` with at most about `most` triangles in the meshes that have many; `None` if it has no more than
+    /// that, or no such meshes. Vertices are where the scene has them, of characters as its joints take them. The
+    /// surfaces of curves stay, and so does what was put elsewhere than where its joints take it.
+    pub fn coarse(&mut self, evaluated: &Evaluated, most: usize) -> Option<Evaluated> {
+        let visible = evaluated.shapes.iter().filter(|shape| shape.visible);
+        let triangles = visible.map(|shape| shape.geometry.mesh.triangles.len());
+        let share = triangles.sum::<usize>().div_ceil(most.max(1));
+        if share <= 1 {
+            return None;
+        }
+        // A power of two, so that few scenes have their meshes made anew when a shape comes or goes.
+        let fewer = u32::try_from(share)
+            .unwrap_or(u32::MAX / 2)
+            .next_power_of_two();
+        let (models, shapes) = (
+            std::mem::take(&mut self.models),
+            std::mem::take(&mut self.shapes),
+        );
+        let mut coarse = evaluated.clone();
+        for shape in &mut coarse.shapes {
+            if shape.visible
+                && let Some(made) = self.of_shape(shape, fewer, (&models, &shapes))
+            {
+                shape.geometry = made;
+            }
+        }
+        (!self.shapes.is_empty()).then_some(coarse)
+    }
+
+    /// The geometry of `shape`, made coarse; that of the last call, if it is the same.
+    fn of_shape(
+        &mut self,
+        shape: &EvaluatedShape,
+        fewer: u32,
+        (models, shapes): (&[Known], &[(ShapeId, CoarseShape)]),
+    ) -> Option<Arc<EvaluatedGeometry>> {
+        let geometry = &shape.geometry;
+        let of = Model::of(geometry).filter(|_| geometry.mesh.triangles.len() > FEW)?;
+        let model = self.of_model(of, fewer, models)?;
+        let known = shapes.iter().find(|(id, known)| {
+            *id == shape.id && known.fewer == fewer && Arc::ptr_eq(&known.of, geometry)
+        });
+        let coarse = match known {
+            Some((_, known)) => known.clone(),
+            None => CoarseShape {
+                of: Arc::clone(geometry),
+                fewer,
+                coarse: Arc::new(model.evaluated_as(geometry)),
+            },
+        };
+        let made = Arc::clone(&coarse.coarse);
+        self.shapes.push((shape.id, coarse));
+        Some(made)
+    }
+
+    /// The same model as `of`, made coarse.
+    fn of_model(&mut self, of: Model, fewer: u32, before: &[Known]) -> Option<Model> {
+        let is_it = |known: &&Known| known.fewer == fewer && known.of.is(&of);
+        if let Some(known) = self.models.iter().find(is_it) {
+            return Some(known.coarse.clone());
+        }
+        let known = match before.iter().find(is_it) {
+            Some(known) => known.clone(),
+            None => Known {
+                coarse: of.coarse(fewer)?,
+                fewer,
+                of,
+            },
+        };
+        let coarse = known.coarse.clone();
+        self.models.push(known);
+        Some(coarse)
+    }
+}
+
+impl Model {
+    /// That of a geometry; `None` if its vertices follow from something else.
+    fn of(geometry: &EvaluatedGeometry) -> Option<Self> {
+        match (&geometry.deformation, &geometry.curves) {
+            (None, None) => Some(Self::Rigid(geometry.mesh.clone())),
+            (Some(deformation), _) if deformation.is_by_joints() => {
+                Some(Self::Character(deformation.character().clone()))
+            }
+            _ => None,
+        }
+    }
+
+    fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rigid(a), Self::Rigid(b)) => a.revision() == b.revision(),
+            (Self::Character(a), Self::Character(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    fn coarse(&self, fewer: u32) -> Option<Self> {
+        match self {
+            Self::Rigid(mesh) => {
+                let coarse = CoarseMesh::new(mesh, fewer, |_| 0)?;
+                Some(Self::Rigid(SharedMesh::with_bounds(
+                    coarse.mesh,
+                    mesh.bounds(),
+                )))
+            }
+            Self::Character(character) => Some(Self::Character(Arc::new(character.coarse(fewer)?))),
+        }
+    }
+
+    /// The shape of `geometry` as this model has it.
+    fn evaluated_as(&self, geometry: &EvaluatedGeometry) -> EvaluatedGeometry {
+        let (mesh, deformation) = match self {
+            Self::Rigid(mesh) => (mesh, None),
+            Self::Character(character) => {
+                let deformation = geometry.deformation.as_ref();
+                let its = deformation.map(|deformation| deformation.of_character(character));
+                (character.bind_mesh(), its)
+            }
+        };
+        geometry.with_mesh(mesh.clone(), deformation)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::{Attachments, Influence, Joint, Pose, SkeletalModel};
+    use crate::geometry::{Poles, sphere};
+    use crate::math::Euler;
+    use crate::scene::{CharacterShape, Evaluator, NewShape, Scene, ShapeKind};
+    use glam::Vec3;
+
+    /// A ball, its upper half moved by one joint and its lower one by another.
+    fn character() -> Character {
+        let child = Joint {
+            parent: Some(0),
+            ..Joint::default()
+        };
+        let ball = sphere(1.0, 150, 100, Poles::Y);
+        let mut attachments = Attachments::new();
+        for at in &ball.positions {
+            let upper = at.y.clamp(0.0, 1.0);
+            let influences = [(0, 1.0 - upper), (1, upper)];
+            attachments.push_vertex(influences.map(|(joint, weight)| Influence { joint, weight }));
+        }
+        let skeleton = SkeletalModel::new(vec![Joint::default(), child]).unwrap();
+        Character::new(skeleton, attachments, ball).unwrap()
+    }
+
+    fn turned(shape: &mut CharacterShape, degrees: f32) {
+        let mut pose = Pose::new();
+        pose.set_joint_transform(1, Euler::from_degrees(Vec3::Z * degrees));
+        shape.set_pose(pose);
+    }
+
+    fn scene() -> Scene {
+        let mut shape = CharacterShape::new(Arc::new(character()));
+        turned(&mut shape, 40.0);
+        let mut scene = Scene::new();
+        scene.add(NewShape::new("A", ShapeKind::Character(shape.clone())));
+        scene.add(NewShape::new("B", ShapeKind::Character(shape)));
+        scene.add(NewShape::new("C", ShapeKind::Cube));
+        let ball = SharedMesh::new(sphere(1.0, 200, 100, Poles::Y));
+        scene.add(NewShape::new("D", ShapeKind::Mesh(ball)));
+        scene
+    }
+
+    fn meshes(evaluated: &Evaluated) -> Vec<&EvaluatedGeometry> {
+        evaluated
+            .shapes
+            .iter()
+            .map(|shape| &*shape.geometry)
+            .collect()
+    }
+
+    #[test]
+    fn vertices_of_a_coarse_scene_are_where_the_scene_has_them() {
+        let evaluated = Evaluator::new().evaluate(&scene(), 0.0);
+        let coarse = Coarsener::default().coarse(&evaluated, 20_000).unwrap();
+        let total = |evaluated: &Evaluated| -> usize {
+            meshes(evaluated)
+                .iter()
+                .map(|it| it.mesh.triangles.len())
+                .sum()
+        };
+        assert!(
+            (10_000..40_000).contains(&total(&coarse)),
+            "{}",
+            total(&coarse)
+        );
+        assert!(total(&evaluated) > 90_000);
+        for (is, was) in meshes(&coarse).into_iter().zip(meshes(&evaluated)) {
+            let all: std::collections::HashSet<_> = was
+                .positions()
+                .iter()
+                .map(|at| at.to_array().map(f32::to_bits))
+                .collect();
+            for at in is.positions() {
+                assert!(all.contains(&at.to_array().map(f32::to_bits)), "{at}");
+            }
+            assert_eq!(is.mesh.bounds(), was.mesh.bounds(), "the ground stays");
+        }
+        let [_, _, cube, _] = meshes(&coarse)[..] else {
+            panic!()
+        };
+        assert_eq!(cube.mesh.triangles.len(), 12, "small meshes stay");
+    }
+
+    #[test]
+    fn copies_share_a_coarse_mesh_which_is_made_once() {
+        let mut scene = scene();
+        let mut evaluator = Evaluator::new();
+        let mut coarsener = Coarsener::default();
+        let first = coarsener
+            .coarse(&evaluator.evaluate(&scene, 0.0), 20_000)
+            .unwrap();
+        let again = coarsener
+            .coarse(&evaluator.evaluate(&scene, 0.0), 20_000)
+            .unwrap();
+        for (a, b) in first.shapes.iter().zip(&again.shapes) {
+            assert!(Arc::ptr_eq(&a.geometry, &b.geometry));
+        }
+        let id = scene.shapes()[0].id;
+        turned(scene.character_mut(id).unwrap(), 50.0);
+        let posed = coarsener
+            .coarse(&evaluator.evaluate(&scene, 0.0), 20_000)
+            .unwrap();
+        let revisions = |evaluated: &Evaluated| -> Vec<_> {
+            meshes(evaluated)
+                .iter()
+                .map(|it| it.mesh.revision())
+                .collect()
+        };
+        assert_eq!(revisions(&posed), revisions(&first));
+        assert_eq!(revisions(&first)[0], revisions(&first)[1]);
+        assert!(!Arc::ptr_eq(
+            &posed.shapes[0].geometry,
+            &first.shapes[0].geometry
+        ));
+        assert!(Arc::ptr_eq(
+            &posed.shapes[1].geometry,
+            &first.shapes[1].geometry
+        ));
+    }
+
+    #[test]
+    fn a_scene_without_too_many_triangles_and_one_of_small_meshes_stay_as_they_are() {
+        let evaluated = Evaluator::new().evaluate(&scene(), 0.0);
+        let mut coarsener = Coarsener::default();
+        assert!(coarsener.coarse(&evaluated, 1_000_000).is_none());
+        let mut cubes = Scene::new();
+        for _ in 0..20 {
+            cubes.add(NewShape::new("A", ShapeKind::Cube));
+        }
+        let evaluated = Evaluator::new().evaluate(&cubes, 0.0);
+        assert!(coarsener.coarse(&evaluated, 100).is_none());
+    }
+
+    #[test]
+    fn vertices_that_were_put_elsewhere_stay_there() {
+        let mut scene = scene();
+        scene.delete(scene.shapes()[3].id);
+        let mut evaluated = Evaluator::new().evaluate(&scene, 0.0);
+        for shape in &mut evaluated.shapes[..2] {
+            let moved = vec![Vec3::ONE; shape.geometry.mesh.positions.len()];
+            shape.geometry = Arc::new(shape.geometry.with_vertices(moved, None).unwrap());
+        }
+        assert!(Coarsener::default().coarse(&evaluated, 100).is_none());
+    }
+}
