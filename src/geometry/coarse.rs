@@ -3,7 +3,6 @@
 use super::{MaterialGroup, Mesh, Normals};
 use glam::{IVec2, IVec3, Vec3};
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 
 /// Cells into which texture coordinates are divided in either direction: vertices that lie in different places of a
 /// picture are not merged.
@@ -19,13 +18,13 @@ pub struct CoarseMesh {
 }
 
 impl CoarseMesh {
-    /// About one of `fewer` triangles of `mesh`: all vertices within a cell of a grid become the first of them, and
-    /// the triangles that have more than one corner left in a cell go. Vertices stay apart if their positions have
-    /// different labels, `label_of` by the index of the position, if they face different ways, or if they lie in
-    /// different places of a picture. `None` for a mesh without an area.
+    /// About one of `fewer` triangles of `mesh`: all vertices within a cell of a grid become the one that is nearest to
+    /// their mean, and the triangles that have more than one corner left in a cell go. Vertices stay apart if their
+    /// positions have different labels, `label_of` by the index of the position, if they face different ways, or if
+    /// they lie in different places of a picture. `None` for a mesh without an area.
     ///
     /// Source: J. Rossignac and P. Borrel, "Multi-resolution 3D Approximations for Rendering Complex Scenes", 1993,
-    /// with a vertex of the mesh in place of the mean of those in a cell, so that joints move it as they do there.
+    /// with a vertex of the mesh in place of the mean, so that joints move it as they do there.
     pub fn new(mesh: &Mesh, fewer: u32, label_of: impl Fn(u32) -> u32) -> Option<Self> {
         let triangle_area = area(mesh) / mesh.triangles.len() as f32;
         // Two triangles for each cell that the surface passes through.
@@ -34,25 +33,35 @@ impl CoarseMesh {
             return None;
         }
         let origin = mesh.bounds().min;
+        let place = |position: u32| mesh.positions[position as usize];
         let mut cells = HashMap::new();
-        let mut kept = Vec::new();
+        let mut sums: Vec<(Vec3, f32)> = Vec::new();
         let merged: Vec<u32> = (mesh.position_of_vertices().enumerate())
             .map(|(vertex, position)| {
                 let cell = Cell {
-                    at: ((mesh.positions[position as usize] - origin) / side).as_ivec3(),
+                    at: ((place(position) - origin) / side).as_ivec3(),
                     label: label_of(position),
                     facing: facing(mesh, vertex),
                     in_picture: in_picture(mesh, vertex),
                 };
-                match cells.entry(cell) {
-                    Entry::Occupied(known) => *known.get(),
-                    Entry::Vacant(new) => {
-                        kept.push((vertex, position));
-                        *new.insert(kept.len() as u32 - 1)
-                    }
+                let cell = *cells.entry(cell).or_insert(sums.len());
+                match sums.get_mut(cell) {
+                    Some((sum, count)) => (*sum, *count) = (*sum + place(position), *count + 1.0),
+                    None => sums.push((place(position), 1.0)),
                 }
+                cell as u32
             })
             .collect();
+        // For each cell the vertex that is nearest to the mean so far, its position, and how far it is from there.
+        let mut kept = vec![(0, 0, f32::INFINITY); sums.len()];
+        for ((vertex, position), &cell) in mesh.position_of_vertices().enumerate().zip(&merged) {
+            let (sum, count) = sums[cell as usize];
+            let off = place(position).distance_squared(sum / count);
+            let nearest = &mut kept[cell as usize];
+            if off < nearest.2 {
+                *nearest = (vertex, position, off);
+            }
+        }
         let corners = mesh.vertex_triangles().iter().zip(0_u32..);
         let (triangles, numbers): (Vec<[u32; 3]>, Vec<u32>) = corners
             .map(|(triangle, number)| (triangle.map(|vertex| merged[vertex as usize]), number))
@@ -63,10 +72,10 @@ impl CoarseMesh {
             triangles: before(group.triangles.start)..before(group.triangles.end),
             material: group.material.clone(),
         });
-        let of_vertices = kept.iter().map(|&(vertex, _)| vertex);
-        let positions: Vec<u32> = kept.iter().map(|&(_, position)| position).collect();
+        let of_vertices = kept.iter().map(|&(vertex, ..)| vertex);
+        let positions: Vec<u32> = kept.iter().map(|&(_, position, _)| position).collect();
         let coarse = Mesh {
-            positions: (positions.iter().map(|&at| mesh.positions[at as usize])).collect(),
+            positions: positions.iter().map(|&at| place(at)).collect(),
             triangles,
             normals: match &mesh.normals {
                 Normals::Flat => Normals::Flat,

@@ -37,23 +37,14 @@ pub(super) struct DraftDetail {
     whole_is_slow: bool,
 }
 
-impl Default for DraftDetail {
-    fn default() -> Self {
+impl DraftDetail {
+    /// The first drafts have this `detail`.
+    pub fn beginning_with(detail: Detail) -> Self {
         Self {
             mean: UNKNOWN,
-            detail: Detail::default(),
+            detail,
             whole_is_slow: false,
         }
-    }
-}
-
-impl DraftDetail {
-    /// Has the drafts of a scene of many triangles, which is new, begin as coarse ones.
-    pub fn begin_coarse(&mut self) {
-        *self = Self {
-            detail: Detail::Coarse,
-            ..Self::default()
-        };
     }
 
     /// Takes note of how long the frame with the last draft, which had this `detail`, took. Of a scene that `is_large`,
@@ -101,20 +92,20 @@ mod tests {
 
     #[test]
     fn drafts_that_take_long_lose_detail_step_by_step_and_a_single_slow_frame_takes_none() {
-        let mut detail = DraftDetail::default();
+        let mut detail = DraftDetail::beginning_with(Fine);
         assert_eq!(after(&mut detail, &[30; 20]), Fine);
         assert_eq!(after(&mut detail, &[5000, 30, 30]), Fine);
         assert_eq!(after(&mut detail, &[110; 2]), Half);
         assert_eq!(after(&mut detail, &[60; 20]), Half);
         assert_eq!(after(&mut detail, &[300; 20]), Sketch);
         // Browsers answer after some frames, for all of them.
-        let mut uneven = DraftDetail::default();
+        let mut uneven = DraftDetail::beginning_with(Fine);
         assert_eq!(after(&mut uneven, &[180, 30, 180]), Half);
     }
 
     #[test]
     fn detail_comes_back_where_more_of_it_takes_no_longer_than_it_may() {
-        let mut detail = DraftDetail::default();
+        let mut detail = DraftDetail::beginning_with(Fine);
         assert_eq!(after(&mut detail, &[300; 9]), Sketch);
         assert_eq!(after(&mut detail, &[40; 50]), Sketch);
         assert_eq!(after(&mut detail, &[15; 4]), Half);
@@ -124,8 +115,7 @@ mod tests {
 
     #[test]
     fn coarse_drafts_of_a_large_scene_give_way_to_whole_ones_and_for_good_only_if_these_are_fast() {
-        let mut detail = DraftDetail::default();
-        detail.begin_coarse();
+        let mut detail = DraftDetail::beginning_with(Coarse);
         let frames = |detail: &mut DraftDetail, milliseconds, is_large| {
             for _ in 0..3 {
                 detail.count(Duration::from_millis(milliseconds), detail.next(), is_large);

@@ -1,8 +1,9 @@
+use super::draft_detail::Detail;
 use super::scene_picture::{Asked, ScenePicture};
 use super::window_picture::WindowPicture;
 use super::{ProgramError, globals};
 use crate::geometry::Picture;
-use crate::gpu::{Framebuffer, Gl, GpuError, Reading, Rect};
+use crate::gpu::{Framebuffer, Gl, GpuError, Info, Reading, Rect};
 use crate::render::{Frame, LargePicture, PictureParts, RenderError, Renderer, read_picture};
 use crate::scene::Skinning;
 use egui::FullOutput;
@@ -43,7 +44,7 @@ impl Graphics {
         let samples = globals::SAMPLES.min(gl.info().max_samples);
         Ok(Self {
             renderer: Renderer::new(gl)?,
-            scene: ScenePicture::new(samples, gl.info().is_software),
+            scene: ScenePicture::new(samples, first_drafts(gl.info())),
             compared: None,
             compared_reading: None,
             window: None,
@@ -56,7 +57,7 @@ impl Graphics {
     /// the driver has, also while something is dragged.
     pub fn for_pictures(self, samples: u32) -> Self {
         Self {
-            scene: ScenePicture::new(samples, false),
+            scene: ScenePicture::new(samples, None),
             ..self
         }
     }
@@ -282,4 +283,13 @@ pub(super) fn fit<'a>(
         },
     };
     Ok(picture.insert(fitting))
+}
+
+/// Detail of the first draft; `None` where whole pictures are fast. What browsers have takes several times as long as
+/// Mesa, and is slow with the program's own scenes.
+fn first_drafts(info: &Info) -> Option<Detail> {
+    info.is_software.then_some(match info.is_gles {
+        true => Detail::Half,
+        false => Detail::Fine,
+    })
 }

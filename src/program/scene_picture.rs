@@ -74,13 +74,13 @@ pub(super) const REST: Duration = Duration::from_millis(130);
 const MANY_TRIANGLES: usize = 200_000;
 
 impl ScenePicture {
-    /// None yet; later ones have so many samples a pixel, 0 for none, and may have drafts.
-    pub fn new(samples: u32, drafts: bool) -> Self {
+    /// None yet; later ones have so many samples a pixel, 0 for none, and drafts if there is a detail of the first.
+    pub fn new(samples: u32, drafts: Option<Detail>) -> Self {
         Self {
             picture: None,
             half: None,
             is_smaller: false,
-            draft_detail: DraftDetail::default(),
+            draft_detail: DraftDetail::beginning_with(drafts.unwrap_or_default()),
             drew_draft: None,
             triangles: 0,
             split: None,
@@ -89,7 +89,7 @@ impl ScenePicture {
             shown: None,
             is_new: false,
             samples,
-            drafts: drafts && samples > 0,
+            drafts: drafts.is_some() && samples > 0,
         }
     }
 
@@ -154,10 +154,10 @@ impl ScenePicture {
 
     /// Time after which [`ScenePicture::draw`] goes on with the full picture, if a draft is shown.
     pub fn full_picture_after(&self, now: Duration) -> Duration {
-        if self.full.is_some() {
+        let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
+        if since.is_some() && (self.full.is_some() || self.without_outlines.is_some()) {
             return Duration::ZERO;
         }
-        let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
         since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
     }
 
@@ -250,7 +250,7 @@ impl ScenePicture {
         }
         // The larger part of a large scene is new, and has yet to be uploaded.
         if triangles > before.max(MANY_TRIANGLES / 2) * 2 {
-            self.draft_detail.begin_coarse();
+            self.draft_detail = DraftDetail::beginning_with(Detail::Coarse);
         }
         self.draft_detail.next().max(Detail::Half)
     }
@@ -313,11 +313,16 @@ impl ScenePicture {
             }
         }
         let picture = full.picture();
-        picture.blit_into(target, picture.rect(), picture.rect())?;
         // Without room for it, the next picture is drawn as a whole.
         if let Ok(kept) = Framebuffer::new(gl, size.0, size.1, 0) {
-            target.blit_into(&kept, target.rect(), kept.rect())?;
-            self.without_outlines = Some(kept);
+            picture.blit_into(&kept, picture.rect(), kept.rect())?;
+            let kept = self.without_outlines.insert(kept);
+            if in_steps {
+                return drawn;
+            }
+            kept.blit_into(target, kept.rect(), target.rect())?;
+        } else {
+            picture.blit_into(target, picture.rect(), target.rect())?;
         }
         let outlines = renderer.draw_outlines_over(frame, target);
         self.shows(next);

@@ -1,5 +1,6 @@
 //! Drafts, and the full pictures that follow them.
 
+use super::draft_detail::Detail;
 use super::scene_picture::{Asked, REST, ScenePicture};
 use crate::geometry::{Mesh, Poles, SharedMesh, sphere};
 use crate::gpu::{Backend, Framebuffer, HeadlessContext};
@@ -38,7 +39,7 @@ impl Viewed {
             let id = scene.add(NewShape::new("Ball", ShapeKind::Mesh(ball.clone())));
             scene.shape_mut(id).unwrap().placement.transform.position = Vec3::X * x;
         }
-        let mut picture = ScenePicture::new(4, true);
+        let mut picture = ScenePicture::new(4, Some(Detail::Fine));
         picture.fit(headless.gl(), SIZE).unwrap();
         Self {
             headless,
@@ -138,8 +139,9 @@ fn while_something_moves_there_are_drafts_and_at_rest_the_full_picture_step_by_s
     assert!(!viewed.frame(true), "it may go on");
     assert_eq!(viewed.picture.full_picture_after(viewed.now), REST);
     viewed.now += REST;
-    // 160,000 triangles in seven steps, what comes after the surfaces, and the lines round shapes.
-    for _ in 0..8 {
+    // 160,000 triangles in seven steps, what comes after the surfaces, the mean of the samples, and the lines round
+    // shapes.
+    for _ in 0..9 {
         assert_eq!(
             viewed.picture.full_picture_after(viewed.now),
             Duration::ZERO
@@ -165,7 +167,7 @@ fn a_full_picture_that_is_under_way_gives_way_to_what_moves_and_takes_in_what_is
     assert!(viewed.frame(true) && viewed.shows(0));
     assert!(!viewed.frame(false) && !viewed.frame(false));
     viewed.marks.hovered = Some(viewed.ball(0));
-    assert_eq!(viewed.frames_until_new(), 7, "two steps were done");
+    assert_eq!(viewed.frames_until_new(), 8, "two steps were done");
     assert!(viewed.shows(4));
     viewed.marks.hovered = Some(viewed.ball(1));
     assert!(viewed.frame(false) && viewed.shows(4), "lines over it");

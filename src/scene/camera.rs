@@ -218,6 +218,12 @@ impl Camera {
         self.phi = (self.phi + angles.y).clamp(-FRAC_PI_2, FRAC_PI_2);
     }
 
+    /// The point of the world under a pixel that is as far away as the target, along the direction of view.
+    pub fn point_at_target(&self, pixel: Vec2, size: Vec2) -> Vec3 {
+        let ray = self.ray(pixel, size);
+        ray.at(self.radius / self.depth(ray.at(1.0)))
+    }
+
     /// Multiplies the distance of the eye from the target by `exp(away)`, within limits.
     pub fn dolly(&mut self, away: f32) {
         self.radius = (self.radius * away.exp()).clamp(2.0 * self.near, self.far * 10.0);

@@ -63,11 +63,7 @@ impl ScenePlaces {
     pub(super) fn point_at(&self, session: &Session, position: Pos2) -> Option<Vec3> {
         let place = self.at(position)?;
         let camera = &session.view().camera;
-        let beside = || {
-            let ray = camera.ray(place.pixel(position), place.size());
-            let forward = (camera.target - ray.origin).normalize();
-            ray.at(camera.radius / ray.direction.dot(forward))
-        };
+        let beside = || camera.point_at_target(place.pixel(position), place.size());
         Some((self.surface_at(session, position)).unwrap_or_else(beside))
     }
 

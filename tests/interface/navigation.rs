@@ -125,9 +125,8 @@ fn in_blender_the_wheel_zooms_to_what_is_under_the_pointer_and_elsewhere_to_the_
         let before = editor.session().view().camera;
         let view = editor.harness.state().view;
         let [pixel, size] = [FROM - view.min, view.size()].map(|at| vec2(at.x, at.y));
-        let ray = before.ray(pixel, size);
-        // As far away as the target.
-        let under = ray.at(-ray.origin.z / ray.direction.z);
+        let under = before.point_at_target(pixel, size);
+        assert!(under.z.abs() < 1e-5, "as far away as the target: {under}");
         wheel(&mut editor, 3.0);
         let now = editor.session().view().camera;
         assert!(now.radius < before.radius);
