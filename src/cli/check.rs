@@ -24,8 +24,9 @@ use std::path::{Path, PathBuf};
 ///
 /// Mistakes are reported as path:line:column with what was expected and what was found; with --json
 /// errors and warnings are objects {"file", "line", "column", "message"}, where line and column are
-/// null if it is about the file as a whole. Odd are, too, a mesh and a skeleton of quite different sizes, faces that are
-/// turned inside out, and names of files that fit but for capitals. Poses are checked against the characters among the files.
+/// null if it is about the file as a whole. Odd are, too, a mesh and a skeleton of quite different sizes, faces that
+/// are turned inside out, and names of files that fit but for capitals. Poses are checked against the characters among
+/// the files.
 #[derive(Debug, clap::Args)]
 pub struct Args {
     /// Scenes (.scene, .zip), characters (.obj with .skel and .attach beside it, .dae), shapes

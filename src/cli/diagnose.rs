@@ -26,9 +26,9 @@ use std::sync::Arc;
 /// the character alone, before a background of one color, seen with the window's first camera unless
 /// another is given.
 ///
-/// The verdict of --json is one of right, triangles (the exact vertices with triangles that are missing, others or turned),
-/// explained (by known mistakes), other-pose (the exact result of another pose) and unexplained; of a picture right,
-/// explained or unexplained.
+/// The verdict of --json is one of right, triangles (the exact vertices with triangles that are missing, others or
+/// turned), explained (by known mistakes), other-pose (the exact result of another pose) and unexplained; of a picture
+/// right, explained or unexplained.
 ///
 /// Ends with 0 if it is right, and with 1 otherwise; so it does where a file is wrong or missing, as by a misspelled
 /// name. Then nothing is on standard output and "error:" on standard error, or with --json the verdict is null.

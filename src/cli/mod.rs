@@ -31,8 +31,8 @@ use std::process::ExitCode;
 /// deformation, shapes.
 ///
 /// Of commands one FILE, or POSE.json, may be - for standard input; what it is follows from its content. -o - writes to
-/// standard output, which then has nothing else: a PNG (with --turntable a GIF), an .obj, a .zip. A folder that a file is
-/// to be written into must be there; the one of a report is made.
+/// standard output, which then has nothing else: a PNG (with --turntable a GIF), an .obj, a .zip. A folder that a file
+/// is to be written into must be there; the one of a report is made.
 #[derive(Debug, Parser)]
 #[command(
     name = "editor",

@@ -75,8 +75,8 @@ pub struct Args {
     /// Draw the axes [default: off, or as the scene has it].
     #[arg(long, value_name = "on|off", value_parser = arguments::switch)]
     axis: Option<bool>,
-    /// Samples a pixel, for smooth edges; 0 for none. A driver takes the next number that it has, software 4 for 1 to 4;
-    /// more than it has is an error, and `editor doctor` says how many that is.
+    /// Samples a pixel, for smooth edges; 0 for none. A driver takes the next number that it has, software 4 for 1 to
+    /// 4; more than it has is an error, and `editor doctor` says how many that is.
     #[arg(long, value_name = "N", default_value = "0", allow_hyphen_values = true, value_parser = arguments::samples)]
     samples: u32,
     /// Leave the background out, into a .png that is transparent there. Shadows on the Studio look's

@@ -4,7 +4,8 @@ use super::report::{Report, Section};
 
 impl Report {
     /// A row a submission as comma-separated values (RFC 4180): name, points, points that are possible,
-    /// how many of these nobody has given yet, points of each section, and what is wrong. Points that a person has not given yet are empty.
+    /// how many of these nobody has given yet, points of each section, and what is wrong. Points that a person has not
+    /// given yet are empty.
     pub fn to_csv(&self) -> String {
         let mut csv = String::new();
         let sections = self.sections.iter().map(Section::name);

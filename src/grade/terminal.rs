@@ -14,8 +14,8 @@ const LETTERS: usize = 160;
 const WAITING: &str = "wait: points that are still to be given by hand, by \"given\" in the rubric, in sections with -";
 
 impl Report {
-    /// Lines for a terminal: a heading, a row for each submission, what points that wait are, mistakes that several of them have, which of them
-    /// cost points in another section than their own, and why files could not be graded.
+    /// Lines for a terminal: a heading, a row for each submission, what points that wait are, mistakes that several of
+    /// them have, which of them cost points in another section than their own, and why files could not be graded.
     pub fn to_lines(&self) -> Vec<String> {
         let heading = ["submission".to_owned(), "points".to_owned()].into_iter();
         let heading = heading.chain(self.sections.iter().map(|section| section.section.clone()));

@@ -246,8 +246,8 @@ fn outcome(verdict: Verdict) -> Outcome {
     }
 }
 
-/// What is known of a mesh that nothing explains whole, in a few words. So many of its vertices are `off`, and `agrees` is
-/// the share of the others.
+/// What is known of a mesh that nothing explains whole, in a few words. So many of its vertices are `off`, and `agrees`
+/// is the share of the others.
 fn hint(found: &Diagnosis, off: usize, agrees: f64) -> Option<String> {
     if found.verdict != Verdict::Unexplained {
         return None;

@@ -314,7 +314,8 @@ impl Program {
     }
 
     /// Imports the parts of files that shapes came from again, from where `at` says or else where
-    /// they were, and replaces the shapes of which that is something new, in one step. Returns how many these are, and how many files could not be read.
+    /// they were, and replaces the shapes of which that is something new, in one step. Returns how many these are, and
+    /// how many files could not be read.
     fn replace(
         &mut self,
         shapes: &[ShapeId],

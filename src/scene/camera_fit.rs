@@ -116,7 +116,8 @@ impl Camera {
     }
 
     /// Whether `bounds`, in the world, are seen well enough in a picture of `aspect` (width over height): half of
-    /// what they cover is in it, or what is takes up a quarter of it. So is what reaches behind the eye, such as a room.
+    /// what they cover is in it, or what is takes up a quarter of it. So is what reaches behind the eye, such as a
+    /// room.
     pub fn sees(&self, bounds: &Aabb, aspect: f32) -> bool {
         let corners = self.clip_corners(bounds, aspect);
         let beyond = |outside: fn(&Vec4) -> bool| corners.iter().all(outside);

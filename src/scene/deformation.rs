@@ -61,7 +61,8 @@ impl Deformation {
     }
 
     /// Whether the vertices follow from the frames by the exact formula of linear blending, as a
-    /// vertex shader computes it; not so with dual quaternions, nor after [`EvaluatedGeometry::with_vertices`](super::EvaluatedGeometry::with_vertices).
+    /// vertex shader computes it; not so with dual quaternions, nor after
+    /// [`EvaluatedGeometry::with_vertices`](super::EvaluatedGeometry::with_vertices).
     pub fn is_exact(&self) -> bool {
         self.method == Some(SkinningMethod::LinearBlend)
     }

@@ -143,8 +143,8 @@ pub fn bones_in_world<'a>(
 
 /// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
 /// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
-/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or locked are
-/// ignored.
+/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or
+/// locked are ignored.
 pub fn pick_bone(
     scene: &Scene,
     evaluated: &Evaluated,

@@ -28,7 +28,8 @@ const FEW_WEIGHTS: usize = 1 << 18;
 ///
 /// Vertices with the same joints are put into blocks, one vertex a lane, and a block lists each joint
 /// once, or more often where its vertices have them in different orders, with one weight a lane: no vertex
-/// has an index of its own, and there is no largest number of influences. A lane without a joint that another lane has gets a weight of 0.
+/// has an index of its own, and there is no largest number of influences. A lane without a joint that another lane has
+/// gets a weight of 0.
 ///
 /// The result is that of [`super::skinning`], bit for bit, on every processor: each lane does the same
 /// multiplications and additions in the same order, that of the file, none of them fused. Fused

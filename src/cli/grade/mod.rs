@@ -28,12 +28,12 @@ use work::Work;
 /// grade.html into REPORT. What is graded is kept there: started again, it resumes where it stopped, and
 /// only what has changed is graded anew.
 ///
-/// Beside "tests" and "rubric", TESTS.json can have a "command" that makes the files, run in the folder of each submission:
-/// {"run": ["./build/pose", "{character}", "{pose}", "{output}"], "seconds": 60, "memory": 1024}, with {test} for the name of
-/// the test and memory in MiB.
+/// Beside "tests" and "rubric", TESTS.json can have a "command" that makes the files, run in the folder of each
+/// submission: {"run": ["./build/pose", "{character}", "{pose}", "{output}"], "seconds": 60, "memory": 1024}, with
+/// {test} for the name of the test and memory in MiB.
 ///
-/// In grade.csv, names that a spreadsheet would run as formulas, which start with =, +, - or @, have an apostrophe before
-/// them; grade.json has them as they are.
+/// In grade.csv, names that a spreadsheet would run as formulas, which start with =, +, - or @, have an apostrophe
+/// before them; grade.json has them as they are.
 ///
 /// A mistake costs points in its own section of the assignment, or, where the test has no points for that, in the one
 /// with the nearest number, as the result then says. A mesh in the bind pose or another pose

@@ -30,7 +30,8 @@ use std::path::{Path, PathBuf};
     editor submit --form > answers.md"
 )]
 pub struct Args {
-    /// The archive to write, .zip or .tar.gz, or - for standard output; its folder must be there [default: submission-NAME.zip]
+    /// The archive to write, .zip or .tar.gz, or - for standard output; its folder must be there [default:
+    /// submission-NAME.zip]
     #[arg(short, long, value_name = "ARCHIVE")]
     output: Option<PathBuf>,
     /// Your name [default: as in the answers, or in src/program/globals.rs]

@@ -191,7 +191,8 @@ impl<'a> Fit<'a> {
         }
     }
 
-    /// Improves the pose until vertices are within a hundredth of the tolerance, or nothing helps any more: by Levenberg's and Marquardt's method.
+    /// Improves the pose until vertices are within a hundredth of the tolerance, or nothing helps any more: by
+    /// Levenberg's and Marquardt's method.
     pub(super) async fn improve(mut self, tolerance: f64, pace: &Pace) -> Posed {
         let enough = self.vertices.len() as f64 * (0.01 * tolerance).powi(2);
         let (mut equations, mut error) = self.equations();
