@@ -77,19 +77,23 @@ impl InterfacePainter {
         );
     }
 
-    /// Paints shapes as [`InterfacePainter::paint`] does, with the textures that there are; the target is
-    /// one that this has painted on before.
+    /// Paints shapes within `clip` as [`InterfacePainter::paint`] does, with the textures that there are; the
+    /// target is one that this has painted on before.
     pub(crate) fn paint_again(
         &mut self,
         context: &egui::Context,
-        shapes: Vec<ClippedShape>,
+        (shapes, clip): (Vec<ClippedShape>, egui::Rect),
         pixels_per_point: f32,
         target: &Framebuffer,
     ) {
         if self.gl.current().is_none() {
             return;
         }
-        let primitives = primitives(context, shapes, pixels_per_point);
+        let mut primitives = primitives(context, shapes, pixels_per_point);
+        primitives.retain_mut(|shape| {
+            shape.clip_rect = shape.clip_rect.intersect(clip);
+            shape.clip_rect.is_positive()
+        });
         target.bind();
         let size = [target.width(), target.height()];
         (self.painter).paint_primitives(size, pixels_per_point, &primitives);
