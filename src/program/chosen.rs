@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
-    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and models
-    /// that it does not name are added.
+    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and others
+    /// and models that it does not name are added, as when they are chosen together.
     pub(super) fn use_all_dropped(
         &mut self,
         mut dropped: Vec<(PathBuf, Arc<dyn Files>)>,
@@ -55,13 +55,12 @@ impl Program {
         };
         let (scene, files) = dropped.remove(scene);
         let others = dropped.into_iter().map(|(path, _)| path);
-        let (models, rest): (Vec<PathBuf>, Vec<PathBuf>) = others.partition(|path| is_model(path));
+        let (opened, rest): (Vec<PathBuf>, Vec<PathBuf>) =
+            others.partition(|path| is_model(path) || holds_document(path));
         // Pictures and the like are read with models that name them.
-        let unused = rest
-            .iter()
-            .filter(|path| holds_document(path) || is_pose(path));
+        let unused = rest.iter().filter(|path| is_pose(path));
         let unused: Vec<String> = unused.map(|path| file_name(path)).collect();
-        let to_open = self.to_open([vec![scene], models].concat(), files);
+        let to_open = self.to_open([vec![scene], opened].concat(), files);
         if !unused.is_empty() {
             let unused: Vec<&str> = unused.iter().map(String::as_str).collect();
             let text = format!("Not used: {}", listed(&unused));

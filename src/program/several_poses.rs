@@ -36,12 +36,15 @@ impl Program {
             return;
         };
         let names: Vec<&str> = kept.iter().map(|(name, _)| *name).collect();
-        let text = format!(
-            "{} has {} poses ({}): they are in the list Poses of the panel, and the character has {first} now",
-            file_name(path),
-            names.len(),
-            listed(&names)
-        );
+        let file = file_name(path);
+        let text = match &names[..] {
+            [only] => format!("The pose {only} of {file} is in the list Poses of the panel"),
+            _ => format!(
+                "{file} has {} poses ({}): they are in the list Poses of the panel, and the character has {first} now",
+                names.len(),
+                listed(&names)
+            ),
+        };
         let keep = kept.into_iter().flat_map(|(name, pose)| {
             let name = name.to_owned();
             [Edit::SetPose(shape, pose), Edit::KeepPose { shape, name }]

@@ -584,3 +584,29 @@ fn models_that_come_with_a_scene_are_added_to_it_unless_it_names_them() {
         assert_eq!(story.session().messages.fresh().len(), usize::from(dropped));
     }
 }
+
+#[test]
+fn of_two_scenes_that_come_together_the_second_is_added_to_the_first() {
+    for dropped in [true, false] {
+        let mut story = Story::start(&[]);
+        for (name, kind) in [("a.scene", "gem"), ("b.scene", "vase")] {
+            let scene = format!(
+                r#"{{"format": "editor-scene", "version": 1, "shapes": [{{"source": "builtin:{kind}"}}]}}"#
+            );
+            story.host.files.insert(name.into(), scene.into_bytes());
+        }
+        if dropped {
+            story.host.drop_file("a.scene");
+            story.host.drop_file("b.scene");
+        } else {
+            story
+                .program
+                .carry_out(vec![Action::Ask(Ask::Open)], &mut story.host);
+            story.host.choose_together("a.scene", &["b.scene"]);
+        }
+        story.settle();
+        assert_eq!(story.host.title, "*a.scene — Editor");
+        assert_eq!(story.messages(), []);
+        assert_eq!(story.names(), ["Gem", "Vase"], "{dropped}");
+    }
+}
