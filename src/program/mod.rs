@@ -21,6 +21,7 @@ mod files;
 mod first_view;
 mod frame;
 mod frame_rate;
+mod full_picture;
 pub mod globals;
 mod graphics;
 mod host;

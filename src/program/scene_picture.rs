@@ -1,11 +1,12 @@
 //! The picture of the scene in the view.
 
 use super::draft_detail::{Detail, DraftDetail};
+use super::full_picture::FullPicture;
 use super::graphics::{fit, fits};
 use super::scene_key::SceneKey;
 use super::split_view::SplitView;
 use crate::gpu::{Framebuffer, Gl, GpuError};
-use crate::render::{Frame, GradualPicture, Passes, RenderError, Renderer};
+use crate::render::{Frame, Passes, RenderError, Renderer};
 use crate::revision::Revision;
 use crate::scene::Evaluated;
 use std::time::Duration;
@@ -27,11 +28,8 @@ pub(super) struct ScenePicture {
     triangles: usize,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,
-    /// The full picture while it is drawn, step by step, and a draft is shown.
-    full: Option<GradualPicture>,
-    /// The full picture without the lines round marked shapes, where drawing it takes so long that
-    /// these are drawn over it when the pointer moves from shape to shape.
-    without_outlines: Option<Framebuffer>,
+    /// The full picture while it is drawn, step by step, and what is kept of it.
+    full: FullPicture,
     /// What the picture shows; `None` if it has to be drawn in any case.
     shown: Option<Shown>,
     /// Whether it was drawn since [`ScenePicture::take_is_new`] was called.
@@ -84,8 +82,7 @@ impl ScenePicture {
             drew_draft: None,
             triangles: 0,
             split: None,
-            full: None,
-            without_outlines: None,
+            full: FullPicture::default(),
             shown: None,
             is_new: false,
             samples,
@@ -155,7 +152,7 @@ impl ScenePicture {
     /// Time after which [`ScenePicture::draw`] goes on with the full picture, if a draft is shown.
     pub fn full_picture_after(&self, now: Duration) -> Duration {
         let since = self.shown.as_ref().and_then(|shown| shown.draft_since);
-        if since.is_some() && (self.full.is_some() || self.without_outlines.is_some()) {
+        if self.full.is_under_way(since.is_some()) {
             return Duration::ZERO;
         }
         since.map_or(Duration::MAX, |since| (since + REST).saturating_sub(now))
@@ -199,7 +196,10 @@ impl ScenePicture {
             .map(|shown| shown.draft_since);
         let is_same = self.shown.as_ref().is_some_and(|shown| shown.key == key);
         let is_draft = match alike {
-            Some(None) if is_same => return Ok(()),
+            Some(None) if is_same => {
+                self.full.forget_outlines();
+                return Ok(());
+            }
             Some(None) => false,
             Some(Some(since)) if is_same && moves && now < since + REST => return Ok(()),
             Some(Some(_)) if is_same => false,
@@ -207,8 +207,7 @@ impl ScenePicture {
             None => self.drafts && (moves || triangles(frame) > MANY_TRIANGLES),
         };
         if is_draft || alike.is_none() {
-            self.full = None;
-            self.without_outlines = None;
+            self.full = FullPicture::default();
         }
         let next = Shown {
             key,
@@ -219,10 +218,15 @@ impl ScenePicture {
             return self.draw_split((gl, renderer), frame, right, is_draft);
         }
         self.split = None;
-        if self.drafts && !is_draft && self.without_outlines.is_none() {
-            // A draft stays meanwhile; what is no more is not shown until all is done.
-            let in_steps = matches!(alike, Some(Some(_)));
-            return self.draw_full((gl, renderer), frame, next, in_steps);
+        if let (true, false, Some(target)) = (self.drafts, is_draft, &self.picture) {
+            // What is shown stays meanwhile; what is no more is not shown until all is done.
+            let in_steps = alike.is_some();
+            let of = (frame, &next.key, self.samples);
+            let (is_shown, drawn) = (self.full).go_on((gl, renderer), of, target, in_steps);
+            if is_shown {
+                self.shows(next);
+            }
+            return drawn;
         }
         self.shows(next);
         if is_draft {
@@ -230,15 +234,9 @@ impl ScenePicture {
             self.drew_draft = moves.then_some(detail);
             return self.draw_draft((gl, renderer), frame, detail);
         }
-        let Some(target) = &self.picture else {
-            return Ok(());
-        };
-        match &self.without_outlines {
-            Some(kept) => {
-                kept.blit_into(target, kept.rect(), kept.rect())?;
-                renderer.draw_outlines_over(frame, target)
-            }
-            None => renderer.draw(frame, target),
+        match &self.picture {
+            Some(target) => renderer.draw(frame, target),
+            None => Ok(()),
         }
     }
 
@@ -277,56 +275,6 @@ impl ScenePicture {
             Detail::Coarse => renderer.draw_coarse(frame, picture, Passes::All),
             Detail::Sketch => renderer.draw_coarse(frame, picture, Passes::Sketch),
         }
-    }
-
-    /// Goes on with the full picture of `frame`, by one step where the others may come later. The last of them
-    /// shows it.
-    fn draw_full(
-        &mut self,
-        (gl, renderer): (&Gl, &mut Renderer),
-        frame: &Frame,
-        next: Shown,
-        in_steps: bool,
-    ) -> Result<(), RenderError> {
-        let Some((size, target)) = self.size().zip(self.picture.as_ref()) else {
-            return Ok(());
-        };
-        let begun = match self.full.take() {
-            Some(begun) => Ok(begun),
-            None => GradualPicture::new(gl, size, self.samples),
-        };
-        let mut full = match begun {
-            Ok(full) => full,
-            // Edges are rough then, and the rest is there.
-            Err(error) => {
-                let drawn = renderer.draw(frame, target);
-                self.shows(next);
-                return drawn.and(Err(error.into()));
-            }
-        };
-        let mut drawn = Ok(());
-        while !full.is_complete() {
-            drawn = drawn.and(full.draw_next(renderer, frame));
-            if in_steps {
-                self.full = Some(full);
-                return drawn;
-            }
-        }
-        let picture = full.picture();
-        // Without room for it, the next picture is drawn as a whole.
-        if let Ok(kept) = Framebuffer::new(gl, size.0, size.1, 0) {
-            picture.blit_into(&kept, picture.rect(), kept.rect())?;
-            let kept = self.without_outlines.insert(kept);
-            if in_steps {
-                return drawn;
-            }
-            kept.blit_into(target, kept.rect(), target.rect())?;
-        } else {
-            picture.blit_into(target, picture.rect(), target.rect())?;
-        }
-        let outlines = renderer.draw_outlines_over(frame, target);
-        self.shows(next);
-        drawn.and(outlines)
     }
 
     /// Draws both parts of a split view.

@@ -193,8 +193,36 @@ fn every_change_of_a_scene_of_many_triangles_is_shown_as_a_draft_first() {
         assert!(viewed.shows(4));
         // The line round the shape under the pointer needs none.
         viewed.marks.hovered = Some(viewed.ball(1));
-        assert!(viewed.frame(false) && viewed.shows(4));
+        let steps = if is_draft { 2 } else { 1 };
+        assert_eq!(viewed.frames_until_new(), steps);
+        assert!(viewed.shows(4));
     }
+}
+
+#[test]
+fn the_line_round_a_shape_of_many_triangles_comes_in_steps() {
+    let mut viewed = Viewed::new(240_000);
+    viewed.frame(false);
+    viewed.frames_until_new();
+    assert!(viewed.shows(4));
+    viewed.marks.hovered = Some(viewed.ball(0));
+    assert!(!viewed.frame(false), "what is shown stays meanwhile");
+    let next = viewed.picture.full_picture_after(viewed.now);
+    assert_eq!(next, Duration::ZERO);
+    viewed.marks.hovered = Some(viewed.ball(1));
+    assert!(!viewed.frame(false), "another one begins anew");
+    assert!(viewed.frame(false) && viewed.shows(4));
+    let next = viewed.picture.full_picture_after(viewed.now);
+    assert_eq!(next, Duration::MAX);
+    viewed.marks.hovered = Some(viewed.ball(0));
+    assert!(!viewed.frame(false));
+    viewed.marks.hovered = Some(viewed.ball(1));
+    assert!(
+        !viewed.frame(false) && viewed.shows(4),
+        "it is shown already"
+    );
+    let next = viewed.picture.full_picture_after(viewed.now);
+    assert_eq!(next, Duration::MAX);
 }
 
 #[test]

@@ -56,6 +56,7 @@ pub use gradual_picture::GradualPicture;
 pub use number_marks::{Ghost, GhostPaint, ShapeNumbers};
 #[cfg(not(target_arch = "wasm32"))]
 pub use offscreen::{Offscreen, OffscreenError};
+pub use outlines_over::GradualOutlines;
 pub use passes::Passes;
 pub use picture_parts::{LargePicture, PictureParts, check_picture_size, read_picture};
 pub use read_back::read_back_skinning;

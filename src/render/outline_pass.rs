@@ -10,8 +10,9 @@ use super::mesh_programs::MeshPrograms;
 use super::shown_triangles::Purpose;
 use super::skeleton_pass::SkeletonPass;
 use crate::gpu::{DepthTest, DrawState, Framebuffer, Gl, GpuError, Immediate};
-use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeId, ShapeKind, SurfaceVisibility};
+use crate::scene::{EvaluatedShape, ModelDisplay, Shape, ShapeKind, SurfaceVisibility};
 use glam::Vec3;
+use std::ops::Range;
 
 const ACTIVE: Vec3 = Vec3::new(1.0, 0.62, 0.11);
 /// Color of shapes that are selected with the active one.
@@ -42,57 +43,142 @@ impl OutlinePass {
         self.masks.add_skinned(gl)
     }
 
+    /// Draws the lines round the marked shapes of `frame` into `target`.
     pub fn draw(
         &mut self,
         gl: &Gl,
-        context: &PassContext,
-        frame: &Frame,
-        meshes: &MeshCache,
+        (context, frame, meshes): (&PassContext, &Frame, &MeshCache),
         lines: (&mut SkeletonPass, &mut Immediate),
         target: &Framebuffer,
     ) -> Result<(), GpuError> {
-        let marks = &frame.marks;
-        if marks.selected.is_none() && marks.hovered.is_none() {
+        if !has_outlines(frame) {
             return Ok(());
         }
-        let (width, height) = (context.width, context.height);
-        let mask = Framebuffer::fitting(&mut self.mask, gl, width, height)?;
+        let mask = Framebuffer::fitting(&mut self.mask, gl, context.width, context.height)?;
         mask.clear([0.0; 4]);
-        let flat = DrawState {
-            depth_test: DepthTest::Off,
-            depth_write: false,
-            ..DrawState::opaque(width, height)
-        };
-        flat.apply(gl);
-        // Selected shapes come after the hovered one and the active one comes last, so that they keep their
-        // pixels where they overlap others.
-        let hovered = marks.hovered.map(|id| (id, Vec3::Y));
-        let others = marks.also_selected.iter().map(|&id| (id, Vec3::Z));
-        let selected = others.chain(marks.selected.map(|id| (id, Vec3::X)));
-        let mut covered = Area::EMPTY;
-        for (id, color) in hovered.into_iter().chain(selected) {
-            let shape = frame.scene.shape(id).zip(frame.evaluated.shape(id));
-            if let Some((shape, evaluated)) = shape {
-                covered = covered.union(area(context, shape, evaluated));
-            }
-            draw_mask(
-                &self.masks,
-                context,
-                frame,
-                meshes,
-                (&mut *lines.0, &mut *lines.1),
-                id,
-                color,
-            )?;
-        }
-        let edge = Edge {
-            selected: ACTIVE,
-            hovered: context.colors.hovered,
-            other: OTHERS,
-            width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
-        };
-        self.edges.draw(gl, mask, covered, &edge, target)
+        let scene = (context, frame, meshes);
+        draw_mask(gl, scene, &self.masks, lines, mask, 0..u64::MAX)?;
+        draw_lines(gl, (context, frame), &mut self.edges, mask, target)
     }
+
+    /// Adds some of the triangles of the marked shapes to `mask`, which is as large as what is drawn: those within
+    /// `triangles`, counted shape by shape, with one for the lines of each. Returns their number.
+    pub fn draw_mask_part(
+        &self,
+        gl: &Gl,
+        scene: (&PassContext, &Frame, &MeshCache),
+        lines: (&mut SkeletonPass, &mut Immediate),
+        mask: &Framebuffer,
+        triangles: Range<u64>,
+    ) -> Result<u64, GpuError> {
+        draw_mask(gl, scene, &self.masks, lines, mask, triangles)
+    }
+
+    /// Draws the lines round what `mask` covers into `target`.
+    pub fn draw_lines_round(
+        &mut self,
+        gl: &Gl,
+        scene: (&PassContext, &Frame),
+        mask: &Framebuffer,
+        target: &Framebuffer,
+    ) -> Result<(), GpuError> {
+        draw_lines(gl, scene, &mut self.edges, mask, target)
+    }
+}
+
+/// Whether there are lines round shapes.
+pub(super) fn has_outlines(frame: &Frame) -> bool {
+    let marks = &frame.marks;
+    marks.selected.is_some() || marks.hovered.is_some()
+}
+
+/// The shapes that lines are drawn round, in the order of their masks, with the color in these.
+fn marked<'a>(frame: &'a Frame) -> impl Iterator<Item = (&'a Shape, &'a EvaluatedShape, Vec3)> {
+    let marks = &frame.marks;
+    // Selected shapes come after the hovered one and the active one comes last, so that they keep their
+    // pixels where they overlap others.
+    let hovered = marks.hovered.map(|id| (id, Vec3::Y));
+    let others = marks.also_selected.iter().map(|&id| (id, Vec3::Z));
+    let selected = others.chain(marks.selected.map(|id| (id, Vec3::X)));
+    let all = hovered.into_iter().chain(selected);
+    all.filter_map(|(id, color)| {
+        let evaluated = frame.evaluated.shape(id).filter(|shape| shape.visible)?;
+        Some((frame.scene.shape(id)?, evaluated, color))
+    })
+}
+
+fn draw_mask(
+    gl: &Gl,
+    (context, frame, meshes): (&PassContext, &Frame, &MeshCache),
+    masks: &MeshPrograms,
+    (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
+    mask: &Framebuffer,
+    triangles: Range<u64>,
+) -> Result<u64, GpuError> {
+    mask.bind();
+    let flat = DrawState {
+        depth_test: DepthTest::Off,
+        depth_write: false,
+        ..DrawState::opaque(context.width, context.height)
+    };
+    flat.apply(gl);
+    let mut first = 0;
+    for (shape, evaluated, color) in marked(frame) {
+        if triangles.contains(&first) {
+            match &shape.kind {
+                ShapeKind::Character(character)
+                    if character.display.mode == ModelDisplay::Skeleton =>
+                {
+                    skeletons.draw_mask(context, evaluated, color)?;
+                }
+                ShapeKind::Curve(_) => draw_curve_mask(immediate, context, evaluated, color),
+                _ => {}
+            }
+        }
+        first += 1;
+        let batch = has_surface(shape).then(|| Batch::of(shape, evaluated, meshes, Purpose::Mask));
+        if let Some(batch) = batch.flatten() {
+            let all = batch.triangles().end;
+            let before = |end: u64| end.saturating_sub(first).min(all.into()) as u32;
+            let part = before(triangles.start)..before(triangles.end);
+            first += u64::from(all);
+            if part.is_empty() {
+                continue;
+            }
+            let program = masks.of(batch.mesh);
+            meshes.place(program, &batch);
+            program.set_mat4("clip_from_world", context.clip_from_world);
+            program.set_vec3("color", color);
+            batch.mesh.draw(program, Purpose::Mask, part, 1);
+        }
+    }
+    Ok(first)
+}
+
+fn has_surface(shape: &Shape) -> bool {
+    match &shape.kind {
+        ShapeKind::Character(character) => character.display.mode != ModelDisplay::Skeleton,
+        ShapeKind::Curve(curve) => curve.display.surface == SurfaceVisibility::Shaded,
+        _ => true,
+    }
+}
+
+fn draw_lines(
+    gl: &Gl,
+    (context, frame): (&PassContext, &Frame),
+    edges: &mut EdgePass,
+    mask: &Framebuffer,
+    target: &Framebuffer,
+) -> Result<(), GpuError> {
+    let areas = marked(frame).map(|(shape, evaluated, _)| area(context, shape, evaluated));
+    let covered = areas.fold(Area::EMPTY, Area::union);
+    let edge = Edge {
+        selected: ACTIVE,
+        hovered: context.colors.hovered,
+        other: OTHERS,
+        width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
+    };
+    edges.draw(gl, mask, covered, &edge, target)
 }
 
 /// The pixels outside of which the mask of a shape is empty.
@@ -109,40 +195,4 @@ fn area(context: &PassContext, shape: &Shape, evaluated: &EvaluatedShape) -> Are
     }
     let corners = evaluated.world_box().corners();
     Area::around(&corners, context.clip_from_world, size)
-}
-
-fn draw_mask(
-    masks: &MeshPrograms,
-    context: &PassContext,
-    frame: &Frame,
-    meshes: &MeshCache,
-    (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
-    id: ShapeId,
-    color: Vec3,
-) -> Result<(), GpuError> {
-    let (Some(shape), Some(evaluated)) = (
-        frame.scene.shape(id),
-        frame.evaluated.shape(id).filter(|shape| shape.visible),
-    ) else {
-        return Ok(());
-    };
-    if let ShapeKind::Character(character) = &shape.kind
-        && character.display.mode == ModelDisplay::Skeleton
-    {
-        return skeletons.draw_mask(context, evaluated, color);
-    }
-    if let ShapeKind::Curve(curve) = &shape.kind {
-        draw_curve_mask(immediate, context, evaluated, color);
-        if curve.display.surface != SurfaceVisibility::Shaded {
-            return Ok(());
-        }
-    }
-    if let Some(batch) = Batch::of(shape, evaluated, meshes, Purpose::Mask) {
-        let program = masks.of(batch.mesh);
-        meshes.place(program, &batch);
-        program.set_mat4("clip_from_world", context.clip_from_world);
-        program.set_vec3("color", color);
-        batch.mesh.draw_whole(program, Purpose::Mask, 1);
-    }
-    Ok(())
 }

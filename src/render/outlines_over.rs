@@ -1,28 +1,94 @@
 //! The lines round marked shapes, drawn after all else into a picture whose samples were averaged before.
 
 use super::frame::{Background, Frame};
+use super::outline_pass::has_outlines;
 use super::renderer::{RenderError, Renderer};
 use super::tile::Tile;
-use crate::gpu::Framebuffer;
+use crate::gpu::{Framebuffer, Gl, GpuError};
 
-impl Renderer {
-    /// Draws the lines round marked shapes over a [`GradualPicture`](super::GradualPicture): the
-    /// pixels of both are those of [`Renderer::draw`], also where `target` has the averages of samples,
-    /// since the lines cover whole pixels.
+/// Triangles of masks that are drawn in a step: about 50 ms on software OpenGL.
+const STEP: u64 = 200_000;
+
+/// The lines round marked shapes, drawn over a [`GradualPicture`](super::GradualPicture): the pixels of both are those
+/// of [`Renderer::draw`], also where the picture has the averages of samples, since the lines cover whole pixels. What
+/// they go round is found out in steps.
+#[derive(Debug)]
+pub struct GradualOutlines {
+    mask: Framebuffer,
+    next: u64,
+    pub(super) most: u64,
+}
+
+impl GradualOutlines {
+    /// Those over a picture of this width and height, of which nothing is found out yet.
+    ///
+    /// # Errors
+    /// See [`Framebuffer::new`].
+    pub fn new(gl: &Gl, (width, height): (u32, u32)) -> Result<Self, GpuError> {
+        let mask = Framebuffer::new(gl, width, height, 0)?;
+        mask.clear([0.0; 4]);
+        Ok(Self {
+            mask,
+            next: 0,
+            most: STEP,
+        })
+    }
+
+    /// Goes on to find out what the lines of `frame`, the same in all steps, go round; whether that was the last
+    /// step.
     ///
     /// # Errors
     /// When a GL error occurred. Meshes that the driver does not take have no line.
-    pub fn draw_outlines_over(
+    pub fn draw_next(
         &mut self,
+        renderer: &mut Renderer,
+        frame: &Frame,
+    ) -> Result<bool, RenderError> {
+        if !has_outlines(frame) {
+            return Ok(true);
+        }
+        let context = renderer.context(frame, &self.mask, self.tile(), Background::Look);
+        // None of the triangles of surfaces need be chosen: they are not drawn.
+        renderer.choose_triangles(frame, &context, true)?;
+        let triangles = self.next..self.next + self.most;
+        self.next = triangles.end;
+        let Renderer {
+            gl,
+            meshes,
+            outline,
+            skeletons,
+            immediate,
+            ..
+        } = renderer;
+        let scene = (&context, frame, &*meshes);
+        let end = triangles.end;
+        let all =
+            outline.draw_mask_part(gl, scene, (skeletons, immediate), &self.mask, triangles)?;
+        gl.check("drawing masks")?;
+        Ok(all <= end)
+    }
+
+    /// Draws the lines into `target`, after the last step.
+    ///
+    /// # Errors
+    /// When a GL error occurred.
+    pub fn draw_over(
+        &self,
+        renderer: &mut Renderer,
         frame: &Frame,
         target: &Framebuffer,
     ) -> Result<(), RenderError> {
-        let tile = Tile::whole((target.width(), target.height()));
-        let context = self.context(frame, target, tile, Background::Look);
-        // None of the triangles of surfaces need be chosen: they are not drawn.
-        let chosen = self.choose_triangles(frame, &context, true);
-        let drawn = chosen.and_then(|()| self.draw_outlines(frame, target, &context));
-        Ok(drawn.and(self.gl.check("drawing outlines"))?)
+        if !has_outlines(frame) {
+            return Ok(());
+        }
+        let context = renderer.context(frame, target, self.tile(), Background::Look);
+        let Renderer { gl, outline, .. } = renderer;
+        outline.draw_lines_round(gl, (&context, frame), &self.mask, target)?;
+        Ok(gl.check("drawing outlines")?)
+    }
+
+    fn tile(&self) -> Tile {
+        Tile::whole((self.mask.width(), self.mask.height()))
     }
 }
 
@@ -30,7 +96,7 @@ impl Renderer {
 mod tests {
     use crate::geometry::Basis;
     use crate::gpu::{Backend, Framebuffer, HeadlessContext};
-    use crate::render::{Frame, GradualPicture, Marks, Renderer};
+    use crate::render::{Frame, GradualOutlines, GradualPicture, Marks, Renderer};
     use crate::scene::{
         CurveSet, CurveShape, Evaluator, Look, NewShape, Scene, ShapeKind, ViewSettings,
     };
@@ -83,7 +149,16 @@ mod tests {
                     .picture()
                     .blit_into(&averages, whole, whole)
                     .unwrap();
-                renderer.draw_outlines_over(&frame, &averages).unwrap();
+                let mut outlines = GradualOutlines::new(gl, (150, 110)).unwrap();
+                outlines.most = [1, 5, 100, 100_000][at];
+                while !outlines.draw_next(&mut renderer, &frame).unwrap() {
+                    // Something else is drawn in between.
+                    let other = Framebuffer::new(gl, 40, 30, 0).unwrap();
+                    renderer.draw(&frame, &other).unwrap();
+                }
+                outlines
+                    .draw_over(&mut renderer, &frame, &averages)
+                    .unwrap();
                 let [expected, found] = [&full, &averages].map(|it| it.read_rgba().unwrap());
                 assert!(found == expected, "{look:?}, {at}");
                 assert!(found != before, "{look:?}, {at}: there are outlines");

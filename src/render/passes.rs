@@ -126,7 +126,7 @@ impl Renderer {
         context: &PassContext,
     ) -> Result<(), GpuError> {
         let lines = (&mut self.skeletons, &mut self.immediate);
-        self.outline
-            .draw(&self.gl, context, frame, &self.meshes, lines, target)
+        let scene = (context, frame, &self.meshes);
+        self.outline.draw(&self.gl, scene, lines, target)
     }
 }
