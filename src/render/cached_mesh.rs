@@ -54,7 +54,8 @@ impl Moving {
         geometry: &EvaluatedGeometry,
         facets: Option<&Facets>,
     ) -> Result<Self, GpuError> {
-        let (positions, normals) = current_vertices(geometry, facets);
+        let positions = current_positions(geometry, facets);
+        let normals = current_normals(geometry, facets);
         Ok(Self {
             revision: geometry.revision,
             positions: Buffer::vertices(gl, Usage::Stream, &positions)?,
@@ -222,9 +223,10 @@ impl CachedMesh {
         if moving.revision == geometry.revision {
             return Ok(false);
         }
-        let (positions, normals) = current_vertices(geometry, self.upload.facets.as_ref());
+        let facets = self.upload.facets.as_ref();
+        let positions = current_positions(geometry, facets);
         moving.positions.update(&positions)?;
-        moving.normals.update(&normals)?;
+        moving.normals.update(&current_normals(geometry, facets))?;
         moving.revision = geometry.revision;
         Ok(true)
     }
@@ -238,24 +240,31 @@ pub(super) fn gathered<'a, T: Copy>(of_vertices: &'a [T], facets: Option<&Facets
     }
 }
 
-/// Current positions and normals as they are uploaded.
-pub(super) fn current_vertices<'a>(
+/// Current positions as they are uploaded.
+pub(super) fn current_positions<'a>(
     geometry: &'a EvaluatedGeometry,
     facets: Option<&Facets>,
-) -> (Cow<'a, [Vec3]>, Cow<'a, [Vec3]>) {
-    let mesh = &geometry.mesh;
-    let positions = mesh.at_vertices(geometry.positions());
-    if let Some(facets) = facets {
-        let normals = face_normals(geometry.positions(), &mesh.triangles);
-        let normals = facets.at_last_corners(&normals);
-        return (facets.gather(&positions).into(), normals.into());
+) -> Cow<'a, [Vec3]> {
+    let positions = geometry.mesh.at_vertices(geometry.positions());
+    match facets {
+        Some(facets) => facets.gather(&positions).into(),
+        None => positions,
     }
-    let normals = geometry.normals().map_or_else(
-        || {
-            let normals = smooth_normals(geometry.positions(), &mesh.triangles);
-            mesh.at_vertices(&normals).into_owned().into()
-        },
-        Cow::from,
-    );
-    (positions, normals)
+}
+
+/// Current normals as they are uploaded.
+pub(super) fn current_normals<'a>(
+    geometry: &'a EvaluatedGeometry,
+    facets: Option<&Facets>,
+) -> Cow<'a, [Vec3]> {
+    let (mesh, positions) = (&geometry.mesh, geometry.positions());
+    if let Some(facets) = facets {
+        let normals = face_normals(positions, &mesh.triangles);
+        return facets.at_last_corners(&normals).into();
+    }
+    let of_triangles = || {
+        let normals = smooth_normals(positions, &mesh.triangles);
+        mesh.at_vertices(&normals).into_owned().into()
+    };
+    geometry.normals().map_or_else(of_triangles, Cow::from)
 }

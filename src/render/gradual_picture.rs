@@ -3,6 +3,7 @@
 use super::area::Area;
 use super::frame::{Background, Frame, PassContext, has_ground};
 use super::renderer::{RenderError, Renderer};
+use super::sight::Sight;
 use super::still_layer::StillLayer;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError};
@@ -23,6 +24,8 @@ pub struct GradualPicture {
     picture: Framebuffer,
     /// The shadows on the ground; none before they are drawn.
     shadows: Option<Framebuffer>,
+    /// Whether the large meshes in it are uploaded, which comes first, part by part.
+    is_uploaded: bool,
     next: Step,
     pub(super) most: Most,
 }
@@ -57,6 +60,7 @@ impl GradualPicture {
         Ok(Self {
             picture: Framebuffer::new(gl, width, height, samples)?,
             shadows: None,
+            is_uploaded: false,
             next: Step::Surfaces(0),
             most: Most {
                 triangles: STEP,
@@ -83,6 +87,14 @@ impl GradualPicture {
     /// # Errors
     /// As [`Renderer::draw`].
     pub fn draw_next(&mut self, renderer: &mut Renderer, frame: &Frame) -> Result<(), RenderError> {
+        if !self.is_uploaded {
+            let tile = Tile::whole((self.picture.width(), self.picture.height()));
+            let context = renderer.context(frame, &self.picture, tile, Background::Look);
+            self.is_uploaded = renderer.upload_part(frame, &Sight::new(&context, frame));
+            if !self.is_uploaded {
+                return Ok(());
+            }
+        }
         let step = self.next;
         // What comes next if this fails, or where nothing more of the same is left.
         self.next = match step {
@@ -231,6 +243,42 @@ mod tests {
             let [shadows, grounds] = [triangles.div_ceil(SHADOWS * step), 110u64.div_ceil(rows.into())];
             let more = if ground { shadows + grounds } else { 0 };
             prop_assert_eq!(steps, triangles.div_ceil(step) + more + 1);
+        }
+    }
+
+    #[test]
+    fn large_meshes_are_uploaded_part_by_part_before_the_first_surface() {
+        let headless = HeadlessContext::new(Backend::Auto).unwrap();
+        let gl = headless.gl();
+        let ball = sphere(1.0, 300, 200, Poles::Y);
+        let flat = Mesh::new(ball.positions.clone(), ball.triangles.clone());
+        let mut scene = Scene::new();
+        for mesh in [ball, flat] {
+            let mesh = SharedMesh::new(mesh);
+            scene.add(NewShape::new("A", ShapeKind::Mesh(mesh.clone())));
+            scene.add(NewShape::new("Its copy", ShapeKind::Mesh(mesh)));
+        }
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+        let view = ViewSettings::default();
+        let frame = Frame::plain(&scene, &evaluated, &view);
+        let whole = Framebuffer::new(gl, 150, 110, 0).unwrap();
+        Renderer::new(gl).unwrap().draw(&frame, &whole).unwrap();
+        let mut renderer = Renderer::new(gl).unwrap();
+        // Indices, positions and normals of two meshes: the last part of the first comes with the first of the second,
+        // and that of the second with the surfaces.
+        for steps in [4, 0] {
+            let mut gradual = GradualPicture::new(gl, (150, 110), 0).unwrap();
+            let before = gradual.picture().read_rgba().unwrap();
+            for step in 0..steps {
+                gradual.draw_next(&mut renderer, &frame).unwrap();
+                assert!(gradual.picture().read_rgba().unwrap() == before, "{step}");
+            }
+            gradual.draw_next(&mut renderer, &frame).unwrap();
+            assert!(gradual.picture().read_rgba().unwrap() != before);
+            while !gradual.is_complete() {
+                gradual.draw_next(&mut renderer, &frame).unwrap();
+            }
+            assert!(gradual.picture().read_rgba() == whole.read_rgba());
         }
     }
 }

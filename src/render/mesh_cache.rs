@@ -17,6 +17,10 @@ use std::collections::HashSet;
 use std::rc::Rc;
 use std::sync::Arc;
 
+/// Triangles of a mesh from which on it is uploaded in parts: a browser takes some 60 ms for the normals of half a
+/// million.
+const MANY_TRIANGLES: usize = 50_000;
+
 /// The meshes of a scene. Only those with a new revision are uploaded: a shape that does not change
 /// costs nothing but its draw.
 #[derive(Debug)]
@@ -94,6 +98,35 @@ impl MeshCache {
             .filter(|(_, evaluated)| is_skinned(evaluated.id) && in_sight(evaluated))
             .map(|(shape, evaluated)| (evaluated, shape.placement.color.rgb()));
         self.palettes.update(gl, &present, skinned, most_rows)
+    }
+
+    /// Uploads the next part of what [`MeshCache::update`] will need of meshes with many triangles; whether there is
+    /// no more of it. What the driver does not take is left to that.
+    pub fn upload_part(
+        &mut self,
+        gl: &Gl,
+        frame: &Frame,
+        sight: &Sight,
+        skinning: Skinning,
+    ) -> bool {
+        let in_sight = |shape: &&EvaluatedShape| shape.visible && sight.has(shape);
+        for shape in frame.evaluated.shapes.iter().filter(in_sight) {
+            let geometry = &shape.geometry;
+            if geometry.mesh.triangles.len() < MANY_TRIANGLES {
+                continue;
+            }
+            let key = MeshKey::new(geometry, frame.view.shading, skinning);
+            let has_numbers = frame.marks.numbers_of(shape.id).is_some();
+            if self.meshes.has(shape.id, &(key.clone(), has_numbers)) {
+                continue;
+            }
+            let (textures, most_rows) = (&mut self.textures, self.most_rows);
+            let more = self.uploads.go_on(gl, &key, geometry, textures, most_rows);
+            if more.is_ok_and(|is_whole| !is_whole) {
+                return false;
+            }
+        }
+        true
     }
 
     /// The visible shapes whose meshes the driver could not take, in words for the user.

@@ -1,27 +1,15 @@
 //! What all copies of a mesh share in the memory of the graphics card.
 
-use super::cached_mesh::{NORMAL, POSITION, current_vertices, gathered};
 use super::mesh_cache::TextureCache;
-use super::skinning_tables::{Run, Skin};
+use super::mesh_uploading::MeshUploading;
+use super::skinning_tables::Skin;
 use crate::character::Character;
 use crate::geometry::{Facets, Mesh, Normals};
-use crate::gpu::{
-    Attribute, Buffer, Gl, GpuError, IndexBuffer, Texture, Usage, VertexArray, VertexArrayBuilder,
-};
+use crate::gpu::{Gl, GpuError, Texture, VertexArray};
 use crate::revision::Revision;
 use crate::scene::{Deformation, EvaluatedGeometry, Shading, Skinning};
-use bytemuck::Pod;
-use glam::{Vec2, Vec3};
 use std::rc::{Rc, Weak};
 use std::sync::Arc;
-
-/// Attribute locations in `skinned_vertex.glsl` and the other vertex shaders of meshes.
-const RUN: u32 = 2;
-const FIRST_POSITION: u32 = 3;
-const FIRST_RUN: u32 = 4;
-const SECOND_POSITION: u32 = 5;
-const SECOND_RUN: u32 = 6;
-const TEXTURE_COORDINATES: u32 = 7;
 
 /// Everything about a mesh that does not change with a pose, once for all its copies.
 #[derive(Debug)]
@@ -63,6 +51,25 @@ impl MeshKey {
     pub fn is_skinned(&self) -> bool {
         self.skinned.is_some()
     }
+
+    /// The character, if the vertex shader skins it.
+    pub fn skinned(&self) -> Option<&Arc<Character>> {
+        self.skinned.as_ref()
+    }
+
+    /// Whether the processor deforms it.
+    pub fn moves(&self) -> bool {
+        self.moves
+    }
+
+    /// Whether `mesh` is drawn with one normal a triangle.
+    pub fn is_flat(&self, mesh: &Mesh) -> bool {
+        match self.shading {
+            Shading::AsAuthored => mesh.normals == Normals::Flat,
+            Shading::Flat => true,
+            Shading::Smooth => false,
+        }
+    }
 }
 
 impl PartialEq for MeshKey {
@@ -78,7 +85,13 @@ impl PartialEq for MeshKey {
 
 /// The uploads that meshes share, for as long as one of them is there.
 #[derive(Debug, Default)]
-pub(super) struct MeshUploads(Vec<(MeshKey, Weak<MeshUpload>)>);
+pub(super) struct MeshUploads {
+    known: Vec<(MeshKey, Weak<MeshUpload>)>,
+    /// One that is made part by part.
+    begun: Option<MeshUploading>,
+    /// Those that were made so and are not shared yet.
+    fresh: Vec<Rc<MeshUpload>>,
+}
 
 impl MeshUploads {
     /// The upload of `key`, which is that of `geometry`, made if there is none. The table of a skin has
@@ -94,25 +107,60 @@ impl MeshUploads {
         textures: &mut TextureCache,
         most_rows: u32,
     ) -> Result<Rc<MeshUpload>, GpuError> {
-        let mut same = self.0.iter().filter(|(known, _)| known == key);
-        if let Some(known) = same.find_map(|(_, known)| known.upgrade()) {
-            return Ok(known);
+        loop {
+            if let Some(known) = self.known(key) {
+                return Ok(known);
+            }
+            self.go_on(gl, key, geometry, textures, most_rows)?;
         }
-        let mut upload = MeshUpload::new(gl, key, geometry, most_rows)?;
+    }
+
+    /// Makes the next part of what [`MeshUploads::get`] returns; whether all of it is there.
+    ///
+    /// # Errors
+    /// If the driver cannot take it.
+    pub fn go_on(
+        &mut self,
+        gl: &Gl,
+        key: &MeshKey,
+        geometry: &EvaluatedGeometry,
+        textures: &mut TextureCache,
+        most_rows: u32,
+    ) -> Result<bool, GpuError> {
+        if self.known(key).is_some() {
+            return Ok(true);
+        }
+        let begun = self.begun.take().filter(|begun| begun.key() == key);
+        let mut next = match begun {
+            Some(begun) => begun,
+            None => MeshUploading::new(gl, key.clone(), geometry),
+        };
+        if !next.go_on(gl, geometry, most_rows)? {
+            self.begun = Some(next);
+            return Ok(false);
+        }
+        let mut upload = next.finish()?;
         upload.add_textures(gl, &geometry.mesh, textures);
         let upload = Rc::new(upload);
-        self.0.push((key.clone(), Rc::downgrade(&upload)));
-        Ok(upload)
+        self.known.push((key.clone(), Rc::downgrade(&upload)));
+        self.fresh.push(upload);
+        Ok(true)
+    }
+
+    fn known(&self, key: &MeshKey) -> Option<Rc<MeshUpload>> {
+        let mut same = self.known.iter().filter(|(known, _)| known == key);
+        same.find_map(|(_, known)| known.upgrade())
     }
 
     /// Drops what no mesh shares any more.
     pub fn forget_unused(&mut self) {
-        self.0.retain(|(_, upload)| upload.strong_count() > 0);
+        self.fresh.clear();
+        self.known.retain(|(_, upload)| upload.strong_count() > 0);
     }
 }
 
 impl MeshUpload {
-    /// Uploads it without textures. The table of a skin has at most `most_rows` rows.
+    /// Uploads it without textures, in one go. The table of a skin has at most `most_rows` rows.
     ///
     /// # Errors
     /// If the driver cannot take it.
@@ -122,36 +170,9 @@ impl MeshUpload {
         geometry: &EvaluatedGeometry,
         most_rows: u32,
     ) -> Result<Self, GpuError> {
-        let mesh = &geometry.mesh;
-        let triangles = mesh.vertex_triangles();
-        let is_flat = is_flat(mesh, key.shading);
-        let facets = is_flat.then(|| Facets::new(mesh.vertex_count(), triangles));
-        let drawn = facets.as_ref().map_or(triangles, |f| &f.triangles);
-        let indices = IndexBuffer::new(gl, Usage::Static, drawn.as_flattened())?;
-        let mut layout = Layout {
-            gl,
-            builder: VertexArray::builder(gl).indices(&indices),
-        };
-        if !mesh.texture_coordinates.is_empty() {
-            let coordinates = gathered(&mesh.texture_coordinates, facets.as_ref());
-            layout.attribute(&coordinates, TEXTURE_COORDINATES)?;
-        }
-        let mut skin = None;
-        if let Some(character) = &key.skinned {
-            let (its, runs) = Skin::new(gl, character, most_rows)?;
-            layout.bind_pose(mesh, facets.as_ref(), &runs)?;
-            skin = Some(its);
-        } else if !key.moves {
-            let (positions, normals) = current_vertices(geometry, facets.as_ref());
-            layout.attribute(&positions, POSITION)?;
-            layout.attribute(&normals, NORMAL)?;
-        }
-        Ok(Self {
-            vertex_array: Rc::new(layout.builder.build()?),
-            skin,
-            facets,
-            textures: Vec::new(),
-        })
+        let mut uploading = MeshUploading::new(gl, key.clone(), geometry);
+        while !uploading.go_on(gl, geometry, most_rows)? {}
+        uploading.finish()
     }
 
     /// Uploads the pictures of the materials of `mesh`, of which this is the upload. Without texture
@@ -168,14 +189,6 @@ impl MeshUpload {
     }
 }
 
-fn is_flat(mesh: &Mesh, shading: Shading) -> bool {
-    match shading {
-        Shading::AsAuthored => mesh.normals == Normals::Flat,
-        Shading::Flat => true,
-        Shading::Smooth => false,
-    }
-}
-
 /// The deformation that the vertex shader computes, if it does: it knows the exact formula alone.
 fn deformation_to_skin(
     geometry: &EvaluatedGeometry,
@@ -187,78 +200,4 @@ fn deformation_to_skin(
         .deformation
         .as_ref()
         .filter(|deformation| skinning == Skinning::Gpu && deformation.is_exact() && !needs_sums)
-}
-
-/// Collects the attributes of a mesh.
-struct Layout<'a> {
-    gl: &'a Gl,
-    builder: VertexArrayBuilder,
-}
-
-impl Layout<'_> {
-    /// Adds an attribute that never changes.
-    fn attribute<T: FixedAttribute>(
-        &mut self,
-        values: &[T],
-        location: u32,
-    ) -> Result<(), GpuError> {
-        let buffer = Buffer::vertices(self.gl, Usage::Static, values)?;
-        let empty = VertexArray::builder(self.gl);
-        let builder = std::mem::replace(&mut self.builder, empty);
-        self.builder = builder.attribute(&buffer, T::attribute(location));
-        Ok(())
-    }
-
-    /// Adds the mesh at rest with its influences; facetted, every last corner has those of the other
-    /// two corners of its triangle as well.
-    fn bind_pose(
-        &mut self,
-        mesh: &Mesh,
-        facets: Option<&Facets>,
-        runs: &[Run],
-    ) -> Result<(), GpuError> {
-        let positions = gathered(&mesh.at_vertices(&mesh.positions), facets).into_owned();
-        let runs = gathered(&mesh.at_vertices(runs), facets).into_owned();
-        self.attribute(&positions, POSITION)?;
-        self.attribute(&runs, RUN)?;
-        if let Some(facets) = facets {
-            let corners = facets.first_corners();
-            for (which, position, run) in [
-                (0, FIRST_POSITION, FIRST_RUN),
-                (1, SECOND_POSITION, SECOND_RUN),
-            ] {
-                let of_corner = corners.iter().map(|pair| pair[which] as usize);
-                let positions: Vec<Vec3> = of_corner.clone().map(|i| positions[i]).collect();
-                let runs: Vec<Run> = of_corner.map(|i| runs[i]).collect();
-                self.attribute(&positions, position)?;
-                self.attribute(&runs, run)?;
-            }
-        } else if let Normals::PerVertex(normals) = &mesh.normals {
-            self.attribute(normals, NORMAL)?;
-        }
-        Ok(())
-    }
-}
-
-/// A type of attributes that never change.
-trait FixedAttribute: Pod {
-    fn attribute(location: u32) -> Attribute;
-}
-
-impl FixedAttribute for Vec3 {
-    fn attribute(location: u32) -> Attribute {
-        Attribute::f32(location, 3)
-    }
-}
-
-impl FixedAttribute for Vec2 {
-    fn attribute(location: u32) -> Attribute {
-        Attribute::f32(location, 2)
-    }
-}
-
-impl FixedAttribute for Run {
-    fn attribute(location: u32) -> Attribute {
-        Attribute::u32(location, 2)
-    }
 }

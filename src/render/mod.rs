@@ -23,6 +23,7 @@ mod mesh_cache;
 mod mesh_numbers;
 mod mesh_programs;
 mod mesh_upload;
+mod mesh_uploading;
 mod moving;
 mod number_colors;
 mod number_marks;

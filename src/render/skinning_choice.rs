@@ -70,6 +70,12 @@ impl Renderer {
         Ok(())
     }
 
+    /// Uploads the next part of the large meshes in `sight`; whether there is no more of them.
+    pub(super) fn upload_part(&mut self, frame: &Frame, sight: &Sight) -> bool {
+        let skinning = self.skinning();
+        self.meshes.upload_part(&self.gl, frame, sight, skinning)
+    }
+
     fn update_meshes_by(
         &mut self,
         frame: &Frame,

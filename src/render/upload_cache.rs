@@ -44,6 +44,11 @@ impl<K: PartialEq, T> UploadCache<K, T> {
         self.uploads.insert(id, (key, upload));
     }
 
+    /// Whether there is an upload of a shape with this key, or it was refused.
+    pub fn has(&self, id: ShapeId, key: &K) -> bool {
+        self.uploads.get(&id).is_some_and(|(known, _)| known == key)
+    }
+
     /// The upload of a shape, unless it was refused.
     pub fn get(&self, id: ShapeId) -> Option<&T> {
         self.uploads.get(&id)?.1.as_ref().ok()
