@@ -1,6 +1,6 @@
 //! Archives, `.zip`: written from files in memory, and read as if they were folders.
 
-use super::file_access::{self, is_note_of_macos};
+use super::file_access::{self, is_archive, is_note_of_macos, is_scene};
 use super::{Diagnostic, Files, IMPORTABLE};
 use std::collections::BTreeSet;
 use std::io::{Cursor, Read, Write};
@@ -55,8 +55,7 @@ impl<F: Files> WithArchives<F> {
     /// The archive that `path` leads into, and the name of the file there.
     fn split(&self, path: &Path) -> Option<(PathBuf, String)> {
         let mut folders = path.ancestors().skip(1);
-        let is_archive =
-            |folder: &&Path| file_access::extension(folder) == "zip" && self.files.exists(folder);
+        let is_archive = |folder: &&Path| is_archive(folder) && self.files.exists(folder);
         let archive = folders.find(is_archive)?;
         let inner = path.strip_prefix(archive).ok()?;
         Some((archive.to_owned(), file_access::with_slashes(inner)))
@@ -216,17 +215,13 @@ pub(super) fn main_files(files: &dyn Files, path: &Path) -> Result<Vec<PathBuf>,
 /// why.
 pub fn unpacked(files: &dyn Files, path: &Path) -> Vec<PathBuf> {
     let own = || vec![path.to_owned()];
-    if file_access::extension(path) != "zip" {
+    if !is_archive(path) {
         return own();
     }
     match main_files(files, path) {
         Ok(models) if !models.iter().any(|model| is_scene(model)) => models,
         _ => own(),
     }
-}
-
-pub(super) fn is_scene(path: &Path) -> bool {
-    file_access::extension(path) == "scene"
 }
 
 /// Whether a name leads to a place inside the archive, on every system.

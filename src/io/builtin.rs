@@ -1,6 +1,7 @@
 //! Files inside the program, addressed as `builtin:NAME`.
 
-use super::archive::{is_scene, main_files};
+use super::archive::main_files;
+use super::file_access::is_scene;
 use super::{Diagnostic, Files, file_access};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

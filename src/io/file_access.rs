@@ -46,6 +46,16 @@ pub fn extension(path: &Path) -> String {
         .unwrap_or_default()
 }
 
+/// Whether the name of a file is that of a scene.
+pub fn is_scene(path: &Path) -> bool {
+    extension(path) == "scene"
+}
+
+/// Whether the name of a file is that of an archive, in which a scene or models have their files with them.
+pub fn is_archive(path: &Path) -> bool {
+    extension(path) == "zip"
+}
+
 /// Whether a file of this name holds what macOS notes about the file of the same name without `._`.
 pub(super) fn is_note_of_macos(name: &std::ffi::OsStr) -> bool {
     name.to_string_lossy().starts_with("._")

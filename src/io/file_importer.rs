@@ -274,7 +274,7 @@ impl Loaded {
                     ..Self::default()
                 };
                 for path in main_files(files, &file)? {
-                    if file_access::extension(&path) == "scene" {
+                    if file_access::is_scene(&path) {
                         packed.add_scene(files, &path, pace).await?;
                     } else {
                         packed.add_imported(import_any_by(files, &path, pace).await?);

@@ -35,7 +35,7 @@ struct Noting<'a> {
 impl Noting<'_> {
     fn look_for(&self, path: &Path) {
         // A file in an archive comes with all of it.
-        let is_archive = |folder: &&Path| file_access::extension(folder) == "zip";
+        let is_archive = |folder: &&Path| file_access::is_archive(folder);
         let path = path.ancestors().find(is_archive).unwrap_or(path);
         if self.files.exists(path) || is_builtin(path) {
             return;

@@ -53,7 +53,7 @@ pub use diagnostic::{Diagnostic, Imported, Position};
 pub use export::{TooFarOut, export_obj};
 pub use export_character::{CharacterFiles, NotExpressible, export_character};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
-pub use file_access::{Files, expect_extension, extension};
+pub use file_access::{Files, expect_extension, extension, is_archive, is_scene};
 pub use file_importer::{
     IMPORTABLE, Loaded, character_file, import_any, import_character, import_collada, import_curve,
     import_shape,

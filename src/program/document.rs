@@ -2,7 +2,7 @@
 
 use super::awaited::Awaited;
 use super::document_file::{DocumentFile, Writing, digest_at};
-use super::document_name::{free_name, holds_document, is_archive};
+use super::document_name::{free_name, holds_document};
 use super::preferences::MOST_RECENT;
 use super::questions::Asked;
 use super::reading::{Opened, Use};
@@ -251,7 +251,7 @@ impl Program {
     /// Saves the document to the file that was chosen for it.
     pub(super) fn save_to(&mut self, path: PathBuf, host: &mut dyn Host) {
         let then = self.document.then.take();
-        let expected = match is_archive(&path) {
+        let expected = match io::is_archive(&path) {
             true => Ok(()),
             false => io::expect_extension(&path, "scene"),
         };
@@ -286,7 +286,7 @@ impl Program {
     }
 
     fn write_document(&mut self, path: PathBuf, then: Option<Next>, host: &mut dyn Host) {
-        if is_archive(&path) {
+        if io::is_archive(&path) {
             return self.write_archive(&path, then, host);
         }
         let view = self.document_view();
@@ -424,7 +424,9 @@ impl Program {
     pub(super) fn remember_recent(&mut self, path: &Path) {
         // A model that was opened from an archive is found with all others there.
         let mut folders = path.ancestors().skip(1);
-        let path = folders.find(|folder| is_archive(folder)).unwrap_or(path);
+        let path = folders
+            .find(|folder| io::is_archive(folder))
+            .unwrap_or(path);
         if io::builtin::is_builtin(path) {
             return;
         }

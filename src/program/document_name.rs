@@ -55,17 +55,7 @@ pub(super) fn free_name(name: &str, folder: Option<&Path>, files: &dyn Files) ->
     free.unwrap_or_else(|| name.to_owned())
 }
 
-/// Whether the name of a file is that of an archive, in which a scene has its files with it.
-pub(super) fn is_archive(path: &Path) -> bool {
-    io::expect_extension(path, "zip").is_ok()
-}
-
-/// Whether the name of a file is that of a scene.
-pub(super) fn is_scene(path: &Path) -> bool {
-    io::expect_extension(path, "scene").is_ok()
-}
-
 /// Whether the name of a file is that of a scene or of an archive that may have one.
 pub(super) fn holds_document(path: &Path) -> bool {
-    is_scene(path) || is_archive(path)
+    io::is_scene(path) || io::is_archive(path)
 }

@@ -1,6 +1,7 @@
 //! A comparison of a character with a mesh that another program posed.
 
 use super::Host;
+use super::files::file_name;
 use super::job::{Job, JobHandle, MeshDiagnosed, Work};
 use super::running::Program;
 use crate::diagnose::{
@@ -253,10 +254,7 @@ impl Program {
             Err(error) => return self.tell(Severity::Error, error.to_string()),
         };
         let scene = self.session.scene();
-        let name = path
-            .file_name()
-            .unwrap_or(path.as_os_str())
-            .to_string_lossy();
+        let name = file_name(path);
         let found = theirs.positions.len();
         let Some(character) = scene.character(shape) else {
             let text = format!("{name} is not compared: the character does not exist any more");
@@ -280,7 +278,6 @@ impl Program {
             );
             return self.tell(Severity::Error, text);
         }
-        let name = name.into_owned();
         self.end_comparison();
         let shown = self.mesh_comparison.take().map(|before| before.shown);
         if shown.is_none() {

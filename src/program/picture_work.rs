@@ -1,6 +1,7 @@
 //! Pictures that are saved while the window goes on: large ones part by part, turntables picture by
 //! picture, one part a frame.
 
+use super::files::file_name;
 use super::graphics::Graphics;
 use super::job::{Job, Work};
 use super::running::Program;
@@ -156,8 +157,7 @@ impl PictureWork {
     }
 
     fn name(&self) -> String {
-        let name = self.path.file_name().unwrap_or(self.path.as_os_str());
-        name.to_string_lossy().into_owned()
+        file_name(&self.path)
     }
 }
 

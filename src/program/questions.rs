@@ -3,7 +3,7 @@
 use super::autosave::Kept;
 use super::document::Next;
 use super::exports::Together;
-use super::files::listed;
+use super::files::{file_name, listed};
 use crate::ui::{Answer, Question};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -85,7 +85,7 @@ fn replace_text(path: &Path, replaced: &[PathBuf]) -> String {
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     format!(
         "{} is written together with files that are there already, with other contents: {}.",
-        path.file_name().unwrap_or(path.as_os_str()).display(),
+        file_name(path),
         listed(&names),
     )
 }

@@ -3,7 +3,6 @@
 
 use super::document::Next;
 use super::document_file::Writing;
-use super::document_name::is_archive;
 use super::exports::needed_error;
 use super::files::file_name;
 use super::running::Program;
@@ -52,8 +51,7 @@ impl Program {
         } else {
             "File ⏵ Reload Models reads it again; poses and places stay"
         };
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        let name = name.to_string_lossy();
+        let name = file_name(path);
         let text = if is_there {
             format!("{name} was changed by another program. {text}")
         } else {
@@ -176,7 +174,7 @@ impl Program {
     /// Writes the document and the files that it needs: an archive, or a scene with a folder beside
     /// it.
     pub(super) fn save_with_files(&mut self, path: &Path, host: &mut dyn Host) {
-        if !is_archive(path)
+        if !io::is_archive(path)
             && let Err(error) = io::expect_extension(path, "scene")
         {
             return self.tell_written(path, Err(error));
@@ -186,7 +184,7 @@ impl Program {
                            another name";
             return self.tell_written(path, Err(Diagnostic::new(path, message)));
         }
-        if is_archive(path) {
+        if io::is_archive(path) {
             return self.write_archive(path, None, host);
         }
         match self.package(path, host) {
@@ -291,7 +289,7 @@ impl Program {
         let archive = |file: &PathBuf| {
             let mut folders = file.ancestors().skip(1);
             folders
-                .find(|folder| is_archive(folder))
+                .find(|folder| io::is_archive(folder))
                 .map(Path::to_owned)
         };
         let mut archives: BTreeSet<PathBuf> = models.iter().filter_map(archive).collect();
