@@ -24,6 +24,12 @@ impl CoarseMeshes {
         }
     }
 
+    /// Forgets what belongs to shapes that are not in a scene any more.
+    pub fn forget_deleted(&mut self, evaluated: &Evaluated) {
+        self.coarsener.forget_deleted(evaluated);
+        self.meshes.forget_deleted(evaluated);
+    }
+
     /// The scene of `frame` with fewer triangles; `None` if it has few or shows numbers, which belong to the vertices
     /// of whole meshes.
     pub fn of(&mut self, frame: &Frame) -> Option<Evaluated> {

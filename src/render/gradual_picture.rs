@@ -4,7 +4,6 @@ use super::area::Area;
 use super::frame::{Background, Frame, PassContext, has_ground};
 use super::renderer::{RenderError, Renderer};
 use super::sight::Sight;
-use super::still_layer::StillLayer;
 use super::tile::Tile;
 use crate::gpu::{Framebuffer, Gl, GpuError};
 use std::ops::Range;
@@ -139,8 +138,7 @@ impl GradualPicture {
                     more = (end < context.height).then_some(Step::Ground(end));
                 }
                 Step::Rest | Step::Complete => {
-                    // What moved is at rest: its pictures and old meshes need no memory any more.
-                    renderer.layer = StillLayer::default();
+                    renderer.come_to_rest(frame);
                     renderer.draw_rest(frame, context);
                 }
             }

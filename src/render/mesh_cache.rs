@@ -100,6 +100,13 @@ impl MeshCache {
         self.palettes.update(gl, &present, skinned, most_rows)
     }
 
+    /// Drops the meshes of shapes that are not in a scene any more.
+    pub fn forget_deleted(&mut self, evaluated: &Evaluated) {
+        self.meshes.forget_deleted(evaluated);
+        self.uploads.forget_unused();
+        self.textures.forget_unused();
+    }
+
     /// Uploads the next part of what [`MeshCache::update`] will need of meshes with many triangles; whether there is
     /// no more of it. What the driver does not take is left to that.
     pub fn upload_part(

@@ -86,10 +86,15 @@ impl Renderer {
     /// When something does not fit into the driver's memory or limits, or a GL error occurred: the
     /// first of these.
     pub fn draw(&mut self, frame: &Frame, target: &Framebuffer) -> Result<(), RenderError> {
-        // What moved is at rest: its pictures and old meshes need no memory any more.
-        self.layer = StillLayer::default();
+        self.come_to_rest(frame);
         let tile = Tile::whole((target.width(), target.height()));
         self.draw_tile(frame, target, tile, Background::Look)
+    }
+
+    /// Frees what only pictures of something that moves need, and of it what belongs to shapes that are gone.
+    pub(super) fn come_to_rest(&mut self, frame: &Frame) {
+        self.layer = StillLayer::default();
+        self.coarse.forget_deleted(frame.evaluated);
     }
 
     /// As [`Renderer::draw`], but only the part `tile` of the picture, which `target` is as large as.

@@ -68,6 +68,16 @@ impl Coarsener {
         (!self.shapes.is_empty()).then_some(coarse)
     }
 
+    /// Forgets what it has made of meshes that are not in a scene any more.
+    pub fn forget_deleted(&mut self, evaluated: &Evaluated) {
+        let is_there = |of: &Model| {
+            let mut all = evaluated.shapes.iter();
+            all.any(|shape| Model::of(&shape.geometry).is_some_and(|is| is.is(of)))
+        };
+        self.models.retain(|known| is_there(&known.of));
+        self.shapes.retain(|(id, _)| evaluated.shape(*id).is_some());
+    }
+
     /// The geometry of `shape`, made coarse; that of the last call, if it is the same.
     fn of_shape(
         &mut self,
@@ -281,6 +291,22 @@ mod tests {
             &posed.shapes[1].geometry,
             &first.shapes[1].geometry
         ));
+    }
+
+    #[test]
+    fn what_is_deleted_is_kept_no_longer() {
+        let mut scene = scene();
+        let mut coarsener = Coarsener::default();
+        let mut evaluator = Evaluator::new();
+        let evaluated = evaluator.evaluate(&scene, 0.0);
+        coarsener.coarse(&evaluated, 20_000).unwrap();
+        coarsener.forget_deleted(&evaluated);
+        assert_eq!((coarsener.models.len(), coarsener.shapes.len()), (2, 3));
+        for index in [3, 1] {
+            scene.delete(scene.shapes()[index].id);
+        }
+        coarsener.forget_deleted(&evaluator.evaluate(&scene, 0.0));
+        assert_eq!((coarsener.models.len(), coarsener.shapes.len()), (1, 1));
     }
 
     #[test]
