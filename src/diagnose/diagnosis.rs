@@ -2,8 +2,8 @@
 
 use super::faces::FaceDifference;
 use super::mistakes::Mistake;
-use super::nearest::Nearest;
-use super::other_pose::OtherPose;
+use super::nearest::{NEARLY_ALL, Nearest};
+use super::other_pose::{OtherPose, offset};
 use super::search::Made;
 use crate::compare::MeshFinding;
 use serde::{Serialize, Serializer};
@@ -61,6 +61,10 @@ pub struct Diagnosis {
     /// How its triangles differ, which the verdict counts only where its vertices are right.
     #[serde(flatten)]
     pub faces: FaceDifference,
+    /// Number of vertices that are off.
+    pub off: usize,
+    /// Share of the others, 0 to 1.
+    pub agrees: f64,
     /// Where vertices are off, by the joints that move them most, the one with the most first; empty
     /// unless nothing explains the mesh.
     pub regions: Vec<Region>,
@@ -295,6 +299,15 @@ impl Diagnosis {
         self.verdict == Verdict::Right
     }
 
+    /// Whether nothing explains the few vertices that are off.
+    pub fn is_right_but_for_few(&self) -> bool {
+        let is_nearest = self.nearest.as_ref().is_some_and(Nearest::is_nearly_all);
+        self.verdict == Verdict::Unexplained
+            && self.findings.is_empty()
+            && !is_nearest
+            && self.agrees >= NEARLY_ALL
+    }
+
     /// Takes into account how triangles differ.
     pub(super) fn judge(&mut self, faces: FaceDifference) {
         self.faces = faces;
@@ -341,6 +354,10 @@ impl Diagnosis {
         for finding in &self.findings {
             write!(f, "\n  found    {finding}")?;
         }
+        if self.is_right_but_for_few() {
+            let vertices = if self.off == 1 { "vertex" } else { "vertices" };
+            write!(f, "\n  found    right but for {} {vertices}", self.off)?;
+        }
         if let Some(nearest) = &self.nearest {
             let mistake = &nearest.mistake;
             let explains = percent(nearest.explains);
@@ -378,7 +395,12 @@ fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) ->
     )?;
     let (told, more) = other.told();
     for joint in told {
-        write!(f, "\n  turned   {joint}")?;
+        match joint.moved {
+            Some(moved) if !joint.is_turned() => {
+                write!(f, "\n  moved    {} by {}", joint.joint, offset(moved))?;
+            }
+            _ => write!(f, "\n  turned   {joint}")?,
+        }
     }
     match more {
         0 => {}

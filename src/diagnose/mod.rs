@@ -251,6 +251,8 @@ impl Findings<'_> {
     /// A diagnosis without causes.
     fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
         let error = self.error() / self.size;
+        let is_off = |distance: &&f64| distance.is_nan() || **distance > self.tolerance;
+        let off = self.distances.iter().filter(is_off).count();
         Diagnosis {
             verdict,
             causes: Vec::new(),
@@ -262,6 +264,8 @@ impl Findings<'_> {
             unseen: Vec::new(),
             first: self.first().filter(|_| verdict != Verdict::Right),
             faces: FaceDifference::default(),
+            off,
+            agrees: 1.0 - off as f64 / self.distances.len().max(1) as f64,
             regions: Vec::new(),
             other_pose: None,
             nearest: None,

@@ -17,6 +17,12 @@ const FEWEST_OFF: usize = 4;
 /// What is left of a direction in which the pose hardly shows an offset, by the one in which it shows it best. An
 /// offset is taken as right there.
 const HARDLY_SHOWN: f64 = 1e-9;
+/// What is left of a direction in which the pose does not show an offset, by all directions.
+const NOT_SHOWN: f64 = 1e-6;
+/// Share of a direction along an axis below which nothing is moved along that axis to get rid of a change.
+const HARDLY_ALONG: f64 = 0.05;
+/// Steps after which a direction is found among three.
+const STEPS_OF_POWER: usize = 30;
 /// Parents that are told where several give the same mesh.
 const TOLD: usize = 3;
 
@@ -141,7 +147,7 @@ impl Lines<'_> {
         let mut best: Option<Explanation> = None;
         for &joint in joints {
             let own = &self.search.model.skeleton().joints()[joint];
-            let Some(off) = self.off_by(joint) else {
+            let Some((off, is_ambiguous)) = self.off_by(joint) else {
                 continue;
             };
             let other = OtherJoint {
@@ -152,7 +158,10 @@ impl Lines<'_> {
             let explained = self.explained(other, &ONE_WRONG_OFFSET, pace).await;
             let known = best.as_ref().map_or(f64::INFINITY, |best| best.error);
             if let Some(explained) = explained.filter(|explained| explained.error < known) {
-                let how = self.with_another_offset(other);
+                let mut how = self.with_another_offset(other);
+                if is_ambiguous {
+                    how.push_str(", or another that gives the same in this pose");
+                }
                 best = Some(Explanation {
                     how: Some(how),
                     ..explained
@@ -162,9 +171,11 @@ impl Lines<'_> {
         best
     }
 
-    /// What must be added to the offset of `joint` so that the mesh comes nearest, by least squares; `None` if the
-    /// pose does not show it. A vertex moves in proportion to what is added, along each axis by itself.
-    fn off_by(&self, joint: usize) -> Option<DVec3> {
+    /// What must be added to the offset of `joint` so that the mesh comes nearest, by least squares, and whether more
+    /// can be added along a line without a difference, as where a joint is turned about one axis; then it is what
+    /// changes the fewest numbers. `None` if the pose does not show it. A vertex moves in proportion to what is added,
+    /// along each axis by itself.
+    fn off_by(&self, joint: usize) -> Option<(DVec3, bool)> {
         let own = &self.search.model.skeleton().joints()[joint];
         let offset = own.offset.as_dvec3();
         let mut along = DVec3::AXES.map(|axis| {
@@ -189,8 +200,22 @@ impl Lines<'_> {
         }
         let shown = matrix.x_axis.x + matrix.y_axis.y + matrix.z_axis.z;
         let raised = matrix + DMat3::from_diagonal(DVec3::splat(shown * HARDLY_SHOWN));
-        let off = raised.inverse() * right;
-        (shown > 0.0 && off.is_finite()).then_some(off)
+        let inverse = raised.inverse();
+        let off = inverse * right;
+        if !(shown > 0.0 && off.is_finite()) {
+            return None;
+        }
+        // The direction that shows least, which the inverse makes longest.
+        let along = (0..STEPS_OF_POWER).fold(DVec3::new(0.6, 0.64, 0.48), |along, _| {
+            (inverse * along).normalize_or_zero()
+        });
+        let is_ambiguous = (matrix * along).length() < shown * NOT_SHOWN;
+        let off = if is_ambiguous {
+            fewest_changes(off, along)
+        } else {
+            off
+        };
+        Some((off, is_ambiguous))
     }
 
     fn on_another_parent(&self, other: OtherJoint) -> String {
@@ -220,6 +245,28 @@ impl Lines<'_> {
             None => "no joint".to_owned(),
         }
     }
+}
+
+/// Of `off` and what differs from it by a multiple of `along`, what has the most zeros, and of those the shortest.
+fn fewest_changes(off: DVec3, along: DVec3) -> DVec3 {
+    let with_zero = |axis: usize| {
+        let by = off[axis] / along[axis];
+        let mut other = off - along * by;
+        other[axis] = 0.0;
+        (along[axis].abs() > HARDLY_ALONG).then_some(other)
+    };
+    let others = (0..3).filter_map(with_zero).chain([off]);
+    let changes = |off: &DVec3| {
+        off.to_array()
+            .iter()
+            .filter(|by| rounded(**by) != 0.0)
+            .count()
+    };
+    let best = others.min_by(|a, b| {
+        let by_length = a.length().total_cmp(&b.length());
+        changes(a).cmp(&changes(b)).then(by_length)
+    });
+    best.unwrap_or(off)
 }
 
 /// A coordinate in words, without the digits that a mesh does not tell, and a zero without a sign.

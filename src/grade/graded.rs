@@ -80,12 +80,10 @@ impl Graded {
 impl Graded {
     /// The same, where it is known to be the exact result of another test.
     pub(super) fn of_other_test(self, name: &str) -> Self {
-        let (first, rest) = self.text.split_once('\n').unwrap_or((&self.text, ""));
+        let (_, rest) = self.text.split_once('\n').unwrap_or((&self.text, ""));
         Self {
             outcome: Outcome::OtherPose,
-            text: format!(
-                "{first}\n  found    it is exactly the result of the test {name}\n{rest}"
-            ),
+            text: format!("another test: this is exactly the result of {name}\n{rest}"),
             hint: Some(format!("the result of {name}")),
             ..self
         }

@@ -90,6 +90,22 @@ pub struct CommandData {
     pub memory: f32,
 }
 
+/// What stands for the files of a test in a command, and for its name.
+pub const PLACES: [&str; 4] = ["{character}", "{pose}", "{output}", "{test}"];
+
+/// A word in braces that stands for nothing, if there is one. Variables of a shell, `${name}`, are none.
+fn unknown_place(word: &str) -> Option<&str> {
+    let starts = word.match_indices('{').map(|(at, _)| at);
+    let mut places = starts.filter_map(|at| {
+        let length = word[at..].find('}')? + 1;
+        let place = &word[at..at + length];
+        let name = &place[1..length - 1];
+        let is_name = !name.is_empty() && name.bytes().all(|byte| byte.is_ascii_lowercase());
+        (is_name && !word[..at].ends_with('$')).then_some(place)
+    });
+    places.find(|place| !PLACES.contains(place))
+}
+
 fn default_seconds() -> f32 {
     60.0
 }
@@ -275,6 +291,13 @@ impl CommandData {
         if self.run.first().is_none_or(String::is_empty) {
             return Err("expected a program in `run`, found none".to_owned());
         }
+        if let Some(found) = self.run.iter().find_map(|word| unknown_place(word)) {
+            let expected = PLACES.join(", ");
+            return Err(format!("expected one of {expected}, found {found}"));
+        }
+        if !self.run.iter().any(|word| word.contains("{output}")) {
+            return Err("expected {output} for the file to write in `run`, found none".to_owned());
+        }
         for (name, limit) in [("seconds", self.seconds), ("memory", self.memory)] {
             if limit <= 0.0 {
                 return Err(format!(
@@ -304,7 +327,7 @@ mod tests {
                        "camera": [80, 10, 3], "size": [640, 480], "points": {"4.2": 2.5}}],
             "rubric": {"sections": {"artifact": {"points": 8}}, "mistakes": {"euler-zyx": 0.75},
                        "given": {"ada": {"artifact": 7}}},
-            "command": {"run": ["./a", "{pose}"], "seconds": 2}}"#,
+            "command": {"run": ["./a", "{pose}", "{output}"], "seconds": 2}}"#,
         )
         .unwrap();
         assert_eq!(file.title, "A1");
@@ -367,8 +390,22 @@ mod tests {
                 "t.json:1:84: expected a program in `run`, found none",
             ),
             (
-                test("").replace("]}", r#"], "command": {"run": ["a"], "seconds": 0}}"#),
+                test("").replace(
+                    "]}",
+                    r#"], "command": {"run": ["a", "{output}"], "seconds": 0}}"#,
+                ),
                 "t.json:1:84: expected a number above 0 for `seconds`, found 0",
+            ),
+            (
+                test("").replace(
+                    "]}",
+                    r#"], "command": {"run": ["a", "${home}/{pose}", "x{outptu}"]}}"#,
+                ),
+                "t.json:1:84: expected one of {character}, {pose}, {output}, {test}, found {outptu}",
+            ),
+            (
+                test("").replace("]}", r#"], "command": {"run": ["a", "{pose}"]}}"#),
+                "t.json:1:84: expected {output} for the file to write in `run`, found none",
             ),
         ] {
             assert_eq!(read(&text).unwrap_err(), error, "{text}");

@@ -3,7 +3,7 @@
 use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, with};
 use editor_core::diagnose::Verdict;
-use glam::Vec3;
+use glam::{EulerRot, Quat, Vec3};
 use proptest::prelude::*;
 
 /// The vertices that a right program writes that has another skeleton, which `change` makes.
@@ -70,6 +70,34 @@ fn a_joint_with_a_wrong_offset_is_named_with_both_offsets() {
         told(real)
     );
     assert_eq!(found.mistakes[0].how, expected);
+}
+
+#[test]
+fn of_offsets_that_give_the_same_the_one_that_changes_the_fewest_numbers_is_named() {
+    // Of the joint, about one axis, so that along this axis nothing shows.
+    let elbow = 14;
+    let axis = Vec3::new(0.6, 0.0, 0.8);
+    let turn = Quat::from_axis_angle(axis, 1.0).to_euler(EulerRot::XYZ);
+    let degrees = Vec3::new(turn.0, turn.1, turn.2).map(f32::to_degrees);
+    let pose = |joint: usize| match joint == elbow {
+        true => degrees,
+        false => turned(52)(joint),
+    };
+    let figure = Figure::builtin("adult", pose);
+    for by in [Vec3::X * 0.05, Vec3::Y * 0.04, Vec3::Z * -0.03] {
+        let mut wrong = Figure::builtin("adult", pose);
+        wrong.offsets[elbow] += by;
+        let found = figure.diagnose(&RIGHT.skin(&wrong));
+        assert_eq!(found.causes, ["one-wrong-offset"], "{found}");
+        let told = (wrong.offsets[elbow].to_array()).map(|at| (f64::from(at) * 1e4).round() / 1e4);
+        let expected = format!("({}, {}, {}) instead of", told[0], told[1], told[2]);
+        let how = &found.mistakes[0].how;
+        assert!(how.contains(&expected), "{by}: {how} {expected}");
+        assert!(
+            how.ends_with(", or another that gives the same in this pose"),
+            "{how}"
+        );
+    }
 }
 
 #[test]

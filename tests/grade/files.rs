@@ -113,6 +113,9 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     class.write("class/kim/Adult.obj", &right);
     class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
+    let rubbish: Vec<u8> = (0..5000_u32).map(|at| (at * at % 251) as u8).collect();
+    class.write("class/raj/adult-1.obj", rubbish);
+    class.write("class/viv/adult-1.obj", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR");
     class.write("class/sam/hw2/out/adult-1.obj", &right);
     class.write("class/tim/adult-1.obj", inside_out(&right));
     class.write("class/una/adult-1.obj", &one_other);
@@ -135,6 +138,12 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "adult-1.obj:1:3: expected a number for x, found “nan”",
         ),
         ("joe", "unreadable", "adult-1.obj: expected "),
+        ("raj", "unreadable", "adult-1.obj"),
+        (
+            "viv",
+            "unreadable",
+            "adult-1.obj: expected text, found a PNG picture",
+        ),
         ("kim", "missing", "there is no adult-1.obj"),
         (
             "pia",
@@ -300,7 +309,7 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
     class.write("none.json", "{\"tests\": []}");
     class.write(
         "command.json",
-        with(|tests| tests["command"] = json!({"run": ["./a"]})),
+        with(|tests| tests["command"] = json!({"run": ["./a", "{output}"]})),
     );
     class.write("cut.json", "{\"tests\": [");
     for (line, told) in [

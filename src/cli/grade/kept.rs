@@ -75,7 +75,11 @@ impl Store {
     /// # Errors
     /// If the system refuses.
     pub fn prepare(&self) -> Result<(), Diagnostic> {
-        disk::make_folder_of(&self.submission_path(""))
+        // What is in it says nothing to its user.
+        disk::make_folder_of(&self.submission_path("")).map_err(|why| Diagnostic {
+            path: self.folder.clone(),
+            ..why
+        })
     }
 
     /// What is kept of a submission; nothing if that cannot be read.

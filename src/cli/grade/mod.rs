@@ -170,6 +170,10 @@ fn check_output(
     folder: &Path,
     submissions: &[Submission],
 ) -> Result<(), Diagnostic> {
+    if output == Path::new("-") {
+        let message = "expected a folder for the report, found - for standard output";
+        return Err(Diagnostic::new(output, message));
+    }
     // One that is not there yet is none of them.
     let Ok(output_on_disk) = output.canonicalize() else {
         return Ok(());

@@ -10,7 +10,7 @@ use crate::disk::{ScratchFolder, read_at_most};
 use crate::grade::{Graded, Outcome, Test};
 use crate::io::Diagnostic;
 use std::collections::BTreeMap;
-use std::io::Read;
+use std::io::{ErrorKind, Read};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -261,8 +261,13 @@ fn told(text: &str, submission: &Submission, name: &str) -> String {
 
 /// The content of the file at `path`, called `name`, or what there is in its place.
 fn read(path: &Path, name: &str) -> Result<Vec<u8>, Box<Graded>> {
-    let Ok(metadata) = std::fs::symlink_metadata(path) else {
-        return Err(Graded::without(Outcome::Missing, missing(path, name)).into());
+    let metadata = match std::fs::symlink_metadata(path) {
+        Ok(metadata) => metadata,
+        Err(error) if error.kind() == ErrorKind::PermissionDenied => {
+            let text = format!("{name}: there is no permission to open its folder");
+            return Err(Graded::without(Outcome::Unreadable, text).into());
+        }
+        Err(_) => return Err(Graded::without(Outcome::Missing, missing(path, name)).into()),
     };
     // It may lead to the file of another submission.
     if metadata.is_symlink() {

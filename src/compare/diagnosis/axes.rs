@@ -30,7 +30,8 @@ pub(super) struct Axes {
 
 impl Axes {
     /// The axes in `pair`, of which the pixels `other_colors` differ. Where something else differs as well,
-    /// a single line is not taken for an axis.
+    /// a single line is not taken for an axis. Nor are lines of which a part is in both pictures, such as beside a
+    /// panel that covers the rest in one of them.
     pub(super) async fn find(pair: &Pair<'_>, other_colors: &[bool], pace: &Pace) -> Option<Self> {
         let sides = [(pair.a(), pair.b()), (pair.b(), pair.a())];
         let mut are_in = [false; 2];
@@ -51,6 +52,11 @@ impl Axes {
                 let colored = Mask::of_channel(pair, &channels, channel).thin();
                 pace.after(other_colors.len()).await;
                 if let Some(line) = colored.longest_line(pace).await {
+                    let both = Mask::in_both(pair, with, other_colors, channel).thin();
+                    pace.after(other_colors.len()).await;
+                    if both.runs(line).flatten().count() >= LEAST_LENGTH {
+                        return None;
+                    }
                     colored.cover(line, other_colors, &mut pixels);
                     (*is_in, lines) = (true, lines + 1);
                 }
@@ -81,12 +87,15 @@ fn axis_channel(over: Pixel, under: Pixel) -> Option<u8> {
     });
     let mut others = (0..3).filter(|&other| other != channel);
     let is_axis = others.all(|other| {
-        let stands_out = over[channel] >= over[other].saturating_add(LEAST_COLOR);
         let stood_out = i16::from(under[channel]) - i16::from(under[other]);
         let stands_out_by = i16::from(over[channel]) - i16::from(over[other]);
-        stands_out && stands_out_by > stood_out
+        stands_out(over, channel, other) && stands_out_by > stood_out
     });
     is_axis.then_some(channel as u8)
+}
+
+fn stands_out(of: Pixel, channel: usize, other: usize) -> bool {
+    of[channel] >= of[other].saturating_add(LEAST_COLOR)
 }
 
 /// A straight line through a picture, by whole steps along the side that it goes along more.
@@ -128,6 +137,22 @@ impl Mask {
         Self {
             size: [pair.width() as i32, pair.height() as i32],
             inside: channels.iter().map(is_inside).collect(),
+        }
+    }
+
+    /// The pixels of an axis' color that do not differ.
+    fn in_both(pair: &Pair, with: &[Pixel], other_colors: &[bool], channel: u8) -> Self {
+        let channel = usize::from(channel);
+        let has_color = |of: Pixel| {
+            let mut others = (0..3).filter(|&other| other != channel);
+            others.all(|other| stands_out(of, channel, other))
+        };
+        let pixels = with.iter().zip(other_colors);
+        Self {
+            size: [pair.width() as i32, pair.height() as i32],
+            inside: pixels
+                .map(|(&of, &differs)| !differs && has_color(of))
+                .collect(),
         }
     }
 

@@ -364,6 +364,14 @@ mod tests {
             _ => pixel,
         });
         assert_eq!(names(&scene(), &with_axes), ["axes_too", "outline"]);
+        // Both show them, and a panel in one of them hides some of them.
+        let with_panel = changed(&with_axes, |x, y, pixel| match x > 44 || y > 30 {
+            true => [60, 60, 64, 255],
+            false => pixel,
+        });
+        for (a, b) in [(&with_axes, &with_panel), (&with_panel, &with_axes)] {
+            assert!(!names(a, b).contains(&"axes_too"), "{:?}", names(a, b));
+        }
         let mut tried: Vec<_> = provoking().into_iter().map(|(name, _)| name).collect();
         tried.extend(["placed", "background", "axes_too"]);
         for rule in Evidence::RULES {

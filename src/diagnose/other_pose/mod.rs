@@ -63,10 +63,23 @@ impl fmt::Display for TurnedJoint {
             f.write_str(", or others that give the same")?;
         }
         match self.moved {
-            Some([x, y, z]) => write!(f, ", moved by ({x:.4}, {y:.4}, {z:.4})"),
+            Some(moved) => write!(f, ", moved by {}", offset(moved)),
             None => Ok(()),
         }
     }
+}
+
+impl TurnedJoint {
+    /// Whether its angles differ, and not only where it is.
+    pub(super) fn is_turned(&self) -> bool {
+        angles(self.degrees) != angles(self.expected)
+    }
+}
+
+/// An offset in words, without a sign before what rounds to nothing.
+pub(super) fn offset(of: [f32; 3]) -> String {
+    let [x, y, z] = of.map(|by| if by.abs() <= 5e-5 { 0.0 } else { by });
+    format!("({x:.4}, {y:.4}, {z:.4})")
 }
 
 /// Angles in words: whole degrees where they are whole, and a zero without a sign.
