@@ -172,7 +172,8 @@ impl Session {
             View::ToggleSelected(shape) => self.selection.toggle(shape),
             View::SelectTo(shape) => self.select_to(shape),
             View::SelectAll => {
-                let all = self.scene.shapes().iter().map(|shape| shape.id);
+                let shown = self.scene.shapes().iter().filter(|shape| shape.visible);
+                let all = shown.map(|shape| shape.id);
                 self.selection = Selection::all(all, self.selected());
             }
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),

@@ -96,17 +96,17 @@ fn read_row(
             Some(weight) => weight,
             None => {
                 let word = scanner.word();
-                let wrong_count = |scanner: &Scanner| {
-                    scanner.expected(
-                        &format!("{columns} weights, one for each joint but the root"),
-                        word,
-                    )
-                };
+                let expected = format!("{columns} weights, one for each joint but the root");
                 match word {
                     None if read == 0 => return Ok(false),
                     None if read == columns => return Ok(true),
-                    None => return Err(wrong_count(scanner)),
-                    Some(_) if read == columns => return Err(wrong_count(scanner)),
+                    None => return Err(scanner.expected(&expected, word)),
+                    Some(_) if read == columns => {
+                        let first_too_many = scanner.position(word);
+                        let found = read + 1 + std::iter::from_fn(|| scanner.word()).count();
+                        let message = format!("expected {expected}, found {found}");
+                        return Err(scanner.error(first_too_many, message));
+                    }
                     Some(word) => {
                         finite(word.text).ok_or_else(|| scanner.expected("a weight", Some(word)))?
                     }
@@ -233,8 +233,8 @@ mod tests {
                 "0 1\n0\n",
                 format!("a.attach:2:2: {weights} the end of the line"),
             ),
-            ("0 1\n0 1 0\n", format!("a.attach:2:5: {weights} “0”")),
-            ("0 0 0 0\n", format!("a.attach:1:5: {weights} “0”")),
+            ("0 1\n0 1 0\n", format!("a.attach:2:5: {weights} 3")),
+            ("0 0 0 0\n", format!("a.attach:1:5: {weights} 4")),
             (
                 "0 1\n0 o\n",
                 "a.attach:2:3: expected a weight, found “o”".to_owned(),

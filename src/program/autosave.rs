@@ -281,8 +281,9 @@ impl Program {
 
     /// Shows what an earlier run left, once it has been read.
     pub(super) fn show_restored(&mut self, kept: &Kept, loaded: Loaded, host: &dyn Host) {
-        self.session
-            .open(loaded.shapes, loaded.view.unwrap_or_default());
+        let view = loaded.view.unwrap_or_default();
+        self.session.open(loaded.shapes, view);
+        self.ui.suit_navigation(view.look);
         self.document = DocumentFile::restored(kept.path.clone(), kept.digest);
         self.autosave.stored = Some((self.session.document(), host.now()));
         self.tell_all(Severity::Warning, loaded.warnings);

@@ -167,7 +167,9 @@ fn found(words: &str) -> Vec<(Fit, &'static Entry)> {
         if all_in(&named) {
             return Some(Fit::Also);
         }
-        all_in(&format!("{named} {}", entry.tooltip)).then_some(Fit::Tooltip)
+        // Its tooltip tells of all that Esc ends before.
+        let is_told = entry.command != Command::Quit;
+        (is_told && all_in(&format!("{named} {}", entry.tooltip))).then_some(Fit::Tooltip)
     };
     let fitting = COMMANDS
         .iter()

@@ -2,8 +2,8 @@
 
 use super::compare::{CompareAction, CompareMeshAction};
 use super::popups::is_in_dialog;
-use super::{Action, Ask, Command, UiState, ViewInput, aspect, commands, number_field};
-use crate::editor::{Session, View};
+use super::{Action, Ask, Command, Navigation, UiState, ViewInput, aspect, commands, number_field};
+use crate::editor::{Session, Tool, View};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
 /// a choice of color is open, which they close.
@@ -112,7 +112,31 @@ const ESC_AGAIN: f64 = 4.0;
 #[derive(Clone, Copy)]
 pub(super) struct KeyPress {
     pub key: egui::Key,
+    /// Whether neither Ctrl nor Alt was held.
+    pub is_plain: bool,
     pub at: f64,
+}
+
+/// Seconds for which an axis and a number that follow a refused G, R or S are taken for its own.
+const TYPED_AFTER: f64 = 3.0;
+
+/// Whether a key is one by which a drag is told its axis or amount, and which does something else without a drag.
+fn is_of_a_drag(pressed: KeyPress) -> bool {
+    use egui::Key;
+    let numbers = [
+        Key::Num0,
+        Key::Num1,
+        Key::Num2,
+        Key::Num3,
+        Key::Num4,
+        Key::Num5,
+        Key::Num6,
+        Key::Num7,
+        Key::Num8,
+        Key::Num9,
+    ];
+    let others = [Key::X, Key::Y, Key::Z, Key::Minus, Key::Period];
+    pressed.is_plain && (numbers.contains(&pressed.key) || others.contains(&pressed.key))
 }
 
 /// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
@@ -180,6 +204,13 @@ pub(super) fn press(
     if !is_there(command, input) {
         return;
     }
+    if let Some(at) = state.refused_at.take()
+        && pressed.at - at < TYPED_AFTER
+        && is_of_a_drag(pressed)
+    {
+        state.refused_at = Some(pressed.at);
+        return;
+    }
     // Typed for an axis of a drag that a locked shape has refused.
     let is_locked = || session.selected_shapes().any(|shape| shape.locked);
     if command == Command::Delete && pressed.key == egui::Key::X && is_locked() {
@@ -188,10 +219,26 @@ pub(super) fn press(
         )));
         return;
     }
-    let command = commands::meant(command, session, state.pose.tool);
-    match commands::why_disabled(command, session, state) {
-        Some(why) => actions.extend(tell_once(why, session)),
-        None => actions.extend(commands::run(command, session, state, aspect)),
+    let command = match commands::meant(command, session, state.pose.tool) {
+        // In Blender the same key leaves the mode again.
+        Command::SetTool(Tool::Pose)
+            if pressed.key == egui::Key::Tab && state.pose.tool == Tool::Pose =>
+        {
+            Command::SetTool(Tool::Select)
+        }
+        command => command,
+    };
+    if let Some(why) = commands::why_disabled(command, session, state) {
+        let is_of_drag = matches!(command, Command::Begin(_));
+        state.refused_at = is_of_drag.then_some(pressed.at);
+        return actions.extend(tell_once(why, session));
+    }
+    let selected = session.selected().and_then(|id| session.scene().shape(id));
+    let hides = command == Command::ToggleVisible && selected.is_some_and(|shape| shape.visible);
+    actions.extend(commands::run(command, session, state, aspect));
+    if hides && state.navigation == Navigation::Blender {
+        // What is not seen is not to be deleted by the next key.
+        actions.push(Action::View(View::Select(None)));
     }
 }
 

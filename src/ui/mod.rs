@@ -282,7 +282,11 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
             actions.push(Action::View(View::SetCamera(camera)));
         }
         for (command, key) in commands::pressed(&ctx, state.navigation) {
-            let key = KeyPress { key, at: now };
+            let key = KeyPress {
+                key,
+                is_plain: ctx.input(|input| !input.modifiers.command && !input.modifiers.alt),
+                at: now,
+            };
             press(
                 command,
                 session,

@@ -90,7 +90,7 @@ const BLENDER: &[Drag] = &[
     drag(LEFT, Modifiers::ALT, Motion::Orbit, "Alt and left drag", "Turn the scene, without a middle button"),
 ];
 const BLENDER_GESTURES: &[Gesture] = &[
-    gesture("Wheel", "Zoom to what is under the pointer"),
+    gesture("Wheel in the view", "Zoom to what is under the pointer"),
     gesture("Left drag in the view", "Select in a box; Shift adds to it"),
 ];
 

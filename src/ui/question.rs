@@ -6,7 +6,7 @@ use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, Ui, vec2};
 /// Width of the text in points, in windows that have room for it.
 const WIDTH: f32 = 400.0;
 
-/// Shows the question; Enter gives the first answer, Esc cancels.
+/// Shows the question; Enter gives the first answer, which stands out, Esc cancels, or else puts it off.
 pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
     let frame = Frame::popup(root.style()).inner_margin(16);
     let modal = Modal::new(Id::new("question")).frame(frame);
@@ -19,9 +19,10 @@ pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
         ui.add_space(12.0);
         buttons(ui, &question.answers)
     });
-    let cancel = Answer::Cancel;
-    let canceled = modal.should_close() && question.answers.contains(&cancel);
-    let answer = modal.inner.or(canceled.then_some(cancel));
+    let no_answers = [Answer::Cancel, Answer::Later].into_iter();
+    let mut none = no_answers.filter(|answer| question.answers.contains(answer));
+    let canceled = none.next().filter(|_| modal.should_close());
+    let answer = modal.inner.or(canceled);
     actions.extend(answer.map(|answer| Action::Ask(Ask::Answer(answer))));
 }
 
@@ -34,8 +35,10 @@ fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
     let line = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let layout = Layout::right_to_left(Align::Center);
     ui.allocate_ui_with_layout(line, layout, |ui| {
-        for &answer in answers {
-            let button = ui.add(Button::new(answer.label()));
+        for (index, &answer) in answers.iter().enumerate() {
+            let is_given_by_enter = index == 0 && !elsewhere;
+            let button = Button::new(answer.label()).selected(is_given_by_enter);
+            let button = ui.add(button);
             // The second click of a double one was not meant for the next question.
             if button.clicked() && !button.double_clicked() {
                 given = Some(answer);

@@ -100,6 +100,8 @@ pub struct UiState {
     pub(super) was_below_dialog: bool,
     /// Time, in seconds of egui's clock, when something was open or under way last that Esc ends.
     pub(super) busy_at: f64,
+    /// When G, R or S was refused last, or what is typed for it was ignored, in seconds of egui's clock.
+    pub(super) refused_at: Option<f64>,
     /// Time when Esc was pressed last with nothing left to end but the program, by the same clock.
     pub(super) escaped_at: Option<f64>,
     /// Whether fonts, spacing and colors were set.
@@ -157,6 +159,7 @@ impl Default for UiState {
             was_in_dialog: false,
             was_below_dialog: false,
             busy_at: f64::NEG_INFINITY,
+            refused_at: None,
             escaped_at: None,
             styled: false,
             compares: [false; 2],

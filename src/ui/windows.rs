@@ -139,7 +139,10 @@ fn keys_and_mouse(ui: &mut Ui, session: &Session, state: &UiState, input: &ViewI
             }
         }
         heading(ui, "Mouse");
-        for gesture in navigation.gestures().chain(GESTURES) {
+        let is_its_own = |name: &str| navigation.gestures().any(|own| own.gesture == name);
+        let others = GESTURES.iter();
+        let others = others.filter(|gesture| !is_its_own(gesture.gesture));
+        for gesture in navigation.gestures().chain(others) {
             row(ui, gesture.gesture, gesture.does, room);
         }
         for &menu in Menu::ALL {

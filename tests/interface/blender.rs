@@ -216,3 +216,60 @@ fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_m
     let told = editor.last_told().unwrap_or_default();
     assert!(told.contains("no orthographic view"), "{told}");
 }
+
+#[test]
+fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
+    let typed = [Key::X, Key::Num1, Key::Enter];
+    let mut editor = in_blender(Editor::new());
+    editor.choose(&["Insert", "Cube"]);
+    let id = editor.shape().id;
+    editor.edit(Edit::SetVisible(id, false));
+    let camera = editor.session().view().camera;
+    editor.key(Key::G);
+    typed.into_iter().for_each(|key| editor.key(key));
+    assert_eq!(editor.session().scene().shapes().len(), 1);
+    assert_eq!(editor.session().view().camera, camera);
+    // Any other key ends that, and so does time.
+    editor.key(Key::G);
+    editor.key(Key::F);
+    editor.key(Key::X);
+    assert!(editor.session().scene().shapes().is_empty());
+
+    let mut editor = in_blender(Editor::with_figure());
+    editor.type_into("Neck Z", "20");
+    editor.key(Key::J);
+    editor.view(View::SelectJoint(Some(NECK)));
+    editor.settle();
+    let bent = editor.character().pose().clone();
+    assert!(!bent.is_bind());
+    editor.key(Key::G);
+    typed.into_iter().for_each(|key| editor.key(key));
+    assert_eq!(*editor.character().pose(), bent);
+}
+
+#[test]
+fn what_is_hidden_is_no_longer_selected_nor_selected_with_all() {
+    let mut editor = in_blender(Editor::new());
+    for name in ["Cube", "Sphere"] {
+        editor.choose(&["Insert", name]);
+    }
+    editor.key(Key::H);
+    assert_eq!(editor.session().selected(), None);
+    editor.view(View::SelectAll);
+    let selected: Vec<&str> = (editor.session().selected_shapes().map(|it| &*it.name)).collect();
+    assert_eq!(selected, ["Cube"]);
+    editor.key(Key::X);
+    let names: Vec<&str> = (editor.session().scene().shapes().iter().map(|it| &*it.name)).collect();
+    assert_eq!(names, ["Sphere"]);
+}
+
+#[test]
+fn the_key_that_enters_posing_leaves_it_again() {
+    let mut editor = in_blender(Editor::with_figure());
+    for tool in ["Pose Tool", "Select Tool", "Pose Tool"] {
+        editor.key_with(Modifiers::COMMAND, Key::Tab);
+        let button = editor.widget(tool);
+        let is_on = button.accesskit_node().toggled();
+        assert_eq!(is_on, Some(egui::accesskit::Toggled::True), "{tool}");
+    }
+}

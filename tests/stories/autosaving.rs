@@ -2,9 +2,11 @@
 
 use super::Story;
 use crate::host::MemoryHost;
-use editor_core::editor::Severity;
+use editor_core::editor::{Severity, View};
 use editor_core::io::Diagnostic;
 use editor_core::program::{HostEvent, NotStored, StorageKey};
+use editor_core::scene::Look;
+use editor_core::ui::{Action, Navigation};
 use egui::{Key, Modifiers, vec2};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -103,6 +105,28 @@ fn what_a_crash_left_is_offered_and_restored() {
     assert!(stored(&story).is_none());
     let again = after_crash(story);
     assert!(!again.has("Restore"));
+}
+
+#[test]
+fn a_restored_scene_has_the_navigation_of_its_look() {
+    let mut story = with_bent_elbow();
+    let look = Action::View(View::SetLook(Look::Mannequin));
+    story.program.carry_out(vec![look], &mut story.host);
+    story.type_into("Elbow Z", "80");
+    story.wait(11.0);
+    let mut story = after_crash(story);
+    story.click("Restore");
+    assert_eq!(story.program.ui_mut().navigation, Navigation::Mannequin);
+}
+
+#[test]
+fn esc_puts_the_offer_to_restore_off() {
+    let mut story = after_crash(with_bent_elbow());
+    assert!(story.has("Restore"));
+    story.key(Key::Escape);
+    assert!(!story.has("Restore") && story.names().is_empty());
+    assert_eq!(story.host.left.len(), 1, "it waits for the next start");
+    assert!(!story.host.quits);
 }
 
 #[test]
@@ -213,9 +237,7 @@ fn a_name_that_is_being_typed_when_a_signal_comes_is_kept() {
 #[test]
 fn the_question_cannot_be_passed_over() {
     let mut story = after_crash(with_bent_elbow());
-    story.key(Key::Escape);
     story.wait(2.0);
-    story.key(Key::Escape);
     story.key_with(Modifiers::SHIFT, Key::C);
     story.host.drop_file("models/strip.obj");
     story.settle();

@@ -303,7 +303,9 @@ fn the_matrix_stack_goes_over_the_skeleton_step_by_step() {
     let mut story = bent();
     story.click("Matrix Stack");
     assert!(
-        story.has_text("Step 0 of 9: Nothing is pushed yet: the top of the stack is the identity")
+        story.has_text(
+            "Step 0 of 9: Nothing is pushed yet: top() of an empty stack is the identity"
+        )
     );
     for _ in 0..7 {
         story.click("Step");

@@ -31,7 +31,7 @@ pub(super) fn show(ui: &mut Ui, explained: &Explained, stepper: &mut Stepper, di
     }
     let done = &steps[..stepper.done];
     let words = match done.last() {
-        None => "Nothing is pushed yet: the top of the stack is the identity".to_owned(),
+        None => "Nothing is pushed yet: top() of an empty stack is the identity".to_owned(),
         Some(_) if done.len() == steps.len() => {
             "Every joint is drawn, and the stack is empty again".to_owned()
         }
