@@ -102,7 +102,8 @@ impl Program {
     ) {
         let reader = &*files;
         let all = once_each(reader, [vec![path.clone()], others].concat());
-        if !takes_several(purpose) {
+        // What belongs to other missing shapes is found beside the one that is looked for.
+        if !takes_several(purpose) && !matches!(purpose, Purpose::FindSource(_)) {
             self.tell_unused(&all);
         }
         match purpose {

@@ -83,11 +83,12 @@ pub(super) fn run_waiting(
     Vec::new()
 }
 
-/// Whether a command exists where the program runs: browsers close their pages themselves, and only
+/// Whether a command exists where the program runs: nothing on a page is changed by other programs, and only
 /// pages have an address.
 pub(super) fn is_there(command: Command, input: &ViewInput) -> bool {
     match command {
-        Command::Quit => !input.is_page,
+        // Browsers reload the page by the key of the one, and close it themselves.
+        Command::Reload | Command::Quit => !input.is_page,
         Command::CopyLink => input.is_page,
         _ => true,
     }

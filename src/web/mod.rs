@@ -14,6 +14,7 @@ mod leaving;
 mod note;
 mod page;
 mod page_host;
+mod scrolling;
 mod showing;
 mod tabs;
 
@@ -38,5 +39,8 @@ async fn start() -> Result<(), JsValue> {
     address::follow_links()?;
     folders::take_dropped(&page)?;
     keys::keep_for_commands()?;
+    if browser::in_address(page::VIEWER).is_some() {
+        scrolling::leave_to_page()?;
+    }
     leaving::keep_work(&page)
 }

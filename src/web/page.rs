@@ -16,7 +16,7 @@ use std::rc::Rc;
 const MOST_KEPT: usize = 64 << 20;
 
 /// What the address of a page without panels has.
-const VIEWER: &str = "view";
+pub(super) const VIEWER: &str = "view";
 
 /// The program and its host, which outlive a context of WebGL that the browser takes away.
 pub(super) struct Page {

@@ -277,6 +277,13 @@ impl Browser {
         self.devtools("Input.dispatchMouseEvent", &event);
     }
 
+    /// Turns the wheel at a place, down if `by` is above 0.
+    pub fn wheel(&self, (x, y): (u32, u32), by: i32) {
+        let event = json!({"type": "mouseWheel", "x": x, "y": y, "deltaX": 0, "deltaY": by});
+        self.devtools("Input.dispatchMouseEvent", &event);
+        std::thread::sleep(Duration::from_millis(500));
+    }
+
     /// Presses `keys` together.
     pub fn press(&self, keys: &[&str]) {
         self.press_for(keys, 250);

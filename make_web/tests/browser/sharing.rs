@@ -110,6 +110,28 @@ fn a_bone_in_a_tag_is_lit_under_the_pointer_and_rolled_by_an_arrow_key() {
 }
 
 #[test]
+fn the_wheel_over_a_tag_scrolls_the_page_around_it_until_a_click_in_it() {
+    let browser = Browser::open();
+    let part = open_tag(&browser);
+    browser.script("document.body.style.paddingBottom = '3000px'");
+    let middle = (part.0.midpoint(part.2), part.1.midpoint(part.3));
+    let scrolled = || browser.script("return window.scrollY").as_f64().unwrap();
+    let before = scrolled();
+    browser.wheel(middle, 60);
+    assert!(scrolled() > before, "the page goes on");
+    browser.script("document.querySelector('editor-view').scrollIntoView()");
+    browser.click(part.0 + 60, part.3 - 100);
+    let (there, before) = (scrolled(), browser.picture());
+    browser.wheel(middle, -200);
+    assert_eq!(scrolled(), there);
+    assert!(
+        difference(&before, &browser.picture(), part) > 0.01,
+        "it comes nearer"
+    );
+    browser.finish();
+}
+
+#[test]
 fn a_tag_shows_a_character_in_another_page() {
     let browser = Browser::open();
     let part = open_tag(&browser);
