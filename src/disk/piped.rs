@@ -16,7 +16,7 @@ static PIPED: OnceLock<(PathBuf, Vec<u8>)> = OnceLock::new();
 /// such content, by which all that opens files knows what it is.
 ///
 /// # Errors
-/// If it cannot be read, or has more than 1 GiB.
+/// If it cannot be read, is empty, or has more than 1 GiB.
 pub fn take_standard_input() -> Result<PathBuf, Diagnostic> {
     let mut bytes = Vec::new();
     let mut bounded = std::io::stdin().lock().take(LARGEST + 1);
@@ -24,6 +24,10 @@ pub fn take_standard_input() -> Result<PathBuf, Diagnostic> {
     read.map_err(|error| Diagnostic::new(Path::new(PIPE), in_words(&error)))?;
     if bytes.len() as u64 > LARGEST {
         let message = format!("expected at most {} MiB, found more", LARGEST >> 20);
+        return Err(Diagnostic::new(Path::new(PIPE), message));
+    }
+    if bytes.is_empty() {
+        let message = "expected a file on standard input, found nothing";
         return Err(Diagnostic::new(Path::new(PIPE), message));
     }
     let (path, _) = PIPED.get_or_init(|| (pipe_of(extension_of(&bytes)), bytes));

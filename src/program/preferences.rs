@@ -109,12 +109,14 @@ impl Preferences {
 
     /// Remembers that a file of a kind was chosen.
     pub fn remember_folder(&mut self, kind: FileKind, file: &Path) {
-        self.last_folder = file.parent().map(Path::to_owned);
-        self.folders
-            .extend(self.last_folder.clone().map(|folder| (kind, folder)));
+        let folder = file.parent().map(Path::to_owned);
+        if kind != FileKind::References {
+            self.last_folder.clone_from(&folder);
+        }
+        self.folders.extend(folder.map(|folder| (kind, folder)));
     }
 
-    /// Folder for a dialog about files of a kind: the last of that kind, or else of any.
+    /// Folder for a dialog about files of a kind: the last of that kind, or else of any but references.
     pub fn folder_for(&self, kind: FileKind) -> Option<PathBuf> {
         let folder = self.folders.get(&kind);
         folder.or(self.last_folder.as_ref()).cloned()
@@ -220,5 +222,20 @@ impl Program {
         // What others chose is theirs alone, until the next start.
         self.preferences = self.preferences.clone().with_files_of(&merged);
         self.stored = now.with_files_of(&merged);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_compared_with_leads_no_other_file_into_its_folder() {
+        let mut preferences = Preferences::default();
+        preferences.remember_folder(FileKind::Scenes, Path::new("mine/two.scene"));
+        preferences.remember_folder(FileKind::References, Path::new("theirs/walk.png"));
+        let folder = |kind| preferences.folder_for(kind);
+        assert_eq!(folder(FileKind::Pictures), Some("mine".into()));
+        assert_eq!(folder(FileKind::References), Some("theirs".into()));
     }
 }

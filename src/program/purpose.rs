@@ -31,6 +31,8 @@ pub enum FileKind {
     Poses,
     /// Pictures.
     Pictures,
+    /// Pictures and meshes of other programs, which are compared with: what is handed in is not to come among them.
+    References,
 }
 
 /// Request for a file. A host keeps it, and gives it back with the answer.
@@ -181,10 +183,10 @@ impl Purpose {
             | Self::ExportGeometry
             | Self::ExportSelected
             | Self::ExportMaterials
-            | Self::ExportCharacter(_)
-            | Self::CompareMesh(_) => FileKind::Models,
+            | Self::ExportCharacter(_) => FileKind::Models,
             Self::SavePose(..) | Self::LoadPose(_) => FileKind::Poses,
-            Self::SaveScreenshot(_) | Self::Compare | Self::SaveComparison => FileKind::Pictures,
+            Self::SaveScreenshot(_) | Self::SaveComparison => FileKind::Pictures,
+            Self::Compare | Self::CompareMesh(_) => FileKind::References,
         }
     }
 

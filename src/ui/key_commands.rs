@@ -2,7 +2,10 @@
 
 use super::compare::{CompareAction, CompareMeshAction};
 use super::popups::is_in_dialog;
-use super::{Action, Ask, Command, Navigation, UiState, ViewInput, aspect, commands, number_field};
+use super::{
+    Action, Ask, Command, Navigation, UiState, ViewInput, aspect, commands, control_points,
+    number_field,
+};
 use crate::editor::{Session, Tool, View};
 
 /// Commands about the document that are meant even while a text or a number is being typed, or a menu or
@@ -236,9 +239,11 @@ pub(super) fn press(
     }
     let selected = session.selected().and_then(|id| session.scene().shape(id));
     let hides = command == Command::ToggleVisible && selected.is_some_and(|shape| shape.visible);
+    let deletes_shape = command == Command::Delete
+        && control_points::delete_clicked(session, &state.curves).is_none();
     actions.extend(commands::run(command, session, state, aspect));
-    if hides && state.navigation == Navigation::Blender {
-        // What is not seen is not to be deleted by the next key.
+    if (hides || deletes_shape) && state.navigation == Navigation::Blender {
+        // Neither what is not seen nor another shape is to be deleted by the next key.
         actions.push(Action::View(View::Select(None)));
     }
 }

@@ -264,6 +264,19 @@ fn what_is_hidden_is_no_longer_selected_nor_selected_with_all() {
 }
 
 #[test]
+fn after_a_deletion_nothing_is_selected_that_the_next_one_would_delete() {
+    let mut editor = in_blender(Editor::new());
+    for name in ["Cube", "Sphere"] {
+        editor.choose(&["Insert", name]);
+    }
+    editor.key(Key::X);
+    editor.key(Key::X);
+    let names: Vec<&str> = (editor.session().scene().shapes().iter().map(|it| &*it.name)).collect();
+    assert_eq!(names, ["Cube"]);
+    assert_eq!(editor.last_told().as_deref(), Some("No shape is selected"));
+}
+
+#[test]
 fn the_key_that_enters_posing_leaves_it_again() {
     let mut editor = in_blender(Editor::with_figure());
     for tool in ["Pose Tool", "Select Tool", "Pose Tool"] {

@@ -79,6 +79,13 @@ fn what_is_wrong_with_standard_input_is_told_with_its_line() {
     let (ran, out) = editor_with(folder().path(), &["check", "-"], b"v 0 0 0\nf 1 1 2\n");
     let told = "error: -.obj:2:7: expected a vertex from 1 to 1, found 2\n";
     assert_eq!((ran.code, &*ran.err, out.len()), (Some(1), told, 0));
+    for command in ["check", "render"] {
+        let line = [command, "-", "-o", "a.png"];
+        let line = &line[..if command == "check" { 2 } else { 4 }];
+        let (ran, _) = editor_with(folder().path(), line, b"");
+        let told = "error: -: expected a file on standard input, found nothing\n";
+        assert_eq!((ran.code, &*ran.err), (Some(1), told));
+    }
 }
 
 #[test]

@@ -18,6 +18,8 @@ use std::path::{Path, PathBuf};
 
 /// Make an archive of everything that the assignment wants to be handed in.
 ///
+/// The project is one like this program's own, with Cargo.toml and Cargo.lock.
+///
 /// It holds the project's files, the program, README.txt with the answers to the assignment's
 /// questions, a picture, and the data. What .gitignore names is left out, as are .git, target and
 /// files of macOS (._*). Answers that are missing are asked for on a terminal.

@@ -163,7 +163,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::SaveWithFiles, Menu::Document, "Save with Files…", "Write the document and all files that it needs, as a .zip archive or a scene with a folder, to be opened on another machine", &[]).also("pack bundle collect share export"),
     entry(Command::Revert, Menu::Document, "Revert", "Open the document's file again, as it is now", &[]).also("discard restore reset"),
     entry(Command::Reload, Menu::Document, "Reload Models", "Read the files that shapes came from again, where other programs have changed them; poses and places stay", &[key(CTRL, Key::R)]).also("refresh update"),
-    entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as a picture, or a turntable as an animated GIF", &[key(NONE, Key::F12)]).also("image photo render capture export png jpg animation video submission submit hand in homework"),
+    entry(Command::Screenshot, Menu::File, "Screenshot…", "Save the view as a picture, or a turntable as an animated GIF", &[key(NONE, Key::F12)]).also("image photo render capture transparent export png jpg animation video submission submit hand in homework"),
     entry(Command::ExportCurve, Menu::File, "Export Curve…", "Write the curves of the selected shape as .swp", &[key(CTRL, Key::E)]).also("save swp"),
     entry(Command::ExportGeometry, Menu::File, "Export Geometry…", "Write the geometry of all shapes, as posed, as .obj, whatever is selected", &[key(CTRL.plus(SHIFT), Key::E)]).also("save mesh model obj"),
     entry(Command::ExportSelected, Menu::File, "Export Selected Geometry…", "Write the geometry of the selected shapes alone, as posed, as .obj", &[]).also("save mesh model obj only selection"),
@@ -206,7 +206,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Insert(Primitive::Circle), Menu::Curves, "Circle", "Add a circle of radius 1, to sweep or to sweep along", &[key(SHIFT, Key::O)]).also("ring"),
     entry(Command::MakeSurfaceOfRevolution, Menu::Curves, "Surface of Revolution from Curve", "Turn the last flat curve of the selected shape about the Y axis", &[key(SHIFT, Key::V)]).also("lathe revolve spin"),
     entry(Command::MakeSweep, Menu::Curves, "Sweep from Curves", "Carry a flat curve along another: the flat one of two selected shapes, or the one that is not active if both are flat; within one shape the first flat curve; a tube along a curve that is alone", &[key(SHIFT, Key::W)]).also("extrude loft pipe bevel generalized cylinder"),
-    entry(Command::ImportShape, Menu::Import, "Import Shape…", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]).also("open load mesh model"),
+    entry(Command::ImportShape, Menu::Import, "Import Shape…", "Add a shape from an .obj or .dae file", &[key(CTRL, Key::I)]).also("open load append mesh model"),
     entry(Command::ImportCurve, Menu::Import, "Import Curve…", "Add curves and surfaces from a .swp file", &[key(CTRL.plus(Modifiers::ALT), Key::I)]).also("open load"),
     entry(Command::ImportCharacter, Menu::Import, "Import Character…", "Add a character from a .dae file, or from .obj, .skel and .attach files of one name", &[key(CTRL.plus(SHIFT), Key::I)]).also("open load rig skeleton model"),
 
@@ -283,7 +283,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::LoadPose, Menu::Pose, "Load Pose…", "Apply the pose of a .json file", &[key(CTRL.plus(Modifiers::ALT), Key::P)]).also("open import"),
 
     entry(Command::FindCommand, Menu::Help, "Find Command…", "Find any command by its name, see its key, and run it", &[key(CTRL.plus(SHIFT), Key::P)]).also("search palette"),
-    entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]).also("shortcuts keyboard help hotkeys"),
+    entry(Command::Keys, Menu::Help, "Keys and Mouse", "Every key and every gesture", &[key(NONE, Key::Questionmark), key(NONE, Key::F1)]).also("shortcuts keyboard keymap help hotkeys"),
     entry(Command::Messages, Menu::Help, "Messages", "Every message since the program started", &[key(NONE, Key::F9)]).also("log errors warnings"),
     entry(Command::About, Menu::Help, "About", "Version, license, and what it runs on", &[]),
 ];
