@@ -321,11 +321,12 @@ fn a_locked_or_missing_selection_is_not_taken_and_x_deletes_none_of_it() {
     story.keys(&[Key::G, Key::X, Key::Num2, Key::Enter]);
     assert_eq!(story.session().document(), document);
     assert_eq!(story.transform().position, Vec3::ZERO);
-    let told = story.messages().last().unwrap().1;
-    assert!(
-        told.starts_with("X deletes nothing that is locked"),
-        "{told}"
-    );
+    let told = |story: &Story| story.messages().last().unwrap().1.to_owned();
+    assert_eq!(told(&story), "The selected shape is hidden or locked");
+    story.wait(4.0);
+    story.key(Key::X);
+    assert!(told(&story).starts_with("X deletes nothing that is locked"));
+    assert_eq!(story.session().document(), document);
 
     story.key_with(Modifiers::SHIFT, Key::L);
     story.key(Key::Escape);
