@@ -172,7 +172,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     state.notice_another_scene(session);
     commands::remember_navigation(&ctx, state.navigation);
     state.compares = [input.compare.is_some(), input.compare_mesh.is_some()];
-    state.has_closed_popup = popups::close_by_press_outside(&ctx, state.menu_titles);
+    popups::close_by_press_outside(&ctx, state.menu_titles);
     pointing::notice(&ctx, state.has_fingers_first);
     if !input.keys_are_taken {
         posing::take_keys(&ctx, &mut state.pose);

@@ -10,9 +10,8 @@ use egui::{Context, Event, Order, Popup, Pos2, Rect};
 /// GTK and Blender: whoever wants to be rid of a menu means nothing that lies below it. egui would close
 /// them at the release, and only after what is below has had the click. To be called before the panels.
 ///
-/// `titles` are those of the menu bar, which belong to its menus: a press there is left to them. Returns whether any
-/// was closed so: a tap of a finger that comes as a whole in one frame is a click all the same, which means nothing.
-pub(super) fn close_by_press_outside(ctx: &Context, titles: Rect) -> bool {
+/// `titles` are those of the menu bar, which belong to its menus: a press there is left to them.
+pub(super) fn close_by_press_outside(ctx: &Context, titles: Rect) {
     let pressed = ctx.input(|input| {
         input.events.iter().find_map(|event| match event {
             Event::PointerButton {
@@ -22,16 +21,15 @@ pub(super) fn close_by_press_outside(ctx: &Context, titles: Rect) -> bool {
         })
     });
     let Some(at) = pressed.filter(|_| Popup::is_any_open(ctx)) else {
-        return false;
+        return;
     };
     if titles.contains(at) || is_in_popup(ctx, at) {
-        return false;
+        return;
     }
     Popup::close_all(ctx);
     ctx.stop_dragging();
     forget_buttons(ctx);
     ctx.request_repaint();
-    true
 }
 
 /// Whether a dialog of the panels is open that has to be left before anything else is done, and whose the

@@ -110,8 +110,6 @@ pub struct UiState {
     pub(super) compares: [bool; 2],
     /// Rectangle of the titles in the menu bar in the last frame, in points.
     pub(super) menu_titles: Rect,
-    /// Whether a press outside of them has closed popups in this frame.
-    pub(super) has_closed_popup: bool,
     /// Rectangle of the view in the last frame, in points, for menus that are shown before it is
     /// known.
     pub(super) view_rect: Rect,
@@ -166,7 +164,6 @@ impl Default for UiState {
             styled: false,
             compares: [false; 2],
             menu_titles: Rect::NOTHING,
-            has_closed_popup: false,
             view_rect: Rect::from_min_size(Pos2::ZERO, vec2(4.0, 3.0)),
         }
     }

@@ -31,9 +31,6 @@ pub fn view_gestures(
     state: &mut UiState,
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
-    if state.has_closed_popup {
-        return None;
-    }
     let shape = gestures(view, places, session, state, actions);
     control_points::forget_clicked(&mut state.curves, actions);
     shape

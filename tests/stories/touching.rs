@@ -264,33 +264,3 @@ fn a_tap_some_time_after_the_first_puts_the_cursor_into_the_number() {
     let z = story.degrees("Elbow").z;
     assert!((z - 3.0).abs() > 1.0, "not in the place of the number: {z}");
 }
-
-#[test]
-fn a_tap_beside_an_open_menu_closes_it_and_does_nothing_else() {
-    let mut story = Story::start(&["models/strip.obj"]);
-    let selected = story.session().selected();
-    assert!(selected.is_some());
-    let beside = story.view().right_bottom() - vec2(60.0, 60.0);
-    let tap = |story: &mut Story| {
-        let mut hand = Hand::new();
-        hand.fingers.push((1, beside));
-        // Browsers tell of both at once if it is short.
-        let (down, up) = (TouchPhase::Start, TouchPhase::End);
-        story.frame(vec![
-            Event::PointerMoved(beside),
-            hand.button(true),
-            Hand::touch(1, down, beside),
-            hand.button(false),
-            Hand::touch(1, up, beside),
-        ]);
-        story.frame(vec![Event::PointerGone]);
-        story.settle();
-    };
-    story.click("Help");
-    assert!(story.has("About"));
-    tap(&mut story);
-    assert!(!story.has("About"));
-    assert_eq!(story.session().selected(), selected);
-    tap(&mut story);
-    assert_eq!(story.session().selected(), None, "the next one counts");
-}
