@@ -50,6 +50,14 @@ impl Attachments {
         self.starts.push(self.influences.len() as u32);
     }
 
+    /// The joint with the largest weight of a vertex with these influences; `None` without any.
+    pub fn strongest(influences: &[Influence]) -> Option<u32> {
+        let most = influences
+            .iter()
+            .max_by(|a, b| a.weight.total_cmp(&b.weight));
+        most.map(|influence| influence.joint)
+    }
+
     /// Number of vertices.
     pub fn vertex_count(&self) -> usize {
         self.starts.len().saturating_sub(1)

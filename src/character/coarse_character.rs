@@ -10,9 +10,8 @@ impl Character {
     pub fn coarse(&self, fewer: u32) -> Option<Self> {
         let rows = self.attachments();
         let main_joint = |position: u32| {
-            let influences = rows.of_vertex(position as usize).iter();
-            let main = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
-            main.map_or(u32::MAX, |main| main.joint)
+            let influences = rows.of_vertex(position as usize);
+            Attachments::strongest(influences).unwrap_or(u32::MAX)
         };
         let mesh = self.bind_mesh();
         let coarse = CoarseMesh::new(mesh, fewer, main_joint)?;

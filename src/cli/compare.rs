@@ -3,7 +3,7 @@
 use super::output::{self, DiagnosticJson, json_text, picture_format, refuse_input};
 use super::pipes::Ends;
 use super::{CliError, arguments, print};
-use crate::character::{Character, Influence};
+use crate::character::{Attachments, Character};
 use crate::compare::{
     Allowance, Area, MeshOptions, MeshParts, Pair, PictureOptions, compare_meshes, side_by_side,
 };
@@ -271,16 +271,11 @@ fn parts(args: &Args, files: &dyn Files, vertices: usize) -> Result<Option<MeshP
         }
         None => return Ok(None),
     };
-    let strongest = |influences: &[Influence]| {
-        let most = influences
-            .iter()
-            .max_by(|a, b| a.weight.total_cmp(&b.weight));
-        most.map(|influence| influence.joint)
-    };
+    let rows = character.attachments().vertices();
     let joints = character.skeleton().joints().iter();
     Ok(Some(MeshParts {
         names: joints.map(|joint| joint.name.clone()).collect(),
-        of_vertex: character.attachments().vertices().map(strongest).collect(),
+        of_vertex: rows.map(Attachments::strongest).collect(),
     }))
 }
 

@@ -3,7 +3,7 @@
 use super::faces::FaceDifference;
 use super::mistakes::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
-use super::other_pose::{OtherPose, offset};
+use super::other_pose::OtherPose;
 use super::search::Made;
 use crate::compare::MeshFinding;
 use serde::{Serialize, Serializer};
@@ -209,7 +209,7 @@ impl fmt::Display for Region {
 }
 
 /// A place in words. What rounds to nothing has no sign.
-fn vector(of: [f64; 3]) -> String {
+pub(super) fn vector(of: [f64; 3]) -> String {
     let [x, y, z] = of.map(|value| if value.abs() <= 5e-5 { 0.0 } else { value });
     format!("({x:.4}, {y:.4}, {z:.4})")
 }
@@ -397,7 +397,12 @@ fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) ->
     for joint in told {
         match joint.moved {
             Some(moved) if !joint.is_turned() => {
-                write!(f, "\n  moved    {} by {}", joint.joint, offset(moved))?;
+                write!(
+                    f,
+                    "\n  moved    {} by {}",
+                    joint.joint,
+                    vector(moved.map(f64::from))
+                )?;
             }
             _ => write!(f, "\n  turned   {joint}")?,
         }

@@ -251,8 +251,8 @@ impl Findings<'_> {
     /// A diagnosis without causes.
     fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
         let error = self.error() / self.size;
-        let is_off = |distance: &&f64| distance.is_nan() || **distance > self.tolerance;
-        let off = self.distances.iter().filter(is_off).count();
+        let all = 0..self.distances.len();
+        let off = all.filter(|&index| self.is_off(index)).count();
         Diagnosis {
             verdict,
             causes: Vec::new(),

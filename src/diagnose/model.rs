@@ -1,7 +1,7 @@
 //! What all formulas share of a character: orders of its joints and vertices.
 
 use super::formula::{JointsBy, Rows, VertexOrder};
-use crate::character::{Character, Influence, SkeletalModel};
+use crate::character::{Attachments, Character, Influence, SkeletalModel};
 use glam::DVec3;
 
 /// A vertex as a program has it: where its position and its weights are in the files.
@@ -142,9 +142,7 @@ impl<'a> Model<'a> {
 
 /// The joint of the largest weight; `None` if there is no weight.
 pub(super) fn strongest(influences: &[Influence]) -> Option<usize> {
-    let influences = influences.iter();
-    let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
-    most.map(|influence| influence.joint as usize)
+    Attachments::strongest(influences).map(|joint| joint as usize)
 }
 
 fn first_use(triangles: &[[u32; 3]], vertices: usize) -> (Vec<usize>, Vec<usize>) {

@@ -29,7 +29,7 @@ impl CoarseMesh {
         let triangle_area = area(mesh) / mesh.triangles.len() as f32;
         // Two triangles for each cell that the surface passes through.
         let side = (2.0 * triangle_area * fewer as f32).sqrt();
-        if !(side.is_normal()) {
+        if !side.is_normal() {
             return None;
         }
         let origin = mesh.bounds().min;
@@ -133,7 +133,7 @@ fn in_picture(mesh: &Mesh, vertex: usize) -> IVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Material, Poles, enclosed_volume, sphere};
+    use crate::geometry::{Material, Poles, sphere};
 
     fn ball() -> Mesh {
         sphere(1.0, 200, 100, Poles::Y)
@@ -153,10 +153,9 @@ mod tests {
             for (at, &of) in coarse.mesh.positions.iter().zip(&coarse.positions) {
                 assert_eq!(*at, ball.positions[of as usize]);
             }
-            let volume = |mesh: &Mesh| enclosed_volume(&mesh.positions, &mesh.triangles);
-            if let Some(volume) = volume(&coarse.mesh) {
-                assert!((volume / (4.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 0.1);
-            }
+            // Chords of the cells, which are up to a fifth of the radius wide, are shorter than arcs by 2 %; folds add.
+            let kept = area(&coarse.mesh) / area(&ball);
+            assert!((0.9..1.1).contains(&kept), "{kept} of {fewer}");
         }
     }
 

@@ -96,15 +96,15 @@ fn read_row(
             Some(weight) => weight,
             None => {
                 let word = scanner.word();
-                let expected = format!("{columns} weights, one for each joint but the root");
+                let expected = || format!("{columns} weights, one for each joint but the root");
                 match word {
                     None if read == 0 => return Ok(false),
                     None if read == columns => return Ok(true),
-                    None => return Err(scanner.expected(&expected, word)),
+                    None => return Err(scanner.expected(&expected(), word)),
                     Some(_) if read == columns => {
                         let first_too_many = scanner.position(word);
                         let found = read + 1 + std::iter::from_fn(|| scanner.word()).count();
-                        let message = format!("expected {expected}, found {found}");
+                        let message = format!("expected {}, found {found}", expected());
                         return Err(scanner.error(first_too_many, message));
                     }
                     Some(word) => {

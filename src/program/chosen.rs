@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Program {
-    /// Uses files that were dropped on the window together. A scene or an archive among them is opened, and others
-    /// and models that it does not name are added, as when they are chosen together.
+    /// Uses files that were dropped on the window together. A scene or an archive among them is opened; other
+    /// ones, and models that it does not name, are added to it, as when they are chosen together.
     pub(super) fn use_all_dropped(
         &mut self,
         mut dropped: Vec<(PathBuf, Arc<dyn Files>)>,
@@ -62,7 +62,6 @@ impl Program {
         let unused: Vec<String> = unused.map(|path| file_name(path)).collect();
         let to_open = self.to_open([vec![scene], opened].concat(), files);
         if !unused.is_empty() {
-            let unused: Vec<&str> = unused.iter().map(String::as_str).collect();
             let text = format!("Not used: {}", listed(&unused));
             self.tell(Severity::Warning, text);
         }
@@ -162,7 +161,6 @@ impl Program {
     /// Says which of `paths` are not used, because only the first is.
     fn tell_unused(&mut self, paths: &[PathBuf]) {
         let names: Vec<String> = paths.iter().map(|path| file_name(path)).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
         if let [used, unused @ ..] = &names[..]
             && !unused.is_empty()
         {

@@ -12,6 +12,7 @@ use crate::geometry::Picture;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{self, Diagnostic, Files, Loaded, Missing, PoseData, PoseFile, ReadJob, Wanted};
 use crate::scene::ShapeId;
+use std::borrow::Borrow;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -335,7 +336,7 @@ pub(super) fn without(path: &Path, missing: &[&str]) -> String {
 }
 
 /// The first of `names`, and how many more there are.
-pub(super) fn listed(names: &[&str]) -> String {
+pub(super) fn listed<T: Borrow<str>>(names: &[T]) -> String {
     const NAMED: usize = 3;
     let named = names[..names.len().min(NAMED)].join(", ");
     match names.len().saturating_sub(NAMED) {

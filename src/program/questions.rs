@@ -82,7 +82,6 @@ fn replace_text(path: &Path, replaced: &[PathBuf]) -> String {
         inner.display().to_string()
     };
     let names: Vec<String> = replaced.iter().map(inner).collect();
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
     format!(
         "{} is written together with files that are there already, with other contents: {}.",
         file_name(path),
@@ -100,8 +99,7 @@ fn restore_text(path: Option<&Path>, shapes: &[String], since: Option<Duration>)
         ),
         None if shapes.is_empty() => "The editor ended before a new document was saved.".to_owned(),
         None => {
-            let names: Vec<&str> = shapes.iter().map(String::as_str).collect();
-            let names = listed(&names);
+            let names = listed(shapes);
             format!("The editor ended before a new document was saved, with {names} in it.")
         }
     };

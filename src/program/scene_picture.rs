@@ -24,7 +24,7 @@ pub(super) struct ScenePicture {
     draft_detail: DraftDetail,
     /// That of the draft of a movement that the last frame drew, if it did.
     drew_draft: Option<Detail>,
-    /// Triangles of the scene that was drawn last.
+    /// Triangles of the scene of the last draft.
     triangles: usize,
     /// Both parts of the view, while it is split.
     split: Option<SplitView>,

@@ -79,6 +79,7 @@ mod tests {
             .map(|(a, b)| f64::from(a.abs_diff(*b)))
             .sum();
         let mean = off / coarse.len() as f64;
-        assert!(mean < 0.5, "{mean}");
+        // Half a level of one channel in a hundred would be seen; it is 0.002.
+        assert!(mean < 0.005, "{mean}");
     }
 }

@@ -94,7 +94,7 @@ impl Composer {
 /// Color where neither scene nor panels are.
 const BEHIND: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 
-/// Pixels, at least, by which smooth edges reach beyond shapes.
+/// Pixels, at least, by which smooth edges reach beyond shapes: egui's are one wide.
 const SMOOTH_EDGE: f32 = 2.0;
 
 /// Composes a part of a picture anew.

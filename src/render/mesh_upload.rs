@@ -152,8 +152,9 @@ impl MeshUploads {
         same.find_map(|(_, known)| known.upgrade())
     }
 
-    /// Drops what no mesh shares any more.
+    /// Drops what no mesh shares, or will share.
     pub fn forget_unused(&mut self) {
+        self.begun = None;
         self.fresh.clear();
         self.known.retain(|(_, upload)| upload.strong_count() > 0);
     }

@@ -54,35 +54,84 @@ impl OutlinePass {
         if !has_outlines(frame) {
             return Ok(());
         }
-        let mask = Framebuffer::fitting(&mut self.mask, gl, context.width, context.height)?;
+        let mut kept = self.mask.take();
+        let mask = Framebuffer::fitting(&mut kept, gl, context.width, context.height)?;
         mask.clear([0.0; 4]);
         let scene = (context, frame, meshes);
-        draw_mask(gl, scene, &self.masks, lines, mask, 0..u64::MAX)?;
-        draw_lines(gl, (context, frame), &mut self.edges, mask, target)
+        self.draw_mask(gl, scene, lines, mask, 0..u64::MAX)?;
+        self.draw_lines_round(gl, (context, frame), mask, target)?;
+        self.mask = kept;
+        Ok(())
     }
 
     /// Adds some of the triangles of the marked shapes to `mask`, which is as large as what is drawn: those within
     /// `triangles`, counted shape by shape, with one for the lines of each. Returns their number.
-    pub fn draw_mask_part(
+    pub fn draw_mask(
         &self,
         gl: &Gl,
-        scene: (&PassContext, &Frame, &MeshCache),
-        lines: (&mut SkeletonPass, &mut Immediate),
+        (context, frame, meshes): (&PassContext, &Frame, &MeshCache),
+        (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
         mask: &Framebuffer,
         triangles: Range<u64>,
     ) -> Result<u64, GpuError> {
-        draw_mask(gl, scene, &self.masks, lines, mask, triangles)
+        mask.bind();
+        let flat = DrawState {
+            depth_test: DepthTest::Off,
+            depth_write: false,
+            ..DrawState::opaque(context.width, context.height)
+        };
+        flat.apply(gl);
+        let mut first = 0;
+        for (shape, evaluated, color) in marked(frame) {
+            if triangles.contains(&first) {
+                match &shape.kind {
+                    ShapeKind::Character(character)
+                        if character.display.mode == ModelDisplay::Skeleton =>
+                    {
+                        skeletons.draw_mask(context, evaluated, color)?;
+                    }
+                    ShapeKind::Curve(_) => draw_curve_mask(immediate, context, evaluated, color),
+                    _ => {}
+                }
+            }
+            first += 1;
+            let batch =
+                has_surface(shape).then(|| Batch::of(shape, evaluated, meshes, Purpose::Mask));
+            if let Some(batch) = batch.flatten() {
+                let all = batch.triangles().end;
+                let before = |end: u64| end.saturating_sub(first).min(all.into()) as u32;
+                let part = before(triangles.start)..before(triangles.end);
+                first += u64::from(all);
+                if part.is_empty() {
+                    continue;
+                }
+                let program = self.masks.of(batch.mesh);
+                meshes.place(program, &batch);
+                program.set_mat4("clip_from_world", context.clip_from_world);
+                program.set_vec3("color", color);
+                batch.mesh.draw(program, Purpose::Mask, part, 1);
+            }
+        }
+        Ok(first)
     }
 
     /// Draws the lines round what `mask` covers into `target`.
     pub fn draw_lines_round(
         &mut self,
         gl: &Gl,
-        scene: (&PassContext, &Frame),
+        (context, frame): (&PassContext, &Frame),
         mask: &Framebuffer,
         target: &Framebuffer,
     ) -> Result<(), GpuError> {
-        draw_lines(gl, scene, &mut self.edges, mask, target)
+        let areas = marked(frame).map(|(shape, evaluated, _)| area(context, shape, evaluated));
+        let covered = areas.fold(Area::EMPTY, Area::union);
+        let edge = Edge {
+            selected: ACTIVE,
+            hovered: context.colors.hovered,
+            other: OTHERS,
+            width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
+        };
+        self.edges.draw(gl, mask, covered, &edge, target)
     }
 }
 
@@ -107,78 +156,12 @@ fn marked<'a>(frame: &'a Frame) -> impl Iterator<Item = (&'a Shape, &'a Evaluate
     })
 }
 
-fn draw_mask(
-    gl: &Gl,
-    (context, frame, meshes): (&PassContext, &Frame, &MeshCache),
-    masks: &MeshPrograms,
-    (skeletons, immediate): (&mut SkeletonPass, &mut Immediate),
-    mask: &Framebuffer,
-    triangles: Range<u64>,
-) -> Result<u64, GpuError> {
-    mask.bind();
-    let flat = DrawState {
-        depth_test: DepthTest::Off,
-        depth_write: false,
-        ..DrawState::opaque(context.width, context.height)
-    };
-    flat.apply(gl);
-    let mut first = 0;
-    for (shape, evaluated, color) in marked(frame) {
-        if triangles.contains(&first) {
-            match &shape.kind {
-                ShapeKind::Character(character)
-                    if character.display.mode == ModelDisplay::Skeleton =>
-                {
-                    skeletons.draw_mask(context, evaluated, color)?;
-                }
-                ShapeKind::Curve(_) => draw_curve_mask(immediate, context, evaluated, color),
-                _ => {}
-            }
-        }
-        first += 1;
-        let batch = has_surface(shape).then(|| Batch::of(shape, evaluated, meshes, Purpose::Mask));
-        if let Some(batch) = batch.flatten() {
-            let all = batch.triangles().end;
-            let before = |end: u64| end.saturating_sub(first).min(all.into()) as u32;
-            let part = before(triangles.start)..before(triangles.end);
-            first += u64::from(all);
-            if part.is_empty() {
-                continue;
-            }
-            let program = masks.of(batch.mesh);
-            meshes.place(program, &batch);
-            program.set_mat4("clip_from_world", context.clip_from_world);
-            program.set_vec3("color", color);
-            batch.mesh.draw(program, Purpose::Mask, part, 1);
-        }
-    }
-    Ok(first)
-}
-
 fn has_surface(shape: &Shape) -> bool {
     match &shape.kind {
         ShapeKind::Character(character) => character.display.mode != ModelDisplay::Skeleton,
         ShapeKind::Curve(curve) => curve.display.surface == SurfaceVisibility::Shaded,
         _ => true,
     }
-}
-
-fn draw_lines(
-    gl: &Gl,
-    (context, frame): (&PassContext, &Frame),
-    edges: &mut EdgePass,
-    mask: &Framebuffer,
-    target: &Framebuffer,
-) -> Result<(), GpuError> {
-    let areas = marked(frame).map(|(shape, evaluated, _)| area(context, shape, evaluated));
-    let covered = areas.fold(Area::EMPTY, Area::union);
-    let edge = Edge {
-        selected: ACTIVE,
-        hovered: context.colors.hovered,
-        other: OTHERS,
-        width: (WIDTH * context.tile.whole.1.div_ceil(800)).min(6),
-    };
-    edges.draw(gl, mask, covered, &edge, target)
 }
 
 /// The pixels outside of which the mask of a shape is empty.

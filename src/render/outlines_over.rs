@@ -62,8 +62,7 @@ impl GradualOutlines {
         } = renderer;
         let scene = (&context, frame, &*meshes);
         let end = triangles.end;
-        let all =
-            outline.draw_mask_part(gl, scene, (skeletons, immediate), &self.mask, triangles)?;
+        let all = outline.draw_mask(gl, scene, (skeletons, immediate), &self.mask, triangles)?;
         gl.check("drawing masks")?;
         Ok(all <= end)
     }

@@ -3,6 +3,7 @@
 use super::{Evaluated, EvaluatedGeometry, EvaluatedShape, ShapeId};
 use crate::character::Character;
 use crate::geometry::{CoarseMesh, SharedMesh};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Triangles of a mesh up to which it stays as it is.
@@ -11,23 +12,17 @@ const FEW: usize = 4_000;
 /// Makes evaluations of scenes coarse, and keeps what it has made of their meshes while these are there.
 #[derive(Debug, Default)]
 pub struct Coarsener {
-    models: Vec<Known>,
-    shapes: Vec<(ShapeId, CoarseShape)>,
-}
-
-/// A mesh, and what it was made.
-#[derive(Clone, Debug)]
-struct Known {
-    of: Model,
+    /// By how much all that is kept is coarser.
     fewer: u32,
-    coarse: Model,
+    /// Models, and what they were made; `None` for one that stays as it is.
+    models: Vec<(Model, Option<Model>)>,
+    shapes: HashMap<ShapeId, CoarseShape>,
 }
 
 /// What an evaluated shape was made.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct CoarseShape {
     of: Arc<EvaluatedGeometry>,
-    fewer: u32,
     coarse: Arc<EvaluatedGeometry>,
 }
 
@@ -53,19 +48,21 @@ impl Coarsener {
         let fewer = u32::try_from(share)
             .unwrap_or(u32::MAX / 2)
             .next_power_of_two();
-        let (models, shapes) = (
-            std::mem::take(&mut self.models),
-            std::mem::take(&mut self.shapes),
-        );
+        if fewer != self.fewer {
+            *self = Self {
+                fewer,
+                ..Self::default()
+            };
+        }
         let mut coarse = evaluated.clone();
-        for shape in &mut coarse.shapes {
-            if shape.visible
-                && let Some(made) = self.of_shape(shape, fewer, (&models, &shapes))
-            {
+        let mut is_coarse = false;
+        for shape in coarse.shapes.iter_mut().filter(|shape| shape.visible) {
+            if let Some(made) = self.of_shape(shape) {
                 shape.geometry = made;
+                is_coarse = true;
             }
         }
-        (!self.shapes.is_empty()).then_some(coarse)
+        is_coarse.then_some(coarse)
     }
 
     /// Forgets what it has made of meshes that are not in a scene any more.
@@ -74,53 +71,35 @@ impl Coarsener {
             let mut all = evaluated.shapes.iter();
             all.any(|shape| Model::of(&shape.geometry).is_some_and(|is| is.is(of)))
         };
-        self.models.retain(|known| is_there(&known.of));
-        self.shapes.retain(|(id, _)| evaluated.shape(*id).is_some());
+        self.models.retain(|(of, _)| is_there(of));
+        self.shapes.retain(|id, _| evaluated.shape(*id).is_some());
     }
 
     /// The geometry of `shape`, made coarse; that of the last call, if it is the same.
-    fn of_shape(
-        &mut self,
-        shape: &EvaluatedShape,
-        fewer: u32,
-        (models, shapes): (&[Known], &[(ShapeId, CoarseShape)]),
-    ) -> Option<Arc<EvaluatedGeometry>> {
+    fn of_shape(&mut self, shape: &EvaluatedShape) -> Option<Arc<EvaluatedGeometry>> {
         let geometry = &shape.geometry;
+        let known = self.shapes.get(&shape.id);
+        if let Some(known) = known.filter(|known| Arc::ptr_eq(&known.of, geometry)) {
+            return Some(Arc::clone(&known.coarse));
+        }
         let of = Model::of(geometry).filter(|_| geometry.mesh.triangles.len() > FEW)?;
-        let model = self.of_model(of, fewer, models)?;
-        let known = shapes.iter().find(|(id, known)| {
-            *id == shape.id && known.fewer == fewer && Arc::ptr_eq(&known.of, geometry)
-        });
-        let coarse = match known {
-            Some((_, known)) => known.clone(),
-            None => CoarseShape {
-                of: Arc::clone(geometry),
-                fewer,
-                coarse: Arc::new(model.evaluated_as(geometry)),
-            },
+        let coarse = Arc::new(self.of_model(of)?.evaluated_as(geometry));
+        let made = CoarseShape {
+            of: Arc::clone(geometry),
+            coarse: Arc::clone(&coarse),
         };
-        let made = Arc::clone(&coarse.coarse);
-        self.shapes.push((shape.id, coarse));
-        Some(made)
+        self.shapes.insert(shape.id, made);
+        Some(coarse)
     }
 
     /// The same model as `of`, made coarse.
-    fn of_model(&mut self, of: Model, fewer: u32, before: &[Known]) -> Option<Model> {
-        let is_it = |known: &&Known| known.fewer == fewer && known.of.is(&of);
-        if let Some(known) = self.models.iter().find(is_it) {
-            return Some(known.coarse.clone());
+    fn of_model(&mut self, of: Model) -> Option<Model> {
+        if let Some((_, known)) = self.models.iter().find(|(known, _)| known.is(&of)) {
+            return known.clone();
         }
-        let known = match before.iter().find(is_it) {
-            Some(known) => known.clone(),
-            None => Known {
-                coarse: of.coarse(fewer)?,
-                fewer,
-                of,
-            },
-        };
-        let coarse = known.coarse.clone();
-        self.models.push(known);
-        Some(coarse)
+        let coarse = of.coarse(self.fewer);
+        self.models.push((of, coarse.clone()));
+        coarse
     }
 }
 
@@ -179,6 +158,7 @@ mod tests {
     use crate::math::Euler;
     use crate::scene::{CharacterShape, Evaluator, NewShape, Scene, ShapeKind};
     use glam::Vec3;
+    use std::collections::HashSet;
 
     /// A ball, its upper half moved by one joint and its lower one by another.
     fn character() -> Character {
@@ -240,7 +220,7 @@ mod tests {
         );
         assert!(total(&evaluated) > 90_000);
         for (is, was) in meshes(&coarse).into_iter().zip(meshes(&evaluated)) {
-            let all: std::collections::HashSet<_> = was
+            let all: HashSet<_> = was
                 .positions()
                 .iter()
                 .map(|at| at.to_array().map(f32::to_bits))

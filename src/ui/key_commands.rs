@@ -2,6 +2,7 @@
 
 use super::compare::{CompareAction, CompareMeshAction};
 use super::popups::is_in_dialog;
+use super::posing::Typed;
 use super::{
     Action, Ask, Command, Navigation, UiState, ViewInput, aspect, commands, control_points,
     number_field,
@@ -124,25 +125,6 @@ pub(super) struct KeyPress {
 /// Seconds for which an axis and a number that follow a refused G, R or S are taken for its own.
 const TYPED_AFTER: f64 = 3.0;
 
-/// Whether a key is one by which a drag is told its axis or amount, and which does something else without a drag.
-fn is_of_a_drag(pressed: KeyPress) -> bool {
-    use egui::Key;
-    let numbers = [
-        Key::Num0,
-        Key::Num1,
-        Key::Num2,
-        Key::Num3,
-        Key::Num4,
-        Key::Num5,
-        Key::Num6,
-        Key::Num7,
-        Key::Num8,
-        Key::Num9,
-    ];
-    let others = [Key::X, Key::Y, Key::Z, Key::Minus, Key::Period];
-    pressed.is_plain && (numbers.contains(&pressed.key) || others.contains(&pressed.key))
-}
-
 /// Runs the command of a key. Esc closes the window opened last, or else gives up the work whose progress
 /// is shown, ends a comparison with a picture,
 /// a mistake that is made on purpose, the panel that explains, or a comparison with a mesh, deselects the
@@ -210,7 +192,8 @@ pub(super) fn press(
     }
     if let Some(at) = state.refused_at.take()
         && pressed.at - at < TYPED_AFTER
-        && is_of_a_drag(pressed)
+        && pressed.is_plain
+        && Typed::is_typed(pressed.key)
     {
         state.refused_at = Some(pressed.at);
         return;

@@ -1,7 +1,7 @@
 //! The dialog of a question that has to be answered before anything else.
 
 use super::{Action, Answer, Ask, Question};
-use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, Ui, vec2};
+use egui::{Align, Button, Frame, Id, Key, Layout, Modal, Modifiers, RichText, Ui, vec2};
 
 /// Width of the text in points, in windows that have room for it.
 const WIDTH: f32 = 400.0;
@@ -37,7 +37,12 @@ fn buttons(ui: &mut Ui, answers: &[Answer]) -> Option<Answer> {
     ui.allocate_ui_with_layout(line, layout, |ui| {
         for (index, &answer) in answers.iter().enumerate() {
             let is_given_by_enter = index == 0 && !elsewhere;
-            let button = Button::new(answer.label()).selected(is_given_by_enter);
+            let strong = ui.visuals().selection;
+            let button = match is_given_by_enter {
+                true => Button::new(RichText::new(answer.label()).color(strong.stroke.color))
+                    .fill(strong.bg_fill),
+                false => Button::new(answer.label()),
+            };
             let button = ui.add(button);
             // The second click of a double one was not meant for the next question.
             if button.clicked() && !button.double_clicked() {

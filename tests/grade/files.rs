@@ -375,6 +375,22 @@ fn what_is_wrong_with_the_tests_or_the_folder_is_one_clear_error_and_leaves_no_r
         assert_eq!(ran.err.lines().count(), 1, "{line}: {}", ran.err);
         assert!(!class.path().join("report").exists(), "{line}");
     }
+    for (output, told) in [
+        (
+            "-",
+            "-: expected a folder for the report, found - for standard output",
+        ),
+        (
+            "tests.json",
+            "tests.json: a part of its path is a file, not a folder",
+        ),
+    ] {
+        let ran = class.run(&format!("class --tests tests.json -o {output}"));
+        // What the tests do not show may be noted before.
+        let told = format!("error: {told}\n");
+        assert!(ran.err.ends_with(&told), "{output}: {}", ran.err);
+        assert_eq!(ran.code, Some(1), "{output}");
+    }
     for line in [
         "class",
         "--tests tests.json",

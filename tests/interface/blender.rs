@@ -229,7 +229,7 @@ fn an_axis_and_a_number_that_follow_a_refused_movement_do_nothing_else() {
     typed.into_iter().for_each(|key| editor.key(key));
     assert_eq!(editor.session().scene().shapes().len(), 1);
     assert_eq!(editor.session().view().camera, camera);
-    // Any other key ends that, and so does time.
+    // Any other key ends that.
     editor.key(Key::G);
     editor.key(Key::F);
     editor.key(Key::X);

@@ -277,6 +277,7 @@ fn menus_hang_below_their_titles_in_low_windows_too() {
             editor.click(menu);
             let mut items = interactive(&editor);
             items.retain(|(name, _)| before.iter().all(|(known, _)| known != name));
+            assert!(!items.is_empty(), "{menu} of {height}");
             let tops = items.iter().map(|(_, rect)| rect.top());
             let top = tops.fold(f32::INFINITY, f32::min);
             assert!(top >= titles - 0.5, "{menu} of {height}: {top}");

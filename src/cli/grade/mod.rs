@@ -96,6 +96,10 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     if args.example {
         return print(EXAMPLE);
     }
+    if args.output == Path::new("-") {
+        let message = "expected a folder for the report, found - for standard output";
+        return Err(Diagnostic::new(&args.output, message).into());
+    }
     match (&args.folder, &args.tests) {
         (Some(folder), Some(tests)) => grade(args, folder, tests),
         _ => {
@@ -170,10 +174,6 @@ fn check_output(
     folder: &Path,
     submissions: &[Submission],
 ) -> Result<(), Diagnostic> {
-    if output == Path::new("-") {
-        let message = "expected a folder for the report, found - for standard output";
-        return Err(Diagnostic::new(output, message));
-    }
     // One that is not there yet is none of them.
     let Ok(output_on_disk) = output.canonicalize() else {
         return Ok(());

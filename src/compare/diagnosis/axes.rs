@@ -86,16 +86,18 @@ fn axis_channel(over: Pixel, under: Pixel) -> Option<u8> {
         false => most,
     });
     let mut others = (0..3).filter(|&other| other != channel);
-    let is_axis = others.all(|other| {
+    let stands_out_more = others.all(|other| {
         let stood_out = i16::from(under[channel]) - i16::from(under[other]);
         let stands_out_by = i16::from(over[channel]) - i16::from(over[other]);
-        stands_out(over, channel, other) && stands_out_by > stood_out
+        stands_out_by > stood_out
     });
-    is_axis.then_some(channel as u8)
+    (stands_out_more && stands_out(over, channel)).then_some(channel as u8)
 }
 
-fn stands_out(of: Pixel, channel: usize, other: usize) -> bool {
-    of[channel] >= of[other].saturating_add(LEAST_COLOR)
+/// Whether a color is that of an axis in this channel.
+fn stands_out(color: Pixel, channel: usize) -> bool {
+    let mut others = (0..3).filter(|&other| other != channel);
+    others.all(|other| color[channel] >= color[other].saturating_add(LEAST_COLOR))
 }
 
 /// A straight line through a picture, by whole steps along the side that it goes along more.
@@ -142,11 +144,7 @@ impl Mask {
 
     /// The pixels of an axis' color that do not differ.
     fn in_both(pair: &Pair, with: &[Pixel], other_colors: &[bool], channel: u8) -> Self {
-        let channel = usize::from(channel);
-        let has_color = |of: Pixel| {
-            let mut others = (0..3).filter(|&other| other != channel);
-            others.all(|other| stands_out(of, channel, other))
-        };
+        let has_color = |of: Pixel| stands_out(of, usize::from(channel));
         let pixels = with.iter().zip(other_colors);
         Self {
             size: [pair.width() as i32, pair.height() as i32],

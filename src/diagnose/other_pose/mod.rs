@@ -4,6 +4,7 @@ mod fewest;
 mod fit;
 mod solve;
 
+use super::diagnosis::vector;
 use super::model::Model;
 use super::skin::Skinner;
 use super::{Formula, VertexOrder};
@@ -63,7 +64,7 @@ impl fmt::Display for TurnedJoint {
             f.write_str(", or others that give the same")?;
         }
         match self.moved {
-            Some(moved) => write!(f, ", moved by {}", offset(moved)),
+            Some(moved) => write!(f, ", moved by {}", vector(moved.map(f64::from))),
             None => Ok(()),
         }
     }
@@ -74,12 +75,6 @@ impl TurnedJoint {
     pub(super) fn is_turned(&self) -> bool {
         angles(self.degrees) != angles(self.expected)
     }
-}
-
-/// An offset in words, without a sign before what rounds to nothing.
-pub(super) fn offset(of: [f32; 3]) -> String {
-    let [x, y, z] = of.map(|by| if by.abs() <= 5e-5 { 0.0 } else { by });
-    format!("({x:.4}, {y:.4}, {z:.4})")
 }
 
 /// Angles in words: whole degrees where they are whole, and a zero without a sign.

@@ -14,6 +14,7 @@ mod typed;
 pub(super) use ik::{has_pins, joint_to_pin, toggle_pin, unpin_all};
 pub(super) use pointer::{pointer, put_back, roll_by_keys};
 pub(super) use tool_bar::BAR_HEIGHT;
+pub(super) use typed::Typed;
 
 use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};

@@ -66,6 +66,11 @@ impl Typed {
         }
     }
 
+    /// Whether a key would mean something in the middle of a drag.
+    pub(in crate::ui) fn is_typed(key: Key) -> bool {
+        Self::default().take(key, false)
+    }
+
     /// Takes one key, with Shift held or not; whether it means something here.
     fn take(&mut self, key: Key, shift: bool) -> bool {
         let along = |axis| match shift {
