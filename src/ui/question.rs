@@ -19,10 +19,13 @@ pub(super) fn show(root: &Ui, question: &Question, actions: &mut Vec<Action>) {
         ui.add_space(12.0);
         buttons(ui, &question.answers)
     });
-    let no_answers = [Answer::Cancel, Answer::Later].into_iter();
-    let mut none = no_answers.filter(|answer| question.answers.contains(answer));
-    let canceled = none.next().filter(|_| modal.should_close());
-    let answer = modal.inner.or(canceled);
+    let is_offered = |answer: &Answer| question.answers.contains(answer);
+    let closes = modal.should_close();
+    // A click beside it may not have been meant for it.
+    let puts_off = closes && !modal.backdrop_response.clicked();
+    let cancel = Some(Answer::Cancel).filter(|_| closes).filter(is_offered);
+    let later = Some(Answer::Later).filter(|_| puts_off).filter(is_offered);
+    let answer = modal.inner.or(cancel).or(later);
     actions.extend(answer.map(|answer| Action::Ask(Ask::Answer(answer))));
 }
 

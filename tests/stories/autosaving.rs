@@ -125,7 +125,9 @@ fn a_restored_scene_has_the_navigation_of_its_look() {
 #[test]
 fn esc_puts_the_offer_to_restore_off() {
     let mut story = after_crash(with_bent_elbow());
-    assert!(story.has("Restore"));
+    let beside = story.place("Restore") - vec2(0.0, 200.0);
+    story.click_at(beside);
+    assert!(story.has("Restore"), "a click beside it does not");
     story.key(Key::Escape);
     assert!(!story.has("Restore") && story.names().is_empty());
     assert_eq!(story.host.left.len(), 1, "it waits for the next start");
