@@ -4,6 +4,7 @@
 
 mod choices;
 mod diagnosis;
+mod diagnosis_words;
 mod faces;
 mod formula;
 mod found_otherwise;
@@ -24,9 +25,8 @@ mod silhouette;
 mod skin;
 mod vertex_formula;
 
-pub use diagnosis::{
-    Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict, of_size, part_of_size,
-};
+pub use diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
     AngleUnits, Chain, Columns, Divided, Factor, Factors, Formula, JointFormula, JointOrder,

@@ -1,6 +1,7 @@
 //! Which mistakes a picture shows, by the silhouette of the character.
 
-use super::diagnosis::{ToldMistake, Verdict, all_causes, fmt_mistakes, fmt_where, together};
+use super::diagnosis::{ToldMistake, Verdict, all_causes};
+use super::diagnosis_words::{fmt_mistakes, fmt_where, together};
 use super::mistakes::MISTAKES;
 use super::model::Model;
 use super::picture_search::PictureSearch;

@@ -10,6 +10,8 @@ mod cached_mesh;
 mod changed_shapes;
 mod coarse_meshes;
 mod compose;
+#[cfg(test)]
+mod compose_tests;
 mod coverage;
 #[cfg(test)]
 mod crowd_tests;

@@ -4,7 +4,7 @@ mod fewest;
 mod fit;
 mod solve;
 
-use super::diagnosis::vector;
+use super::diagnosis_words::vector;
 use super::model::Model;
 use super::skin::Skinner;
 use super::{Formula, VertexOrder};

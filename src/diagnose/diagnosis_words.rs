@@ -1,0 +1,248 @@
+//! What is found out about a mesh, in words.
+
+use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+use super::other_pose::OtherPose;
+use std::fmt;
+
+/// Regions that are told in words; the others are counted.
+const TOLD: usize = 5;
+
+/// What to look at where a mesh is right in another pose.
+const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
+                            its angles";
+
+impl fmt::Display for OfTheWhole {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "with A for the exact mesh and B for this one: {}",
+            self.0
+        )
+    }
+}
+
+impl fmt::Display for ToldMistake {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.id, self.meaning)?;
+        match &*self.how {
+            "" => Ok(()),
+            how => write!(f, " ({how})"),
+        }
+    }
+}
+
+impl fmt::Display for Shown {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(joint) = &self.joint {
+            write!(f, "{joint}, ")?;
+        }
+        let (theirs, exact) = (vector(self.theirs), vector(self.exact));
+        write!(
+            f,
+            "vertex {} (from 0): theirs {theirs}, exact {exact}",
+            self.vertex
+        )
+    }
+}
+
+impl Region {
+    /// In words which joint it is of, and which part of it is off.
+    pub fn extent(&self) -> String {
+        let joint = self.joint.as_deref().unwrap_or("vertices without weights");
+        format!("{joint}: {}", percent(self.share))
+    }
+}
+
+impl fmt::Display for Region {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let worst = of_size(self.worst);
+        write!(f, "{} of its vertices, by up to {worst}", self.extent())
+    }
+}
+
+/// A place in words. What rounds to nothing has no sign.
+pub(super) fn vector(of: [f64; 3]) -> String {
+    let [x, y, z] = of.map(|value| if value.abs() <= 5e-5 { 0.0 } else { value });
+    format!("({x:.4}, {y:.4}, {z:.4})")
+}
+
+/// A share in words. What is not all is never told as all, nor what is not nothing as nothing.
+fn percent(share: f64) -> String {
+    match 100.0 * share {
+        percent if percent < 1.0 => "less than 1 %".to_owned(),
+        percent if percent > 99.0 && percent < 100.0 => "more than 99 %".to_owned(),
+        percent => format!("{percent:.0} %"),
+    }
+}
+
+/// A distance in words, which is given by the size.
+pub fn of_size(error: f64) -> String {
+    match part_of_size(error) {
+        part if part.ends_with('%') => part + " of the size",
+        words => words,
+    }
+}
+
+/// The same where it is said already what it is a part of.
+pub fn part_of_size(error: f64) -> String {
+    match 100.0 * error {
+        percent if percent.is_infinite() => "more than any number".to_owned(),
+        percent if percent < 0.001 => "less than 0.001 %".to_owned(),
+        percent if percent < 1.0 => format!("{percent:.3} %"),
+        percent => format!("{percent:.1} %"),
+    }
+}
+
+/// Names of mistakes that are made together.
+pub(super) fn together(ids: &[&str]) -> String {
+    ids.join(" and ")
+}
+
+impl fmt::Display for Diagnosis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.verdict {
+            Verdict::Right | Verdict::Triangles => {
+                let error = of_size(self.error);
+                let what = if self.is_right() {
+                    "right: this is"
+                } else {
+                    "right but for its triangles: its vertices are"
+                };
+                write!(f, "{what} the exact result, but for {error}")
+            }
+            Verdict::Explained => self.fmt_explained(f),
+            Verdict::OtherPose | Verdict::Unexplained => self.fmt_unexplained(f),
+        }?;
+        if !self.faces.is_none() {
+            write!(f, "\n  but      {}", self.faces)?;
+        }
+        if self.verdict == Verdict::Triangles {
+            fmt_where(&self.mistakes, f)?;
+        }
+        if !self.unseen.is_empty() {
+            let unseen = self.unseen.join(", ");
+            write!(
+                f,
+                "\n  unseen   {unseen}: with these mistakes it would be the same here"
+            )?;
+        }
+        Ok(())
+    }
+}
+
+impl Diagnosis {
+    fn fmt_explained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt_mistakes(&self.mistakes, f)?;
+        let (error, exact) = (of_size(self.error), of_size(self.error_from_exact));
+        write!(
+            f,
+            "\n  agrees   but for {error}; the exact result is {exact} away"
+        )?;
+        fmt_where(&self.mistakes, f)?;
+        if let Some(first) = &self.first {
+            write!(f, "\n  shown by {first}")?;
+        }
+        if !self.same_as.is_empty() {
+            let all: Vec<String> = self.same_as.iter().map(|ids| together(ids)).collect();
+            write!(f, "\n  indistinguishable here: {}", all.join(", "))?;
+        }
+        Ok(())
+    }
+
+    fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let error = of_size(self.error);
+        match &self.other_pose {
+            Some(other) => fmt_other_pose(f, other, &error)?,
+            None => write!(
+                f,
+                "unexplained: {error} away from the exact result in this pose, and no known mistake \
+                 gives this mesh, nor do two of them"
+            )?,
+        }
+        for finding in &self.findings {
+            write!(f, "\n  found    {finding}")?;
+        }
+        if self.is_right_but_for_few() {
+            let vertices = if self.off == 1 { "vertex" } else { "vertices" };
+            write!(f, "\n  found    right but for {} {vertices}", self.off)?;
+        }
+        if let Some(nearest) = &self.nearest {
+            let mistake = &nearest.mistake;
+            let explains = percent(nearest.explains);
+            write!(f, "\n  nearest  {mistake}; that explains {explains} of it")?;
+            if nearest.is_nearly_all() {
+                let vertices = if nearest.off == 1 {
+                    "vertex"
+                } else {
+                    "vertices"
+                };
+                write!(f, ", all but {} {vertices}", nearest.off)?;
+            }
+            fmt_where(std::slice::from_ref(mistake), f)?;
+        }
+        if let Some(first) = &self.first {
+            write!(f, "\n  shown by {first}")?;
+        }
+        for region in self.regions.iter().take(TOLD) {
+            write!(f, "\n  off      {region}")?;
+        }
+        match self.regions.len().saturating_sub(TOLD) {
+            0 => Ok(()),
+            1 => write!(f, "\n  off      and at 1 more joint"),
+            more => write!(f, "\n  off      and at {more} more joints"),
+        }
+    }
+}
+
+/// What is told of a mesh that is right in another pose, and `error` away from the one that was expected.
+fn fmt_other_pose(f: &mut fmt::Formatter<'_>, other: &OtherPose, error: &str) -> fmt::Result {
+    write!(
+        f,
+        "another pose: this is the exact result, but of a pose that is not the given one, in which it is \
+         {error} away"
+    )?;
+    let (told, more) = other.told();
+    for joint in told {
+        match joint.moved {
+            Some(moved) if !joint.is_turned() => {
+                write!(
+                    f,
+                    "\n  moved    {} by {}",
+                    joint.joint,
+                    vector(moved.map(f64::from))
+                )?;
+            }
+            _ => write!(f, "\n  turned   {joint}")?,
+        }
+    }
+    match more {
+        0 => {}
+        1 => f.write_str("\n  turned   and 1 more joint")?,
+        more => write!(f, "\n  turned   and {more} more joints")?,
+    }
+    write!(f, "\n  look at  {LOOK_AT_POSE}")
+}
+
+/// Mistakes that are made together, in words.
+pub(super) fn fmt_mistakes(mistakes: &[ToldMistake], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    if let [mistake] = mistakes {
+        return write!(f, "{mistake}");
+    }
+    let ids: Vec<&str> = mistakes.iter().map(|mistake| mistake.id).collect();
+    write!(f, "{} mistakes: {}", ids.len(), together(&ids))?;
+    mistakes
+        .iter()
+        .try_for_each(|mistake| write!(f, "\n  {mistake}"))
+}
+
+/// Lines that tell where to look for mistakes, each once.
+pub(super) fn fmt_where(mistakes: &[ToldMistake], f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (index, mistake) in mistakes.iter().enumerate() {
+        let mut before = mistakes[..index].iter();
+        if before.all(|told| told.look_at != mistake.look_at) {
+            write!(f, "\n  section  {}", mistake.section)?;
+            write!(f, "\n  look at  {}", mistake.look_at)?;
+        }
+    }
+    Ok(())
+}
