@@ -39,6 +39,7 @@ pub struct Unsaved {
     scene: Scene,
     view: ViewSettings,
     path: Option<PathBuf>,
+    stem: Option<String>,
     digest: Option<u32>,
 }
 
@@ -51,6 +52,7 @@ impl Unsaved {
         let folder = self.path.as_deref().and_then(Path::parent);
         let kept = Kept {
             path: self.path.clone(),
+            stem: self.stem.clone(),
             digest: self.digest,
             scene: io::scene_text(&self.scene, &self.view, folder)?,
         };
@@ -66,6 +68,9 @@ impl Unsaved {
 pub(super) struct Kept {
     /// File of the document.
     path: Option<PathBuf>,
+    /// Name of a document without a file, after what was opened. Earlier versions kept none.
+    #[serde(default)]
+    stem: Option<String>,
     /// Digest of that file's bytes as they were known to the earlier run.
     digest: Option<u32>,
     /// Text of a scene file.
@@ -115,6 +120,7 @@ impl Program {
             scene: self.session.scene().clone(),
             view: self.document_view(),
             path: self.document.path().map(Path::to_owned),
+            stem: self.document.stem.clone(),
             digest: self.document.digest(),
         })
     }
@@ -284,7 +290,10 @@ impl Program {
         let view = loaded.view.unwrap_or_default();
         self.session.open(loaded.shapes, view);
         self.ui.suit_navigation(view.look);
-        self.document = DocumentFile::restored(kept.path.clone(), kept.digest);
+        self.document = DocumentFile {
+            stem: kept.stem.clone(),
+            ..DocumentFile::restored(kept.path.clone(), kept.digest)
+        };
         self.autosave.stored = Some((self.session.document(), host.now()));
         self.tell_all(Severity::Warning, loaded.warnings);
     }

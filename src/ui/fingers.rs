@@ -20,6 +20,17 @@ pub(super) const GESTURES: &[Gesture] = &[
     gesture("Long press", "The right button: a number at rest"),
 ];
 
+/// The view, which is dragged from now on if a finger has rested on it for long: it takes hold of what lies under it,
+/// which lights up. egui would take the rest for a right click, which means nothing there, and the way of the finger
+/// after it for nothing.
+pub(super) fn drag_after_rest(view: Response) -> Response {
+    if !view.long_touched() {
+        return view;
+    }
+    view.ctx.set_dragged_id(view.id);
+    view.ctx.read_response(view.id).unwrap_or(view)
+}
+
 /// What several fingers have been for since they came together. One that is left of them does nothing
 /// until it is lifted: nobody lifts all of them at the same moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -84,7 +84,7 @@ fn first_steps(
         Tool::Pose => ("Pose", "drag a bone, or a number at the right"),
         _ => (
             "Pose",
-            pointing.words(with_keys, "tap Pose and drag a bone, or drag a number"),
+            pointing.words(with_keys, "tap Pose, the second tool, and drag a bone"),
         ),
     });
     if shapes

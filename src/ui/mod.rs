@@ -170,7 +170,7 @@ pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewI
     // The root was made before the style was set.
     root.set_style(ctx.global_style());
     state.notice_another_scene(session);
-    commands::remember_navigation(&ctx, state.navigation);
+    commands::remember_for_keys(&ctx, state.navigation, input.is_page);
     state.compares = [input.compare.is_some(), input.compare_mesh.is_some()];
     popups::close_by_press_outside(&ctx, state.menu_titles);
     pointing::notice(&ctx, state.has_fingers_first);

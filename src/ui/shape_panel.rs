@@ -68,7 +68,9 @@ fn drawer(root: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
     place.min.x = place.min.x.max(place.max.x - WIDTH);
     let area = Area::new(Id::new("drawer of shapes"))
         .order(Order::Middle)
-        .fixed_pos(place.min);
+        .fixed_pos(place.min)
+        // egui would move it up where it was higher in the frame before, over the menu bar.
+        .constrain(false);
     area.show(root.ctx(), |ui| {
         frame(root).show(ui, |ui| {
             let inner = place.size() - frame(root).total_margin().sum();

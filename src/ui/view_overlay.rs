@@ -7,8 +7,8 @@ use super::theme::Palette;
 use super::windows::Dialog;
 use super::{
     Action, CompareSettings, HistoryMove, ScenePlaces, ViewInput, axis_ball, box_select, compare,
-    control_points, explain, first_help, look_switch, mesh_colors, messages, method_view, posing,
-    start_page,
+    control_points, explain, fingers, first_help, look_switch, mesh_colors, messages, method_view,
+    posing, start_page,
 };
 use crate::editor::{Session, Tool, View};
 use crate::scene::FitArea;
@@ -45,6 +45,7 @@ pub(super) fn show(
     free.max.x = (free.max.x - PANEL_EDGE).max(free.min.x);
     let response = root.interact(free, id, Sense::click_and_drag() | Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "View of the scene"));
+    let response = fingers::drag_after_rest(response);
     let mut over = root.new_child(UiBuilder::new().id_salt("over the view").max_rect(rect));
     over.set_clip_rect(rect.intersect(root.clip_rect()));
 

@@ -1,6 +1,7 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
 use super::error_watch::ErrorWatch;
+use super::finger_presses::FingerPresses;
 use super::page::Page;
 use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
@@ -20,6 +21,7 @@ pub(super) struct Application {
     page: Rc<RefCell<Page>>,
     context: CanvasContext,
     errors: ErrorWatch,
+    presses: FingerPresses,
     /// Events of the next frames: each has one of the parts that egui is given.
     later: Vec<Event>,
     /// Whether there has been a picture.
@@ -53,6 +55,7 @@ impl Application {
             page,
             errors: ErrorWatch::new(context.gl()),
             context,
+            presses: FingerPresses::default(),
             later: Vec::new(),
             is_shown: false,
         })
@@ -111,6 +114,7 @@ impl eframe::App for Application {
     }
 
     fn raw_input_hook(&mut self, context: &egui::Context, input: &mut RawInput) {
+        self.presses.count_once(&mut input.events);
         let mut events = std::mem::take(&mut self.later);
         events.append(&mut input.events);
         input.events = events;

@@ -97,7 +97,7 @@ fn what_a_crash_left_is_offered_and_restored() {
     story.click("Restore");
     assert_eq!(story.names(), ["Strip"]);
     assert!((story.degrees("Elbow").z - 90.0).abs() < 1e-4);
-    assert_eq!(story.host.title, "*Untitled — Editor");
+    assert_eq!(story.host.title, "*strip — Editor");
     assert!(stored(&story).is_some(), "it is still not saved");
     story.key_with(Modifiers::COMMAND, Key::S);
     story.choose("bent.scene");

@@ -450,6 +450,21 @@ fn in_a_narrow_window_the_panel_is_a_drawer_that_leaves_the_view_as_it_is() {
 }
 
 #[test]
+fn the_drawer_stays_below_the_menus_where_the_window_gets_lower() {
+    let mut story = Story::start(&["builtin:showcase"]);
+    story.size = (412, 780);
+    story.settle();
+    story.click("Shape Panel");
+    let before = story.place("Hide Robot");
+    // As by the keyboard of a phone.
+    story.size = (412, 450);
+    for _ in 0..2 {
+        story.settle();
+        assert_eq!(story.place("Hide Robot"), before);
+    }
+}
+
+#[test]
 fn the_size_of_the_window_is_kept_for_the_next_start() {
     let mut story = Story::start(&[]);
     let key = editor_core::program::StorageKey::Preferences;

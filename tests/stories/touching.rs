@@ -264,3 +264,48 @@ fn a_tap_some_time_after_the_first_puts_the_cursor_into_the_number() {
     let z = story.degrees("Elbow").z;
     assert!((z - 3.0).abs() > 1.0, "not in the place of the number: {z}");
 }
+
+#[test]
+fn the_tap_that_closes_a_menu_does_nothing_else() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.size = (412, 780);
+    story.settle();
+    let selected = story.session().selected();
+    assert!(selected.is_some());
+    let mut hand = Hand::new();
+    let help = story.place("Help");
+    let ground = story.view().left_bottom() + vec2(60.0, -40.0);
+    for at in [help, ground] {
+        hand.put_down(&mut story, 1, at);
+        story.wait(0.1);
+        hand.lift_all(&mut story);
+        story.wait(1.5);
+    }
+    assert!(!story.has_text("About"), "the menu is closed");
+    assert_eq!(story.session().selected(), selected);
+}
+
+#[test]
+fn a_finger_that_rests_on_a_bone_before_it_moves_turns_it() {
+    let (mut story, bone) = with_bones();
+    let document = story.session().document();
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, bone);
+    story.wait(0.9);
+    let lit = story.session().hovered_bone();
+    assert!(lit.is_some(), "what it holds lights up");
+    hand.lift_all(&mut story);
+    assert_eq!(story.session().done_steps(), 0, "the rest alone is no step");
+    hand.put_down(&mut story, 1, bone);
+    story.wait(0.9);
+    hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_ne!(story.session().document(), document);
+    assert_eq!(story.session().done_steps(), 1);
+    let camera = story.session().view().camera;
+    hand.put_down(&mut story, 1, pos2(60.0, 620.0));
+    story.wait(0.9);
+    hand.move_by(&mut story, &[vec2(30.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_ne!(story.session().view().camera, camera);
+}

@@ -13,6 +13,27 @@ fn one_finger_turns_the_scene() {
 }
 
 #[test]
+fn the_tap_that_closes_a_menu_does_nothing_else() {
+    let browser = Browser::open();
+    let tap = |at| browser.touch(&[[at, at]]);
+    // The man is selected at first.
+    let selected = browser.picture();
+    let help = (273, 12);
+    tap(help);
+    assert!(difference(&selected, &browser.picture(), VIEW) > 0.005);
+    let ground = (700, 650);
+    tap(ground);
+    assert!(difference(&selected, &browser.picture(), VIEW) < 0.001);
+    tap(ground);
+    let deselected = difference(&selected, &browser.picture(), VIEW);
+    assert!(
+        deselected > 0.002,
+        "the next one counts again: {deselected}"
+    );
+    browser.finish();
+}
+
+#[test]
 fn two_fingers_move_and_zoom() {
     let browser = Browser::open();
     let before = browser.picture();

@@ -29,6 +29,12 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     ),
 ];
 
+/// Shortcuts that open, close and change windows and tabs of browsers, which tell no page of them.
+const KEPT_BY_BROWSERS: [KeyboardShortcut; 2] = [
+    KeyboardShortcut::new(CTRL, Key::N),
+    KeyboardShortcut::new(CTRL, Key::Tab),
+];
+
 impl Entry {
     /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.
     fn shortcuts_in(
@@ -56,18 +62,26 @@ impl Entry {
     }
 
     /// The shortcuts of [`Entry::shortcuts_in`] that are told. Where Esc never quits, it is no key
-    /// for that.
-    fn told_in(&self, navigation: Navigation) -> impl Iterator<Item = &'static KeyboardShortcut> {
+    /// for that, and on a page those that browsers never give away are none.
+    fn told_in(
+        &self,
+        ctx: &Context,
+        navigation: Navigation,
+    ) -> impl Iterator<Item = &'static KeyboardShortcut> {
         let quits = self.command == Command::Quit && !navigation.quits_by_esc();
-        let is_told =
-            move |shortcut: &&KeyboardShortcut| !quits || shortcut.logical_key != Key::Escape;
+        let is_page = ctx.data(|data| data.get_temp(on_page()).unwrap_or_default());
+        let is_told = move |shortcut: &&KeyboardShortcut| {
+            let is_no_quit = quits && shortcut.logical_key == Key::Escape;
+            let is_kept = is_page && KEPT_BY_BROWSERS.contains(shortcut);
+            !is_no_quit && !is_kept
+        };
         self.shortcuts_in(navigation).filter(is_told)
     }
 
     /// All its shortcuts as text, such as `?, F1`; empty if it has none.
     pub(in crate::ui) fn keys(&self, ctx: &Context, navigation: Navigation) -> String {
         let keys: Vec<String> = self
-            .told_in(navigation)
+            .told_in(ctx, navigation)
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .collect();
         keys.join(", ")
@@ -75,7 +89,7 @@ impl Entry {
 
     /// The first shortcut as text; empty if it has none.
     fn first_key(&self, ctx: &Context, navigation: Navigation) -> String {
-        self.told_in(navigation)
+        self.told_in(ctx, navigation)
             .next()
             .map(|shortcut| short(&ctx.format_shortcut(shortcut)))
             .unwrap_or_default()
@@ -123,9 +137,16 @@ fn short(shortcut: &str) -> String {
         .replace("Period", ".")
 }
 
-/// Remembers the navigation, whose shortcuts tooltips show.
-pub(in crate::ui) fn remember_navigation(ctx: &Context, navigation: Navigation) {
-    ctx.data_mut(|data| data.insert_temp(Id::NULL, navigation));
+/// Remembers the navigation, whose shortcuts tooltips show, and whether this is a page, on which browsers keep some.
+pub(in crate::ui) fn remember_for_keys(ctx: &Context, navigation: Navigation, is_page: bool) {
+    ctx.data_mut(|data| {
+        data.insert_temp(Id::NULL, navigation);
+        data.insert_temp(on_page(), is_page);
+    });
+}
+
+fn on_page() -> Id {
+    Id::new("shortcuts of a page")
 }
 
 /// Tooltip of `command`, with its shortcut.
@@ -299,7 +320,7 @@ mod tests {
     fn a_tooltip_names_the_key_of_the_navigation_that_is_chosen() {
         let ctx = Context::default();
         for (navigation, key) in [(Navigation::Course, "(G)"), (Navigation::Blender, "(W)")] {
-            remember_navigation(&ctx, navigation);
+            remember_for_keys(&ctx, navigation, false);
             let tooltip = tooltip(&ctx, Command::SetTool(Tool::Move));
             assert!(tooltip.ends_with(key), "{tooltip}");
         }
@@ -319,6 +340,19 @@ mod tests {
             assert_eq!(entry.first_key(&ctx, Navigation::Course), course);
             assert_eq!(entry.first_key(&ctx, Navigation::Blender), blender);
         }
+    }
+
+    #[test]
+    fn on_a_page_no_key_is_told_that_browsers_keep() {
+        let ctx = Context::default();
+        let key = |command, navigation| entry_of(command).unwrap().keys(&ctx, navigation);
+        let pose = Command::SetTool(Tool::Pose);
+        assert_eq!(key(Command::New, Navigation::Orbit), "Ctrl+N");
+        assert_eq!(key(pose, Navigation::Blender), "J, Ctrl+Tab");
+        remember_for_keys(&ctx, Navigation::Orbit, true);
+        assert_eq!(key(Command::New, Navigation::Orbit), "");
+        assert_eq!(key(pose, Navigation::Blender), "J");
+        assert_eq!(key(Command::Open, Navigation::Orbit), "Ctrl+O");
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub use table::{COMMANDS, Entry, Menu};
 pub(super) use enabled::why_disabled;
 pub(super) use gestures::gesture;
 pub(super) use keys::{
-    key_now, pressed, pressed_with_ctrl, remember_navigation, tooltip, tooltip_now, with_key,
+    key_now, pressed, pressed_with_ctrl, remember_for_keys, tooltip, tooltip_now, with_key,
 };
 pub(super) use run::{
     REVOLUTION_STEPS, curves, full_label, full_tooltip, is_on, run, selected_character,

@@ -26,6 +26,9 @@ pub(in crate::ui) struct Held {
     /// Axes of the gizmos.
     axes: GizmoAxes,
     typed: Typed,
+    /// Whether anything was asked for yet: a pointer that rests where it took hold changes nothing, not even by
+    /// rounding.
+    has_begun: bool,
 }
 
 /// A drag of the object that a tool moves.
@@ -51,6 +54,7 @@ impl Held {
             pointer,
             axes,
             typed: Typed::default(),
+            has_begun: false,
         }
     }
 
@@ -290,8 +294,9 @@ impl Follow for Held {
         self.constrain(session);
         let ray = place.screen(session).ray(pixel);
         let typed = self.typed.amount();
+        self.has_begun |= typed.is_some() || ray != self.pointer;
         let radians = typed.map(|degrees| degrees.to_radians() * self.sign());
-        match &mut self.drag {
+        let edit = match &mut self.drag {
             Drag::Bone(drag) => match radians {
                 Some(angle) => drag.turned_by(angle),
                 None => drag.update(session, &ray, snap),
@@ -314,7 +319,8 @@ impl Follow for Held {
             }),
             Drag::Ik(drag) => drag.update(session, &ray),
             Drag::Stuck(..) => None,
-        }
+        };
+        edit.filter(|_| self.has_begun)
     }
 
     fn is_confirmed(&self) -> bool {
