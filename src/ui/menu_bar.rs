@@ -340,6 +340,8 @@ fn scrolled(ui: &mut Ui, items: impl FnOnce(&mut Ui)) {
     if room > HIGHEST {
         items(ui);
     } else {
+        // A menu is as high as it was last, or as egui thinks that menus are.
+        ui.set_max_height(room);
         ScrollArea::vertical().max_height(room).show(ui, items);
     }
 }

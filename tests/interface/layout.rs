@@ -287,6 +287,25 @@ fn menus_hang_below_their_titles_in_low_windows_too() {
 }
 
 #[test]
+fn a_menu_that_does_not_fit_is_as_high_as_the_window_lets_it() {
+    for height in [420.0, 480.0, 530.0] {
+        let mut editor = Editor::sized(vec2(1000.0, height));
+        editor.click("View");
+        editor.harness.run_steps(4);
+        let bottom = editor.harness.ctx.memory(|memory| {
+            let layers = memory.areas().visible_layer_ids().into_iter();
+            let menus = layers.filter(|layer| layer.order == egui::Order::Foreground);
+            let bottoms = menus.filter_map(|layer| memory.area_rect(layer.id));
+            bottoms.map(|rect| rect.bottom()).fold(0.0, f32::max)
+        });
+        assert!(
+            bottom > height - 30.0 && bottom <= height,
+            "{bottom} of {height}"
+        );
+    }
+}
+
+#[test]
 fn in_small_windows_the_start_page_offers_all_it_has() {
     for size in SMALL {
         let mut editor = Editor::sized(size);
