@@ -67,6 +67,17 @@ pub struct Diagnosis {
     pub nearest: Option<Nearest>,
     /// What else is known of the whole mesh.
     pub findings: Vec<OfTheWhole>,
+    /// How its numbers are rounded, if that is too coarse to tell mistakes apart.
+    pub coarse: Option<Coarse>,
+}
+
+/// Numbers with too few digits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Coarse {
+    /// One unit of the last digit, in model space.
+    pub rounded_to: f64,
+    /// Whether the exact result, so rounded, gives the mesh.
+    pub may_be_right: bool,
 }
 
 /// What gives the whole mesh from the exact one, without a mistake in skinning; in JSON a sentence.

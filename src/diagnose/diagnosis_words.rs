@@ -1,6 +1,6 @@
 //! What is found out about a mesh, in words.
 
-use super::diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+use super::diagnosis::{Coarse, Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 use super::other_pose::OtherPose;
 use std::fmt;
 
@@ -28,6 +28,21 @@ impl fmt::Display for ToldMistake {
             "" => Ok(()),
             how => write!(f, " ({how})"),
         }
+    }
+}
+
+impl fmt::Display for Coarse {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let step = self.rounded_to;
+        if self.may_be_right {
+            write!(
+                f,
+                "the exact result, if that is rounded to {step} as these numbers are"
+            )
+        } else {
+            write!(f, "numbers that are rounded to {step}")
+        }?;
+        f.write_str(", too coarse to tell mistakes apart: four digits after the point are enough")
     }
 }
 
@@ -131,6 +146,17 @@ impl fmt::Display for Diagnosis {
 }
 
 impl Diagnosis {
+    /// What is known of a mesh as a whole that nothing explains, a sentence each.
+    pub fn found(&self) -> Vec<String> {
+        let mut found: Vec<String> = self.findings.iter().map(ToString::to_string).collect();
+        found.extend(self.coarse.map(|coarse| coarse.to_string()));
+        if self.is_right_but_for_few() {
+            let vertices = if self.off == 1 { "vertex" } else { "vertices" };
+            found.push(format!("right but for {} {vertices}", self.off));
+        }
+        found
+    }
+
     fn fmt_explained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt_mistakes(&self.mistakes, f)?;
         let (error, exact) = (of_size(self.error), of_size(self.error_from_exact));
@@ -159,12 +185,8 @@ impl Diagnosis {
                  gives this mesh, nor do two of them"
             )?,
         }
-        for finding in &self.findings {
-            write!(f, "\n  found    {finding}")?;
-        }
-        if self.is_right_but_for_few() {
-            let vertices = if self.off == 1 { "vertex" } else { "vertices" };
-            write!(f, "\n  found    right but for {} {vertices}", self.off)?;
+        for found in self.found() {
+            write!(f, "\n  found    {found}")?;
         }
         if let Some(nearest) = &self.nearest {
             let mistake = &nearest.mistake;

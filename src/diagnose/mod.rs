@@ -25,7 +25,7 @@ mod silhouette;
 mod skin;
 mod vertex_formula;
 
-pub use diagnosis::{Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+pub use diagnosis::{Coarse, Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
@@ -59,6 +59,8 @@ const TOLERANCE: f64 = 1e-4;
 /// The same for numbers that were written with fewer digits: what rounding to four digits in all is
 /// off by. Fewer are too few to tell what is wrong.
 const MOST_TOLERANCE: f64 = 1e-3;
+/// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
+const FEWEST_ROUNDED: usize = 12;
 /// What single precision is off by, by the largest coordinate.
 const SINGLE_PRECISION: f64 = 1e-6;
 /// Errors that are no more than this many times the least one are as good.
@@ -180,6 +182,10 @@ async fn diagnose_vertices(
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
+        found.coarse = findings.coarse(theirs);
+        if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
+            return Ok(found);
+        }
         pace.after(exact.len()).await;
         found.regions = findings.regions();
         found.findings = findings.of_the_whole(theirs);
@@ -220,10 +226,14 @@ fn size_of(points: impl Iterator<Item = Vec3>) -> f64 {
     }
 }
 
+/// How far rounding to the digits that were written moves a vertex at most.
+fn rounding(theirs: &[Vec3]) -> f64 {
+    precision::half_step(theirs) * 3_f64.sqrt() * 1.01
+}
+
 /// How far vertices may be apart and agree.
 fn tolerance(theirs: &[Vec3], size: f64) -> f64 {
-    let rounding = precision::half_step(theirs) * 3_f64.sqrt();
-    let by_size = (rounding * 1.01).clamp(TOLERANCE * size, MOST_TOLERANCE * size);
+    let by_size = rounding(theirs).clamp(TOLERANCE * size, MOST_TOLERANCE * size);
     let largest = theirs.iter().map(|point| point.abs().max_element());
     let largest = largest
         .filter(|largest| largest.is_finite())
@@ -248,6 +258,23 @@ impl Findings<'_> {
         self.distances.iter().copied().fold(0.0, f64::max)
     }
 
+    /// How the numbers are rounded, if that is too coarse to tell mistakes apart.
+    fn coarse(&self, theirs: &[Vec3]) -> Option<Coarse> {
+        let (rounding, rounded_to) = (rounding(theirs), 2.0 * precision::half_step(theirs));
+        let is_rounded = |place: DVec3| {
+            let rounded = (place / rounded_to).round() * rounded_to;
+            place.distance(rounded) <= TOLERANCE * self.size
+        };
+        // Few numbers are short by chance, and nothing is lost where the right ones have no more digits either.
+        let is_coarse = theirs.len() >= FEWEST_ROUNDED
+            && rounding > MOST_TOLERANCE * self.size
+            && !self.exact.iter().all(|placed| is_rounded(placed.at));
+        is_coarse.then(|| Coarse {
+            rounded_to,
+            may_be_right: self.error() <= rounding,
+        })
+    }
+
     /// A diagnosis without causes.
     fn diagnosis(&self, verdict: Verdict) -> Diagnosis {
         let error = self.error() / self.size;
@@ -270,6 +297,7 @@ impl Findings<'_> {
             other_pose: None,
             nearest: None,
             findings: Vec::new(),
+            coarse: None,
         }
     }
 

@@ -53,6 +53,12 @@ pub struct Graded {
     /// Mistakes that together give the file, by name; the first are those of the text, the others
     /// give the same.
     pub causes: Vec<Vec<String>>,
+    /// Of a mesh that nothing explains and that is nearly right, what is wrong with it, by name: a mistake,
+    /// [`RIGHT_BUT_FOR_FEW`](crate::io::RIGHT_BUT_FOR_FEW),
+    /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS) or
+    /// [`MOVED_AS_A_WHOLE`](crate::io::MOVED_AS_A_WHOLE). Reports of earlier versions have none.
+    #[serde(default)]
+    pub nearly: Vec<String>,
     /// How far the file is from the exact one, by the size; `None` without a diagnosis, and where it
     /// is not finite.
     pub error: Option<f64>,
@@ -70,6 +76,7 @@ impl Graded {
             text: text.into(),
             hint: None,
             causes: Vec::new(),
+            nearly: Vec::new(),
             error: None,
             agrees: 0.0,
             picture: None,

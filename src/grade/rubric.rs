@@ -23,7 +23,15 @@ pub(super) fn points(
 ) -> BTreeMap<String, f64> {
     match graded.outcome {
         Outcome::Right => of_all(test, 1.0),
-        Outcome::Unexplained => of_all(test, rubric.unexplained.0 * graded.agrees),
+        Outcome::Unexplained => {
+            let by_vertices = of_all(test, rubric.unexplained.0 * graded.agrees);
+            let as_mistakes = left_by(&graded.nearly, test, rubric);
+            let is_better = total(&as_mistakes) > total(&by_vertices);
+            match !graded.nearly.is_empty() && is_better {
+                true => as_mistakes,
+                false => by_vertices,
+            }
+        }
         // The pose that was asked for is as little in it as in one that is not posed at all.
         Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()], test, rubric),
         Outcome::Explained => counted(test, graded, rubric)
@@ -58,7 +66,7 @@ fn counted<'a>(test: &TestData, graded: &'a Graded, rubric: &RubricData) -> Opti
     if first.iter().any(|id| id == POSE_NOT_APPLIED) {
         return Some(first);
     }
-    let total = |ids: &[String]| left_by(ids, test, rubric).into_values().sum::<f64>();
+    let total = |ids: &[String]| total(&left_by(ids, test, rubric));
     // Of equals the first, which is the one that is told.
     let best = graded.causes.iter().reduce(|best, other| {
         if total(other) > total(best) + 1e-9 {
@@ -68,6 +76,10 @@ fn counted<'a>(test: &TestData, graded: &'a Graded, rubric: &RubricData) -> Opti
         }
     });
     best.map(Vec::as_slice)
+}
+
+fn total(points: &BTreeMap<String, f64>) -> f64 {
+    points.values().sum()
 }
 
 /// A share of the points in each section.
@@ -90,7 +102,11 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
         };
         let share = rubric.mistakes.get(id.as_str());
         let share = share.map_or(without, |share| share.0);
-        let own = Mistake::find(id).and_then(|mistake| section_of(mistake, test));
+        let own = match Mistake::find(id) {
+            Some(mistake) => section_of(mistake, test),
+            // A mesh that is nearly right does not show in which section the mistake is.
+            None => largest(test),
+        };
         for (section, points) in &mut left {
             if is_of_all || own == Some(section) {
                 *points *= share;
@@ -120,13 +136,15 @@ fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
         .points
         .keys()
         .filter(|section| apart(section).is_some());
-    let nearest = numbered.min_by_key(apart);
-    let largest = || {
-        let sections = test.points.iter();
-        let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
-        largest.map(|(section, _)| section)
-    };
-    nearest.or_else(largest).map(String::as_str)
+    let nearest = numbered.min_by_key(apart).map(String::as_str);
+    nearest.or_else(|| largest(test))
+}
+
+/// The section of a test with the most points.
+fn largest(test: &TestData) -> Option<&str> {
+    let sections = test.points.iter();
+    let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
+    largest.map(|(section, _)| section.as_str())
 }
 
 /// Chapter and part of a section such as `4.2 SSD`.
@@ -265,6 +283,32 @@ mod tests {
     }
 
     #[test]
+    fn what_is_nearly_right_counts_as_much_as_a_mistake_in_the_largest_section() {
+        let mut rubric = RubricData::default();
+        let nearly = |names: &[&str], agrees| Graded {
+            nearly: names.iter().map(|&name| name.to_owned()).collect(),
+            agrees,
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        let few = nearly(&["right-but-for-few"], 0.998);
+        assert_eq!(given(TWO, &few, &rubric), [6.0, 5.0]);
+        let moved = nearly(&["moved-as-a-whole"], 0.0);
+        assert_eq!(given(TWO, &moved, &rubric), [6.0, 5.0]);
+        let of_mistake = nearly(&["euler-zyx", "right-but-for-few"], 0.1);
+        assert_eq!(given(TWO, &of_mistake, &rubric), [3.0, 5.0]);
+        // A rubric may count them otherwise.
+        let name = "moved-as-a-whole".to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.9));
+        assert_eq!(given(TWO, &moved, &rubric), [6.0, 9.0]);
+        rubric.mistake = Share(0.0);
+        rubric.unexplained = Share(1.0);
+        let [small, large] = given(TWO, &few, &rubric)[..] else {
+            panic!("two sections");
+        };
+        assert!((small - 5.988).abs() < 1e-9 && (large - 9.98).abs() < 1e-9);
+    }
+
+    #[test]
     fn what_is_unexplained_counts_by_what_agrees_and_what_is_not_there_counts_nothing() {
         let rubric = RubricData::default();
         let unexplained = Graded {
@@ -272,6 +316,11 @@ mod tests {
             ..Graded::without(Outcome::Unexplained, "")
         };
         assert_eq!(given(&[("4.2", 10.0)], &unexplained, &rubric), [4.0]);
+        let far = Graded {
+            agrees: 0.0,
+            ..unexplained
+        };
+        assert_eq!(given(TWO, &far, &rubric), [0.0, 0.0]);
         for outcome in [
             Outcome::Blank,
             Outcome::Missing,

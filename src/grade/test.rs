@@ -3,12 +3,13 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{
-    Diagnosis, NEARLY_ALL, PictureError, Verdict, diagnose, diagnose_picture, measure,
-};
+use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
-use crate::io::{TestData, TestKind, read_character_obj};
+use crate::io::{
+    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind,
+    read_character_obj,
+};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::Vec3;
@@ -173,8 +174,9 @@ impl Test {
         Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
-            hint: hint(found, theirs.positions.len() - near, agrees),
+            hint: hint(found),
             causes,
+            nearly: nearly(found).into_iter().map(str::to_owned).collect(),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
             picture: if is_right { None } else { drawn() },
@@ -223,6 +225,7 @@ impl Test {
             hint: None,
             causes: explanations(told, &found.same_as),
             error: rounded(found.error_from_exact),
+            nearly: Vec::new(),
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
             picture: if found.verdict == Verdict::Right {
                 None
@@ -247,22 +250,40 @@ fn outcome(verdict: Verdict) -> Outcome {
     }
 }
 
-/// What is known of a mesh that nothing explains whole, in a few words. So many of its vertices are `off`, and `agrees`
-/// is the share of the others.
-fn hint(found: &Diagnosis, off: usize, agrees: f64) -> Option<String> {
+/// What is known of a mesh that nothing explains whole, in a few words.
+fn hint(found: &Diagnosis) -> Option<String> {
     if found.verdict != Verdict::Unexplained {
         return None;
     }
     if let Some(brief) = found.findings.iter().find_map(|finding| finding.0.brief()) {
         return Some(brief);
     }
-    let nearest = found.nearest.as_ref();
-    let nearly = nearest.filter(|nearest| nearest.is_nearly_all());
-    match (nearly, off) {
-        (Some(nearest), _) => Some(format!("nearly {}", nearest.mistake.id)),
-        (None, 1) => Some("right but for 1 vertex".to_owned()),
-        (None, _) if agrees >= NEARLY_ALL => Some(format!("right but for {off} vertices")),
+    match (nearly(found).first(), found.off) {
+        (Some(&RIGHT_BUT_FOR_DIGITS), _) => Some("right, with too few digits".to_owned()),
+        (Some(&RIGHT_BUT_FOR_FEW), 1) => Some("right but for 1 vertex".to_owned()),
+        (Some(&RIGHT_BUT_FOR_FEW), off) => Some(format!("right but for {off} vertices")),
+        (Some(mistake), _) => Some(format!("nearly {mistake}")),
         (None, _) => None,
+    }
+}
+
+/// What is wrong with a mesh that is nearly right, for the rubric.
+fn nearly(found: &Diagnosis) -> Vec<&'static str> {
+    if found.verdict != Verdict::Unexplained {
+        return Vec::new();
+    }
+    if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
+        return vec![RIGHT_BUT_FOR_DIGITS];
+    }
+    let mut findings = found.findings.iter();
+    if findings.any(|finding| finding.0.is_placement()) {
+        return vec![MOVED_AS_A_WHOLE];
+    }
+    let nearest = found.nearest.as_ref();
+    match nearest.filter(|nearest| nearest.is_nearly_all()) {
+        Some(nearest) => vec![nearest.mistake.id, RIGHT_BUT_FOR_FEW],
+        None if found.is_right_but_for_few() => vec![RIGHT_BUT_FOR_FEW],
+        None => Vec::new(),
     }
 }
 

@@ -65,7 +65,10 @@ pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
 pub use read_job::{ReadFiles, ReadJob, Wanted};
-pub use rubric_data::{Points, RubricData, SectionData, Share};
+pub use rubric_data::{
+    MOVED_AS_A_WHOLE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, SectionData,
+    Share,
+};
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, files_of_source, needed_files, normal,
     package, read_scene, reimport, scene_text,

@@ -1,7 +1,7 @@
 //! Meshes that no known mistake gives, and what is told of them.
 
 use crate::assignment::characters::character;
-use crate::diagnose::figures::{Figure, turned};
+use crate::diagnose::figures::{Figure, turned, written};
 use crate::diagnose::student::{RIGHT, with};
 use crate::work::grows_in_proportion;
 use editor_core::character::Pose;
@@ -39,6 +39,27 @@ fn nonsense_has_no_cause_and_nothing_that_comes_near() {
         found.regions.iter().all(|region| region.share > 0.99),
         "{found}"
     );
+}
+
+#[test]
+fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
+    let figure = adult();
+    let right = RIGHT.skin(&figure);
+    let found = figure.diagnose(&written(&right, 2));
+    assert_eq!(found.verdict, Verdict::Unexplained);
+    let coarse = found.coarse.unwrap();
+    assert!((coarse.rounded_to - 0.01).abs() < 1e-9 && coarse.may_be_right);
+    let text = found.to_string();
+    assert!(text.contains("too coarse to tell mistakes apart"), "{text}");
+    assert!(
+        text.contains("the exact result, if that is rounded"),
+        "{text}"
+    );
+    // What is far off is not called right for its digits.
+    let far: Vec<Vec3> = right.iter().map(|place| *place * 1.5).collect();
+    let found = figure.diagnose(&written(&far, 2));
+    assert!(!found.coarse.unwrap().may_be_right, "{found}");
+    assert_eq!(figure.diagnose(&written(&right, 4)).coarse, None);
 }
 
 #[test]

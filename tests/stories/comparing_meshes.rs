@@ -615,7 +615,10 @@ fn where_no_mistake_is_found_the_pose_is_to_be_checked() {
     let mut story = comparing(&bent);
     diagnose(&mut story);
     text(&story, "No known mistake gives this mesh in this pose");
-    text(&story, "Is this the pose that mine.obj was made in?");
+    text(
+        &story,
+        "Was mine.obj made from this character, in this pose?",
+    );
 }
 
 #[test]

@@ -140,6 +140,14 @@ impl MeshFinding {
 }
 
 impl MeshFinding {
+    /// Whether B is A moved, turned or scaled.
+    pub fn is_placement(&self) -> bool {
+        matches!(
+            self,
+            Self::Offset { .. } | Self::Scaled { .. } | Self::Axes { .. } | Self::Turned { .. }
+        )
+    }
+
     /// What B is, in a few words; `None` for what is no placement of A.
     pub fn brief(&self) -> Option<String> {
         let sized = |words: String, factor: f64| match factor {

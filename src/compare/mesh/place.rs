@@ -119,9 +119,11 @@ fn side_of(part: &Aabb, whole: &Aabb) -> Option<String> {
         third(2, ["toward -Z", "toward +Z"]),
     ];
     let sides: Vec<&str> = sides.into_iter().flatten().collect();
-    Some(match sides.is_empty() {
-        true => "in the middle of the mesh".to_owned(),
-        false => format!("{} of the mesh", sides.join(", ")),
+    let is_wide = (0..3).any(|axis| !is_flat(axis) && size[axis] > 0.5 * full[axis]);
+    Some(match (sides.is_empty(), is_wide) {
+        (false, _) => format!("{} of the mesh", sides.join(", ")),
+        (true, true) => "here and there in the mesh".to_owned(),
+        (true, false) => "in the middle of the mesh".to_owned(),
     })
 }
 
@@ -172,6 +174,10 @@ mod tests {
         assert_eq!(
             at([-0.1, 1.9, 0.0], [0.1, 2.1, 0.0]),
             "in the middle of the mesh"
+        );
+        assert_eq!(
+            at([-0.1, 0.5, 0.0], [0.1, 3.5, 0.0]),
+            "here and there in the mesh"
         );
         assert_eq!(at([-0.9, 0.1, 0.0], [0.9, 3.9, 0.0]), "all over the mesh");
         assert_eq!(side_of(&Aabb::EMPTY, &whole), None);

@@ -222,16 +222,19 @@ impl Parts<'_> {
             None => {
                 let text = "No known mistake gives this mesh in this pose, nor do two of them.";
                 say(ui, text, palette.strong);
-                let text = format!(
-                    "Is this the pose that {} was made in? If not, load that one.",
-                    self.compare.name
-                );
-                say(ui, &text, palette.text);
-                self.load_pose(ui);
             }
         }
-        for finding in &diagnosis.findings {
-            say(ui, &finding.to_string(), palette.text);
+        let found = diagnosis.found();
+        for finding in &found {
+            say(ui, finding, palette.text);
+        }
+        if found.is_empty() && diagnosis.other_pose.is_none() {
+            let text = format!(
+                "Was {} made from this character, in this pose? If in another one, load that.",
+                self.compare.name
+            );
+            say(ui, &text, palette.text);
+            self.load_pose(ui);
         }
         if let Some(nearest) = &diagnosis.nearest {
             let text = format!(
