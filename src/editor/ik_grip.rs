@@ -19,6 +19,10 @@ const FOREARM: f32 = 2.0;
 /// Length of a foot relative to the bone above it below which that counts as short.
 const SHORT: f32 = 0.6;
 
+/// Length of a bone relative to the one below it below which it is no part of a limb: it would have to fold for the
+/// least way of the lower one's end toward it, as the hips do below a trunk.
+const STUB: f32 = 0.35;
+
 /// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IkGrip {
@@ -106,6 +110,19 @@ impl IkGrip {
         fork(above) && !fork(last)
     }
 
+    /// Whether the bone that leads to the last joint above the grip is a stub beside the grip's own.
+    fn follows_stub(self, skeleton: &SkeletalModel) -> bool {
+        let joint = |index: usize| skeleton.joints().get(index);
+        let (last, bone) = match self {
+            Self::Joint(grip) => match joint(grip) {
+                Some(grip) => (grip.parent.and_then(joint), grip.offset),
+                None => return false,
+            },
+            Self::Tip { joint: last, tip } => (joint(last), tip),
+        };
+        last.is_some_and(|last| last.offset.length() < STUB * bone.length())
+    }
+
     /// Chain that moves the grip; `None` for a root, and if no joint above it can turn, as below a
     /// pin.
     pub fn chain(self, session: &Session, shape: ShapeId) -> Option<IkChain> {
@@ -113,7 +130,7 @@ impl IkGrip {
         let (skeleton, pose) = (character.character.skeleton(), character.pose());
         let pins = &character.ik.pins;
         let length = match character.ik.length {
-            IkSettings::LIMB if self.ends_limb(skeleton) => 1,
+            IkSettings::LIMB if self.ends_limb(skeleton) || self.follows_stub(skeleton) => 1,
             length => length,
         };
         match self {
@@ -244,6 +261,23 @@ mod tests {
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
+    }
+
+    #[test]
+    fn a_trunk_leans_on_short_hips_without_turning_them() {
+        let trunk = skeleton(&[
+            (None, [0.0, 1.0, 0.0]),
+            (Some(0), [0.0, 0.0, 0.0]),
+            (Some(1), [0.0, 0.075, 0.0]),
+            (Some(2), [0.0, 0.395, 0.0]),
+            (Some(3), [0.0, 0.06, 0.0]),
+        ]);
+        let (session, shape) = session(trunk);
+        let chain = IkGrip::Joint(3).chain(&session, shape).unwrap();
+        assert_eq!(chain.joints(), [2]);
+        let tip = Vec3::new(0.0, 0.2, 0.0);
+        let head = IkGrip::Tip { joint: 4, tip };
+        assert_eq!(head.chain(&session, shape).unwrap().joints(), [4]);
     }
 
     /// A session with a character of this skeleton.

@@ -82,8 +82,8 @@ impl Camera {
         shapes: impl Iterator<Item = &'a EvaluatedShape> + Clone,
         area: FitArea,
     ) {
-        let bounds = |shape: &EvaluatedShape| shape.world_bounds();
-        let bounds = shapes.clone().map(bounds).fold(Aabb::EMPTY, Aabb::union);
+        let bounds = shapes.clone().map(handled_bounds);
+        let bounds = bounds.fold(Aabb::EMPTY, Aabb::union);
         self.fit(&bounds, area);
         if bounds.is_empty() {
             return;
@@ -171,12 +171,22 @@ impl Camera {
     }
 }
 
+/// Bounds of a shape, in the world, with its control points, which are there to be dragged.
+fn handled_bounds(shape: &EvaluatedShape) -> Aabb {
+    let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
+    let points = curves.flat_map(|curve| &curve.control_points);
+    let in_world = |&point| shape.world_from_model.transform_point3(point);
+    shape
+        .world_bounds()
+        .union(Aabb::from_points(points.map(in_world)))
+}
+
 /// Calls `take` with the vertices of a shape, in the world; with the corners of its box if it shows
 /// curves, which lie between few points.
 fn for_each_point(shape: &EvaluatedShape, mut take: impl FnMut(Vec3)) {
     let positions = shape.geometry.positions();
     if shape.geometry.curves.is_some() || positions.is_empty() {
-        shape.world_bounds().corners().into_iter().for_each(take);
+        handled_bounds(shape).corners().into_iter().for_each(take);
     } else {
         let in_world = |&point| shape.world_from_model.transform_point3(point);
         positions.iter().for_each(|point| take(in_world(point)));

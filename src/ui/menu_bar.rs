@@ -15,7 +15,7 @@ use egui::{
 /// Height of the bar and of a menu's margins, in points.
 const BAR_AND_MARGINS: f32 = 48.0;
 /// Height of the tallest menu, in points.
-const HIGHEST: f32 = 540.0;
+const HIGHEST: f32 = 600.0;
 /// Before a switch that is on, and as wide before what is not.
 const MARK: &str = "✔ ";
 const NO_MARK: &str = "     ";

@@ -162,7 +162,7 @@ const STEPS_PER_SECOND: f32 = 30.0;
 /// Longest frame that counts while a key is held, in seconds, so that a stall is no leap.
 const LONGEST_FRAME: f32 = 0.1;
 /// [`Camera::dolly`] per notch of the wheel, and per pixel of a drag.
-const DOLLY_PER_NOTCH: f32 = 0.1;
+pub(super) const DOLLY_PER_NOTCH: f32 = 0.1;
 const DOLLY_PER_PIXEL: f32 = 0.005;
 
 /// Keys that only the Virtual Mannequin's navigation has a use for.

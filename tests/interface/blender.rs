@@ -207,6 +207,18 @@ fn the_keys_around_5_turn_the_camera_by_15_degrees_to_the_side_they_lie_on() {
 }
 
 #[test]
+fn plus_and_minus_zoom_by_a_notch_of_the_wheel() {
+    let mut editor = in_blender(Editor::new());
+    let radius = |editor: &Editor| editor.session().view().camera.radius;
+    let before = radius(&editor);
+    editor.key(Key::Plus);
+    let near = radius(&editor);
+    assert!(near < 0.95 * before && near > 0.8 * before, "{near}");
+    editor.key(Key::Minus);
+    assert!((radius(&editor) - before).abs() < 1e-5);
+}
+
+#[test]
 fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_mannequin() {
     let mut editor = in_blender(Editor::new());
     editor.view(View::SetLook(Look::Mannequin));

@@ -73,6 +73,20 @@ fn a_new_curve_is_light_gray_named_as_in_the_menu_and_selected() {
 }
 
 #[test]
+fn fitting_shows_the_control_points_of_a_b_spline_which_lie_off_it() {
+    let mut editor = with_curve("B-Spline Curve");
+    editor.key(Key::F);
+    let view = editor.harness.state().view.size();
+    let size = glam::Vec2::new(view.x, view.y);
+    let camera = editor.session().view().camera;
+    for &point in points(&editor) {
+        let pixel = camera.pixel(point, size).unwrap();
+        let is_inside = pixel.cmpge(glam::Vec2::ZERO).all() && pixel.cmple(size).all();
+        assert!(is_inside, "{point} at {pixel} of {size}");
+    }
+}
+
+#[test]
 fn each_visibility_is_chosen_by_its_label() {
     let mut editor = with_curve("B-Spline Curve");
     editor.click("Show Control Points");

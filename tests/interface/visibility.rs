@@ -31,6 +31,48 @@ fn clicked(editor: &mut Editor) -> Option<ShapeId> {
 }
 
 #[test]
+fn others_are_hidden_and_the_selection_is_inverted_among_what_is_shown() {
+    let mut editor = Editor::new();
+    for name in ["Cube", "Sphere", "Pyramid", "Teapot"] {
+        editor.choose(&["Insert", name]);
+    }
+    let ids: Vec<_> = editor
+        .session()
+        .scene()
+        .shapes()
+        .iter()
+        .map(|shape| shape.id)
+        .collect();
+    let is_selected = |editor: &Editor| {
+        ids.iter()
+            .map(|&id| editor.session().is_selected(id))
+            .collect::<Vec<_>>()
+    };
+    editor.edit(Edit::SetVisible(ids[0], false));
+    editor.view(View::Select(Some(ids[1])));
+    editor.choose(&["Edit", "Invert Selection"]);
+    assert_eq!(is_selected(&editor), [false, false, true, true]);
+    editor.choose(&["Edit", "Hide Others"]);
+    let shown: Vec<bool> = editor
+        .session()
+        .scene()
+        .shapes()
+        .iter()
+        .map(|shape| shape.visible)
+        .collect();
+    assert_eq!(shown, [false, false, true, true]);
+    editor.key_with(egui::Modifiers::COMMAND, Key::Z);
+    let shown = editor
+        .session()
+        .scene()
+        .shapes()
+        .iter()
+        .filter(|shape| shape.visible)
+        .count();
+    assert_eq!(shown, 3, "in one step");
+}
+
+#[test]
 fn the_eye_hides_a_shape_and_shows_it_again() {
     let mut editor = with_cube();
     editor.click("Hide Cube");

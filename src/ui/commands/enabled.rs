@@ -1,6 +1,6 @@
 //! When commands are disabled.
 
-use super::hiding::hidden;
+use super::hiding::{hidden, others};
 use super::put_back::why_nothing_back;
 use super::run::{character_to_compare, curves, selected_character, selected_curves};
 use super::sweep::sweep;
@@ -61,6 +61,7 @@ pub(in crate::ui) fn why_disabled(
         }
         Command::Begin(does) => why_nothing_begins(does, session, state.pose.tool),
         Command::SelectAll
+        | Command::InvertSelection
         | Command::BoxSelect
         | Command::ExportGeometry
         | Command::ExportMaterials
@@ -81,6 +82,8 @@ pub(in crate::ui) fn why_disabled(
         Command::ExportCurve | Command::MakeSurfaceOfRevolution => why_no_curves(command, session),
         Command::MakeSweep => sweep(session).err(),
         _ if is_in(Menu::Pose, command) => why_no_pose(command, session),
+        Command::HideOthers if session.selected().is_none() => Some("No shape is selected"),
+        Command::HideOthers if others(session).next().is_none() => Some("No other shape is shown"),
         Command::ShowAll if hidden(session).next().is_none() => Some("No shape is hidden"),
         Command::SelectNone if session.selected().is_none() => Some("No shape is selected"),
         Command::Fit | Command::FitAll

@@ -15,6 +15,18 @@ pub(super) fn toggle(command: Command, session: &Session) -> Option<Action> {
     Some(Action::Edit(for_all_selected(session, edit)))
 }
 
+/// Hides the shapes that are shown and not selected.
+pub(super) fn hide_others(session: &Session) -> Action {
+    let hide = others(session).map(|shape| Edit::SetVisible(shape.id, false));
+    Action::Edit(Edit::Together(hide.collect()))
+}
+
+/// The shapes that are shown and not selected.
+pub(super) fn others(session: &Session) -> impl Iterator<Item = &Shape> {
+    let shapes = session.scene().shapes().iter();
+    shapes.filter(|shape| shape.visible && !session.is_selected(shape.id))
+}
+
 /// Shows the shapes that are hidden.
 pub(super) fn show_all(session: &Session) -> Action {
     let show = hidden(session).map(|shape| Edit::SetVisible(shape.id, true));

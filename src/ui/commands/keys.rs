@@ -11,6 +11,10 @@ use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
 const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::SelectAll, KeyboardShortcut::new(NONE, Key::A)),
     (Command::SelectNone, KeyboardShortcut::new(ALT, Key::A)),
+    (
+        Command::InvertSelection,
+        KeyboardShortcut::new(CTRL, Key::I),
+    ),
     (Command::Delete, KeyboardShortcut::new(NONE, Key::X)),
     (Command::Duplicate, KeyboardShortcut::new(SHIFT, Key::D)),
     (Command::Rename, KeyboardShortcut::new(NONE, Key::F2)),

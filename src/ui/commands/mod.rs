@@ -82,6 +82,8 @@ pub enum Command {
     SelectAll,
     /// Selects nothing.
     SelectNone,
+    /// Selects the shapes that are shown and not selected, instead of those that are.
+    InvertSelection,
     /// Lets the next drag in the view draw a box, which selects the shapes in it.
     BoxSelect,
     /// Inserts a shape.
@@ -114,6 +116,8 @@ pub enum Command {
     ToggleVisible,
     /// Shows every shape that is hidden.
     ShowAll,
+    /// Hides the shapes that are not selected.
+    HideOthers,
     /// Locks the selected shape in the view, or unlocks it.
     ToggleLocked,
     /// One of the six views.

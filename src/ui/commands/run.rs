@@ -1,15 +1,15 @@
 //! What commands do.
 
 use super::enabled::why_disabled;
-use super::hiding::{show_all, toggle};
+use super::hiding::{hide_others, others, show_all, toggle};
 use super::put_back::put_back;
 use super::sweep::sweep;
 use super::table::label;
 use super::{Command, Entry, Primitive};
 use crate::character::Mirror;
 use crate::editor::{
-    Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place, for_all_selected,
-    set_on_ground,
+    BoxMode, Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place,
+    for_all_selected, set_on_ground,
 };
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{
@@ -167,6 +167,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::BoxSelect | Command::MakeSweep => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::SelectNone => return Some(Action::View(View::Select(None))),
+        Command::InvertSelection => {
+            let others = others(session).map(|shape| shape.id).collect();
+            return Some(Action::View(View::SelectInBox(others, BoxMode::Replace)));
+        }
         Command::InsertMenu => state.opens_insert_menu = true,
         Command::Cut => return Some(Action::Ask(Ask::CutShapes)),
         Command::Copy => {
@@ -180,6 +184,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         }
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
         Command::ShowAll => return Some(show_all(session)),
+        Command::HideOthers => return Some(hide_others(session)),
         // Only the course's editor turns away from what is looked at.
         Command::ViewFrom(direction) => {
             return Some(Action::View(match state.navigation {

@@ -192,6 +192,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::Duplicate, Menu::Clipboard, "Duplicate", "Add copies of the selected shapes beside them", &[key(CTRL, Key::D)]).also("clone"),
     entry(Command::SelectAll, Menu::Clipboard, "Select All", "Select every shape that is shown; Ctrl and Shift with a click select several", &[key(CTRL, Key::A)]),
     entry(Command::SelectNone, Menu::Clipboard, "Select None", "Deselect every shape", &[key(CTRL.plus(SHIFT), Key::A)]).also("unselect deselect clear"),
+    entry(Command::InvertSelection, Menu::Clipboard, "Invert Selection", "Select the shapes that are shown and not selected, instead of those that are", &[]).also("inverse others"),
     entry(Command::BoxSelect, Menu::Clipboard, "Box Select", "Draw a box with the next left drag in the view: shapes of which any part is in it are selected; Shift adds them, Ctrl takes them out", &[key(NONE, Key::Q)]).also("marquee rectangle border lasso"),
 
     entry(Command::Insert(Primitive::Cube), Menu::Insert, "Cube", "Add a cube at the origin", &[key(SHIFT, Key::C)]).also("box"),
@@ -220,6 +221,7 @@ pub const COMMANDS: &[Entry] = &[
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Rotate), Menu::Shape, "Rotate with Pointer", "Turn what is selected with the pointer until a click or Enter; X, Y, Z and degrees can be typed, Esc puts it back", &[key(NONE, Key::R)])).also("spin"),
     only_in(Navigation::Blender, entry(Command::Begin(Tool::Scale), Menu::Shape, "Scale with Pointer", "Scale what is selected with the pointer until a click or Enter; X, Y, Z, with Shift the other two axes, and a factor can be typed, Esc puts it back", &[key(NONE, Key::S)])).also("size resize"),
     entry(Command::ToggleVisible, Menu::Shape, "Hide or Show", "Hide the selected shape in the view, or show it again; exports have it all the same", &[key(NONE, Key::H)]).also("invisible visibility"),
+    entry(Command::HideOthers, Menu::Shape, "Hide Others", "Hide every shape that is not selected", &[key(SHIFT, Key::H)]).also("isolate local view solo"),
     entry(Command::ShowAll, Menu::Shape, "Show All", "Show every shape that is hidden", &[key(ALT, Key::H)]).also("unhide reveal"),
     entry(Command::ToggleLocked, Menu::Shape, "Lock or Unlock", "Keep the selected shape from being clicked, posed and moved in the view, or unlock it", &[key(SHIFT, Key::L)]).also("freeze"),
 
