@@ -52,7 +52,8 @@ pub(super) fn show(
     let places = match (input.compare, settings) {
         (Some(compare), Some(settings)) => {
             let outlined = state.outlined.area();
-            compare::pictures(&mut over, &response, compare, settings, outlined)
+            let view = (&response, below_tools(state));
+            compare::pictures(&mut over, view, compare, settings, outlined)
         }
         _ => ScenePlaces::whole(rect),
     };
@@ -135,7 +136,7 @@ fn what_is_seen(
     state: &mut UiState,
     input: &ViewInput,
 ) {
-    let below_tools = tool_rows(state) * BAR_HEIGHT + 8.0;
+    let below_tools = below_tools(state);
     let explain = &mut state.explain;
     let top = explain::over_view(over, (rect, below_tools), places, session, explain);
     // The mistake is what is seen then.
@@ -170,6 +171,11 @@ pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
         aspect,
         free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),
     }
+}
+
+/// Height at the top of the view that the tool bar takes, in points.
+fn below_tools(state: &UiState) -> f32 {
+    tool_rows(state) * BAR_HEIGHT + 8.0
 }
 
 /// Rows of the tool bar.

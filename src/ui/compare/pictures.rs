@@ -19,10 +19,11 @@ const GAP: f32 = 8.0;
 const REFERENCE: &str = "A: reference";
 const LIVE: &str = "B: live view";
 
-/// Both pictures in the view instead of the scene alone. `view` is the widget that they lie in.
+/// Both pictures in the view instead of the scene alone. `view` is the widget that they lie in, `below_tools` the
+/// height at its top that is the tools'.
 pub(in crate::ui) fn show(
     ui: &mut Ui,
-    view: &Response,
+    (view, below_tools): (&Response, f32),
     compare: &CompareView,
     settings: &mut CompareSettings,
     outlined: Option<Area>,
@@ -31,9 +32,19 @@ pub(in crate::ui) fn show(
     let size = compare.size();
     let pixels = vec2(size.0 as f32, size.1 as f32);
     let pixels_per_point = ui.ctx().pixels_per_point();
-    let rects = match compare.settings.mode {
+    let places_in = |area: Rect| match compare.settings.mode {
         CompareMode::SideBySide => places_of_two(area, pixels, pixels_per_point).to_vec(),
         _ => vec![place_of_one(area, pixels, pixels_per_point)],
+    };
+    let mut clear = area;
+    clear.min.y += below_tools.min(area.height() / 2.0);
+    // Every pixel as it is counts for more than a corner below the tools.
+    let scale = |places: &[Rect]| places[0].width() * pixels_per_point / pixels.x.max(1.0);
+    let (largest, clear) = (places_in(area), places_in(clear));
+    let rects = if scale(&largest) >= 1.0 && scale(&clear) < 1.0 {
+        largest
+    } else {
+        clear
     };
     let blinked = blinked(ui, compare.settings.mode);
     let places = ScenePlaces::compared(

@@ -7,7 +7,7 @@ use crate::scene::bones_in_world;
 use crate::ui::scene_places::Place;
 use crate::ui::theme::Palette;
 use egui::text::{LayoutJob, TextWrapping};
-use egui::{FontId, Pos2, Rect, Ui, Vec2, vec2};
+use egui::{FontId, Id, LayerId, Order, Pos2, Rect, Ui, Vec2, vec2};
 
 /// Least distance of the readout from the edges of the view, in points.
 const AWAY_FROM_EDGE: f32 = 4.0;
@@ -30,7 +30,9 @@ pub(super) fn show(
         return;
     };
     let palette = Palette::of(ui.visuals());
-    let painter = ui.painter();
+    // Above what lies over the view, such as the axis ball.
+    let layer = LayerId::new(Order::Tooltip, Id::new("readout"));
+    let painter = ui.ctx().layer_painter(layer);
     let (font, color) = (FontId::proportional(13.0), palette.strong);
     let value = painter.layout_no_wrap(text, font.clone(), color);
     let (margin, gap) = (vec2(6.0, 3.0), 8.0);
