@@ -36,6 +36,7 @@ mod purpose;
 mod questions;
 mod reading;
 mod running;
+mod saving;
 mod scene_key;
 mod scene_link;
 mod scene_picture;
