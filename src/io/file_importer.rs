@@ -1,19 +1,16 @@
 use super::{
-    Diagnostic, Files, Imported,
-    archive::main_files,
-    builtin,
+    Diagnostic, Files, Imported, builtin,
     dae::{DaeReport, DaeScene, read_dae_by},
     file_access,
     import_character::read_character_by,
     import_shape::read_shape_obj_by,
     is_character, read_swp,
     recorder::Recorder,
-    scene::{Missing, read_scene_by},
 };
 use crate::character::Character;
 use crate::geometry::SharedMesh;
 use crate::scene::{
-    CharacterShape, CurveShape, Importer, NewShape, ShapeKind, Source, ViewSettings, name_of_import,
+    CharacterShape, CurveShape, Importer, NewShape, ShapeKind, Source, name_of_import,
 };
 use crate::steps::{Pace, at_once};
 use std::borrow::Cow;
@@ -231,104 +228,11 @@ pub fn import_curve(files: &dyn Files, path: &Path) -> Result<Imported<Vec<NewSh
     }
 }
 
-/// The scenes and shapes of one or more files, to be opened as one scene.
-#[derive(Clone, Debug, Default)]
-pub struct Loaded {
-    /// All their shapes, in the order of the files.
-    pub shapes: Vec<NewShape>,
-    /// The view of the last scene file; none if there is none.
-    pub view: Option<ViewSettings>,
-    /// Warnings about them.
-    pub warnings: Vec<Diagnostic>,
-    /// Treatment of files that scenes name and that cannot be read.
-    pub missing: Missing,
-}
-
-impl Loaded {
-    /// Adds the content of the file at `path`: the shapes of a scene with its view, those of the one
-    /// scene in an archive or else all models there, or an import.
-    ///
-    /// # Errors
-    /// If it cannot be read or is not well formed; then nothing is added.
-    pub fn add(&mut self, files: &dyn Files, path: &Path) -> Result<(), Diagnostic> {
-        at_once(|pace| async move { self.add_by(files, path, &pace).await })
-    }
-
-    /// As [`Loaded::add`], at a pace that is told of bytes.
-    ///
-    /// # Errors
-    /// As [`Loaded::add`].
-    pub(super) async fn add_by(
-        &mut self,
-        files: &dyn Files,
-        path: &Path,
-        pace: &Pace,
-    ) -> Result<(), Diagnostic> {
-        let path = &*character_file(files, path);
-        let file = to_open(path)?;
-        match file_access::extension(&file).as_str() {
-            "scene" => self.add_scene(files, &file, pace).await?,
-            "zip" => {
-                let mut packed = Self {
-                    missing: self.missing,
-                    ..Self::default()
-                };
-                for path in main_files(files, &file)? {
-                    if file_access::is_scene(&path) {
-                        packed.add_scene(files, &path, pace).await?;
-                    } else {
-                        packed.add_imported(import_any_by(files, &path, pace).await?);
-                    }
-                }
-                self.add_loaded(packed);
-            }
-            extension if !IMPORTABLE.contains(&extension) => {
-                let openable = [&["scene", "zip"], &IMPORTABLE[..]].concat();
-                return Err(cannot_open(
-                    files,
-                    path,
-                    extension,
-                    "a file that can be opened",
-                    &openable,
-                ));
-            }
-            _ => self.add_imported(import_any_by(files, path, pace).await?),
-        }
-        Ok(())
-    }
-
-    async fn add_scene(
-        &mut self,
-        files: &dyn Files,
-        path: &Path,
-        pace: &Pace,
-    ) -> Result<(), Diagnostic> {
-        let read = read_scene_by(files, path, self.missing, pace).await?;
-        self.warnings.extend(read.warnings);
-        self.view = Some(read.value.view);
-        self.shapes.extend(read.value.shapes);
-        Ok(())
-    }
-
-    /// Adds what was loaded from another file.
-    fn add_loaded(&mut self, other: Self) {
-        self.warnings.extend(other.warnings);
-        self.view = other.view.or(self.view);
-        self.shapes.extend(other.shapes);
-    }
-
-    /// Adds imported shapes.
-    pub fn add_imported(&mut self, imported: Imported<Vec<NewShape>>) {
-        self.warnings.extend(imported.warnings);
-        self.shapes.extend(imported.value);
-    }
-}
-
 /// The file that `path` stands for: the one in the program for `builtin:NAME`.
 ///
 /// # Errors
 /// For a built-in name that does not exist, and for the companions that macOS writes.
-fn to_open(path: &Path) -> Result<std::path::PathBuf, Diagnostic> {
+pub(super) fn to_open(path: &Path) -> Result<std::path::PathBuf, Diagnostic> {
     if path.file_name().is_some_and(file_access::is_note_of_macos) {
         let message = "expected a file with content, found notes of macOS about the file of \
                        the same name without “._”";
@@ -408,7 +312,7 @@ pub fn character_file<'a>(files: &dyn Files, path: &'a Path) -> Cow<'a, Path> {
 }
 
 /// The error for a file of the wrong kind, or that there is no such file.
-fn cannot_open(
+pub(super) fn cannot_open(
     files: &dyn Files,
     path: &Path,
     extension: &str,

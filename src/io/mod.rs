@@ -22,6 +22,7 @@ mod json;
 mod json_node;
 mod json_text;
 mod json_values;
+mod loaded;
 mod missed_files;
 mod mtl;
 pub mod namesakes;
@@ -55,11 +56,12 @@ pub use export_character::{CharacterFiles, NotExpressible, export_character};
 pub use export_materials::{ObjWithMaterials, export_obj_with_materials};
 pub use file_access::{Files, expect_extension, extension, is_archive, is_scene};
 pub use file_importer::{
-    IMPORTABLE, Loaded, character_file, import_any, import_character, import_collada, import_curve,
+    IMPORTABLE, character_file, import_any, import_character, import_collada, import_curve,
     import_shape,
 };
 pub use import_character::{is_character, read_character};
 pub use import_shape::read_shape_obj;
+pub use loaded::Loaded;
 pub use missed_files::missed_files;
 pub use obj::read_character_obj;
 pub use pose_data::{Entries, Key, PoseData};

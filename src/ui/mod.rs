@@ -8,6 +8,7 @@ mod axis_ball;
 mod below_view;
 mod box_select;
 mod character_panel;
+mod color_field;
 mod command_search;
 mod commands;
 mod compare;
