@@ -2,6 +2,7 @@
 
 use super::diagnosis::{Coarse, Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 use super::other_pose::OtherPose;
+use crate::compare::MeshFinding;
 use std::fmt;
 
 /// Regions that are told in words; the others are counted.
@@ -13,11 +14,14 @@ const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it w
 
 impl fmt::Display for OfTheWhole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "with A for the exact mesh and B for this one: {}",
-            self.0
-        )
+        match (&self.0, self.0.brief()) {
+            (MeshFinding::Scaled { offset, .. }, Some(brief)) if *offset == [0.0; 3] => {
+                f.write_str(&brief)
+            }
+            (finding, _) => {
+                write!(f, "with A for the exact mesh and B for this one: {finding}")
+            }
+        }
     }
 }
 
@@ -146,6 +150,12 @@ impl fmt::Display for Diagnosis {
 }
 
 impl Diagnosis {
+    /// Whether it is the exact mesh moved, turned or scaled as a whole.
+    pub fn is_placed_otherwise(&self) -> bool {
+        let mut findings = self.findings.iter();
+        findings.any(|finding| finding.0.is_placement())
+    }
+
     /// What is known of a mesh as a whole that nothing explains, a sentence each.
     pub fn found(&self) -> Vec<String> {
         let mut found: Vec<String> = self.findings.iter().map(ToString::to_string).collect();
@@ -201,6 +211,10 @@ impl Diagnosis {
                 write!(f, ", all but {} {vertices}", nearest.off)?;
             }
             fmt_where(std::slice::from_ref(mistake), f)?;
+        }
+        if self.is_placed_otherwise() {
+            // Every vertex is off, which says nothing.
+            return Ok(());
         }
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;

@@ -30,9 +30,9 @@ impl Report {
         page.tests(self);
         page.submissions(self);
         page.add(format_args!(
-            "<footer>Thumbnails show what a submission gives, colored by how far each vertex is from the \
-             exact result, before the exact mesh in light gray. Points follow the rubric in the file of \
-             tests.</footer>\n</body>\n</html>\n"
+            "<footer>Pictures show what a submission gives, colored by how far each vertex is from the \
+             exact result, before the exact mesh in light gray. Each result says what its mistakes leave of \
+             which section's points; the shares are those of the rubric.</footer>\n</body>\n</html>\n"
         ));
         page.0
     }

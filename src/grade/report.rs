@@ -65,6 +65,8 @@ pub struct Submission {
     pub not_graded: f64,
     /// Points by section; `None` where a person has not given them yet.
     pub sections: BTreeMap<String, Option<f64>>,
+    /// Of sections that have other points than their tests together, why, in sentences.
+    pub notes: Vec<String>,
     /// Results in the order of the tests.
     pub tests: Vec<GradedTest>,
 }
@@ -90,6 +92,8 @@ pub struct GradedTest {
     pub text: String,
     /// In which other sections mistakes cost points whose own section has none in the test, in sentences.
     pub elsewhere: Vec<String>,
+    /// Why it has not all of its points, in sentences.
+    pub why: Vec<String>,
     /// A PNG of what is off, in Base64.
     #[serde(skip)]
     pub picture: Option<String>,
@@ -131,6 +135,7 @@ impl Report {
                     test: test.name.clone(),
                     points: cents(rubric::points(test, &graded, &file.rubric)),
                     elsewhere: elsewhere(test, &graded, &file.rubric),
+                    why: rubric::why(test, &graded, &file.rubric),
                     outcome: graded.outcome,
                     hint: graded.hint,
                     causes: graded.causes,
@@ -148,6 +153,7 @@ impl Report {
                 points: in_cents(by_section.values().flatten().sum()),
                 not_graded: in_cents(not_graded.map(|section| section.possible).sum()),
                 possible,
+                notes: notes(file, &sections, &name, &tests, &by_section),
                 sections: by_section,
                 tests,
                 name,
@@ -311,6 +317,32 @@ fn points_by_section(
         (key.clone(), by_hand.or_else(by_tests))
     });
     points.collect()
+}
+
+/// Of sections that have other points than their tests together, why.
+fn notes(
+    file: &TestsFile,
+    sections: &[Section],
+    name: &str,
+    tests: &[GradedTest],
+    points: &BTreeMap<String, Option<f64>>,
+) -> Vec<String> {
+    let given = file.rubric.given.get(name);
+    let told = sections.iter().filter_map(|section| {
+        let key = &section.section;
+        let points = (*points.get(key)?)?;
+        if given.is_some_and(|given| given.contains_key(key)) {
+            return Some(format!("{key}: {points} given by hand"));
+        }
+        let possible = file.points_of_tests(key)?;
+        let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
+        let worth = section.possible;
+        (in_cents(possible) != worth).then(|| {
+            let reached = in_cents(reached);
+            format!("{key}: {reached} of {possible} in the tests count as {points} of {worth}")
+        })
+    });
+    told.collect()
 }
 
 /// Mistakes by those who made them.

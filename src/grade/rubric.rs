@@ -2,7 +2,9 @@
 
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
-use crate::io::{RubricData, TestData};
+use crate::io::{
+    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData, TestKind,
+};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
@@ -11,6 +13,13 @@ use std::collections::BTreeMap;
 const POSE_NOT_APPLIED: &str = "pose-not-applied";
 /// What that leaves unless the rubric says otherwise.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
+/// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
+/// mistake in skinning.
+const LEFT_BY_LITTLE: &[(&str, f64)] = &[
+    (RIGHT_BUT_FOR_FEW, 0.9),
+    (RIGHT_BUT_FOR_DIGITS, 0.9),
+    (MOVED_AS_A_WHOLE, 0.75),
+];
 
 /// The points of a test by section. A mistake costs its share of the points of its own section alone,
 /// for all else is right once it is set aside; one whose section has no points in the test costs them in the nearest
@@ -23,15 +32,10 @@ pub(super) fn points(
 ) -> BTreeMap<String, f64> {
     match graded.outcome {
         Outcome::Right => of_all(test, 1.0),
-        Outcome::Unexplained => {
-            let by_vertices = of_all(test, rubric.unexplained.0 * graded.agrees);
-            let as_mistakes = left_by(&graded.nearly, test, rubric);
-            let is_better = total(&as_mistakes) > total(&by_vertices);
-            match !graded.nearly.is_empty() && is_better {
-                true => as_mistakes,
-                false => by_vertices,
-            }
+        Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
+            left_by(&graded.nearly, test, rubric)
         }
+        Outcome::Unexplained => of_all(test, by_vertices(graded, rubric)),
         // The pose that was asked for is as little in it as in one that is not posed at all.
         Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()], test, rubric),
         Outcome::Explained => counted(test, graded, rubric)
@@ -40,6 +44,65 @@ pub(super) fn points(
             of_all(test, 0.0)
         }
     }
+}
+
+/// Why a test has not all of its points, in sentences.
+pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
+    let of_mistakes = |ids: &[String]| ids.iter().map(|id| why_mistake(id, test, rubric)).collect();
+    match graded.outcome {
+        Outcome::Right => Vec::new(),
+        Outcome::Explained => counted(test, graded, rubric).map_or_else(Vec::new, of_mistakes),
+        Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
+            of_mistakes(&graded.nearly)
+        }
+        Outcome::Unexplained => {
+            let what = match test.kind {
+                TestKind::Mesh => "vertices",
+                TestKind::Picture { .. } => "silhouette",
+            };
+            let share = percent(rubric.unexplained.0);
+            let right = percent(graded.agrees);
+            vec![format!(
+                "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
+            )]
+        }
+        Outcome::OtherPose => {
+            let share = percent(share_left(POSE_NOT_APPLIED, rubric));
+            vec![format!(
+                "a result in another pose than that of the test leaves {share} of every section, as {POSE_NOT_APPLIED} does"
+            )]
+        }
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
+            vec!["there is nothing to give points for".to_owned()]
+        }
+    }
+}
+
+/// What a mistake, or a mesh that is nearly right, leaves of which section.
+fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
+    let share = percent(share_left(id, rubric));
+    if id == POSE_NOT_APPLIED {
+        return format!("{id} leaves {share} of every section");
+    }
+    let Some(mistake) = Mistake::find(id) else {
+        let section = largest(test).unwrap_or_default();
+        return format!("{id} leaves {share} of {section}");
+    };
+    let (own, section) = (
+        number(mistake.section),
+        section_of(mistake, test).unwrap_or_default(),
+    );
+    let told = format!("{id} leaves {share} of {section}");
+    match own == section {
+        true => told,
+        false => format!("{told}, since the test has no points for {own}"),
+    }
+}
+
+/// A share in words.
+fn percent(share: f64) -> String {
+    let percent = (share * 1000.0 + 1e-6).floor() / 10.0;
+    format!("{percent} %")
 }
 
 /// Mistakes that cost points in another section than their own, which has none in the test: each with its own and
@@ -90,18 +153,36 @@ fn of_all(test: &TestData, share: f64) -> BTreeMap<String, f64> {
         .collect()
 }
 
+/// The share that what is unexplained gives by its vertices alone.
+fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
+    rubric.unexplained.0 * graded.agrees
+}
+
+/// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
+fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
+    let as_mistakes = left_by(&graded.nearly, test, rubric);
+    let by_vertices = of_all(test, by_vertices(graded, rubric));
+    !graded.nearly.is_empty() && total(&as_mistakes) > total(&by_vertices)
+}
+
+/// The share that one mistake leaves of its section.
+fn share_left(id: &str, rubric: &RubricData) -> f64 {
+    let mut by_little = LEFT_BY_LITTLE.iter();
+    let without = match id {
+        POSE_NOT_APPLIED => LEFT_WITHOUT_POSE,
+        id => by_little
+            .find(|(known, _)| *known == id)
+            .map_or(rubric.mistake.0, |(_, share)| *share),
+    };
+    rubric.mistakes.get(id).map_or(without, |share| share.0)
+}
+
 /// What mistakes that are made together leave in each section.
 fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<String, f64> {
     let mut left = of_all(test, 1.0);
     for id in ids {
         let is_of_all = id == POSE_NOT_APPLIED;
-        let without = if is_of_all {
-            LEFT_WITHOUT_POSE
-        } else {
-            rubric.mistake.0
-        };
-        let share = rubric.mistakes.get(id.as_str());
-        let share = share.map_or(without, |share| share.0);
+        let share = share_left(id, rubric);
         let own = match Mistake::find(id) {
             Some(mistake) => section_of(mistake, test),
             // A mesh that is nearly right does not show in which section the mistake is.
@@ -161,7 +242,7 @@ pub(super) fn number(section: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::io::{NamedFile, Points, Position, Share, TestKind};
+    use crate::io::{NamedFile, Points, Position, Share};
 
     fn named(path: &str) -> NamedFile {
         NamedFile {
@@ -217,6 +298,33 @@ mod tests {
                 "{causes:?}"
             );
         }
+    }
+
+    #[test]
+    fn points_that_are_lost_are_explained_by_what_is_left() {
+        let mut rubric = RubricData::default();
+        let told = |graded: &Graded, rubric: &RubricData| why(&test(TWO), graded, rubric);
+        let two = explained(&[&["no-inverse-bind", "parent-missing"]]);
+        assert_eq!(
+            told(&two, &rubric),
+            [
+                "no-inverse-bind leaves 50 % of 4.2",
+                "parent-missing leaves 50 % of 3.4, since the test has no points for 3.2"
+            ]
+        );
+        let bind = explained(&[&["pose-not-applied"]]);
+        assert_eq!(
+            told(&bind, &rubric),
+            ["pose-not-applied leaves 0 % of every section"]
+        );
+        rubric.unexplained = Share(0.25);
+        let unexplained = Graded {
+            agrees: 0.8,
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        let text = "what no known mistake explains leaves 25 %, times the 80 % of the vertices that are right";
+        assert_eq!(told(&unexplained, &rubric), [text]);
+        assert!(told(&Graded::without(Outcome::Right, ""), &rubric).is_empty());
     }
 
     #[test]
@@ -283,7 +391,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_nearly_right_counts_as_much_as_a_mistake_in_the_largest_section() {
+    fn what_is_nearly_right_costs_less_than_a_mistake_and_in_the_largest_section() {
         let mut rubric = RubricData::default();
         let nearly = |names: &[&str], agrees| Graded {
             nearly: names.iter().map(|&name| name.to_owned()).collect(),
@@ -291,16 +399,19 @@ mod tests {
             ..Graded::without(Outcome::Unexplained, "")
         };
         let few = nearly(&["right-but-for-few"], 0.998);
-        assert_eq!(given(TWO, &few, &rubric), [6.0, 5.0]);
+        assert_eq!(given(TWO, &few, &rubric), [6.0, 9.0]);
+        let told = why(&test(TWO), &few, &rubric);
+        assert_eq!(told, ["right-but-for-few leaves 90 % of 4.2"]);
         let moved = nearly(&["moved-as-a-whole"], 0.0);
-        assert_eq!(given(TWO, &moved, &rubric), [6.0, 5.0]);
+        assert_eq!(given(TWO, &moved, &rubric), [6.0, 7.5]);
         let of_mistake = nearly(&["euler-zyx", "right-but-for-few"], 0.1);
-        assert_eq!(given(TWO, &of_mistake, &rubric), [3.0, 5.0]);
+        assert_eq!(given(TWO, &of_mistake, &rubric), [3.0, 9.0]);
         // A rubric may count them otherwise.
-        let name = "moved-as-a-whole".to_owned().try_into().unwrap();
-        rubric.mistakes.insert(name, Share(0.9));
-        assert_eq!(given(TWO, &moved, &rubric), [6.0, 9.0]);
-        rubric.mistake = Share(0.0);
+        for (id, share) in [("moved-as-a-whole", 0.8), ("right-but-for-few", 0.0)] {
+            let name = id.to_owned().try_into().unwrap();
+            rubric.mistakes.insert(name, Share(share));
+        }
+        assert_eq!(given(TWO, &moved, &rubric), [6.0, 8.0]);
         rubric.unexplained = Share(1.0);
         let [small, large] = given(TWO, &few, &rubric)[..] else {
             panic!("two sections");

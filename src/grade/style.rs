@@ -50,6 +50,10 @@ figcaption { margin-top: .3rem; font-size: .9rem; }
 .legend i.ramp { width: 6rem; }
 details { border: 1px solid var(--line); border-radius: 8px; background: var(--card); margin: .5rem 0; }
 summary { display: flex; flex-wrap: wrap; gap: .3rem 1rem; align-items: baseline; padding: .6rem .9rem; cursor: pointer; }
+summary::before { content: "▸"; color: var(--dim); }
+details[open] > summary::before { content: "▾"; }
+.note { padding: 0 .9rem; }
+.why { font-size: .9rem; }
 summary h3 { min-width: 9rem; overflow-wrap: anywhere; }
 summary .number { min-width: 5rem; }
 .test { display: flex; gap: 1rem; padding: .9rem; border-top: 1px solid var(--line); }

@@ -123,13 +123,18 @@ fn is_ungraded(outcome: Outcome) -> bool {
     }
 }
 
-/// The beginning of a text whose lines are joined.
+/// A text whose lines are joined. Of a long one the beginning, which says what happened, and the end, where the
+/// message of a program is.
 fn in_one_line(text: &str) -> String {
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    match line.char_indices().nth(LETTERS) {
-        Some((end, _)) => format!("{}…", &line[..end]),
-        None => line,
+    let letters: Vec<char> = line.chars().collect();
+    if letters.len() <= LETTERS {
+        return line;
     }
+    let (first, last) = (LETTERS / 3, LETTERS - LETTERS / 3);
+    let part = |letters: &[char]| letters.iter().collect::<String>();
+    let (first, last) = (&letters[..first], &letters[letters.len() - last..]);
+    format!("{}…{}", part(first), part(last))
 }
 
 /// Rows with their cells, all but the last, below one another.

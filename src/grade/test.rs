@@ -275,8 +275,7 @@ fn nearly(found: &Diagnosis) -> Vec<&'static str> {
     if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
         return vec![RIGHT_BUT_FOR_DIGITS];
     }
-    let mut findings = found.findings.iter();
-    if findings.any(|finding| finding.0.is_placement()) {
+    if found.is_placed_otherwise() {
         return vec![MOVED_AS_A_WHOLE];
     }
     let nearest = found.nearest.as_ref();

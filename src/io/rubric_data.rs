@@ -89,6 +89,9 @@ impl TryFrom<String> for MistakeName {
         }
         let ids = MISTAKES.iter().map(|mistake| mistake.id);
         let ids = ids.chain(nearly_right);
+        if name == "other-pose" {
+            return Err("expected pose-not-applied, which is also for other poses".to_owned());
+        }
         let nearest = ids.min_by_key(|id| strsim::levenshtein(id, &name));
         Err(format!(
             "expected the name of a mistake such as {}, found {}",

@@ -43,6 +43,7 @@ impl Program {
                         self.ui.look_of_new = Some(look);
                         self.ui.follow_look(look);
                     }
+                    let view = self.with_compared(view);
                     self.session.look(view);
                     true
                 }

@@ -7,9 +7,10 @@ use super::running::Program;
 use crate::diagnose::{
     DiagnoseError, Diagnosis, MeshJob, MeshMeasure, may_be_of, measure, of_size,
 };
-use crate::editor::{Session, Severity, View};
+use crate::editor::{Session, Severity};
 use crate::geometry::{Mesh, SharedMesh};
 use crate::io::{self, Files};
+use crate::math::Aabb;
 use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
 use crate::revision::Revision;
 use crate::scene::{EvaluatedGeometry, ShapeId, SkinningMethod, VertexNumbers};
@@ -23,8 +24,6 @@ use std::time::Duration;
 const STILL: Duration = Duration::from_millis(150);
 /// Time between two looks at how far the search has come.
 const LOOK: Duration = Duration::from_millis(100);
-/// Share of the picture below which a character is too small to see its colors.
-const SMALL: f32 = 0.5;
 /// Color of their mesh.
 const THEIRS: Vec3 = Vec3::new(1.0, 0.55, 0.35);
 
@@ -134,6 +133,18 @@ impl MeshComparison {
     /// Words about the colors.
     pub fn legend(&self) -> &Legend {
         &self.legend
+    }
+
+    /// The character, and which of the two meshes are shown.
+    pub fn shown(&self) -> (ShapeId, MeshesShown) {
+        (self.shape, self.shown)
+    }
+
+    /// Bounds of their mesh, in the world; `None` while the character is not there, and if they are not finite.
+    pub fn their_bounds(&self, session: &Session) -> Option<Aabb> {
+        let ours = session.evaluated().shape(self.shape)?;
+        let bounds = self.geometry.bounds().transformed(ours.world_from_model);
+        bounds.size().is_finite().then_some(bounds)
     }
 
     /// Both meshes, as they are shown.
@@ -324,23 +335,6 @@ impl Program {
             );
             self.tell(Severity::Info, text);
         }
-    }
-
-    /// Fits the character of a comparison that has begun into the picture if all of it is seen, but small;
-    /// whether the view changed. Who sees only a part of it looks at that part, and goes on to.
-    pub(super) fn come_closer(&mut self) -> bool {
-        let shape = self.closer_due.take();
-        let Some(shape) = shape.and_then(|id| self.session.evaluated().shape(id)) else {
-            return false;
-        };
-        let mut camera = self.session.view().camera;
-        let share = camera.share(&shape.world_bounds(), self.fit_area.aspect);
-        let is_small = share.is_some_and(|share| share < SMALL);
-        if is_small {
-            camera.fit_shapes(std::iter::once(shape), self.fit_area);
-            self.session.look(View::SetCamera(camera));
-        }
-        is_small
     }
 
     /// The character that a dropped mesh is for: that of the comparison under way, unless the mesh is a

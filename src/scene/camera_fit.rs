@@ -134,14 +134,20 @@ impl Camera {
         if corners.iter().any(|c| c.z < -c.w) {
             return true;
         }
-        let on_picture = || corners.iter().map(|c| c.truncate().truncate() / c.w);
-        let least = on_picture().fold(Vec2::INFINITY, Vec2::min);
-        let most = on_picture().fold(Vec2::NEG_INFINITY, Vec2::max);
-        let seen = (most.min(Vec2::ONE) - least.max(Vec2::NEG_ONE)).max(Vec2::ZERO);
+        let [seen, covered] = areas(&corners);
         // The picture's sides are 2 long.
-        let [seen, covered, picture] =
-            [seen, most - least, Vec2::splat(2.0)].map(Vec2::element_product);
-        seen >= 0.5 * covered || seen >= 0.25 * picture
+        seen >= 0.5 * covered || seen >= 0.25 * 4.0
+    }
+
+    /// Part of what `bounds`, in the world, cover that is in a picture of `aspect` (width over height), 0 to 1; 0 if
+    /// they reach behind the eye.
+    pub fn seen_part(&self, bounds: &Aabb, aspect: f32) -> f32 {
+        let corners = self.clip_corners(bounds, aspect);
+        if corners.is_empty() || corners.iter().any(|c| c.z < -c.w) {
+            return 0.0;
+        }
+        let [seen, covered] = areas(&corners);
+        if covered > 0.0 { seen / covered } else { 1.0 }
     }
 
     /// Share of the height or width of a picture of `aspect` (width over height), whichever is more,
@@ -169,6 +175,15 @@ impl Camera {
             .map(|corner| clip_from_world * corner.extend(1.0))
             .collect()
     }
+}
+
+/// Area of what corners in clip space, before the eye, cover of the picture, and of all that they cover.
+fn areas(corners: &[Vec4]) -> [f32; 2] {
+    let on_picture = || corners.iter().map(|c| c.truncate().truncate() / c.w);
+    let least = on_picture().fold(Vec2::INFINITY, Vec2::min);
+    let most = on_picture().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let seen = (most.min(Vec2::ONE) - least.max(Vec2::NEG_ONE)).max(Vec2::ZERO);
+    [seen, most - least].map(Vec2::element_product)
 }
 
 /// Bounds of a shape, in the world, with its control points, which are there to be dragged.

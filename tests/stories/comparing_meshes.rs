@@ -652,6 +652,52 @@ fn without_its_character_the_comparison_ends() {
 }
 
 #[test]
+fn a_mesh_that_lands_elsewhere_comes_into_the_picture_and_is_fitted_by_the_keys() {
+    // All of the dog's vertices are moved by more than its own length.
+    let figure = dog();
+    let apart = Vec3::new(2.5, 0.0, 0.0);
+    let moved: Vec<Vec3> = RIGHT
+        .skin(&figure)
+        .into_iter()
+        .map(|at| at + apart)
+        .collect();
+    let text = obj(&moved, &figure, |number| format!("{number:.6}"));
+    let mut story = posed();
+    let before = story.session().view().camera;
+    story
+        .host
+        .files
+        .insert("mine.obj".into(), text.into_bytes());
+    story.click("View");
+    story.click("Compare with Mesh…");
+    story.choose("mine.obj");
+    let sees = |story: &Story, theirs: bool| {
+        let shape = &story.session().evaluated().shapes[0];
+        let mut bounds = shape.world_bounds();
+        if theirs {
+            let by = shape.world_from_model.transform_vector3(apart);
+            bounds.min += by;
+            bounds.max += by;
+        }
+        let aspect = story.view().width() / story.view().height();
+        story.session().view().camera.share(&bounds, aspect)
+    };
+    assert_ne!(story.session().view().camera, before);
+    assert!(sees(&story, true).is_some() && sees(&story, false).is_some());
+    for fits in [Modifiers::NONE, Modifiers::SHIFT] {
+        story.key_with(fits, Key::F);
+        assert!(sees(&story, true).is_some() && sees(&story, false).is_some());
+    }
+    // Alone it fills the picture.
+    story.click("mine.obj");
+    story.key(Key::F);
+    assert!(sees(&story, true).unwrap() > 0.6);
+    story.click("Exact");
+    story.key(Key::F);
+    assert!(sees(&story, false).unwrap() > 0.6);
+}
+
+#[test]
 fn a_character_that_is_small_in_the_view_is_seen_large_beside_a_mesh_and_one_that_is_not_as_it_was()
 {
     let mut story = posed();

@@ -13,6 +13,7 @@ use crate::io::{Diagnostic, Files};
 use crate::program::globals;
 use answers::Answers;
 use archive::{Entry, Format};
+use std::collections::BTreeSet;
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
@@ -119,7 +120,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let inputs = inputs.into_iter().flatten().chain([&executable]);
     refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
 
-    let readme = answers.readme(&contents(&shown)).into_bytes();
+    let readme = answers.readme(&contents(&entries, &shown)).into_bytes();
     let program = Entry {
         is_executable: true,
         ..Entry::new(program_name(), Disk.read(&executable)?)
@@ -232,13 +233,24 @@ fn file_name(name: &str) -> String {
     words.join("-")
 }
 
-/// Lines of the README about what is in the archive.
-fn contents(shown: &[Entry]) -> Vec<String> {
+/// Lines of the README about what is in the archive: the files of the `project`, the program and what is `shown`.
+fn contents(project: &[Entry], shown: &[Entry]) -> Vec<String> {
     let program = program_name();
+    let first = |entry: &Entry| {
+        let first = entry.path.components().next()?;
+        Some(first.as_os_str().to_string_lossy().into_owned())
+    };
+    let code: BTreeSet<String> = project.iter().filter_map(first).collect();
+    let more = match code.contains("README.md") {
+        true => "; README.md says more about it",
+        false => "",
+    };
+    let code = code
+        .into_iter()
+        .filter(|name| *name != program && name != README);
+    let code: Vec<String> = code.collect();
     let mut lines = vec![
-        "src, shaders, assets, tests, Cargo.toml and Cargo.lock: the code; README.md says more \
-         about it"
-            .to_owned(),
+        format!("{}: the code{more}", code.join(", ")),
         format!("{program}: the program"),
     ];
     lines.extend(shown.iter().map(|entry| {

@@ -59,6 +59,12 @@ impl Page {
         self.add(format_args!(
             "</span></summary>\n<div id=\"s{number}\" class=\"results\">\n"
         ));
+        for note in &submission.notes {
+            self.add(format_args!(
+                "<p class=\"note dim\">{}</p>\n",
+                Escaped(note)
+            ));
+        }
         for (test, row) in submission.tests.iter().zip(&report.tests) {
             self.add(format_args!("<div class=\"test\">"));
             if test.picture.is_some() {
@@ -94,10 +100,10 @@ impl Page {
                 "<p class=\"dim\">{}{agrees}</p>",
                 Escaped(&points)
             ));
-            self.lines(&test.text);
-            for sentence in &test.elsewhere {
-                self.add(format_args!("<p class=\"dim\">{}</p>", Escaped(sentence)));
+            for sentence in &test.why {
+                self.add(format_args!("<p class=\"why\">{}</p>", Escaped(sentence)));
             }
+            self.lines(&test.text);
             self.add(format_args!("</div></div>\n"));
         }
         self.add(format_args!("</div>\n</details>\n"));

@@ -17,7 +17,7 @@ const FIRST_PAUSE: Duration = Duration::from_millis(1);
 const LONGEST_PAUSE: Duration = Duration::from_millis(20);
 /// Time that is waited for the rest of what a process that has ended printed.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// As much of the errors that a command prints is told, in bytes.
+/// As much of the end of the errors that a command prints is told, in bytes.
 const TOLD: usize = 400;
 
 /// Runs the program and arguments `words` in `folder` within the limits of `data`.
@@ -67,6 +67,11 @@ pub(super) fn run(
     let text = String::from_utf8_lossy(&printed);
     Err(CommandFailure::Failed(match text.trim() {
         "" => how,
+        // The line in which it begins may be cut off.
+        text if printed.len() == TOLD => {
+            let whole = text.split_once('\n').map_or(text, |(_, lines)| lines);
+            format!("{how}:\n…\n{whole}")
+        }
         text => format!("{how}:\n{text}"),
     }))
 }
@@ -100,19 +105,22 @@ fn wait(
 }
 
 /// Reads what a process prints for as long as it does, so that it never waits for a reader, and gives
-/// the beginning.
-fn read_on(pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
+/// the end, where most programs say what is wrong.
+fn read_on(mut pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
     let (send, receive) = channel();
     // What left the group keeps the pipe open: the thread waits for it, and nobody for the thread.
     std::thread::spawn(move || {
-        let mut first = Vec::new();
-        if let Some(mut pipe) = pipe {
-            // What cannot be read is not told.
-            let _ = pipe.by_ref().take(TOLD as u64).read_to_end(&mut first);
-            let _ = std::io::copy(&mut pipe, &mut std::io::sink());
+        let mut last = Vec::new();
+        let mut piece = [0; 4096];
+        // What cannot be read is not told.
+        while let Some(Ok(count @ 1..)) = pipe.as_mut().map(|pipe| pipe.read(&mut piece)) {
+            last.extend_from_slice(&piece[..count]);
+            if let Some(more) = last.len().checked_sub(TOLD).filter(|more| *more > 0) {
+                last.drain(..more);
+            }
         }
         // Nobody may be waiting for it any more.
-        let _ = send.send(first);
+        let _ = send.send(last);
     });
     receive
 }
