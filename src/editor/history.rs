@@ -70,6 +70,17 @@ impl History {
         self.done = self.steps.len();
     }
 
+    /// Takes the last step out, unless some have been undone: the state before it, and the selection when it began.
+    pub fn take_last(&mut self) -> Option<(State, Selection)> {
+        if self.done < self.steps.len() {
+            return None;
+        }
+        let last = self.steps.pop_back()?;
+        self.done = self.steps.len();
+        let state = self.steps.back().map_or(&self.first, |step| &step.state);
+        Some((state.clone(), last.before))
+    }
+
     /// Goes to the state after the first `done` steps. Returns it with the selection that belongs
     /// to it; `None` if it is the present one or does not exist.
     pub fn go_to(&mut self, done: usize) -> Option<(&State, Selection)> {

@@ -8,9 +8,9 @@ use glam::Vec3;
 /// bone ends at the child: files round lengths of bones and positions of joints separately.
 const SAME_PLACE: f32 = 0.05;
 
-/// Length of a finger's bone on the screen, in pixels, below which the wrist is grabbed instead,
-/// since fingers cannot be told apart; and that of the palm, which is about twice as long.
-const TINY: f32 = 20.0;
+/// Length of a finger's bone on the screen, in pixels, below which the wrist is grabbed instead: who takes a hand of
+/// a figure that is seen whole means the arm; and that of the palm, which is about twice as long.
+const TINY: f32 = 40.0;
 const TINY_PALM: f32 = 2.0 * TINY;
 
 /// Least length of the bone that leads to a wrist, relative to the longest bone of the hand.
@@ -376,11 +376,11 @@ mod tests {
     }
 
     #[test]
-    fn a_palm_is_grabbed_from_40_pixels_on_and_a_finger_from_20_and_else_the_wrist() {
-        for (pixels, found) in [(15.0, 4), (30.0, 4), (38.0, 4), (42.0, 5)] {
+    fn a_palm_is_grabbed_from_80_pixels_on_and_a_finger_from_40_and_else_the_wrist() {
+        for (pixels, found) in [(30.0, 4), (60.0, 4), (76.0, 4), (84.0, 5)] {
             assert_eq!(grip(body(), 4, pixels), IkGrip::Joint(found), "{pixels}");
         }
-        for (pixels, found) in [(15.0, 4), (18.0, 4), (22.0, 6), (30.0, 6)] {
+        for (pixels, found) in [(30.0, 4), (36.0, 4), (44.0, 6), (60.0, 6)] {
             assert_eq!(grip(body(), 5, pixels), IkGrip::Joint(found), "{pixels}");
         }
         // No wrist is above an arm, however small it is.

@@ -43,6 +43,8 @@ pub struct Session {
 struct Gesture {
     state: State,
     selection: Selection,
+    /// Document that canceling goes back to, if that is another one than before the gesture: one step has led there.
+    canceled: Option<State>,
 }
 
 impl Default for Session {

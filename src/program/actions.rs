@@ -22,6 +22,9 @@ impl Program {
                 Action::Gesture(step) => {
                     match step {
                         GestureStep::Begin => self.session.begin_gesture(),
+                        GestureStep::BeginOnLastStep => {
+                            self.session.begin_gesture_on_last_step();
+                        }
                         GestureStep::Commit => self.session.commit_gesture(),
                         GestureStep::Cancel => self.session.cancel_gesture(),
                     }

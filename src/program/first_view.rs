@@ -135,7 +135,8 @@ impl Program {
             self.session.look(View::SetAxis(view.axis));
             self.session.look(View::BeginAt(view.camera));
         }
-        if self.comparison.is_some() {
+        // Under a hand that is about to move what was added, the view stands still.
+        if self.comparison.is_some() || self.ui.is_beginning() {
             return;
         }
         if first.is_some() {

@@ -25,8 +25,10 @@ pub struct Suggested {
 pub enum FileKind {
     /// Scenes and archives of them.
     Scenes,
-    /// Shapes, characters and curves.
+    /// Shapes and characters.
     Models,
+    /// Curves and surfaces, which the course has in a folder of their own.
+    Curves,
     /// Poses.
     Poses,
     /// Pictures.
@@ -177,13 +179,12 @@ impl Purpose {
             Self::Open | Self::SaveScene | Self::SaveWithFiles => FileKind::Scenes,
             Self::FindSource(_)
             | Self::ImportShape
-            | Self::ImportCurve
             | Self::ImportCharacter
-            | Self::ExportCurve(_)
             | Self::ExportGeometry
             | Self::ExportSelected
             | Self::ExportMaterials
             | Self::ExportCharacter(_) => FileKind::Models,
+            Self::ImportCurve | Self::ExportCurve(_) => FileKind::Curves,
             Self::SavePose(..) | Self::LoadPose(_) => FileKind::Poses,
             Self::SaveScreenshot(_) | Self::SaveComparison => FileKind::Pictures,
             Self::Compare | Self::CompareMesh(_) => FileKind::References,

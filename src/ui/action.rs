@@ -23,6 +23,8 @@ pub enum Action {
 pub enum GestureStep {
     /// The edits that follow belong to it.
     Begin,
+    /// The edits that follow belong to it, and it to the last step.
+    BeginOnLastStep,
     /// Ends it and keeps its changes.
     Commit,
     /// Ends it and undoes its changes.

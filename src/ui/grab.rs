@@ -89,11 +89,12 @@ impl<H> Grab<H> {
     }
 
     /// Begins a gesture that a key asked for and that goes on without a button, in the picture
-    /// under the pointer or else the first one, if `take` grabs something with the pointer there.
+    /// under the pointer or else the first one, if `take` grabs something with the pointer there. It begins with
+    /// `step`.
     pub(super) fn begin_by_key(
         view: &Response,
         places: &ScenePlaces,
-        actions: &mut Vec<Action>,
+        (step, actions): (GestureStep, &mut Vec<Action>),
         take: impl FnOnce(Place, Vec2) -> Option<H>,
     ) -> Option<Self> {
         let pointer = view.ctx.input(|input| input.pointer.latest_pos());
@@ -101,7 +102,7 @@ impl<H> Grab<H> {
         let place = places.get(index)?;
         let pixel = place.pixel(pointer.unwrap_or(place.rect.center()));
         let held = take(place, pixel)?;
-        actions.push(Action::Gesture(GestureStep::Begin));
+        actions.push(Action::Gesture(step));
         Some(Self {
             held,
             index,

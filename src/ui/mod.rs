@@ -350,7 +350,7 @@ fn add_gestures_of_panels(
     }
     for step in steps {
         let place = match step {
-            GestureStep::Begin => 0,
+            GestureStep::Begin | GestureStep::BeginOnLastStep => 0,
             GestureStep::Commit | GestureStep::Cancel => actions.len(),
         };
         actions.insert(place, Action::Gesture(step));

@@ -12,6 +12,7 @@ mod explaining;
 mod fetching;
 mod files;
 mod first_views;
+mod hands;
 mod hosts;
 mod keys;
 mod long_imports;

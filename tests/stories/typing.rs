@@ -71,6 +71,28 @@ fn shift_d_x_2_in_one_frame_moves_the_copy_by_2_along_x_from_its_place() {
     story.key_with(Modifiers::SHIFT, Key::D);
     story.key(Key::Escape);
     assert_eq!(story.names().len(), 3, "Esc ends the movement alone");
+    assert_eq!(story.session().done_steps(), 3);
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names().len(), 2, "the copy that stayed");
+    story.key_with(CTRL, Key::Z);
+    assert_eq!(story.names(), ["Cube"], "the copy and its movement");
+    assert_eq!(story.position(), Vec3::ZERO);
+    story.key_with(CTRL.plus(Modifiers::SHIFT), Key::Z);
+    assert_eq!((story.names().len(), story.position()), (2, Vec3::X * 2.0));
+}
+
+#[test]
+fn the_view_stands_still_when_a_copy_of_what_it_hardly_shows_is_moved() {
+    let mut story = Story::with_cube();
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.type_into("Position X", "40");
+    let camera = story.session().view().camera;
+    let middle = story.view().center();
+    story.point(middle);
+    story.key_with(Modifiers::SHIFT, Key::D);
+    story.key(Key::Enter);
+    assert_eq!(story.names().len(), 2);
+    assert_eq!(story.session().view().camera, camera);
 }
 
 #[test]

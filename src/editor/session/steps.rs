@@ -11,13 +11,33 @@ impl Session {
         self.gesture = Some(Gesture {
             state: self.present(),
             selection: self.selection.clone(),
+            canceled: None,
         });
+    }
+
+    /// Begins a gesture that is one step with the last one, such as a movement with the insertion of what is moved.
+    /// Canceled, it leaves that step as it was.
+    pub fn begin_gesture_on_last_step(&mut self) {
+        self.begin_gesture();
+        let present = self.present();
+        if let (Some(gesture), Some((state, selection))) =
+            (&mut self.gesture, self.history.take_last())
+        {
+            *gesture = Gesture {
+                state,
+                selection,
+                canceled: Some(present),
+            };
+        }
     }
 
     /// Ends the gesture and keeps its edits, as one step that can be undone; none if they changed
     /// nothing in the end.
     pub fn commit_gesture(&mut self) {
-        if let Some(Gesture { state, selection }) = self.gesture.take() {
+        if let Some(Gesture {
+            state, selection, ..
+        }) = self.gesture.take()
+        {
             if state.scene == self.scene {
                 self.document = state.document;
             } else {
@@ -29,8 +49,15 @@ impl Session {
     /// Ends the gesture and restores the document as it was when it began. Does nothing if none is
     /// in progress.
     pub fn cancel_gesture(&mut self) {
-        if let Some(gesture) = self.gesture.take() {
-            self.restore(&gesture.state);
+        let Some(gesture) = self.gesture.take() else {
+            return;
+        };
+        match gesture.canceled {
+            None => self.restore(&gesture.state),
+            Some(state) => {
+                self.restore(&state);
+                self.record(gesture.state, gesture.selection);
+            }
         }
     }
 

@@ -99,7 +99,10 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::SetColors(colors) => state.colors = colors,
         Command::ToggleBindGhost => state.bind_ghost = !state.bind_ghost,
         Command::SetTool(tool) => state.pose.tool = tool,
-        Command::Begin(tool) => state.pose.asked = Some(tool),
+        Command::Begin(tool) => {
+            state.pose.asked = Some(tool);
+            state.pose.asked_with_last_step = false;
+        }
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
         Command::ResetJoint
         | Command::ResetPose
@@ -158,6 +161,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             let copies = if state.navigation == Navigation::Blender {
                 // They follow the pointer from there.
                 state.pose.asked = Some(Tool::Move);
+                state.pose.asked_with_last_step = true;
                 duplicates_in_place(session)
             } else {
                 duplicates(session)

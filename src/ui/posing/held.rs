@@ -134,6 +134,14 @@ impl Held {
             return Vec::new();
         };
         let line = |axis: usize| match &self.drag {
+            Drag::Ring(drag) if axis == constraint.named() => {
+                let turn = drag.turn();
+                let shape = session.evaluated().shape(turn.shape())?;
+                let own = turn.axis(axes, axis)?.as_vec3();
+                let direction = shape.world_from_model.transform_vector3(own);
+                let center = turn.world_center().as_vec3();
+                Some((axis, direction.try_normalize()?, center))
+            }
             Drag::Turn(drag) if axis == constraint.named() => {
                 Some((axis, drag.group().axis(axes, axis), drag.group().pivot()))
             }

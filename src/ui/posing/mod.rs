@@ -37,6 +37,8 @@ pub(super) struct PoseState {
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
     /// What a command asked to be done to the selection with the pointer from now on.
     pub asked: Option<Tool>,
+    /// Whether that is one step with the last one, which has inserted the selection.
+    pub asked_with_last_step: bool,
     /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.
