@@ -179,7 +179,7 @@ impl Session {
                 self.selection = Selection::all(all, self.selected());
             }
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),
-            View::Tell(why) => self.messages.tell(Severity::Warning, why),
+            View::Tell(why) => self.messages.tell(Severity::Info, why),
             View::SelectJoint(joint) => self.selection.joint = joint,
             View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
             View::HoverBone(bone) => self.hovered_bone = bone,

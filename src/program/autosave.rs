@@ -83,6 +83,13 @@ impl Kept {
         self.path.as_deref()
     }
 
+    /// What the document is called: its file, or what was opened.
+    pub fn name(&self) -> Option<String> {
+        let path = self.path.as_deref();
+        let path = path.map(|path| path.display().to_string());
+        path.or_else(|| self.stem.clone())
+    }
+
     /// Names of the shapes; none if the scene cannot be read.
     pub fn shape_names(&self) -> Vec<String> {
         let scene: serde_json::Value = serde_json::from_str(&self.scene).unwrap_or_default();

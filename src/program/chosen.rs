@@ -100,7 +100,15 @@ impl Program {
         host: &mut dyn Host,
     ) {
         let reader = &*files;
-        let all = once_each(reader, [vec![path.clone()], others].concat());
+        let mut all = once_each(reader, [vec![path.clone()], others].concat());
+        if takes_several(purpose) {
+            // One alone is for a model that lacks it; among models it is read with them.
+            let is_alone = all.iter().all(|path| is_picture(path));
+            all.retain(|path| !(is_alone && self.complete_models(path, reader)));
+            if all.is_empty() {
+                return;
+            }
+        }
         // What belongs to other missing shapes is found beside the one that is looked for.
         if !takes_several(purpose) && !matches!(purpose, Purpose::FindSource(_)) {
             self.tell_unused(&all);

@@ -41,7 +41,7 @@ impl Asked {
             },
             Self::Restore(kept, since) => Question {
                 title: "Restore unsaved changes?".to_owned(),
-                text: restore_text(kept.path(), &kept.shape_names(), *since),
+                text: restore_text(kept.name().as_deref(), &kept.shape_names(), *since),
                 answers: vec![Answer::Restore, Answer::Later, Answer::Forget],
             },
         }
@@ -89,18 +89,15 @@ fn replace_text(path: &Path, replaced: &[PathBuf]) -> String {
     )
 }
 
-/// Text of the question about what an earlier run left of the document at `path`, or else of one with shapes of
+/// Text of the question about what an earlier run left of the document of this name, or else of one with shapes of
 /// these names, `since` then.
-fn restore_text(path: Option<&Path>, shapes: &[String], since: Option<Duration>) -> String {
-    let ended = match path {
-        Some(path) => format!(
-            "The editor ended before changes to {} were saved.",
-            path.display()
-        ),
+fn restore_text(name: Option<&str>, shapes: &[String], since: Option<Duration>) -> String {
+    let ended = match name {
+        Some(name) => format!("The editor ended before changes to {name} were saved."),
         None if shapes.is_empty() => "The editor ended before a new document was saved.".to_owned(),
         None => {
             let names = listed(shapes);
-            format!("The editor ended before a new document was saved, with {names} in it.")
+            format!("The editor ended before a new document was saved: one with {names}.")
         }
     };
     match since {
@@ -139,18 +136,14 @@ mod tests {
         ] {
             assert_eq!(ago(Duration::from_secs(seconds)), words);
         }
-        let told = restore_text(
-            Some(Path::new("a.scene")),
-            &[],
-            Some(Duration::from_secs(185)),
-        );
+        let told = restore_text(Some("a.scene"), &[], Some(Duration::from_secs(185)));
         assert!(told.ends_with("a.scene were saved. The changes were kept 3 minutes ago."));
         assert!(!restore_text(None, &[], None).contains("kept"));
         let names = ["Robot", "Cube", "Ball", "Head", "Dog"].map(str::to_owned);
         for (count, words) in [
-            (1, "with Robot in it."),
-            (2, "with Robot, Cube in it."),
-            (5, "with Robot, Cube, Ball and 2 more in it."),
+            (1, "with Robot."),
+            (2, "with Robot, Cube."),
+            (5, "with Robot, Cube, Ball and 2 more."),
         ] {
             let told = restore_text(None, &names[..count], None);
             assert!(told.ends_with(words), "{told}");

@@ -92,7 +92,8 @@ fn content(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Ve
     shape_list::show(ui, session, newly_selected, &mut state.renaming, actions);
     ui.separator();
     ScrollArea::vertical()
-        .id_salt("properties")
+        // That of another document begins at its top.
+        .id_salt(("properties", session.opened()))
         .auto_shrink(false)
         .show(ui, |ui| selected(ui, session, state, actions));
 }

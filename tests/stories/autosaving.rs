@@ -187,7 +187,7 @@ fn the_question_says_when_the_work_was_kept() {
         ..MemoryHost::default()
     };
     let story = Story::start_at(host, &[]);
-    let text = "The editor ended before a new document was saved, with Strip in it. \
+    let text = "The editor ended before changes to strip were saved. \
                 The changes were kept 3 minutes ago.";
     assert!(story.has_text(text));
 }

@@ -450,6 +450,23 @@ fn in_a_narrow_window_the_panel_is_a_drawer_that_leaves_the_view_as_it_is() {
 }
 
 #[test]
+fn a_click_beside_the_drawer_closes_it_and_does_nothing_else() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.size = (412, 780);
+    story.settle();
+    let selected = story.session().selected();
+    assert!(selected.is_some());
+    story.click("Shape Panel");
+    assert!(story.has("Hide Robot"));
+    let beside = story.view().left_center() + vec2(40.0, 200.0);
+    story.click_at(beside);
+    assert!(!story.has("Hide Robot"));
+    assert_eq!(story.session().selected(), selected);
+    story.click_at(beside);
+    assert_eq!(story.session().selected(), None, "the next one counts");
+}
+
+#[test]
 fn the_drawer_stays_below_the_menus_where_the_window_gets_lower() {
     let mut story = Story::start(&["builtin:showcase"]);
     story.size = (412, 780);

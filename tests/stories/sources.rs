@@ -94,7 +94,7 @@ fn a_file_that_is_missing_is_named_shown_as_a_box_and_kept_by_the_next_save() {
 }
 
 #[test]
-fn a_picture_that_a_model_lacked_is_put_on_it_when_it_is_dropped_and_another_one_is_compared() {
+fn a_picture_that_a_model_lacked_is_put_on_it_when_it_comes_and_another_one_is_compared() {
     let red = Picture {
         width: 2,
         height: 2,
@@ -130,7 +130,11 @@ fn a_picture_that_a_model_lacked_is_put_on_it_when_it_is_dropped_and_another_one
     );
     story.key_with(CTRL, Key::Z);
     assert!(!has_picture(&story), "it is a step");
-    story.key_with(CTRL | Modifiers::SHIFT, Key::Z);
+    // Chosen as if it were a model, it is put on as well.
+    story.key_with(CTRL, Key::I);
+    story.choose("models/wood.png");
+    assert!(has_picture(&story));
+    assert_eq!(story.names(), ["Sheet"]);
     // One that is on the model already, and one that belongs to none.
     for path in ["models/wood.png", "models/other.png"] {
         story.host.drop_file(path);
