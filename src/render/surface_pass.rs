@@ -119,7 +119,8 @@ impl SurfacePass {
     }
 
     /// Draws the nearest surface of a mesh that is not one of the scene's in one color, with an
-    /// opacity.
+    /// opacity, in the light of the Studio look: that of the Course look leaves what is seen from behind in the dark,
+    /// where nothing is seen through it.
     pub fn draw_seen_through(
         &self,
         gl: &Gl,
@@ -129,8 +130,10 @@ impl SurfacePass {
         world_from_model: Mat4,
         (color, alpha): (Vec3, f32),
     ) {
-        self.prepare(context, frame);
-        let program = self.programs.of(frame.view.look, false).of(mesh);
+        for program in self.programs.of(Look::Studio, false).all() {
+            prepare_program(program, context, frame);
+        }
+        let program = self.programs.of(Look::Studio, false).of(mesh);
         program.set_mat4("world_from_model", world_from_model);
         prepare_mesh(program, mesh, world_from_model, alpha);
         program.set_vec3("color", color);
@@ -144,9 +147,7 @@ impl SurfacePass {
         let textured = has_pictures(frame).then_some(true);
         for textured in std::iter::once(false).chain(textured) {
             for program in self.programs.of(frame.view.look, textured).all() {
-                program.set_mat4("clip_from_world", context.clip_from_world);
-                program.set_sampler("picture", PICTURE);
-                set_lights(program, &frame.view.camera);
+                prepare_program(program, context, frame);
             }
         }
         if let Some(numbers) = &self.numbers {
@@ -197,6 +198,13 @@ impl SurfacePass {
             mesh.draw(program, Purpose::Surface, own, copies);
         }
     }
+}
+
+/// Sets what a program needs to know of a frame.
+fn prepare_program(program: &Program, context: &PassContext, frame: &Frame) {
+    program.set_mat4("clip_from_world", context.clip_from_world);
+    program.set_sampler("picture", PICTURE);
+    set_lights(program, &frame.view.camera);
 }
 
 /// Sets how a program draws a mesh, and how it turns the normals of one that it does not skin.

@@ -214,7 +214,7 @@ fn the_numbers_are_those_of_the_exact_mesh() {
     // Of the numbers in brackets, one is the largest distance and one the mean.
     let told: Vec<f32> = texts(&story)
         .iter()
-        .filter_map(|text| text.split_once("of the size ("))
+        .filter_map(|text| text.split_once("% ("))
         .filter_map(|(_, number)| number.trim_end_matches(')').parse().ok())
         .collect();
     let worst = distances.iter().copied().fold(0.0, f32::max);

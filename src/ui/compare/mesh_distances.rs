@@ -2,7 +2,7 @@
 
 use super::mesh_panel::Parts;
 use super::panel::{line, of_which, say};
-use crate::diagnose::{MeshMeasure, of_size, part_of_size};
+use crate::diagnose::{MeshMeasure, part_of_size};
 use crate::ui::theme::Palette;
 use egui::{Button, Grid, RichText, Ui};
 
@@ -66,7 +66,8 @@ impl Parts<'_> {
 type Line = (&'static str, String, &'static str);
 
 fn lines(measure: &MeshMeasure) -> [Line; 4] {
-    let by_size = |distance: f64| of_size(distance / measure.size);
+    // The numbers in brackets have no room beside more words; the hints say what they are a part of.
+    let by_size = |distance: f64| part_of_size(distance / measure.size);
     [
         (
             "Vertices off",
@@ -81,12 +82,12 @@ fn lines(measure: &MeshMeasure) -> [Line; 4] {
         (
             "Mean",
             format!("{} ({:.6})", by_size(measure.mean), measure.mean),
-            "The mean distance of all vertices",
+            "The mean distance of all vertices, by the same and as it is",
         ),
         (
             "Agree up to",
             format!("{} ({:.6})", by_size(measure.tolerance), measure.tolerance),
-            "What computing in single precision and the digits of the file are off by",
+            "What computing in single precision and the digits of the file are off by, by the same and as it is",
         ),
     ]
 }

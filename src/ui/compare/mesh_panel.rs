@@ -1,8 +1,8 @@
 //! The panel below the view while a character is compared with a mesh.
 
-use super::panel::say;
+use super::panel::{label, say};
 use super::{CompareMeshAction, CompareMeshView, MeshesShown};
-use crate::diagnose::{Diagnosis, OtherPose, Shown, Verdict, of_size};
+use crate::diagnose::{Diagnosis, Mistake, OtherPose, Shown, Verdict, of_size};
 use crate::editor::{Edit, Session, View};
 use crate::scene::FitArea;
 use crate::ui::below_view::{Heights, below_the_view, columns, has_room_for_columns, scrolled};
@@ -184,7 +184,11 @@ impl Parts<'_> {
                 if !diagnosis.unseen.is_empty() {
                     let unseen = diagnosis.unseen.join(", ");
                     let text = format!("Mistakes that would not show here: {unseen}");
-                    say(ui, &text, palette.weak);
+                    let ids = diagnosis.unseen.iter().copied();
+                    label(ui, &text, palette.weak).on_hover_text(format!(
+                        "{}\n\nA pose that turns joints about several axes shows more.",
+                        meanings(ids)
+                    ));
                 }
                 return;
             }
@@ -207,7 +211,8 @@ impl Parts<'_> {
                 "Indistinguishable here: {}",
                 all.collect::<Vec<_>>().join(", ")
             );
-            say(ui, &text, palette.weak);
+            let ids = diagnosis.same_as.iter().flatten().copied();
+            label(ui, &text, palette.weak).on_hover_text(meanings(ids));
         }
         if let Some(first) = &diagnosis.first {
             self.shown_by(ui, first);
@@ -312,6 +317,12 @@ impl Parts<'_> {
             say(ui, &format!("… and {more} more joints"), palette.weak);
         }
     }
+}
+
+/// What mistakes of these names are, a line each.
+fn meanings<'a>(ids: impl Iterator<Item = &'a str>) -> String {
+    let told = ids.filter_map(|id| Some(format!("{id}: {}", Mistake::find(id)?.meaning)));
+    told.collect::<Vec<_>>().join("\n")
 }
 
 fn explained(shown: MeshesShown, name: &str) -> String {

@@ -9,7 +9,7 @@ use crate::ui::number_field::NumberField;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareAction, CompareMode, CompareSettings};
-use egui::{Align, Button, Color32, Grid, Label, Layout, RichText, Slider, Ui, vec2};
+use egui::{Align, Button, Color32, Grid, Label, Layout, Response, RichText, Slider, Ui, vec2};
 
 /// At the height alone the course's 800×600 pixels fit above it in the window's first size.
 const HEIGHTS: Heights = Heights {
@@ -315,8 +315,13 @@ fn findings(ui: &mut Ui, session: &Session, compare: &CompareView, outlined: &mu
 
 /// A paragraph that can be copied.
 pub(super) fn say(ui: &mut Ui, text: &str, color: Color32) {
+    label(ui, text, color);
+}
+
+/// The same as a widget.
+pub(super) fn label(ui: &mut Ui, text: &str, color: Color32) -> Response {
     let text = RichText::new(text).color(color);
-    ui.add(Label::new(text).wrap().selectable(true));
+    ui.add(Label::new(text).wrap().selectable(true))
 }
 
 /// The place of a finding, which outlines its `area` in the pictures: while the pointer is over it,
