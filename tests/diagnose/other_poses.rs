@@ -76,6 +76,53 @@ fn of_one_joint_that_is_turned_otherwise_this_one_alone_is_told() {
 }
 
 #[test]
+fn of_many_joints_that_are_turned_otherwise_no_other_is_told_and_the_largest_turn_comes_first() {
+    let ours = Figure::builtin("adult", |_| Vec3::ZERO);
+    let path = course("characters/Model1.obj");
+    let theirs = path.map(|path| Figure::new(&path, |_| Vec3::ZERO));
+    for figure in theirs.into_iter().chain([ours]) {
+        the_joints_that_differ_are_told(&figure);
+    }
+}
+
+fn the_joints_that_differ_are_told(figure: &Figure) {
+    let joints = figure.character.skeleton().joints();
+    let index = |name: &str| {
+        let mut names = joints.iter().map(|joint| &*joint.name);
+        names.position(|known| known == name).expect(name)
+    };
+    // A walk is expected, and a neck and an elbow were turned.
+    let mut expected = Pose::new();
+    for (joint, x) in [
+        ("Right leg", -35.0),
+        ("Right knee", 30.0),
+        ("Left leg", 25.0),
+        ("Left knee", 35.0),
+        ("Right shoulder", 25.0),
+        ("Right elbow", -40.0),
+        ("Left shoulder", -25.0),
+        ("Left elbow", -20.0),
+    ] {
+        expected.set_joint_transform(index(joint), Euler::from_degrees(Vec3::X * x));
+    }
+    let mut differing: Vec<usize> = (0..joints.len())
+        .filter(|&joint| expected.rotation(joint) != Euler::default())
+        .collect();
+    let mut theirs = Pose::new();
+    theirs.set_joint_transform(index("Neck"), Euler::from_degrees(Vec3::Y * 20.0));
+    theirs.set_joint_transform(index("Left elbow"), Euler::from_degrees(Vec3::Z * 50.0));
+    differing.push(index("Neck"));
+    differing.sort_unstable();
+    let found = figure.diagnose_in(&expected, &figure.character.skin_pose(&theirs));
+    let other = found.other_pose.as_ref().expect("a pose");
+    let mut told: Vec<usize> = other.joints.iter().map(|joint| joint.joint_index).collect();
+    told.sort_unstable();
+    assert_eq!(told, differing, "{found}");
+    let text = found.to_string();
+    assert!(text.contains("turned   Left elbow (0°, 0°, 50°)"), "{text}");
+}
+
+#[test]
 fn angles_that_two_joints_in_one_place_share_are_said_not_to_be_the_only_ones() {
     let mut obj = String::new();
     for at in 0..40 {

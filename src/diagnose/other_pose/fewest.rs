@@ -5,6 +5,8 @@ use crate::steps::Pace;
 
 /// Joints of which more are not sought one by one.
 const MOST: usize = 8;
+/// Fits that are tried at most to put joints back.
+const MOST_TRIES: usize = 16;
 
 /// A fit of fewer than `fewer_than` joints, from the expected pose on, that `agrees` with the mesh, if one is
 /// found: the joint that promises most is set free, then the one that promises most of what is left, and those that
@@ -44,4 +46,44 @@ pub(super) async fn fewest(
         }
     }
     Some(found)
+}
+
+/// A fit like `posed`, which agrees with the mesh, in which fewer of the joints `turned` differ from the expected pose,
+/// if one is found. These are given from the one that differs least on: what one joint is turned too far its children
+/// can make up for, so that a fit of all of them has small turns that none of them needs. They are put back by halves,
+/// then by quarters and so on.
+pub(super) async fn with_small_turns_put_back(
+    fit: &Fit<'_>,
+    tolerance: f64,
+    (posed, turned): (&Posed, Vec<usize>),
+    agrees: impl Fn(&Posed) -> bool,
+    pace: &Pace,
+) -> Option<Posed> {
+    let mut found: Option<Posed> = None;
+    let (mut free, mut needed, mut tries) = (turned, 0, 0);
+    let mut batch = free.len() / 2;
+    while batch > 0 && tries < MOST_TRIES {
+        let end = (needed + batch).min(free.len());
+        if end - needed < batch || end == free.len() {
+            batch /= 2;
+            continue;
+        }
+        let back = &free[needed..end];
+        let others: Vec<usize> = free
+            .iter()
+            .copied()
+            .filter(|joint| !back.contains(joint))
+            .collect();
+        let start = fit.put_back(found.as_ref().unwrap_or(posed), back);
+        let without = fit.of(&others, start).improve(tolerance, pace).await;
+        tries += 1;
+        if agrees(&without) {
+            (free, found) = (others, Some(without));
+        } else if batch == 1 {
+            needed += 1;
+        } else {
+            batch /= 2;
+        }
+    }
+    found
 }

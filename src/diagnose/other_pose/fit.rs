@@ -138,6 +138,16 @@ impl<'a> Fit<'a> {
         self.expected.clone()
     }
 
+    /// `posed` with these joints as in the pose that the mesh was expected in.
+    pub(super) fn put_back(&self, posed: &Posed, joints: &[usize]) -> Posed {
+        let mut back = posed.clone();
+        for &joint in joints {
+            back.rotations[joint] = self.expected.rotations[joint];
+            back.offsets[joint] = self.expected.offsets[joint];
+        }
+        back
+    }
+
     /// The same from `posed` on, in which the joints `free` alone are turned, and moved if they are roots.
     pub(super) fn of(&self, free: &[usize], posed: Posed) -> Self {
         let mut fit = Self {

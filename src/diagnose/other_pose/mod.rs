@@ -11,7 +11,7 @@ use super::{Formula, VertexOrder};
 use crate::character::Pose;
 use crate::math::Euler;
 use crate::steps::Pace;
-use fewest::fewest;
+use fewest::{fewest, with_small_turns_put_back};
 use fit::{Fit, Posed};
 use glam::{DMat3, DVec3};
 use serde::Serialize;
@@ -46,6 +46,8 @@ pub struct TurnedJoint {
     pub degrees: [f32; 3],
     /// The angles that were expected.
     pub expected: [f32; 3],
+    /// The angle between the rotations of both, in degrees.
+    pub turned_by: f64,
     /// Of a root, how far it is moved otherwise than expected, in model space; `None` if it is not.
     pub moved: Option<[f32; 3]>,
     /// Whether other angles give the same mesh: those of the joint and of others in the same place share a turn that
@@ -87,10 +89,14 @@ fn angles(of: [f32; 3]) -> String {
 }
 
 impl OtherPose {
-    /// The joints that are told in words, and how many others there are.
-    pub fn told(&self) -> (&[TurnedJoint], usize) {
-        let told = self.joints.len().min(TOLD);
-        (&self.joints[..told], self.joints.len() - told)
+    /// The joints that are told in words, those first that are turned most, and how many others there are.
+    pub fn told(&self) -> (Vec<&TurnedJoint>, usize) {
+        let mut told: Vec<&TurnedJoint> = self.joints.iter().collect();
+        // Stable: of those that are turned as much, or only moved, the one next to the root comes first.
+        told.sort_by(|a, b| b.turned_by.total_cmp(&a.turned_by));
+        told.truncate(TOLD);
+        let more = self.joints.len() - told.len();
+        (told, more)
     }
 }
 
@@ -112,9 +118,18 @@ pub(super) async fn find(
         theirs,
         tolerance,
     };
-    let found = search.found(&fit.clone().improve(tolerance, pace).await)?;
+    let all = fit.clone().improve(tolerance, pace).await;
+    let found = search.found(&all)?;
     let agrees = |posed: &Posed| search.found(posed).is_some();
-    let fewer = fewest(&fit, tolerance, found.1.len(), agrees, pace).await;
+    let fewer = match fewest(&fit, tolerance, found.1.len(), agrees, pace).await {
+        Some(fewer) => Some(fewer),
+        None => {
+            let mut turned: Vec<&TurnedJoint> = found.1.iter().collect();
+            turned.sort_by(|a, b| a.turned_by.total_cmp(&b.turned_by));
+            let turned = turned.iter().map(|joint| joint.joint_index).collect();
+            with_small_turns_put_back(&fit, tolerance, (&all, turned), agrees, pace).await
+        }
+    };
     let fewer = fewer.and_then(|posed| search.found(&posed));
     let (pose, joints, error) = fewer
         .filter(|fewer| fewer.1.len() < found.1.len())
@@ -151,7 +166,8 @@ impl Search<'_> {
             let before = expected.rotation(joint);
             let after = Euler::nearest(rotations[joint].as_mat3(), before);
             let moved = offsets[joint] - expected.root_offset(joint).as_dvec3();
-            let is_turned = degrees_between(before.to_dmat3(), rotations[joint]) > TOLD_APART;
+            let turned_by = degrees_between(before.to_dmat3(), rotations[joint]);
+            let is_turned = turned_by > TOLD_APART;
             let is_moved = moved.length() > self.tolerance;
             whole.set_joint_transform(joint, after);
             whole.set_root_offset(joint, offsets[joint].as_vec3());
@@ -167,6 +183,7 @@ impl Search<'_> {
                     joint_index: joint,
                     degrees: plain.rotation(joint).degrees().to_array(),
                     expected: before.degrees().to_array(),
+                    turned_by: if is_turned { turned_by } else { 0.0 },
                     moved: is_moved.then(|| moved.as_vec3().to_array()),
                     is_ambiguous: ambiguous[joint],
                 });
