@@ -78,6 +78,8 @@ pub struct Coarse {
     pub rounded_to: f64,
     /// Whether the exact result, so rounded, gives the mesh.
     pub may_be_right: bool,
+    /// Digits after the point that would be enough.
+    pub enough_digits: usize,
 }
 
 /// What gives the whole mesh from the exact one, without a mistake in skinning; in JSON a sentence.
@@ -190,6 +192,18 @@ impl Diagnosis {
             && self.findings.is_empty()
             && !is_nearest
             && self.agrees >= NEARLY_ALL
+    }
+
+    /// Whether nothing explains the mesh, but nearly all of its vertices are known to be where they belong: by the exact
+    /// formula or with a mistake, rounded coarsely, or in another place as a whole.
+    pub fn is_nearly_right(&self) -> bool {
+        let is_nearest = self.nearest.as_ref().is_some_and(Nearest::is_nearly_all);
+        let may_be_right = self.coarse.is_some_and(|coarse| coarse.may_be_right);
+        self.verdict == Verdict::Unexplained
+            && (is_nearest
+                || may_be_right
+                || self.is_placed_otherwise()
+                || self.is_right_but_for_few())
     }
 
     /// Takes into account how triangles differ.

@@ -37,16 +37,16 @@ impl fmt::Display for ToldMistake {
 
 impl fmt::Display for Coarse {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let step = self.rounded_to;
-        if self.may_be_right {
-            write!(
-                f,
-                "the exact result, if that is rounded to {step} as these numbers are"
-            )
-        } else {
-            write!(f, "numbers that are rounded to {step}")
-        }?;
-        f.write_str(", too coarse to tell mistakes apart: four digits after the point are enough")
+        let what = match self.may_be_right {
+            true => "the exact result",
+            false => "numbers",
+        };
+        let (step, enough) = (self.rounded_to, self.enough_digits);
+        write!(
+            f,
+            "{what} rounded to {step}, which is too coarse to tell mistakes apart: write at least {enough} digits \
+             after the point"
+        )
     }
 }
 

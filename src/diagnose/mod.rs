@@ -61,6 +61,8 @@ const TOLERANCE: f64 = 1e-4;
 const MOST_TOLERANCE: f64 = 1e-3;
 /// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
 const FEWEST_ROUNDED: usize = 12;
+/// The coarsest rounding, by the size, after which a mesh can still be told to be right.
+const MOST_ROUNDING: f64 = 0.02;
 /// What single precision is off by, by the largest coordinate.
 const SINGLE_PRECISION: f64 = 1e-6;
 /// Errors that are no more than this many times the least one are as good.
@@ -269,9 +271,16 @@ impl Findings<'_> {
         let is_coarse = theirs.len() >= FEWEST_ROUNDED
             && rounding > MOST_TOLERANCE * self.size
             && !self.exact.iter().all(|placed| is_rounded(placed.at));
+        let half_step = 1.01 * precision::half_step(theirs);
+        let mut pairs = self.exact.iter().zip(theirs);
         is_coarse.then(|| Coarse {
             rounded_to,
-            may_be_right: self.error() <= rounding,
+            may_be_right: rounding <= MOST_ROUNDING * self.size
+                && pairs.all(|(exact, theirs)| {
+                    let apart = (exact.at - theirs.as_dvec3()).abs();
+                    apart.max_element() <= half_step + SINGLE_PRECISION * self.size
+                }),
+            enough_digits: (-(TOLERANCE * self.size).log10()).ceil().max(1.0) as usize,
         })
     }
 

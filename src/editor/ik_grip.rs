@@ -120,7 +120,9 @@ impl IkGrip {
             },
             Self::Tip { joint: last, tip } => (joint(last), tip),
         };
-        last.is_some_and(|last| last.offset.length() < STUB * bone.length())
+        let above = last.map_or(0.0, |last| last.offset.length());
+        // Joints in one place are no bone that could fold.
+        above > 0.0 && above < STUB * bone.length()
     }
 
     /// Chain that moves the grip; `None` for a root, and if no joint above it can turn, as below a

@@ -334,10 +334,10 @@ fn notes(
         if given.is_some_and(|given| given.contains_key(key)) {
             return Some(format!("{key}: {points} given by hand"));
         }
-        let possible = file.points_of_tests(key)?;
+        let possible = in_cents(file.points_of_tests(key)?);
         let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
         let worth = section.possible;
-        (in_cents(possible) != worth).then(|| {
+        (possible != worth).then(|| {
             let reached = in_cents(reached);
             format!("{key}: {reached} of {possible} in the tests count as {points} of {worth}")
         })

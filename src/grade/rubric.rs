@@ -93,7 +93,7 @@ fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
         section_of(mistake, test).unwrap_or_default(),
     );
     let told = format!("{id} leaves {share} of {section}");
-    match own == section {
+    match own == number(section) {
         true => told,
         false => format!("{told}, since the test has no points for {own}"),
     }
@@ -116,7 +116,7 @@ pub(super) fn counted_elsewhere(
     let elsewhere = ids.iter().filter_map(|id| {
         let mistake = Mistake::find(id)?;
         let section = section_of(mistake, test)?;
-        let is_own = section == number(mistake.section) || id == POSE_NOT_APPLIED;
+        let is_own = number(section) == number(mistake.section) || id == POSE_NOT_APPLIED;
         (!is_own).then(|| (mistake, section.to_owned()))
     });
     elsewhere.collect()
@@ -162,7 +162,9 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
 fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
     let as_mistakes = left_by(&graded.nearly, test, rubric);
     let by_vertices = of_all(test, by_vertices(graded, rubric));
-    !graded.nearly.is_empty() && total(&as_mistakes) > total(&by_vertices)
+    let is_without_pose = graded.nearly.iter().any(|id| id == POSE_NOT_APPLIED);
+    let is_better = total(&as_mistakes) > total(&by_vertices);
+    !graded.nearly.is_empty() && (is_better || is_without_pose)
 }
 
 /// The share that one mistake leaves of its section.
@@ -325,6 +327,24 @@ mod tests {
         let text = "what no known mistake explains leaves 25 %, times the 80 % of the vertices that are right";
         assert_eq!(told(&unexplained, &rubric), [text]);
         assert!(told(&Graded::without(Outcome::Right, ""), &rubric).is_empty());
+        // Sections may have their names beside their numbers.
+        let named = test(&[("3.4 Sliders", 6.0), ("4.2 SSD", 10.0)]);
+        let inverse = explained(&[&["no-inverse-bind"]]);
+        let told = why(&named, &inverse, &rubric);
+        assert_eq!(told, ["no-inverse-bind leaves 50 % of 4.2 SSD"]);
+        assert!(counted_elsewhere(&named, &inverse, &rubric).is_empty());
+    }
+
+    #[test]
+    fn a_mesh_that_is_hardly_posed_at_all_gets_no_points_for_vertices_that_do_not_move() {
+        let nearly = Graded {
+            nearly: ["pose-not-applied", "right-but-for-few"]
+                .map(str::to_owned)
+                .to_vec(),
+            agrees: 0.9,
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        assert_eq!(given(TWO, &nearly, &RubricData::default()), [0.0, 0.0]);
     }
 
     #[test]

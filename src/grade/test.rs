@@ -269,6 +269,15 @@ fn hint(found: &Diagnosis) -> Option<String> {
 
 /// What is wrong with a mesh that is nearly right, for the rubric.
 fn nearly(found: &Diagnosis) -> Vec<&'static str> {
+    let mut nearly = nearly_by_vertices(found);
+    if !nearly.is_empty() {
+        nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));
+    }
+    nearly
+}
+
+/// The same without its triangles.
+fn nearly_by_vertices(found: &Diagnosis) -> Vec<&'static str> {
     if found.verdict != Verdict::Unexplained {
         return Vec::new();
     }

@@ -3,7 +3,7 @@
 use super::running::Program;
 use crate::editor::View;
 use crate::math::Aabb;
-use crate::scene::EvaluatedShape;
+use crate::scene::{EvaluatedShape, handled_bounds};
 use crate::ui::MeshesShown;
 
 /// Share of the picture below which a character is too small to see its colors.
@@ -47,7 +47,7 @@ impl Program {
         };
         let shapes = self.session.evaluated().shapes.iter().filter(is_meant);
         let theirs = comparison.their_bounds(&self.session)?;
-        Some(shapes.fold(theirs, |bounds, shape| bounds.union(shape.world_bounds())))
+        Some(shapes.fold(theirs, |bounds, shape| bounds.union(handled_bounds(shape))))
     }
 
     /// Fits the character of a comparison that has begun into the picture if all of it is seen, but small, and with the

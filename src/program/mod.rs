@@ -19,6 +19,7 @@ mod document_name;
 mod draft_detail;
 mod exports;
 mod files;
+mod finger_presses;
 mod first_view;
 mod frame;
 mod frame_rate;
@@ -50,6 +51,7 @@ mod start_pictures;
 mod window_picture;
 
 pub use autosave::Unsaved;
+pub use finger_presses::FingerPresses;
 pub use frame::{FrameInput, Pass, ProgramError};
 pub use graphics::{Graphics, GraphicsInfo};
 pub use host::{Host, HostEvent, NotStored, Previous, StorageKey};

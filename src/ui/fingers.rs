@@ -21,8 +21,8 @@ pub(super) const GESTURES: &[Gesture] = &[
 ];
 
 /// The view, which is dragged from now on if a finger has rested on it for long: it takes hold of what lies under it,
-/// which lights up. egui would take the rest for a right click, which means nothing there, and the way of the finger
-/// after it for nothing.
+/// which lights up. egui would take the rest for a right click, which means nothing there, and ignore the movement of
+/// the finger after it.
 pub(super) fn drag_after_rest(view: Response) -> Response {
     if !view.long_touched() {
         return view;

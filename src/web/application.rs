@@ -1,11 +1,10 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
 use super::error_watch::ErrorWatch;
-use super::finger_presses::FingerPresses;
 use super::page::Page;
 use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
-use crate::program::{Graphics, Pass, input_parts};
+use crate::program::{FingerPresses, Graphics, Pass, input_parts};
 use crate::render::view_place;
 use eframe::{CreationContext, Frame};
 use egui::{Event, RawInput, Shape, Ui};

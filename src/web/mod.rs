@@ -5,7 +5,6 @@ mod application;
 mod browser;
 mod error_watch;
 mod fetching;
-mod finger_presses;
 mod folders;
 mod fonts;
 mod given_files;

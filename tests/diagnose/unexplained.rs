@@ -50,16 +50,17 @@ fn numbers_with_too_few_digits_are_said_to_be_the_reason() {
     let coarse = found.coarse.unwrap();
     assert!((coarse.rounded_to - 0.01).abs() < 1e-9 && coarse.may_be_right);
     let text = found.to_string();
-    assert!(text.contains("too coarse to tell mistakes apart"), "{text}");
-    assert!(
-        text.contains("the exact result, if that is rounded"),
-        "{text}"
-    );
+    let told = "the exact result rounded to 0.01, which is too coarse to tell mistakes apart: write at least 4 digits \
+                after the point";
+    assert!(text.contains(told), "{text}");
     // What is far off is not called right for its digits.
     let far: Vec<Vec3> = right.iter().map(|place| *place * 1.5).collect();
     let found = figure.diagnose(&written(&far, 2));
     assert!(!found.coarse.unwrap().may_be_right, "{found}");
     assert_eq!(figure.diagnose(&written(&right, 4)).coarse, None);
+    // Whole numbers say nothing of a figure of this size, whatever they are.
+    let found = figure.diagnose(&written(&right, 0));
+    assert!(!found.coarse.unwrap().may_be_right, "{found}");
 }
 
 #[test]

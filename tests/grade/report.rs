@@ -322,6 +322,64 @@ fn a_mistake_that_counts_against_another_section_than_its_own_says_which() {
 }
 
 #[test]
+fn triangles_that_are_wrong_cost_as_much_where_a_vertex_is_off_as_well() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&[]), |number| number.to_string());
+    let file = "class/eve/robot-1.obj";
+    let text = String::from_utf8(class.read(file)).unwrap();
+    let mut is_first = true;
+    let lines = text.lines().map(|line| {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match &words[..] {
+            ["v", _, y, z] if std::mem::take(&mut is_first) => format!("v 9 {y} {z}"),
+            ["f", a, b, c] => format!("f {a} {c} {b}"),
+            _ => line.to_owned(),
+        }
+    });
+    let text: Vec<String> = lines.collect();
+    class.write(file, text.join("\n"));
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"] = json!({"4.1": 4, "4.2": 10});
+    class.set_tests(&tests);
+    assert_eq!(
+        class.run("class --tests tests.json -o report").code,
+        Some(0)
+    );
+    let report = class.graded();
+    let eve = result(&report, "eve", "robot-1");
+    assert_eq!(eve["points"], json!({"4.1": 2.0, "4.2": 9.0}));
+    let why = [
+        "right-but-for-few leaves 90 % of 4.2",
+        "triangles-turned leaves 50 % of 4.1",
+    ];
+    assert_eq!(eve["why"], json!(why));
+}
+
+#[test]
+fn sections_that_are_scaled_or_given_by_hand_say_so() {
+    let class = Class::new(&["robot"]);
+    class.submit("eve", &with(&["no-inverse-bind"]), |number| {
+        number.to_string()
+    });
+    let mut tests = class.tests_file();
+    tests["tests"][0]["points"] = json!({"3.4": 4, "4.2": 10});
+    tests["rubric"] = json!({"sections": {"4.2": {"points": 40}}, "given": {"eve": {"3.4": 3}}});
+    class.set_tests(&tests);
+    assert_eq!(
+        class.run("class --tests tests.json -o report").code,
+        Some(0)
+    );
+    let report = class.graded();
+    let notes = [
+        "3.4: 3 given by hand",
+        "4.2: 5 of 10 in the tests count as 20 of 40",
+    ];
+    assert_eq!(report["submissions"][0]["notes"], json!(notes));
+    let page = String::from_utf8(class.read("report/grade.html")).unwrap();
+    assert!(notes.iter().all(|note| page.contains(note)));
+}
+
+#[test]
 fn points_that_are_given_to_nobody_are_told() {
     let class = Class::new(&["robot"]);
     class.submit("eve", &with(&[]), |number| number.to_string());

@@ -16,10 +16,10 @@ fn a_key_that_can_do_nothing_says_why_once() {
         story.key(Key::Delete);
     }
     let told: Vec<_> = story.messages();
-    assert_eq!(told, [(Severity::Warning, "No shape is selected")]);
+    assert_eq!(told, [(Severity::Info, "No shape is selected")]);
     story.key_with(CTRL, Key::Z);
     let last = story.messages().last().copied();
-    assert_eq!(last, Some((Severity::Warning, "There is nothing to undo")));
+    assert_eq!(last, Some((Severity::Info, "There is nothing to undo")));
 }
 
 #[test]

@@ -120,6 +120,13 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let inputs = inputs.into_iter().flatten().chain([&executable]);
     refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
 
+    let program = program_name();
+    let is_made = |entry: &Entry| {
+        let mut made = shown.iter().map(|shown| &*shown.path);
+        let by_name = [README, &*program].map(Path::new).contains(&&*entry.path);
+        by_name || made.any(|made| made == entry.path)
+    };
+    entries.retain(|entry| !is_made(entry));
     let readme = answers.readme(&contents(&entries, &shown)).into_bytes();
     let program = Entry {
         is_executable: true,
@@ -127,7 +134,6 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     };
     let mut made = vec![program, Entry::new(README, readme)];
     made.extend(shown);
-    entries.retain(|entry| made.iter().all(|made| made.path != entry.path));
     let parts = parts(&entries, &made);
     entries.extend(made);
     let archive = format.pack(&root, &entries);
@@ -245,9 +251,7 @@ fn contents(project: &[Entry], shown: &[Entry]) -> Vec<String> {
         true => "; README.md says more about it",
         false => "",
     };
-    let code = code
-        .into_iter()
-        .filter(|name| *name != program && name != README);
+    let code = code.into_iter().filter(|name| !name.starts_with('.'));
     let code: Vec<String> = code.collect();
     let mut lines = vec![
         format!("{}: the code{more}", code.join(", ")),

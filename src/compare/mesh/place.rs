@@ -122,7 +122,7 @@ fn side_of(part: &Aabb, whole: &Aabb) -> Option<String> {
     let is_wide = (0..3).any(|axis| !is_flat(axis) && size[axis] > 0.5 * full[axis]);
     Some(match (sides.is_empty(), is_wide) {
         (false, _) => format!("{} of the mesh", sides.join(", ")),
-        (true, true) => "here and there in the mesh".to_owned(),
+        (true, true) => "spread across the middle of the mesh".to_owned(),
         (true, false) => "in the middle of the mesh".to_owned(),
     })
 }
@@ -177,7 +177,7 @@ mod tests {
         );
         assert_eq!(
             at([-0.1, 0.5, 0.0], [0.1, 3.5, 0.0]),
-            "here and there in the mesh"
+            "spread across the middle of the mesh"
         );
         assert_eq!(at([-0.9, 0.1, 0.0], [0.9, 3.9, 0.0]), "all over the mesh");
         assert_eq!(side_of(&Aabb::EMPTY, &whole), None);

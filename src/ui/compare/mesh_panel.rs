@@ -235,7 +235,7 @@ impl Parts<'_> {
         }
         if found.is_empty() && diagnosis.other_pose.is_none() {
             let text = format!(
-                "Was {} made from this character, in this pose? If in another one, load that.",
+                "Was {} made from this character, in this pose? If it was made in another pose, load that one.",
                 self.compare.name
             );
             say(ui, &text, palette.text);

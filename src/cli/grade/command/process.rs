@@ -64,16 +64,26 @@ pub(super) fn run(
         (None, Some(signal)) => format!("the command crashed with {}", signal_name(signal)),
         (None, None) => "the command ended abnormally".to_owned(),
     };
-    let text = String::from_utf8_lossy(&printed);
-    Err(CommandFailure::Failed(match text.trim() {
+    Err(CommandFailure::Failed(match &*told(&printed) {
         "" => how,
-        // The line in which it begins may be cut off.
-        text if printed.len() == TOLD => {
-            let whole = text.split_once('\n').map_or(text, |(_, lines)| lines);
-            format!("{how}:\n…\n{whole}")
-        }
         text => format!("{how}:\n{text}"),
     }))
+}
+
+/// The end of what a command printed as text; of one that is cut off without the line in which it begins, unless that is
+/// most of it.
+fn told(printed: &[u8]) -> String {
+    let is_cut = printed.len() > TOLD;
+    // A cut may go through a character.
+    let is_first = |byte: &u8| byte & 0xc0 != 0x80;
+    let first = printed.iter().position(is_first).unwrap_or(0);
+    let text = String::from_utf8_lossy(&printed[first..]);
+    let text = text.trim();
+    match text.split_once('\n') {
+        _ if !is_cut => text.to_owned(),
+        Some((_, lines)) if lines.len() >= TOLD / 2 => format!("…\n{lines}"),
+        _ => format!("…{text}"),
+    }
 }
 
 fn wait(
@@ -113,11 +123,14 @@ fn read_on(mut pipe: Option<impl Read + Send + 'static>) -> Receiver<Vec<u8>> {
         let mut last = Vec::new();
         let mut piece = [0; 4096];
         // What cannot be read is not told.
-        while let Some(Ok(count @ 1..)) = pipe.as_mut().map(|pipe| pipe.read(&mut piece)) {
-            last.extend_from_slice(&piece[..count]);
-            if let Some(more) = last.len().checked_sub(TOLD).filter(|more| *more > 0) {
-                last.drain(..more);
+        while let Some(pipe) = &mut pipe {
+            match pipe.read(&mut piece) {
+                Ok(count @ 1..) => last.extend_from_slice(&piece[..count]),
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                _ => break,
             }
+            // One byte more tells that it is cut off.
+            last.drain(..last.len().saturating_sub(TOLD + 1));
         }
         // Nobody may be waiting for it any more.
         let _ = send.send(last);
@@ -163,4 +176,31 @@ fn memory_of_group(group: u32) -> f64 {
 #[cfg(not(target_os = "linux"))]
 fn memory_of_group(_: u32) -> f64 {
     0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_long_text_the_end_is_told_from_the_beginning_of_a_line_on() {
+        assert_eq!(told(b"  what is wrong\n"), "what is wrong");
+        let whole = "a".repeat(TOLD);
+        assert_eq!(told(whole.as_bytes()), whole);
+        let line = format!("b{}", "b".repeat(TOLD / 2));
+        let lines = format!("{}\n{line}", "a".repeat(TOLD / 2));
+        assert_eq!(told(lines.as_bytes()), format!("…\n{line}"));
+        // One long line, and a short one after it.
+        let long = format!("{}\nnote", "a".repeat(TOLD));
+        assert_eq!(told(long.as_bytes()), format!("…{long}"));
+    }
+
+    #[test]
+    fn a_character_that_is_cut_through_is_left_out() {
+        let text = "é".repeat(TOLD);
+        assert_eq!(
+            told(&text.as_bytes()[1..]),
+            format!("…{}", "é".repeat(TOLD - 1))
+        );
+    }
 }
