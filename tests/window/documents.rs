@@ -36,7 +36,7 @@ fn keeps_in_spare_folder(desktop: &Desktop, home: &Path, spare: &Path) {
     std::fs::remove_file(&config).expect("the file");
     let mut program = Program::start(desktop, home, &[]);
     program.keys(&["Return"]);
-    title_is(&mut program, "*Untitled — Editor");
+    title_is(&mut program, "*robot — Editor");
     let (status, told) = program.terminate();
     assert!(status.success() && told.is_empty(), "{status}: {told}");
     let kept = autosave(home).expect("unsaved work");
