@@ -187,15 +187,21 @@ impl Diagnosis {
 
     fn fmt_unexplained(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let error = of_size(self.error);
-        match &self.other_pose {
-            Some(other) => fmt_other_pose(f, other, &error)?,
-            None => write!(
+        let found = self.found();
+        let mut found = found.iter();
+        match (&self.other_pose, found.next()) {
+            (Some(other), _) => fmt_other_pose(f, other, &error)?,
+            (None, Some(first)) => write!(
+                f,
+                "unexplained: {first}\n  away     {error}, from the exact result in this pose"
+            )?,
+            (None, None) => write!(
                 f,
                 "unexplained: {error} away from the exact result in this pose, and no known mistake \
                  gives this mesh, nor do two of them"
             )?,
         }
-        for found in self.found() {
+        for found in found {
             write!(f, "\n  found    {found}")?;
         }
         if let Some(nearest) = &self.nearest {

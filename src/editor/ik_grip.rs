@@ -1,6 +1,7 @@
 use super::{Screen, Session};
 use crate::character::ik::IkChain;
 use crate::character::{JointBone, SkeletalModel};
+use crate::math::Aabb;
 use crate::scene::{BoneHit, IkSettings, ShapeId};
 use glam::Vec3;
 
@@ -23,6 +24,9 @@ const SHORT: f32 = 0.6;
 /// least way of the lower one's end toward it, as the hips do below a trunk.
 const STUB: f32 = 0.35;
 
+/// Distance from the root, by the size of the skeleton, within which a joint lies beside it.
+const BESIDE: f32 = 0.06;
+
 /// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IkGrip {
@@ -39,8 +43,8 @@ pub enum IkGrip {
 
 impl IkGrip {
     /// Grip of a bone that was hit: the nearer of its ends; or the wrist above it if the bone is
-    /// tiny on `screen`, or, with a chain of the usual length, the ankle above the end of a foot. Of
-    /// joints in one place, one above the other, it is the uppermost, which moves them all.
+    /// tiny on `screen`, or, with a chain of the usual length, the ankle above the end of a foot, or the root
+    /// where the hips are. Of joints in one place, one above the other, it is the uppermost, which moves them all.
     pub fn of(session: &Session, hit: &BoneHit, screen: &Screen) -> Option<Self> {
         let posed = session.scene().character(hit.shape)?;
         let character = &posed.character;
@@ -57,8 +61,11 @@ impl IkGrip {
                 return Some(Self::Joint(wrist));
             }
         }
+        let is_limb = posed.ik.length == IkSettings::LIMB;
         if hit.point.distance(place(start)) < hit.point.distance(place(end)) {
-            return Some(Self::Joint(uppermost(skeleton, bone.joint)));
+            let joint = uppermost(skeleton, bone.joint);
+            let root = root_at_hips(skeleton, joint).filter(|_| is_limb);
+            return Some(Self::Joint(root.unwrap_or(joint)));
         }
         let mut children = skeleton.children(bone.joint).iter();
         let near = SAME_PLACE * bone.tip.length();
@@ -73,9 +80,12 @@ impl IkGrip {
                 tip: bone.tip,
             },
         };
-        let ankle = ankle_above(skeleton, end.joint());
-        let ankle = ankle.filter(|_| posed.ik.length == IkSettings::LIMB);
-        Some(ankle.map_or(end, Self::Joint))
+        let led = match end {
+            Self::Joint(joint) => root_at_hips(skeleton, joint),
+            Self::Tip { .. } => None,
+        };
+        let led = led.or_else(|| ankle_above(skeleton, end.joint()));
+        Some(led.filter(|_| is_limb).map_or(end, Self::Joint))
     }
 
     /// Index of the joint, or of the joint that turns the bone.
@@ -160,6 +170,19 @@ fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
     std::iter::successors(Some(joint), same)
         .last()
         .unwrap_or(joint)
+}
+
+/// The root above a joint that lies beside it, where limbs meet: to lead the waist about by so short a chain would turn
+/// all of the figure over.
+fn root_at_hips(skeleton: &SkeletalModel, joint: usize) -> Option<usize> {
+    let parent = |&joint: &usize| skeleton.joints().get(joint).and_then(|j| j.parent);
+    let above: Vec<usize> = std::iter::successors(parent(&joint), parent).collect();
+    let root = *above.last()?;
+    let places = skeleton.bind_positions();
+    let size = Aabb::from_points(places.iter().copied()).size().length();
+    let is_near = places[joint].distance(places[root]) < BESIDE * size;
+    let is_hips = above.iter().any(|&joint| is_fork(skeleton, joint));
+    (is_near && is_hips).then_some(root)
 }
 
 /// The ankle above the end of a foot, or above toes there: a foot is short beside the two long bones of its leg, which
@@ -263,6 +286,37 @@ mod tests {
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
+    }
+
+    #[test]
+    fn a_waist_beside_the_root_of_a_figure_with_legs_leads_all_of_it() {
+        let leg = |x: f32, hips| {
+            [
+                (Some(hips), [x, -0.1, 0.0]),
+                (None, [0.0, -0.4, 0.0]),
+                (None, [0.0, -0.4, 0.0]),
+            ]
+        };
+        let mut joints = vec![
+            (None, [0.0, 1.0, 0.0]),
+            (Some(0), [0.0, 0.0, 0.0]),
+            (Some(1), [0.0, 0.075, 0.0]),
+            (Some(2), [0.0, 0.395, 0.0]),
+        ];
+        for x in [-0.1, 0.1] {
+            for (parent, offset) in leg(x, 1) {
+                joints.push((parent.or(Some(joints.len() - 1)), offset));
+            }
+        }
+        let body = skeleton(&joints);
+        assert_eq!(root_at_hips(&body, 2), Some(0));
+        assert_eq!(root_at_hips(&body, 3), None, "the neck is far from it");
+        assert_eq!(root_at_hips(&body, 4), None, "so is the leg");
+        // A chain without limbs bends where it is taken.
+        let chain: Vec<_> = (0..30_usize)
+            .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
+            .collect();
+        assert_eq!(root_at_hips(&skeleton(&chain), 1), None);
     }
 
     #[test]

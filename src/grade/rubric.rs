@@ -86,7 +86,7 @@ fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
     }
     let Some(mistake) = Mistake::find(id) else {
         let section = largest(test).unwrap_or_default();
-        return format!("{id} leaves {share} of {section}");
+        return format!("{id} leaves {share} of {section}, the section with the most points");
     };
     let (own, section) = (
         number(mistake.section),
@@ -421,7 +421,8 @@ mod tests {
         let few = nearly(&["right-but-for-few"], 0.998);
         assert_eq!(given(TWO, &few, &rubric), [6.0, 9.0]);
         let told = why(&test(TWO), &few, &rubric);
-        assert_eq!(told, ["right-but-for-few leaves 90 % of 4.2"]);
+        let text = "right-but-for-few leaves 90 % of 4.2, the section with the most points";
+        assert_eq!(told, [text]);
         let moved = nearly(&["moved-as-a-whole"], 0.0);
         assert_eq!(given(TWO, &moved, &rubric), [6.0, 7.5]);
         let of_mistake = nearly(&["euler-zyx", "right-but-for-few"], 0.1);

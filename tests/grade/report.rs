@@ -349,7 +349,7 @@ fn triangles_that_are_wrong_cost_as_much_where_a_vertex_is_off_as_well() {
     let eve = result(&report, "eve", "robot-1");
     assert_eq!(eve["points"], json!({"4.1": 2.0, "4.2": 9.0}));
     let why = [
-        "right-but-for-few leaves 90 % of 4.2",
+        "right-but-for-few leaves 90 % of 4.2, the section with the most points",
         "triangles-turned leaves 50 % of 4.1",
     ];
     assert_eq!(eve["why"], json!(why));
