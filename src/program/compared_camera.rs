@@ -3,7 +3,7 @@
 use super::running::Program;
 use crate::editor::View;
 use crate::math::Aabb;
-use crate::scene::{EvaluatedShape, handled_bounds};
+use crate::scene::EvaluatedShape;
 use crate::ui::MeshesShown;
 
 /// Share of the picture below which a character is too small to see its colors.
@@ -24,17 +24,17 @@ impl Program {
             View::FitAll(area) => (area, true),
             _ => return view,
         };
-        let Some(bounds) = self.compared_bounds(all) else {
+        let Some(shown) = self.compared_shapes(all) else {
             return view;
         };
         let mut camera = self.session.view().camera;
-        camera.fit(&bounds, area);
+        camera.fit_shapes(shown.iter(), area);
         View::SetCamera(camera)
     }
 
-    /// Bounds of all that is visible, or else of what of it is selected, with the compared mesh in place of the
-    /// character or beside it, in the world; `None` if that mesh is not among it.
-    fn compared_bounds(&self, all: bool) -> Option<Aabb> {
+    /// All that is visible, or else what of it is selected, with the compared mesh in place of the character or beside
+    /// it; `None` if that mesh is not among it.
+    fn compared_shapes(&self, all: bool) -> Option<Vec<EvaluatedShape>> {
         let comparison = self.mesh_comparison.as_ref()?;
         let (id, shown) = comparison.shown();
         let all = all || self.session.selected().is_none();
@@ -46,8 +46,8 @@ impl Program {
             is_shown && (all || self.session.is_selected(shape.id))
         };
         let shapes = self.session.evaluated().shapes.iter().filter(is_meant);
-        let theirs = comparison.their_bounds(&self.session)?;
-        Some(shapes.fold(theirs, |bounds, shape| bounds.union(handled_bounds(shape))))
+        let theirs = comparison.their_shape(&self.session)?;
+        Some(shapes.cloned().chain([theirs]).collect())
     }
 
     /// Fits the character of a comparison that has begun into the picture if all of it is seen, but small, and with the
@@ -61,7 +61,8 @@ impl Program {
         let mut camera = self.session.view().camera;
         let (ours, aspect) = (shape.world_bounds(), self.fit_area.aspect);
         let comparison = self.mesh_comparison.as_ref();
-        let theirs = comparison.and_then(|comparison| comparison.their_bounds(&self.session));
+        let theirs = comparison.and_then(|comparison| comparison.their_shape(&self.session));
+        let theirs = theirs.map(|theirs| theirs.world_bounds());
         let is_far = |theirs: &Aabb| {
             let size = theirs.size().length();
             size <= LARGEST * ours.size().length() && camera.seen_part(theirs, aspect) < SEEN

@@ -10,10 +10,9 @@ use crate::diagnose::{
 use crate::editor::{Session, Severity};
 use crate::geometry::{Mesh, SharedMesh};
 use crate::io::{self, Files};
-use crate::math::Aabb;
 use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
 use crate::revision::Revision;
-use crate::scene::{EvaluatedGeometry, ShapeId, SkinningMethod, VertexNumbers};
+use crate::scene::{EvaluatedGeometry, EvaluatedShape, ShapeId, SkinningMethod, VertexNumbers};
 use crate::ui::{CompareMeshAction, CompareMeshView, Legend, MeshesShown};
 use glam::Vec3;
 use std::path::Path;
@@ -140,11 +139,15 @@ impl MeshComparison {
         (self.shape, self.shown)
     }
 
-    /// Bounds of their mesh, in the world; `None` while the character is not there, and if they are not finite.
-    pub fn their_bounds(&self, session: &Session) -> Option<Aabb> {
+    /// Their mesh in the place of the character; `None` while that is not there, and if it has no finite size.
+    pub fn their_shape(&self, session: &Session) -> Option<EvaluatedShape> {
         let ours = session.evaluated().shape(self.shape)?;
-        let bounds = self.geometry.bounds().transformed(ours.world_from_model);
-        bounds.size().is_finite().then_some(bounds)
+        let theirs = EvaluatedShape {
+            geometry: Arc::clone(&self.geometry),
+            ..ours.clone()
+        };
+        let size = theirs.world_bounds().size();
+        size.is_finite().then_some(theirs)
     }
 
     /// Both meshes, as they are shown.

@@ -187,7 +187,7 @@ fn areas(corners: &[Vec4]) -> [f32; 2] {
 }
 
 /// Bounds of a shape, in the world, with its control points, which are there to be dragged.
-pub(crate) fn handled_bounds(shape: &EvaluatedShape) -> Aabb {
+fn handled_bounds(shape: &EvaluatedShape) -> Aabb {
     let curves = shape.geometry.curves.iter().flat_map(|all| &all.curves);
     let points = curves.flat_map(|curve| &curve.control_points);
     let in_world = |&point| shape.world_from_model.transform_point3(point);

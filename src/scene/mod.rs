@@ -26,7 +26,6 @@ mod view_settings;
 pub use box_picking::pick_in_box;
 pub use camera::Camera;
 pub use camera_fit::FitArea;
-pub(crate) use camera_fit::handled_bounds;
 pub use character_shape::{
     BoneStyle, CharacterDisplay, CharacterShape, JointStyle, KeptPose, ModelDisplay, SkinningMethod,
 };
