@@ -3,6 +3,7 @@
 
 use super::Explained;
 use super::vertex::Told;
+use crate::diagnose::Term;
 use crate::editor::Session;
 use crate::ui::scene_places::Place;
 use crate::ui::widgets::{SHADE, word_over_scene};
@@ -21,9 +22,19 @@ const COLORS: [Color32; 7] = [
     Color32::from_rgb(0x00, 0x72, 0xb2),
 ];
 
-/// Color of the term at `index`, in its row and in the view.
-pub(super) fn color(index: usize) -> Color32 {
-    COLORS[index % COLORS.len()]
+/// Color of terms beyond those with the largest weights.
+const OTHERS: Color32 = Color32::from_gray(0xa0);
+
+/// Color of each of the terms, in its row and in the view: those with the largest weights are told apart.
+pub(super) fn colors(terms: &[Term]) -> Vec<Color32> {
+    let mut by_weight: Vec<usize> = (0..terms.len()).collect();
+    let weight = |&index: &usize| terms[index].weight.abs();
+    by_weight.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    let mut colors = vec![OTHERS; terms.len()];
+    for (index, color) in by_weight.into_iter().zip(COLORS) {
+        colors[index] = color;
+    }
+    colors
 }
 
 /// Paints the sum of the vertex that is `told`. The arrow of the joint `hovered` is wider.
@@ -42,6 +53,7 @@ pub(super) fn paint(
         Some(place.position(screen.pixel(world)?))
     };
     let formula = &told.vertex;
+    let colors = colors(&formula.terms);
     let vertex = at(formula.sum);
     let mut sum = DVec3::ZERO;
     for (index, term) in formula.terms.iter().enumerate() {
@@ -53,7 +65,7 @@ pub(super) fn paint(
             2.5
         };
         if let (Some(from), Some(to)) = (from, at(sum)) {
-            arrow(painter, from, to, Stroke::new(width, color(index)));
+            arrow(painter, from, to, Stroke::new(width, colors[index]));
         }
     }
     for (index, term) in formula.terms.iter().enumerate() {
@@ -61,7 +73,7 @@ pub(super) fn paint(
             continue;
         };
         if let Some(vertex) = vertex {
-            let thin = Stroke::new(1.0, color(index));
+            let thin = Stroke::new(1.0, colors[index]);
             painter.extend(Shape::dashed_line(&[alone, vertex], thin, 3.0, 3.0));
         }
         let radius = if hovered == Some(term.joint) {
@@ -70,7 +82,7 @@ pub(super) fn paint(
             4.0
         };
         painter.circle_filled(alone, radius + 1.5, SHADE);
-        painter.circle_filled(alone, radius, color(index));
+        painter.circle_filled(alone, radius, colors[index]);
     }
     if let Some(origin) = at(DVec3::ZERO).filter(|_| !formula.terms.is_empty()) {
         painter.circle_filled(origin, 4.5, SHADE);
@@ -108,4 +120,28 @@ fn arrow(painter: &Painter, from: Pos2, to: Pos2, stroke: Stroke) {
 /// A letter beside a point.
 fn letter(painter: &Painter, at: Pos2, text: &str) {
     word_over_scene(painter, at + vec2(10.0, -6.0), text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_terms_with_the_largest_weights_have_colors_of_their_own() {
+        let weights = [0.01, 0.3, 0.002, 0.02, 0.003, 0.004, 0.2, 0.005, 0.4];
+        let terms = weights.map(|weight| Term {
+            joint: 0,
+            weight_of: 0,
+            weight,
+            steps: Vec::new(),
+            moved: DVec3::ZERO,
+            weighted: DVec3::ZERO,
+        });
+        let colors = colors(&terms);
+        assert_eq!(
+            [8, 1, 6].map(|index| colors[index]),
+            [COLORS[0], COLORS[1], COLORS[2]]
+        );
+        assert_eq!([2, 4].map(|index| colors[index]), [OTHERS; 2]);
+    }
 }

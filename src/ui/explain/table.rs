@@ -1,7 +1,7 @@
 //! The formula of a vertex as a table: a row for each joint with a weight, and the sum.
 
 use super::Explained;
-use super::arrows::color;
+use super::arrows::colors;
 use super::digits::{Digits, weight};
 use super::matrices;
 use super::vertex::Told;
@@ -102,6 +102,7 @@ pub(super) fn show(
     titles(ui, &columns);
     let name = |joint: usize| &*explained.shape.character.skeleton().joints()[joint].name;
     let mut hovered = None;
+    let colors = colors(&formula.terms);
     for (index, term) in formula.terms.iter().enumerate() {
         let own = if term.joint == term.weight_of {
             name(term.joint).to_owned()
@@ -112,7 +113,7 @@ pub(super) fn show(
         let steps = term.steps.iter().skip(columns.first).map(|step| step.at);
         let row = Row {
             name: &own,
-            swatch: Some(color(index)),
+            swatch: Some(colors[index]),
             unfolded: Some(is_unfolded),
             weight: Some(term.weight),
             points: steps.chain([term.weighted]).collect(),
