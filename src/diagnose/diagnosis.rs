@@ -4,6 +4,7 @@ use super::faces::FaceDifference;
 use super::mistakes::Mistake;
 use super::nearest::{NEARLY_ALL, Nearest};
 use super::other_pose::OtherPose;
+use super::precision::Coarse;
 use super::search::Made;
 use crate::compare::MeshFinding;
 use serde::{Serialize, Serializer};
@@ -71,15 +72,17 @@ pub struct Diagnosis {
     pub coarse: Option<Coarse>,
 }
 
-/// Numbers with too few digits.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Coarse {
-    /// One unit of the last digit, in model space.
-    pub rounded_to: f64,
-    /// Whether the exact result, so rounded, gives the mesh.
-    pub may_be_right: bool,
-    /// Digits after the point that would be enough.
-    pub enough_digits: usize,
+/// What a mesh is nearly, which no known mistake gives.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NearlyRight<'a> {
+    /// The exact one, with numbers that are rounded too coarsely.
+    Rounded,
+    /// The exact one moved, turned or scaled as a whole.
+    Placed,
+    /// The one of a mistake, but for few vertices.
+    ButForFewWith(&'a ToldMistake),
+    /// The exact one, but for few vertices.
+    ButForFew,
 }
 
 /// What gives the whole mesh from the exact one, without a mistake in skinning; in JSON a sentence.
@@ -185,25 +188,23 @@ impl Diagnosis {
         self.verdict == Verdict::Right
     }
 
-    /// Whether nothing explains the few vertices that are off.
-    pub fn is_right_but_for_few(&self) -> bool {
-        let is_nearest = self.nearest.as_ref().is_some_and(Nearest::is_nearly_all);
-        self.verdict == Verdict::Unexplained
-            && self.findings.is_empty()
-            && !is_nearest
-            && self.agrees >= NEARLY_ALL
-    }
-
-    /// Whether nothing explains the mesh, but nearly all of its vertices are known to be where they belong: by the exact
-    /// formula or with a mistake, rounded coarsely, or in another place as a whole.
-    pub fn is_nearly_right(&self) -> bool {
-        let is_nearest = self.nearest.as_ref().is_some_and(Nearest::is_nearly_all);
-        let may_be_right = self.coarse.is_some_and(|coarse| coarse.may_be_right);
-        self.verdict == Verdict::Unexplained
-            && (is_nearest
-                || may_be_right
-                || self.is_placed_otherwise()
-                || self.is_right_but_for_few())
+    /// What a mesh that nothing explains is nearly; `None` for one that is explained, and for one that is far off.
+    pub fn nearly_right(&self) -> Option<NearlyRight<'_>> {
+        if self.verdict != Verdict::Unexplained {
+            return None;
+        }
+        let nearest = self.nearest.as_ref();
+        let mut findings = self.findings.iter();
+        if self.coarse.is_some_and(|coarse| coarse.may_be_right) {
+            Some(NearlyRight::Rounded)
+        } else if findings.any(|finding| finding.0.is_placement()) {
+            Some(NearlyRight::Placed)
+        } else if let Some(nearest) = nearest.filter(|nearest| nearest.is_nearly_all()) {
+            Some(NearlyRight::ButForFewWith(&nearest.mistake))
+        } else {
+            let is_nearly_all = self.findings.is_empty() && self.agrees >= NEARLY_ALL;
+            is_nearly_all.then_some(NearlyRight::ButForFew)
+        }
     }
 
     /// Takes into account how triangles differ.

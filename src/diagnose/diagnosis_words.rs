@@ -1,7 +1,8 @@
 //! What is found out about a mesh, in words.
 
-use super::diagnosis::{Coarse, Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+use super::diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 use super::other_pose::OtherPose;
+use super::precision::Coarse;
 use crate::compare::MeshFinding;
 use std::fmt;
 
@@ -150,17 +151,11 @@ impl fmt::Display for Diagnosis {
 }
 
 impl Diagnosis {
-    /// Whether it is the exact mesh moved, turned or scaled as a whole.
-    pub fn is_placed_otherwise(&self) -> bool {
-        let mut findings = self.findings.iter();
-        findings.any(|finding| finding.0.is_placement())
-    }
-
     /// What is known of a mesh as a whole that nothing explains, a sentence each.
     pub fn found(&self) -> Vec<String> {
         let mut found: Vec<String> = self.findings.iter().map(ToString::to_string).collect();
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
-        if self.is_right_but_for_few() {
+        if self.nearly_right() == Some(NearlyRight::ButForFew) {
             let vertices = if self.off == 1 { "vertex" } else { "vertices" };
             found.push(format!("right but for {} {vertices}", self.off));
         }
@@ -218,7 +213,7 @@ impl Diagnosis {
             }
             fmt_where(std::slice::from_ref(mistake), f)?;
         }
-        if self.is_placed_otherwise() {
+        if self.nearly_right() == Some(NearlyRight::Placed) {
             // Every vertex is off, which says nothing.
             return Ok(());
         }

@@ -51,7 +51,7 @@ impl FaceDifference {
         let knows_which_is_which = match found.verdict {
             Verdict::Right | Verdict::Triangles | Verdict::OtherPose => true,
             Verdict::Explained => !found.causes.contains(&RENUMBERED),
-            Verdict::Unexplained => found.is_nearly_right(),
+            Verdict::Unexplained => found.nearly_right().is_some(),
         };
         let (model, theirs) = (model.triangles(), &theirs.triangles);
         if knows_which_is_which {

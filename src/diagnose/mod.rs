@@ -25,7 +25,7 @@ mod silhouette;
 mod skin;
 mod vertex_formula;
 
-pub use diagnosis::{Coarse, Diagnosis, OfTheWhole, Region, Shown, ToldMistake, Verdict};
+pub use diagnosis::{Diagnosis, NearlyRight, OfTheWhole, Region, Shown, ToldMistake, Verdict};
 pub use diagnosis_words::{of_size, part_of_size};
 pub use faces::FaceDifference;
 pub use formula::{
@@ -36,9 +36,10 @@ pub use job::MeshJob;
 pub use measure::{MeshMeasure, measure};
 pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
-pub use nearest::{NEARLY_ALL, Nearest};
+pub use nearest::Nearest;
 pub use other_pose::{OtherPose, TurnedJoint};
 pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
+pub use precision::Coarse;
 pub use vertex_formula::{Step, Term, VertexFormula};
 
 use crate::character::{Character, Pose};
@@ -59,10 +60,6 @@ const TOLERANCE: f64 = 1e-4;
 /// The same for numbers that were written with fewer digits: what rounding to four digits in all is
 /// off by. Fewer are too few to tell what is wrong.
 const MOST_TOLERANCE: f64 = 1e-3;
-/// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
-const FEWEST_ROUNDED: usize = 12;
-/// The coarsest rounding, by the size, after which a mesh can still be told to be right.
-const MOST_ROUNDING: f64 = 0.02;
 /// What single precision is off by, by the largest coordinate.
 const SINGLE_PRECISION: f64 = 1e-6;
 /// Errors that are no more than this many times the least one are as good.
@@ -142,7 +139,8 @@ async fn diagnose_vertices(
         .zip(&points)
         .map(|(placed, &point)| placed.distance(point))
         .collect();
-    let tolerance = tolerance(theirs, size);
+    let half_step = precision::half_step(theirs);
+    let tolerance = tolerance(theirs, half_step, size);
     let mut findings = Findings {
         model,
         order,
@@ -184,7 +182,7 @@ async fn diagnose_vertices(
     }
     if explanations.is_empty() {
         let mut found = findings.diagnosis(Verdict::Unexplained);
-        found.coarse = findings.coarse(theirs);
+        found.coarse = Coarse::find(&exact, theirs, half_step, size);
         if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
             return Ok(found);
         }
@@ -228,14 +226,10 @@ fn size_of(points: impl Iterator<Item = Vec3>) -> f64 {
     }
 }
 
-/// How far rounding to the digits that were written moves a vertex at most.
-fn rounding(theirs: &[Vec3]) -> f64 {
-    precision::half_step(theirs) * 3_f64.sqrt() * 1.01
-}
-
-/// How far vertices may be apart and agree.
-fn tolerance(theirs: &[Vec3], size: f64) -> f64 {
-    let by_size = rounding(theirs).clamp(TOLERANCE * size, MOST_TOLERANCE * size);
+/// How far vertices may be apart and agree, with numbers that rounding moves by `half_step` at most.
+fn tolerance(theirs: &[Vec3], half_step: f64, size: f64) -> f64 {
+    let rounding = precision::of_vertices(half_step);
+    let by_size = rounding.clamp(TOLERANCE * size, MOST_TOLERANCE * size);
     let largest = theirs.iter().map(|point| point.abs().max_element());
     let largest = largest
         .filter(|largest| largest.is_finite())
@@ -258,30 +252,6 @@ impl Findings<'_> {
     /// The largest distance.
     fn error(&self) -> f64 {
         self.distances.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// How the numbers are rounded, if that is too coarse to tell mistakes apart.
-    fn coarse(&self, theirs: &[Vec3]) -> Option<Coarse> {
-        let (rounding, rounded_to) = (rounding(theirs), 2.0 * precision::half_step(theirs));
-        let is_rounded = |place: DVec3| {
-            let rounded = (place / rounded_to).round() * rounded_to;
-            place.distance(rounded) <= TOLERANCE * self.size
-        };
-        // Few numbers are short by chance, and nothing is lost where the right ones have no more digits either.
-        let is_coarse = theirs.len() >= FEWEST_ROUNDED
-            && rounding > MOST_TOLERANCE * self.size
-            && !self.exact.iter().all(|placed| is_rounded(placed.at));
-        let half_step = 1.01 * precision::half_step(theirs);
-        let mut pairs = self.exact.iter().zip(theirs);
-        is_coarse.then(|| Coarse {
-            rounded_to,
-            may_be_right: rounding <= MOST_ROUNDING * self.size
-                && pairs.all(|(exact, theirs)| {
-                    let apart = (exact.at - theirs.as_dvec3()).abs();
-                    apart.max_element() <= half_step + SINGLE_PRECISION * self.size
-                }),
-            enough_digits: (-(TOLERANCE * self.size).log10()).ceil().max(1.0) as usize,
-        })
     }
 
     /// A diagnosis without causes.

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// What the nearest mistake must explain to be named.
 const EXPLAINS_MUCH: f64 = 0.5;
 /// Share of the vertices that are nearly all.
-pub const NEARLY_ALL: f64 = 0.99;
+pub(super) const NEARLY_ALL: f64 = 0.99;
 
 /// A mistake that explains much, but not all.
 #[derive(Clone, Debug, PartialEq, Serialize)]

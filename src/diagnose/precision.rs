@@ -1,9 +1,18 @@
 //! How exactly the numbers of a mesh were written.
 
-use glam::Vec3;
+use super::skin::Placed;
+use super::{MOST_TOLERANCE, SINGLE_PRECISION, TOLERANCE};
+use glam::{DVec3, Vec3};
+use serde::Serialize;
 
 /// Digits that any number of single precision can be told by.
 const MOST_DIGITS: usize = 9;
+/// Part of half a unit up to which a number counts as rounded: halves are not exact in binary.
+const ROOM: f64 = 1.01;
+/// Fewest vertices whose numbers tell by how few digits they have that they are rounded.
+const FEWEST_ROUNDED: usize = 12;
+/// The coarsest rounding, by the size, after which a mesh can still be told to be right.
+const MOST_ROUNDING: f64 = 0.02;
 
 /// Half a unit of the last digit of the largest coordinate, as far as the numbers show: what
 /// rounding to the digits that were written moves a coordinate at most.
@@ -22,6 +31,54 @@ pub(super) fn half_step(points: &[Vec3]) -> f64 {
         return 0.0;
     }
     0.5 * 10_f64.powi(exponent + 1 - most_digits as i32)
+}
+
+/// How far numbers that rounding moves by `half_step` at most move a vertex, with some room.
+pub(super) fn of_vertices(half_step: f64) -> f64 {
+    half_step * 3_f64.sqrt() * ROOM
+}
+
+/// Numbers with too few digits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Coarse {
+    /// One unit of the last digit, in model space.
+    pub rounded_to: f64,
+    /// Whether the exact result, so rounded, gives the mesh.
+    pub may_be_right: bool,
+    /// Digits after the point that would be enough.
+    pub enough_digits: usize,
+}
+
+impl Coarse {
+    /// How the numbers of `theirs` are rounded, which moves them by `half_step` at most, if that is too coarse to tell
+    /// mistakes apart in a mesh of this `size`.
+    pub(super) fn find(
+        exact: &[Placed],
+        theirs: &[Vec3],
+        half_step: f64,
+        size: f64,
+    ) -> Option<Self> {
+        let (rounding, rounded_to) = (of_vertices(half_step), 2.0 * half_step);
+        let is_rounded = |place: DVec3| {
+            let rounded = (place / rounded_to).round() * rounded_to;
+            place.distance(rounded) <= TOLERANCE * size
+        };
+        // Few numbers are short by chance, and nothing is lost where the right ones have no more digits either.
+        let is_coarse = theirs.len() >= FEWEST_ROUNDED
+            && rounding > MOST_TOLERANCE * size
+            && !exact.iter().all(|placed| is_rounded(placed.at));
+        let most = ROOM * half_step + SINGLE_PRECISION * size;
+        let is_so_rounded = |(exact, theirs): (&Placed, &Vec3)| {
+            let apart = (exact.at - theirs.as_dvec3()).abs();
+            apart.max_element() <= most
+        };
+        is_coarse.then(|| Self {
+            rounded_to,
+            may_be_right: rounding <= MOST_ROUNDING * size
+                && exact.iter().zip(theirs).all(is_so_rounded),
+            enough_digits: (-(TOLERANCE * size).log10()).ceil().max(1.0) as usize,
+        })
+    }
 }
 
 /// Number of digits of the shortest decimal that reads back to `number`, and the exponent of the

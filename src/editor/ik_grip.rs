@@ -1,7 +1,7 @@
+use super::limbs::{ankle_above, is_fork, root_at_hips, uppermost, wrist};
 use super::{Screen, Session};
+use crate::character::SkeletalModel;
 use crate::character::ik::IkChain;
-use crate::character::{JointBone, SkeletalModel};
-use crate::math::Aabb;
 use crate::scene::{BoneHit, IkSettings, ShapeId};
 use glam::Vec3;
 
@@ -14,18 +14,9 @@ const SAME_PLACE: f32 = 0.05;
 const TINY: f32 = 40.0;
 const TINY_PALM: f32 = 2.0 * TINY;
 
-/// Least length of the bone that leads to a wrist, relative to the longest bone of the hand.
-const FOREARM: f32 = 2.0;
-
-/// Length of a foot relative to the bone above it below which that counts as short.
-const SHORT: f32 = 0.6;
-
 /// Length of a bone relative to the one below it below which it is no part of a limb: it would have to fold for the
 /// least way of the lower one's end toward it, as the hips do below a trunk.
 const STUB: f32 = 0.35;
-
-/// Distance from the root, by the size of the skeleton, within which a joint lies beside it.
-const BESIDE: f32 = 0.06;
 
 /// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,172 +143,16 @@ impl IkGrip {
     }
 }
 
-/// Whether limbs meet at a joint, as at the hips: more than one branch goes on with joints of its own.
-fn is_fork(skeleton: &SkeletalModel, joint: usize) -> bool {
-    let children = skeleton.children(joint).iter();
-    let limbs = children.filter(|&&child| !skeleton.children(child).is_empty());
-    limbs.count() > 1
-}
-
-/// Index of the uppermost of the joints that are in the same place as `joint`.
-fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
-    let joints = skeleton.joints();
-    let same = |&joint: &usize| {
-        joints[joint]
-            .parent
-            .filter(|_| joints[joint].offset == Vec3::ZERO)
-    };
-    std::iter::successors(Some(joint), same)
-        .last()
-        .unwrap_or(joint)
-}
-
-/// The root above a joint that lies beside it, where limbs meet: to lead the waist about by so short a chain would turn
-/// all of the figure over.
-fn root_at_hips(skeleton: &SkeletalModel, joint: usize) -> Option<usize> {
-    let parent = |&joint: &usize| skeleton.joints().get(joint).and_then(|j| j.parent);
-    let above: Vec<usize> = std::iter::successors(parent(&joint), parent).collect();
-    let root = *above.last()?;
-    let places = skeleton.bind_positions();
-    let size = Aabb::from_points(places.iter().copied()).size().length();
-    let is_near = places[joint].distance(places[root]) < BESIDE * size;
-    let is_hips = above.iter().any(|&joint| is_fork(skeleton, joint));
-    (is_near && is_hips).then_some(root)
-}
-
-/// The ankle above the end of a foot, or above toes there: a foot is short beside the two long bones of its leg, which
-/// are what should follow it. Two joints above toes would fold the ankle.
-fn ankle_above(skeleton: &SkeletalModel, toe: usize) -> Option<usize> {
-    let parent = |joint: usize| skeleton.joints().get(joint).and_then(|j| j.parent);
-    let length = |joint: usize| skeleton.joints()[joint].offset.length();
-    let ankle = parent(toe)?;
-    let knee = parent(ankle)?;
-    // The hip hangs on something.
-    parent(parent(knee)?)?;
-    let (foot, lower, upper) = (length(toe), length(ankle), length(knee));
-    let are_alike = lower >= SHORT * upper && upper >= SHORT * lower;
-    // A palm has several fingers.
-    let is_single = skeleton.children(ankle).len() == 1;
-    (is_single && foot < SHORT * lower && are_alike).then_some(ankle)
-}
-
-/// Index of the wrist above `bone`, or of the ankle above toes: a joint whose branches are much
-/// shorter than the bone that leads to it.
-fn wrist(skeleton: &SkeletalModel, bone: &JointBone) -> Option<usize> {
-    let joints = skeleton.joints();
-    let mut longest = bone.tip.length();
-    let mut joint = bone.joint;
-    loop {
-        let parent = joints[joint].parent?;
-        let leading = joints[joint].offset.length();
-        let branches = skeleton.children(joint).len() > 1;
-        if branches && leading >= FOREARM * longest {
-            return Some(joint);
-        }
-        longest = longest.max(leading);
-        joint = parent;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Joint};
     use crate::editor::Edit;
+    use crate::editor::limbs::tests::{body, skeleton};
     use crate::geometry::Mesh;
     use crate::scene::{Camera, CharacterShape, NewShape, ShapeKind};
     use glam::Vec2;
     use std::sync::Arc;
-
-    fn skeleton(joints: &[(Option<usize>, [f32; 3])]) -> SkeletalModel {
-        let joints = joints.iter().map(|&(parent, offset)| Joint {
-            parent,
-            offset: offset.into(),
-            ..Joint::default()
-        });
-        SkeletalModel::new(joints.collect()).unwrap()
-    }
-
-    fn bone(joint: usize, tip: [f32; 3]) -> JointBone {
-        let tip = tip.into();
-        JointBone { joint, tip }
-    }
-
-    /// A trunk with two arms; the first has a hand with two fingers.
-    fn body() -> SkeletalModel {
-        skeleton(&[
-            (None, [0.0, 1.0, 0.0]),
-            (Some(0), [0.0, 0.5, 0.0]),
-            (Some(1), [0.2, 0.0, 0.0]),
-            (Some(2), [0.3, 0.0, 0.0]),
-            (Some(3), [0.25, 0.0, 0.0]),
-            (Some(4), [0.1, 0.0, 0.02]),
-            (Some(5), [0.04, 0.0, 0.0]),
-            (Some(4), [0.1, 0.0, -0.02]),
-            (Some(1), [-0.2, 0.0, 0.0]),
-            (Some(8), [-0.3, 0.0, 0.0]),
-        ])
-    }
-
-    #[test]
-    fn palm_and_fingers_hang_on_the_wrist() {
-        let body = body();
-        for part in [
-            bone(4, [0.1, 0.0, 0.02]),
-            bone(5, [0.04, 0.0, 0.0]),
-            bone(6, [0.03, 0.0, 0.0]),
-            bone(7, [0.04, 0.0, 0.0]),
-        ] {
-            assert_eq!(wrist(&body, &part), Some(4), "{part:?}");
-        }
-    }
-
-    #[test]
-    fn arms_do_not_hang_on_the_chest_as_fingers_do_nor_a_tail_on_anything() {
-        let body = body();
-        for arm in [
-            bone(3, [0.25, 0.0, 0.0]),
-            bone(2, [0.3, 0.0, 0.0]),
-            bone(9, [-0.3, 0.0, 0.0]),
-        ] {
-            assert_eq!(wrist(&body, &arm), None, "{arm:?}");
-        }
-        let tail: Vec<_> = (0..9_usize)
-            .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
-            .collect();
-        assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
-    }
-
-    #[test]
-    fn a_waist_beside_the_root_of_a_figure_with_legs_leads_all_of_it() {
-        let leg = |x: f32, hips| {
-            [
-                (Some(hips), [x, -0.1, 0.0]),
-                (None, [0.0, -0.4, 0.0]),
-                (None, [0.0, -0.4, 0.0]),
-            ]
-        };
-        let mut joints = vec![
-            (None, [0.0, 1.0, 0.0]),
-            (Some(0), [0.0, 0.0, 0.0]),
-            (Some(1), [0.0, 0.075, 0.0]),
-            (Some(2), [0.0, 0.395, 0.0]),
-        ];
-        for x in [-0.1, 0.1] {
-            for (parent, offset) in leg(x, 1) {
-                joints.push((parent.or(Some(joints.len() - 1)), offset));
-            }
-        }
-        let body = skeleton(&joints);
-        assert_eq!(root_at_hips(&body, 2), Some(0));
-        assert_eq!(root_at_hips(&body, 3), None, "the neck is far from it");
-        assert_eq!(root_at_hips(&body, 4), None, "so is the leg");
-        // A chain without limbs bends where it is taken.
-        let chain: Vec<_> = (0..30_usize)
-            .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
-            .collect();
-        assert_eq!(root_at_hips(&skeleton(&chain), 1), None);
-    }
 
     #[test]
     fn a_trunk_leans_on_short_hips_without_turning_them() {

@@ -11,6 +11,7 @@ mod gizmo;
 mod history;
 mod ik_grip;
 mod ik_tool;
+mod limbs;
 mod messages;
 mod move_tool;
 mod rotate_tool;

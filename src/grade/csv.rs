@@ -1,6 +1,7 @@
 //! The report as a table for a gradebook.
 
-use super::report::{Report, Section};
+use super::report::Report;
+use super::section::Section;
 
 impl Report {
     /// A row a submission as comma-separated values (RFC 4180): name, points, points that are possible,

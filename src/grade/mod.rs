@@ -10,12 +10,15 @@ mod name;
 mod page;
 mod report;
 mod rubric;
+mod section;
 mod style;
 mod terminal;
 mod test;
 mod thumbnail;
+mod why;
 
 pub use graded::{Graded, Outcome};
 pub use name::Name;
-pub use report::{GradedTest, MistakeGroup, Report, Row, Section, Submission};
+pub use report::{GradedTest, MistakeGroup, Report, Row, Submission};
+pub use section::Section;
 pub use test::Test;

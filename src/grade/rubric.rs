@@ -2,15 +2,13 @@
 
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
-use crate::io::{
-    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData, TestKind,
-};
+use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
 /// pose of its test shows nothing of what the test asks for, whatever the section.
-const POSE_NOT_APPLIED: &str = "pose-not-applied";
+pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
 /// What that leaves unless the rubric says otherwise.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
@@ -46,65 +44,6 @@ pub(super) fn points(
     }
 }
 
-/// Why a test has not all of its points, in sentences.
-pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
-    let of_mistakes = |ids: &[String]| ids.iter().map(|id| why_mistake(id, test, rubric)).collect();
-    match graded.outcome {
-        Outcome::Right => Vec::new(),
-        Outcome::Explained => counted(test, graded, rubric).map_or_else(Vec::new, of_mistakes),
-        Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
-            of_mistakes(&graded.nearly)
-        }
-        Outcome::Unexplained => {
-            let what = match test.kind {
-                TestKind::Mesh => "vertices",
-                TestKind::Picture { .. } => "silhouette",
-            };
-            let share = percent(rubric.unexplained.0);
-            let right = percent(graded.agrees);
-            vec![format!(
-                "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
-            )]
-        }
-        Outcome::OtherPose => {
-            let share = percent(share_left(POSE_NOT_APPLIED, rubric));
-            vec![format!(
-                "a result in another pose than that of the test leaves {share} of every section, as {POSE_NOT_APPLIED} does"
-            )]
-        }
-        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
-            vec!["there is nothing to give points for".to_owned()]
-        }
-    }
-}
-
-/// What a mistake, or a mesh that is nearly right, leaves of which section.
-fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
-    let share = percent(share_left(id, rubric));
-    if id == POSE_NOT_APPLIED {
-        return format!("{id} leaves {share} of every section");
-    }
-    let Some(mistake) = Mistake::find(id) else {
-        let section = largest(test).unwrap_or_default();
-        return format!("{id} leaves {share} of {section}, the section with the most points");
-    };
-    let (own, section) = (
-        number(mistake.section),
-        section_of(mistake, test).unwrap_or_default(),
-    );
-    let told = format!("{id} leaves {share} of {section}");
-    match own == number(section) {
-        true => told,
-        false => format!("{told}, since the test has no points for {own}"),
-    }
-}
-
-/// A share in words.
-fn percent(share: f64) -> String {
-    let percent = (share * 1000.0 + 1e-6).floor() / 10.0;
-    format!("{percent} %")
-}
-
 /// Mistakes that cost points in another section than their own, which has none in the test: each with its own and
 /// that other one.
 pub(super) fn counted_elsewhere(
@@ -123,7 +62,11 @@ pub(super) fn counted_elsewhere(
 }
 
 /// Of the explanations of a file the mistakes that points are taken for.
-fn counted<'a>(test: &TestData, graded: &'a Graded, rubric: &RubricData) -> Option<&'a [String]> {
+pub(super) fn counted<'a>(
+    test: &TestData,
+    graded: &'a Graded,
+    rubric: &RubricData,
+) -> Option<&'a [String]> {
     let first = graded.causes.first()?;
     // Wrong triangles may come with it.
     if first.iter().any(|id| id == POSE_NOT_APPLIED) {
@@ -159,7 +102,7 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
 }
 
 /// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
-fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
+pub(super) fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
     let as_mistakes = left_by(&graded.nearly, test, rubric);
     let by_vertices = of_all(test, by_vertices(graded, rubric));
     let is_without_pose = graded.nearly.iter().any(|id| id == POSE_NOT_APPLIED);
@@ -168,7 +111,7 @@ fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> 
 }
 
 /// The share that one mistake leaves of its section.
-fn share_left(id: &str, rubric: &RubricData) -> f64 {
+pub(super) fn share_left(id: &str, rubric: &RubricData) -> f64 {
     let mut by_little = LEFT_BY_LITTLE.iter();
     let without = match id {
         POSE_NOT_APPLIED => LEFT_WITHOUT_POSE,
@@ -202,7 +145,7 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
 /// The section of a test in which a mistake costs points: its own, or else the one with the nearest number, of two
 /// as near the later one, which builds upon it; where no section has a number, the one with the most points. `None` in
 /// a test without sections.
-fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
+pub(super) fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
     let own = parts_of(mistake.section)?;
     let apart = |section: &&String| {
         let (chapter, part) = parts_of(section)?;
@@ -224,7 +167,7 @@ fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
 }
 
 /// The section of a test with the most points.
-fn largest(test: &TestData) -> Option<&str> {
+pub(super) fn largest(test: &TestData) -> Option<&str> {
     let sections = test.points.iter();
     let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
     largest.map(|(section, _)| section.as_str())
@@ -242,9 +185,10 @@ pub(super) fn number(section: &str) -> &str {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
-    use crate::io::{NamedFile, Points, Position, Share};
+    use crate::grade::why::why;
+    use crate::io::{NamedFile, Points, Position, Share, TestKind};
 
     fn named(path: &str) -> NamedFile {
         NamedFile {
@@ -253,7 +197,7 @@ mod tests {
         }
     }
 
-    fn test(sections: &[(&str, f64)]) -> TestData {
+    pub(in crate::grade) fn test(sections: &[(&str, f64)]) -> TestData {
         let points = sections
             .iter()
             .map(|&(section, points)| (section.to_owned(), Points(points)));
@@ -266,7 +210,7 @@ mod tests {
         }
     }
 
-    fn explained(causes: &[&[&str]]) -> Graded {
+    pub(in crate::grade) fn explained(causes: &[&[&str]]) -> Graded {
         let owned = |ids: &&[&str]| ids.iter().map(|&id| id.to_owned()).collect();
         Graded {
             causes: causes.iter().map(owned).collect(),
@@ -280,7 +224,7 @@ mod tests {
             .collect()
     }
 
-    const TWO: &[(&str, f64)] = &[("3.4", 6.0), ("4.2", 10.0)];
+    pub(in crate::grade) const TWO: &[(&str, f64)] = &[("3.4", 6.0), ("4.2", 10.0)];
 
     #[test]
     fn a_mistake_costs_points_in_its_own_section_and_two_in_one_cost_twice() {
@@ -300,39 +244,6 @@ mod tests {
                 "{causes:?}"
             );
         }
-    }
-
-    #[test]
-    fn points_that_are_lost_are_explained_by_what_is_left() {
-        let mut rubric = RubricData::default();
-        let told = |graded: &Graded, rubric: &RubricData| why(&test(TWO), graded, rubric);
-        let two = explained(&[&["no-inverse-bind", "parent-missing"]]);
-        assert_eq!(
-            told(&two, &rubric),
-            [
-                "no-inverse-bind leaves 50 % of 4.2",
-                "parent-missing leaves 50 % of 3.4, since the test has no points for 3.2"
-            ]
-        );
-        let bind = explained(&[&["pose-not-applied"]]);
-        assert_eq!(
-            told(&bind, &rubric),
-            ["pose-not-applied leaves 0 % of every section"]
-        );
-        rubric.unexplained = Share(0.25);
-        let unexplained = Graded {
-            agrees: 0.8,
-            ..Graded::without(Outcome::Unexplained, "")
-        };
-        let text = "what no known mistake explains leaves 25 %, times the 80 % of the vertices that are right";
-        assert_eq!(told(&unexplained, &rubric), [text]);
-        assert!(told(&Graded::without(Outcome::Right, ""), &rubric).is_empty());
-        // Sections may have their names beside their numbers.
-        let named = test(&[("3.4 Sliders", 6.0), ("4.2 SSD", 10.0)]);
-        let inverse = explained(&[&["no-inverse-bind"]]);
-        let told = why(&named, &inverse, &rubric);
-        assert_eq!(told, ["no-inverse-bind leaves 50 % of 4.2 SSD"]);
-        assert!(counted_elsewhere(&named, &inverse, &rubric).is_empty());
     }
 
     #[test]

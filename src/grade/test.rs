@@ -3,7 +3,9 @@
 use super::graded::{Graded, Outcome, rounded};
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
-use crate::diagnose::{Diagnosis, PictureError, Verdict, diagnose, diagnose_picture, measure};
+use crate::diagnose::{
+    Diagnosis, NearlyRight, PictureError, Verdict, diagnose, diagnose_picture, measure,
+};
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
@@ -255,44 +257,32 @@ fn hint(found: &Diagnosis) -> Option<String> {
     if found.verdict != Verdict::Unexplained {
         return None;
     }
-    if let Some(brief) = found.findings.iter().find_map(|finding| finding.0.brief()) {
+    let mut findings = found.findings.iter();
+    if let Some(brief) = findings.find_map(|finding| finding.0.brief()) {
         return Some(brief);
     }
-    match (nearly(found).first(), found.off) {
-        (Some(&RIGHT_BUT_FOR_DIGITS), _) => Some("right, with too few digits".to_owned()),
-        (Some(&RIGHT_BUT_FOR_FEW), 1) => Some("right but for 1 vertex".to_owned()),
-        (Some(&RIGHT_BUT_FOR_FEW), off) => Some(format!("right but for {off} vertices")),
-        (Some(mistake), _) => Some(format!("nearly {mistake}")),
-        (None, _) => None,
-    }
+    Some(match found.nearly_right()? {
+        NearlyRight::Rounded => "right, with too few digits".to_owned(),
+        NearlyRight::Placed => return None,
+        NearlyRight::ButForFewWith(mistake) => format!("nearly {}", mistake.id),
+        NearlyRight::ButForFew => match found.off {
+            1 => "right but for 1 vertex".to_owned(),
+            off => format!("right but for {off} vertices"),
+        },
+    })
 }
 
 /// What is wrong with a mesh that is nearly right, for the rubric.
 fn nearly(found: &Diagnosis) -> Vec<&'static str> {
-    let mut nearly = nearly_by_vertices(found);
-    if !nearly.is_empty() {
-        nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));
-    }
+    let mut nearly = match found.nearly_right() {
+        Some(NearlyRight::Rounded) => vec![RIGHT_BUT_FOR_DIGITS],
+        Some(NearlyRight::Placed) => vec![MOVED_AS_A_WHOLE],
+        Some(NearlyRight::ButForFewWith(mistake)) => vec![mistake.id, RIGHT_BUT_FOR_FEW],
+        Some(NearlyRight::ButForFew) => vec![RIGHT_BUT_FOR_FEW],
+        None => return Vec::new(),
+    };
+    nearly.extend(found.faces.mistakes().map(|mistake| mistake.id));
     nearly
-}
-
-/// The same without its triangles.
-fn nearly_by_vertices(found: &Diagnosis) -> Vec<&'static str> {
-    if found.verdict != Verdict::Unexplained {
-        return Vec::new();
-    }
-    if found.coarse.is_some_and(|coarse| coarse.may_be_right) {
-        return vec![RIGHT_BUT_FOR_DIGITS];
-    }
-    if found.is_placed_otherwise() {
-        return vec![MOVED_AS_A_WHOLE];
-    }
-    let nearest = found.nearest.as_ref();
-    match nearest.filter(|nearest| nearest.is_nearly_all()) {
-        Some(nearest) => vec![nearest.mistake.id, RIGHT_BUT_FOR_FEW],
-        None if found.is_right_but_for_few() => vec![RIGHT_BUT_FOR_FEW],
-        None => Vec::new(),
-    }
 }
 
 /// The explanations, the one that is told in words first; none without one.

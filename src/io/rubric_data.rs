@@ -87,11 +87,11 @@ impl TryFrom<String> for MistakeName {
         if Mistake::find(&name).is_some() || nearly_right.contains(&&*name) {
             return Ok(Self(name));
         }
-        let ids = MISTAKES.iter().map(|mistake| mistake.id);
-        let ids = ids.chain(nearly_right);
         if name == "other-pose" {
             return Err("expected pose-not-applied, which is also for other poses".to_owned());
         }
+        let ids = MISTAKES.iter().map(|mistake| mistake.id);
+        let ids = ids.chain(nearly_right);
         let nearest = ids.min_by_key(|id| strsim::levenshtein(id, &name));
         Err(format!(
             "expected the name of a mistake such as {}, found {}",

@@ -101,10 +101,9 @@ impl Program {
     ) {
         let reader = &*files;
         let mut all = once_each(reader, [vec![path.clone()], others].concat());
-        if takes_several(purpose) {
-            // A picture on its own is for a model that lacks it; among models it is read with them.
-            let is_alone = all.iter().all(|path| is_picture(path));
-            all.retain(|path| !(is_alone && self.complete_models(path, reader)));
+        // Pictures on their own are for models that lack them; among models they are read with these.
+        if takes_several(purpose) && all.iter().all(|path| is_picture(path)) {
+            all.retain(|path| !self.complete_models(path, reader));
             if all.is_empty() {
                 return;
             }

@@ -130,10 +130,8 @@ impl SurfacePass {
         world_from_model: Mat4,
         (color, alpha): (Vec3, f32),
     ) {
-        for program in self.programs.of(Look::Studio, false).all() {
-            prepare_program(program, context, frame);
-        }
         let program = self.programs.of(Look::Studio, false).of(mesh);
+        prepare_program(program, context, frame);
         program.set_mat4("world_from_model", world_from_model);
         prepare_mesh(program, mesh, world_from_model, alpha);
         program.set_vec3("color", color);

@@ -136,7 +136,8 @@ impl Camera {
         }
         let [seen, covered] = areas(&corners);
         // The picture's sides are 2 long.
-        seen >= 0.5 * covered || seen >= 0.25 * 4.0
+        const QUARTER: f32 = 0.25 * 2.0 * 2.0;
+        seen >= 0.5 * covered || seen >= QUARTER
     }
 
     /// Part of what `bounds`, in the world, cover that is in a picture of `aspect` (width over height), 0 to 1; 0 if

@@ -1,8 +1,8 @@
 //! The eye and the lock in the list of shapes.
 
 use crate::interface::{Editor, curves};
-use editor_core::editor::{Edit, View};
-use editor_core::scene::{CharacterDisplay, ModelDisplay, ShapeId};
+use editor_core::editor::{Edit, Session, View};
+use editor_core::scene::{CharacterDisplay, ModelDisplay, Shape, ShapeId};
 use egui::{Key, Modifiers, Pos2, vec2};
 use glam::Vec3;
 
@@ -36,40 +36,23 @@ fn others_are_hidden_and_the_selection_is_inverted_among_what_is_shown() {
     for name in ["Cube", "Sphere", "Pyramid", "Teapot"] {
         editor.choose(&["Insert", name]);
     }
-    let ids: Vec<_> = editor
-        .session()
-        .scene()
-        .shapes()
-        .iter()
-        .map(|shape| shape.id)
-        .collect();
-    let is_selected = |editor: &Editor| {
-        ids.iter()
-            .map(|&id| editor.session().is_selected(id))
-            .collect::<Vec<_>>()
+    let of_each = |editor: &Editor, is: fn(&Session, &Shape) -> bool| {
+        let session = editor.session();
+        let shapes = session.scene().shapes().iter();
+        shapes.map(|shape| is(session, shape)).collect::<Vec<_>>()
     };
-    editor.edit(Edit::SetVisible(ids[0], false));
-    editor.view(View::Select(Some(ids[1])));
+    let shown = |editor: &Editor| of_each(editor, |_, shape| shape.visible);
+    let shapes = editor.session().scene().shapes();
+    let [first, second] = [shapes[0].id, shapes[1].id];
+    editor.edit(Edit::SetVisible(first, false));
+    editor.view(View::Select(Some(second)));
     editor.choose(&["Edit", "Invert Selection"]);
-    assert_eq!(is_selected(&editor), [false, false, true, true]);
+    let selected = of_each(&editor, |session, shape| session.is_selected(shape.id));
+    assert_eq!(selected, [false, false, true, true]);
     editor.choose(&["Edit", "Hide Others"]);
-    let shown: Vec<bool> = editor
-        .session()
-        .scene()
-        .shapes()
-        .iter()
-        .map(|shape| shape.visible)
-        .collect();
-    assert_eq!(shown, [false, false, true, true]);
-    editor.key_with(egui::Modifiers::COMMAND, Key::Z);
-    let shown = editor
-        .session()
-        .scene()
-        .shapes()
-        .iter()
-        .filter(|shape| shape.visible)
-        .count();
-    assert_eq!(shown, 3, "in one step");
+    assert_eq!(shown(&editor), [false, false, true, true]);
+    editor.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(shown(&editor), [false, true, true, true], "in one step");
 }
 
 #[test]

@@ -120,18 +120,16 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     let inputs = inputs.into_iter().flatten().chain([&executable]);
     refuse_input(&output, &inputs.cloned().collect::<Vec<_>>())?;
 
-    let program = program_name();
-    let is_made = |entry: &Entry| {
-        let mut made = shown.iter().map(|shown| &*shown.path);
-        let by_name = [README, &*program].map(Path::new).contains(&&*entry.path);
-        by_name || made.any(|made| made == entry.path)
-    };
-    entries.retain(|entry| !is_made(entry));
-    let readme = answers.readme(&contents(&entries, &shown)).into_bytes();
     let program = Entry {
         is_executable: true,
         ..Entry::new(program_name(), Disk.read(&executable)?)
     };
+    entries.retain(|entry| {
+        let is_readme = entry.path == Path::new(README);
+        let mut made = shown.iter().chain([&program]);
+        !is_readme && made.all(|made| made.path != entry.path)
+    });
+    let readme = answers.readme(&contents(&entries, &shown)).into_bytes();
     let mut made = vec![program, Entry::new(README, readme)];
     made.extend(shown);
     let parts = parts(&entries, &made);

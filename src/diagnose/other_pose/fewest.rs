@@ -63,8 +63,8 @@ pub(super) async fn with_small_turns_put_back(
     let (mut free, mut needed, mut tries) = (turned, 0, 0);
     let mut batch = free.len() / 2;
     while batch > 0 && tries < MOST_TRIES {
-        let end = (needed + batch).min(free.len());
-        if end - needed < batch || end == free.len() {
+        let end = needed + batch;
+        if end >= free.len() {
             batch /= 2;
             continue;
         }

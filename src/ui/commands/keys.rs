@@ -1,11 +1,11 @@
-//! Keyboard shortcuts of the commands.
+//! Keyboard shortcuts of the commands: which there are, and how they are told.
 
 use super::run::deletes_point;
 use super::table::{ALT, CTRL, NONE, SHIFT, entry_of, meant};
 use super::{COMMANDS, Command, Entry};
 use crate::editor::{Session, Tool};
 use crate::ui::{Navigation, UiState};
-use egui::{Context, Event, Id, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Id, Key, KeyboardShortcut};
 
 /// Shortcuts that Blender's navigation adds, because its users' hands know them.
 const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
@@ -41,7 +41,7 @@ const KEPT_BY_BROWSERS: [KeyboardShortcut; 2] = [
 
 impl Entry {
     /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.
-    fn shortcuts_in(
+    pub(super) fn shortcuts_in(
         &self,
         navigation: Navigation,
     ) -> impl Iterator<Item = &'static KeyboardShortcut> {
@@ -179,73 +179,12 @@ pub(in crate::ui) fn with_key(ctx: &Context, command: Command, words: &str) -> S
     entry.map_or(String::new(), |entry| entry.with_key(ctx, words))
 }
 
-/// Commands whose shortcuts were pressed in this frame, with the keys; their events are consumed.
-pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Command, Key)> {
-    ctx.input_mut(|input| {
-        let mut commands = Vec::new();
-        let held = input.pointer.any_down();
-        let Modifiers { command, shift, .. } = input.modifiers;
-        input.events.retain(|event| {
-            let (modifiers, key) = match event {
-                Event::Key {
-                    key,
-                    pressed: true,
-                    modifiers,
-                    ..
-                } => (*modifiers, *key),
-                // egui reports these shortcuts as what they mean.
-                Event::Copy => (CTRL, Key::C),
-                Event::Cut => (CTRL, Key::X),
-                Event::Paste(_) if command && shift => (CTRL.plus(SHIFT), Key::V),
-                Event::Paste(_) => (CTRL, Key::V),
-                _ => return true,
-            };
-            let hit = command_of(modifiers, key, navigation)
-                // Esc while a button is down cancels that drag, and ends nothing else.
-                .filter(|&command| !(held && command == Command::Quit))
-                .map(|command| (command, key));
-            commands.extend(hit);
-            hit.is_none()
-        });
-        commands
-    })
-}
-
-/// The command of a shortcut with Ctrl that was pressed in this frame, if any; its event stays.
-pub(in crate::ui) fn pressed_with_ctrl(ctx: &Context, navigation: Navigation) -> Option<Command> {
-    ctx.input(|input| {
-        input.events.iter().find_map(|event| match event {
-            Event::Key {
-                key,
-                pressed: true,
-                modifiers,
-                ..
-            } if modifiers.command => command_of(*modifiers, *key, navigation),
-            _ => None,
-        })
-    })
-}
-
-fn command_of(modifiers: Modifiers, key: Key, navigation: Navigation) -> Option<Command> {
-    // Keyboards differ in the key of the question mark and in its modifiers.
-    let modifiers = if key == Key::Questionmark {
-        Modifiers::NONE
-    } else {
-        modifiers
-    };
-    let has_key = |entry: &&Entry| {
-        entry.shortcuts_in(navigation).any(|shortcut| {
-            shortcut.logical_key == key && modifiers.matches_exact(shortcut.modifiers)
-        })
-    };
-    let entry = COMMANDS.iter().find(has_key);
-    entry.map(|entry| entry.command)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::commands::pressed::command_of;
     use crate::ui::commands::{GESTURES, Menu, Primitive, in_words};
+    use egui::Modifiers;
 
     #[test]
     fn no_two_commands_share_a_key_or_a_label() {

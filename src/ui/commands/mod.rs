@@ -4,6 +4,7 @@ mod enabled;
 mod gestures;
 mod hiding;
 mod keys;
+mod pressed;
 mod put_back;
 mod run;
 mod sweep;
@@ -14,9 +15,8 @@ pub use table::{COMMANDS, Entry, Menu};
 
 pub(super) use enabled::why_disabled;
 pub(super) use gestures::gesture;
-pub(super) use keys::{
-    key_now, pressed, pressed_with_ctrl, remember_for_keys, tooltip, tooltip_now, with_key,
-};
+pub(super) use keys::{key_now, remember_for_keys, tooltip, tooltip_now, with_key};
+pub(super) use pressed::{pressed, pressed_with_ctrl};
 pub(super) use run::{
     REVOLUTION_STEPS, curves, full_label, full_tooltip, is_on, run, selected_character,
 };

@@ -20,8 +20,8 @@ use crate::ui::shape_list::Renaming;
 use crate::ui::state::UiState;
 use crate::ui::windows::Dialog;
 use crate::ui::{
-    Action, Ask, CompareAction, CompareMeshAction, HistoryMove, Navigation, control_points, posing,
-    view_overlay,
+    Action, Ask, CompareAction, CompareMeshAction, GestureStep, HistoryMove, Navigation,
+    control_points, posing, view_overlay,
 };
 use std::sync::Arc;
 
@@ -99,10 +99,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::SetColors(colors) => state.colors = colors,
         Command::ToggleBindGhost => state.bind_ghost = !state.bind_ghost,
         Command::SetTool(tool) => state.pose.tool = tool,
-        Command::Begin(tool) => {
-            state.pose.asked = Some(tool);
-            state.pose.asked_with_last_step = false;
-        }
+        Command::Begin(tool) => state.pose.asked = Some((tool, GestureStep::Begin)),
         Command::ToggleLocalAxes => state.pose.axes = state.pose.axes.other(),
         Command::ResetJoint
         | Command::ResetPose
@@ -160,8 +157,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
         Command::Duplicate => {
             let copies = if state.navigation == Navigation::Blender {
                 // They follow the pointer from there.
-                state.pose.asked = Some(Tool::Move);
-                state.pose.asked_with_last_step = true;
+                state.pose.asked = Some((Tool::Move, GestureStep::BeginOnLastStep));
                 duplicates_in_place(session)
             } else {
                 duplicates(session)

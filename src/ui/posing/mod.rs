@@ -19,9 +19,9 @@ pub(super) use typed::Typed;
 use super::scene_places::{Picked, Place, ScenePlaces};
 use crate::editor::{GizmoAxes, Handle, IkGrip, Session, Tool, View, root_of};
 use crate::scene::{BoneHit, ShapeId};
-use crate::ui::Action;
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
+use crate::ui::{Action, GestureStep};
 use egui::{Context, Painter, Response, Ui};
 use held::{Held, PoseGesture};
 use std::borrow::Cow;
@@ -35,10 +35,8 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
-    /// What a command asked to be done to the selection with the pointer from now on.
-    pub asked: Option<Tool>,
-    /// Whether that is one step with the last one, which has inserted the selection.
-    pub asked_with_last_step: bool,
+    /// What a command asked to be done to the selection with the pointer from now on, and how that gesture begins.
+    pub asked: Option<(Tool, GestureStep)>,
     /// The drag under way.
     pub gesture: Option<PoseGesture>,
     /// The bone under the pointer in the view in the last frame.

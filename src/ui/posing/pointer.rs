@@ -10,7 +10,7 @@ use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
 use crate::ui::grab::{Grab, PointerUse, is_pickable};
 use crate::ui::scene_places::{Place, ScenePlaces};
-use crate::ui::{Action, GestureStep, Navigation, UiState};
+use crate::ui::{Action, Navigation, UiState};
 use egui::{Context, CursorIcon, InputState, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
 
@@ -37,11 +37,7 @@ pub(in crate::ui) fn pointer(
     if state.asked.is_some() && actions.iter().any(inserts) {
         // What is inserted is selected from the next frame on.
         view.ctx.request_repaint();
-    } else if let Some(does) = state.asked.take().filter(|_| state.gesture.is_none()) {
-        let step = match std::mem::take(&mut state.asked_with_last_step) {
-            true => GestureStep::BeginOnLastStep,
-            false => GestureStep::Begin,
-        };
+    } else if let Some((does, step)) = state.asked.take().filter(|_| state.gesture.is_none()) {
         state.gesture = Grab::begin_by_key(view, places, (step, actions), |place, pixel| {
             begin_by_key(session, state, (does, point), place, pixel)
         });

@@ -1,0 +1,108 @@
+//! Why results have the points that they have, in sentences for who made them.
+
+use super::graded::{Graded, Outcome};
+use super::rubric::{
+    POSE_NOT_APPLIED, counted, counts_as_mistakes, largest, number, section_of, share_left,
+};
+use crate::diagnose::Mistake;
+use crate::io::{RubricData, TestData, TestKind};
+
+/// Why a test has not all of its points, in sentences.
+pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
+    let of_mistakes = |ids: &[String]| ids.iter().map(|id| why_mistake(id, test, rubric)).collect();
+    match graded.outcome {
+        Outcome::Right => Vec::new(),
+        Outcome::Explained => counted(test, graded, rubric).map_or_else(Vec::new, of_mistakes),
+        Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
+            of_mistakes(&graded.nearly)
+        }
+        Outcome::Unexplained => {
+            let what = match test.kind {
+                TestKind::Mesh => "vertices",
+                TestKind::Picture { .. } => "silhouette",
+            };
+            let share = percent(rubric.unexplained.0);
+            let right = percent(graded.agrees);
+            vec![format!(
+                "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
+            )]
+        }
+        Outcome::OtherPose => {
+            let share = percent(share_left(POSE_NOT_APPLIED, rubric));
+            vec![format!(
+                "a result in another pose than that of the test leaves {share} of every section, as {POSE_NOT_APPLIED} does"
+            )]
+        }
+        Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
+            vec!["there is nothing to give points for".to_owned()]
+        }
+    }
+}
+
+/// What a mistake, or a mesh that is nearly right, leaves of which section.
+fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
+    let share = percent(share_left(id, rubric));
+    if id == POSE_NOT_APPLIED {
+        return format!("{id} leaves {share} of every section");
+    }
+    let Some(mistake) = Mistake::find(id) else {
+        let section = largest(test).unwrap_or_default();
+        return format!("{id} leaves {share} of {section}, the section with the most points");
+    };
+    let (own, section) = (
+        number(mistake.section),
+        section_of(mistake, test).unwrap_or_default(),
+    );
+    let told = format!("{id} leaves {share} of {section}");
+    match own == number(section) {
+        true => told,
+        false => format!("{told}, since the test has no points for {own}"),
+    }
+}
+
+/// A share in words.
+fn percent(share: f64) -> String {
+    let percent = (share * 1000.0 + 1e-6).floor() / 10.0;
+    format!("{percent} %")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grade::rubric::counted_elsewhere;
+    use crate::grade::rubric::tests::{TWO, explained, test};
+    use crate::io::Share;
+
+    #[test]
+    fn points_that_are_lost_are_explained_by_what_is_left() {
+        let mut rubric = RubricData::default();
+        let told = |graded: &Graded, rubric: &RubricData| why(&test(TWO), graded, rubric);
+        let two = explained(&[&["no-inverse-bind", "parent-missing"]]);
+        assert_eq!(
+            told(&two, &rubric),
+            [
+                "no-inverse-bind leaves 50 % of 4.2",
+                "parent-missing leaves 50 % of 3.4, since the test has no points for 3.2"
+            ]
+        );
+        let bind = explained(&[&["pose-not-applied"]]);
+        assert_eq!(
+            told(&bind, &rubric),
+            ["pose-not-applied leaves 0 % of every section"]
+        );
+        rubric.unexplained = Share(0.25);
+        let unexplained = Graded {
+            agrees: 0.8,
+            ..Graded::without(Outcome::Unexplained, "")
+        };
+        let text = "what no known mistake explains leaves 25 %, times the 80 % of the vertices that are right";
+        assert_eq!(told(&unexplained, &rubric), [text]);
+        assert!(told(&Graded::without(Outcome::Right, ""), &rubric).is_empty());
+        // Sections may have their names beside their numbers.
+        let named = test(&[("3.4 Sliders", 6.0), ("4.2 SSD", 10.0)]);
+        let inverse = explained(&[&["no-inverse-bind"]]);
+        let told = why(&named, &inverse, &rubric);
+        assert_eq!(told, ["no-inverse-bind leaves 50 % of 4.2 SSD"]);
+        assert!(counted_elsewhere(&named, &inverse, &rubric).is_empty());
+    }
+}
