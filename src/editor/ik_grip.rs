@@ -1,4 +1,4 @@
-use super::limbs::{ankle_above, is_fork, root_at_hips, uppermost, wrist};
+use super::limbs::{STUB, ankle_above, is_fork, root_at_hips, uppermost, wrist};
 use super::{Screen, Session};
 use crate::character::SkeletalModel;
 use crate::character::ik::IkChain;
@@ -13,10 +13,6 @@ const SAME_PLACE: f32 = 0.05;
 /// a figure that is seen whole means the arm; and that of the palm, which is about twice as long.
 const TINY: f32 = 40.0;
 const TINY_PALM: f32 = 2.0 * TINY;
-
-/// Length of a bone relative to the one below it below which it is no part of a limb: it would have to fold for the
-/// least way of the lower one's end toward it, as the hips do below a trunk.
-const STUB: f32 = 0.35;
 
 /// Part of a character that is moved by inverse kinematics.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,6 +13,13 @@ const SHORT: f32 = 0.6;
 /// Distance from the root, by the size of the skeleton, within which a joint lies beside it.
 const BESIDE: f32 = 0.06;
 
+/// The same for a pelvis below a root in the chest.
+const CLOSE: f32 = 0.15;
+
+/// Length of a bone relative to one below it below which it is no part of a limb: it would have to fold for the
+/// least way of the lower one's end toward it, as the hips do below a trunk.
+pub(super) const STUB: f32 = 0.35;
+
 /// Whether limbs meet at a joint, as at the hips: more than one branch goes on with joints of its own.
 pub(super) fn is_fork(skeleton: &SkeletalModel, joint: usize) -> bool {
     let children = skeleton.children(joint).iter();
@@ -33,17 +40,53 @@ pub(super) fn uppermost(skeleton: &SkeletalModel, joint: usize) -> usize {
         .unwrap_or(joint)
 }
 
-/// The root above a joint that lies beside it, where limbs meet: to lead the waist about by so short a chain would turn
-/// all of the figure over.
+/// The root that leads the figure where a joint of its hips is taken: one that lies beside the root, where limbs meet,
+/// or one of a pelvis that hangs close below it. To lead these about by so short a chain would turn all of the figure
+/// over, or swing both legs.
 pub(super) fn root_at_hips(skeleton: &SkeletalModel, joint: usize) -> Option<usize> {
     let parent = |&joint: &usize| skeleton.joints().get(joint).and_then(|j| j.parent);
     let above: Vec<usize> = std::iter::successors(parent(&joint), parent).collect();
     let root = *above.last()?;
     let places = skeleton.bind_positions();
-    let size = Aabb::from_points(places.iter().copied()).size().length();
-    let is_near = places[joint].distance(places[root]) < BESIDE * size;
-    let is_hips = above.iter().any(|&joint| is_fork(skeleton, joint));
-    (is_near && is_hips).then_some(root)
+    let bounds = Aabb::from_points(places.iter().copied());
+    let size = bounds.size().length();
+    let from_root = |joint: usize| places[joint].distance(places[root]);
+    let is_waist =
+        || from_root(joint) < BESIDE * size && above.iter().any(|&joint| is_fork(skeleton, joint));
+    let is_pelvis = || {
+        let ground = bounds.min.y + BESIDE * size;
+        let hips = pelvis(skeleton, joint, |foot| places[foot].y < ground);
+        hips.is_some_and(|hips| from_root(hips) < CLOSE * size)
+    };
+    (is_waist() || is_pelvis()).then_some(root)
+}
+
+/// The joint at which the legs meet, of a joint of the pelvis: that one, or one that hangs on it by bones that are short
+/// beside those of the legs. Legs are limbs of which an end `is_on_ground`.
+fn pelvis(
+    skeleton: &SkeletalModel,
+    joint: usize,
+    is_on_ground: impl Fn(usize) -> bool,
+) -> Option<usize> {
+    let joints = skeleton.joints();
+    let length = |joint: usize| joints[joint].offset.length();
+    let below = |joint: usize| {
+        let first = skeleton.children(joint).first().copied();
+        std::iter::successors(first, |&next| skeleton.children(next).first().copied())
+    };
+    let is_leg =
+        |hip: &&usize| below(**hip).count() > 1 && below(**hip).last().is_some_and(&is_on_ground);
+    let longest = below(joint).map(length).fold(0.0, f32::max);
+    let mut hips = joint;
+    loop {
+        if skeleton.children(hips).iter().filter(is_leg).count() > 1 {
+            return Some(hips);
+        }
+        if length(hips) > STUB * longest {
+            return None;
+        }
+        hips = joints[hips].parent?;
+    }
 }
 
 /// The ankle above the end of a foot, or above toes there: a foot is short beside the two long bones of its leg, which
@@ -168,10 +211,42 @@ pub(super) mod tests {
         assert_eq!(root_at_hips(&body, 2), Some(0));
         assert_eq!(root_at_hips(&body, 3), None, "the neck is far from it");
         assert_eq!(root_at_hips(&body, 4), None, "so is the leg");
+        assert_eq!(root_at_hips(&body, 1), Some(0), "the hips lead it as well");
         // A chain without limbs bends where it is taken.
         let chain: Vec<_> = (0..30_usize)
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(root_at_hips(&skeleton(&chain), 1), None);
+    }
+
+    #[test]
+    fn a_pelvis_close_below_a_root_in_the_chest_leads_the_figure_and_neither_thighs_nor_shoulders_do()
+     {
+        let mut joints = vec![
+            (None, [0.0, 1.2, 0.0]),
+            (Some(0), [0.0, -0.2, 0.0]),
+            (Some(0), [0.0, 0.2, 0.0]),
+        ];
+        for x in [-0.06, 0.06] {
+            let hip = joints.len();
+            joints.push((Some(1), [x, -0.1, 0.0]));
+            joints.push((Some(hip), [x, -0.06, 0.0]));
+            joints.push((Some(hip + 1), [0.0, -0.4, 0.0]));
+            joints.push((Some(hip + 2), [0.0, -0.4, 0.0]));
+        }
+        for x in [-0.2, 0.2] {
+            let shoulder = joints.len();
+            joints.push((Some(0), [x, 0.1, 0.0]));
+            joints.push((Some(shoulder), [x, -0.2, 0.0]));
+            joints.push((Some(shoulder + 1), [x, -0.2, 0.0]));
+        }
+        let body = skeleton(&joints);
+        let led: Vec<usize> = (0..joints.len())
+            .filter(|&joint| root_at_hips(&body, joint).is_some())
+            .collect();
+        assert_eq!(led, [1, 3, 4, 7, 8]);
+        joints[1].1 = [0.0, -0.5, 0.0];
+        let far = skeleton(&joints);
+        assert_eq!(root_at_hips(&far, 1), None, "a long back bends");
     }
 }

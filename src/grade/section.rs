@@ -23,11 +23,13 @@ pub struct Section {
 }
 
 impl Section {
-    /// Number and title, or one of them where they say the same.
+    /// Number and title, or the title where they say the same but for capitals.
     pub fn name(&self) -> String {
         let Self { section, title, .. } = self;
-        if title.is_empty() || title.eq_ignore_ascii_case(section) {
+        if title.is_empty() {
             section.clone()
+        } else if title.eq_ignore_ascii_case(section) {
+            title.clone()
         } else {
             format!("{section} {title}")
         }

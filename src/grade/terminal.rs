@@ -131,10 +131,16 @@ fn in_one_line(text: &str) -> String {
     if letters.len() <= LETTERS {
         return line;
     }
-    let (first, last) = (LETTERS / 3, LETTERS - LETTERS / 3);
     let part = |letters: &[char]| letters.iter().collect::<String>();
-    let (first, last) = (&letters[..first], &letters[letters.len() - last..]);
-    format!("{}…{}", part(first), part(last))
+    let (first, last) = (LETTERS / 3, LETTERS - LETTERS / 3);
+    let (first, last) = (
+        part(&letters[..first]),
+        part(&letters[letters.len() - last..]),
+    );
+    // Whole words, unless one is as long as all of that.
+    let first = first.rsplit_once(' ').map_or(&*first, |(words, _)| words);
+    let last = last.split_once(' ').map_or(&*last, |(_, words)| words);
+    format!("{first} … {last}")
 }
 
 /// Rows with their cells, all but the last, below one another.

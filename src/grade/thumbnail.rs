@@ -13,8 +13,10 @@ use glam::{Mat3, Vec2, Vec3};
 const SIDE: u32 = 192;
 /// Pixels that stay free at each side.
 const MARGIN: f32 = 6.0;
-/// As much of what is far off is shown, in sizes of the exact mesh from its center.
+/// As much of what is far off is shown, in sizes of the exact mesh from its center, and of a mesh that is so far off, or
+/// so large, that most of it would not be in the picture.
 const SHOWN: f32 = 1.0;
+const MOST_SHOWN: f32 = 30.0;
 /// The error at the end of the colors, by the size.
 pub(super) const LARGEST_ERROR: f32 = 0.25;
 /// Steps of color and of light: few, so that pictures stay small.
@@ -73,13 +75,15 @@ impl<'a> MeshThumbnail<'a> {
         canvas.into_picture()
     }
 
-    /// `theirs` before the exact mesh, in the colors of its errors as far as they have been measured.
+    /// `theirs` before the exact mesh, in the colors of its errors as far as they have been measured; behind the exact
+    /// one where that is a small part of the picture.
     pub(super) fn of_theirs(&self, theirs: &Mesh, measure: Option<&MeshMeasure>) -> Picture {
         let mut canvas = Canvas::new([SIDE; 2], PAPER);
         let frame = self.frame(&theirs.positions);
         self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
             GHOST
         });
+        let is_elsewhere = self.is_mostly_elsewhere(&theirs.positions);
         canvas.forget_depths();
         let tolerance = measure.map_or(0.0, |measure| measure.tolerance / measure.size);
         let errors: Vec<f32> = match measure {
@@ -107,12 +111,22 @@ impl<'a> MeshThumbnail<'a> {
                 }
             },
         );
+        if is_elsewhere {
+            canvas.forget_depths();
+            self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
+                EXACT
+            });
+        }
         canvas.into_picture()
     }
 
     /// Center of the picture in the view, and pixels by length.
     fn frame(&self, theirs: &[Vec3]) -> (Vec2, f32) {
-        let most = Vec3::splat(self.size() * SHOWN);
+        let sizes = match self.is_mostly_elsewhere(theirs) {
+            true => MOST_SHOWN,
+            false => SHOWN,
+        };
+        let most = Vec3::splat(self.size() * sizes);
         let center = self.bounds.center();
         let near = theirs
             .iter()
@@ -122,6 +136,14 @@ impl<'a> MeshThumbnail<'a> {
         let side = bounds.size().truncate().max_element();
         let scale = (SIDE as f32 - 2.0 * MARGIN) / if side > 0.0 { side } else { 1.0 };
         (bounds.center().truncate(), scale)
+    }
+
+    /// Whether most vertices are farther away than what is shown of a mesh that is off in places.
+    fn is_mostly_elsewhere(&self, theirs: &[Vec3]) -> bool {
+        let center = self.bounds.center();
+        let shown = self.size() * SHOWN;
+        let is_far = |place: &&Vec3| (**place - center).abs().max_element() > shown;
+        2 * theirs.iter().filter(is_far).count() > theirs.len()
     }
 
     fn draw(
@@ -234,6 +256,32 @@ fn drawn(picture: &Picture) -> impl Fn(usize, usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_mesh_that_is_far_too_large_or_far_away_is_seen_whole_beside_the_exact_one() {
+        let exact = [Vec3::ZERO, Vec3::X, Vec3::new(1.0, 1.0, 0.0), Vec3::Y];
+        let triangles = vec![[0, 1, 2], [0, 2, 3]];
+        let thumbnail = MeshThumbnail::new(&exact, &triangles, Facing::default());
+        let pixels = |to: fn(Vec3) -> Vec3| {
+            let theirs = Mesh::new(exact.map(to).to_vec(), triangles.clone());
+            let picture = thumbnail.of_theirs(&theirs, None);
+            let (pixels, _) = picture.rgba.as_chunks::<4>();
+            let is_red = |pixel: &&[u8; 4]| u32::from(pixel[0]) > 2 * u32::from(pixel[1]);
+            let drawn = pixels.iter().filter(|pixel: &&[u8; 4]| pixel[..3] != PAPER);
+            let (red, gray): (Vec<&[u8; 4]>, Vec<_>) = drawn.partition(is_red);
+            (red.len(), gray.len())
+        };
+        let (red, gray) = pixels(|at| 10.0 * at);
+        assert!(gray > 100 && red / gray > 80, "{red} and {gray}");
+        let (red, gray) = pixels(|at| at + Vec3::new(9.0, 0.0, 0.0));
+        assert!(
+            gray > 100 && gray.abs_diff(red) < gray / 5,
+            "{red} and {gray}"
+        );
+        // What is near covers the exact one.
+        let (red, gray) = pixels(|at| 1.2 * at - 0.1);
+        assert!(red > 10_000 && gray == 0, "{red} and {gray}");
+    }
 
     #[test]
     fn colors_of_errors_get_darker_all_the_way() {

@@ -9,28 +9,41 @@ use super::widgets::named;
 use crate::editor::{Session, Tool};
 use crate::scene::ShapeKind;
 use egui::{
-    Align, Button, Frame, Grid, Label, Layout, Margin, Rect, RichText, Ui, UiBuilder, pos2, vec2,
+    Align, Button, Color32, Frame, Label, Layout, Margin, Rect, RichText, TextStyle, Ui, UiBuilder,
+    pos2, vec2,
 };
 
-/// Width of the first help, and height of its frame and of each line, in points; in narrow views each line
-/// of it is two.
-const WIDTH: f32 = 388.0;
-const NARROW_WIDTH: f32 = 264.0;
-const FRAME_HEIGHT: f32 = 16.0;
-/// Distance between what can be done and how, in points.
+/// Width of what can be done and of how, in points; how is below it in narrow views. Wider ones would reach the figure in
+/// the middle of the view.
+const WHAT: f32 = 80.0;
+const HOW: f32 = 236.0;
+/// Distance between both, and between lines, in points.
 const GAP: f32 = 12.0;
-const LINE_HEIGHT: f32 = 24.0;
-const NARROW_LINE_HEIGHT: f32 = 52.0;
+const LINE_GAP: f32 = 4.0;
+/// Width of the ×, in points.
+const CLOSE: f32 = 24.0;
+const MARGIN: Margin = Margin::symmetric(12, 8);
 
 /// First help: lines for newcomers in the lower left corner of the view; whether their × was clicked.
 pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) -> bool {
     let lines = first_steps(session, state, Pointing::of(ui.ctx()));
-    let is_narrow = view.width() < WIDTH + 24.0;
-    let (width, line_height) = match is_narrow {
-        true => (NARROW_WIDTH, NARROW_LINE_HEIGHT),
-        false => (WIDTH, LINE_HEIGHT),
+    let wide = MARGIN.sum().x + WHAT + GAP + HOW + CLOSE;
+    let is_narrow = view.width() < wide + 24.0;
+    let width = if is_narrow { wide - WHAT - GAP } else { wide };
+    let height = |how: &str| {
+        let font = TextStyle::Small.resolve(ui.style());
+        let how = ui
+            .painter()
+            .layout(how.to_owned(), font, Color32::WHITE, HOW);
+        let what = ui.text_style_height(&TextStyle::Body);
+        LINE_GAP
+            + match is_narrow {
+                true => what + LINE_GAP + how.size().y,
+                false => what.max(how.size().y),
+            }
     };
-    let size = vec2(width, FRAME_HEIGHT + line_height * lines.len() as f32);
+    let heights = lines.iter().map(|(_, how)| height(how)).sum::<f32>();
+    let size = vec2(width, MARGIN.sum().y + heights);
     if view.width() < size.x + 24.0 || view.height() < size.y + 3.0 * BAR_HEIGHT {
         return false;
     }
@@ -41,22 +54,25 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) 
     let mut inner = ui.new_child(builder);
     let mut closed = false;
     Frame::popup(ui.style())
-        .inner_margin(Margin::symmetric(12, 8))
+        .inner_margin(MARGIN)
         .show(&mut inner, |ui| {
             ui.with_layout(Layout::left_to_right(Align::TOP), |ui| {
-                let columns = if is_narrow { 1 } else { 2 };
-                let grid = Grid::new("first help").num_columns(columns);
-                grid.spacing(vec2(GAP, 4.0)).show(ui, |ui| {
+                ui.vertical(|ui| {
+                    ui.spacing_mut().item_spacing = vec2(GAP, LINE_GAP);
                     for (what, how) in lines {
                         let strong = Palette::of(ui.visuals()).strong;
-                        ui.label(RichText::new(what).color(strong));
+                        let what = RichText::new(what).color(strong);
+                        let how = Label::new(RichText::new(how).small()).wrap();
                         if is_narrow {
-                            ui.end_row();
-                            ui.set_max_width(size.x - 48.0);
+                            ui.set_width(HOW);
+                            ui.label(what);
+                            ui.add(how);
+                            continue;
                         }
-                        let how = Label::new(RichText::new(how).small());
-                        ui.add(if is_narrow { how.wrap() } else { how.extend() });
-                        ui.end_row();
+                        ui.horizontal_top(|ui| {
+                            in_column(ui, WHAT, Label::new(what).extend());
+                            in_column(ui, HOW, how);
+                        });
                     }
                 });
                 let close = ui.add(Button::new("×").frame_when_inactive(false));
@@ -66,6 +82,13 @@ pub(super) fn show(ui: &mut Ui, view: Rect, session: &Session, state: &UiState) 
             });
         });
     closed
+}
+
+fn in_column(ui: &mut Ui, width: f32, label: Label) {
+    ui.vertical(|ui| {
+        ui.set_width(width);
+        ui.add(label);
+    });
 }
 
 /// What newcomers do first, and how.

@@ -9,7 +9,8 @@ use glam::{Vec2, Vec3};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Navigation {
-    /// As in the course's editor: left moves the scene, right turns the camera.
+    /// As in the course's editor: left moves the scene, right turns the camera; and the middle button, which does nothing
+    /// there and turns in many programs, turns it, too.
     #[default]
     Course,
     /// As three.js's OrbitControls: left turns the scene, right or middle moves it.
@@ -68,6 +69,7 @@ const MIDDLE: PointerButton = PointerButton::Middle;
 const COURSE: &[Drag] = &[
     drag(LEFT, NONE, Motion::Pan, "Left drag in the view", "Move the scene with the pointer"),
     drag(RIGHT, NONE, Motion::Turn, "Right drag in the view", "Turn the camera about its target"),
+    drag(MIDDLE, NONE, Motion::Turn, "Middle drag in the view", "Turn the camera about its target"),
 ];
 #[rustfmt::skip]
 const ORBIT: &[Drag] = &[

@@ -120,7 +120,7 @@ fn the_table_for_a_gradebook_has_a_line_for_each_submission() {
     class.graded();
     let csv = String::from_utf8(class.read("report/grade.csv")).unwrap();
     let expected =
-        "submission,points,possible,not graded,3.2 Skeleton,3.4 Sliders,4.2 SSD,artifact,extra credit,result\r
+        "submission,points,possible,not graded,3.2 Skeleton,3.4 Sliders,4.2 SSD,Artifact,extra credit,result\r
 Ada & <Bob>,40,50,10,8,12,20,,,right\r
 eve,45.5,50,0,8,6,20,9.5,2,\"euler-zyx (robot-1, dog-2)\"\r
 \"kim, lee\",34,50,10,8,6,20,,,\"euler-zyx (robot-1, dog-2)\"\r

@@ -10,6 +10,7 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Label, Layout, RichText, Ui};
+use std::iter::{once, repeat};
 
 /// At the height alone, what is wrong is read without scrolling in a window of 1280 points.
 const HEIGHTS: Heights = Heights {
@@ -222,18 +223,18 @@ impl Parts<'_> {
     /// What is known of a mesh that no mistake gives.
     fn unexplained(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
         let palette = Palette::of(ui.visuals());
-        match &diagnosis.other_pose {
-            Some(other) => self.other_pose(ui, other),
-            None => {
-                let text = "No known mistake gives this mesh in this pose, nor do two of them.";
-                say(ui, text, palette.strong);
-            }
-        }
         let found = diagnosis.found();
-        for finding in &found {
-            say(ui, finding, palette.text);
+        let mut colors = once(palette.strong).chain(repeat(palette.text));
+        if let Some(other) = &diagnosis.other_pose {
+            self.other_pose(ui, other);
+            colors.next();
+        }
+        for (finding, color) in found.iter().zip(colors) {
+            say(ui, finding, color);
         }
         if found.is_empty() && diagnosis.other_pose.is_none() {
+            let text = "No known mistake gives this mesh in this pose, nor do two of them.";
+            say(ui, text, palette.strong);
             let text = format!(
                 "Was {} made from this character, in this pose? If it was made in another pose, load that one.",
                 self.compare.name

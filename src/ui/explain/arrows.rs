@@ -25,13 +25,18 @@ const COLORS: [Color32; 7] = [
 /// Color of terms beyond those with the largest weights.
 const OTHERS: Color32 = Color32::from_gray(0xa0);
 
+/// Indices of the terms, those with the largest weights first.
+pub(super) fn heaviest_first(terms: &[Term]) -> Vec<usize> {
+    let mut indices: Vec<usize> = (0..terms.len()).collect();
+    let weight = |&index: &usize| terms[index].weight.abs();
+    indices.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
+    indices
+}
+
 /// Color of each of the terms, in its row and in the view: those with the largest weights are told apart.
 pub(super) fn colors(terms: &[Term]) -> Vec<Color32> {
-    let mut by_weight: Vec<usize> = (0..terms.len()).collect();
-    let weight = |&index: &usize| terms[index].weight.abs();
-    by_weight.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     let mut colors = vec![OTHERS; terms.len()];
-    for (index, color) in by_weight.into_iter().zip(COLORS) {
+    for (index, color) in heaviest_first(terms).into_iter().zip(COLORS) {
         colors[index] = color;
     }
     colors
@@ -56,7 +61,9 @@ pub(super) fn paint(
     let colors = colors(&formula.terms);
     let vertex = at(formula.sum);
     let mut sum = DVec3::ZERO;
-    for (index, term) in formula.terms.iter().enumerate() {
+    // As the rows are.
+    for index in heaviest_first(&formula.terms) {
+        let term = &formula.terms[index];
         let from = at(sum);
         sum += term.weighted * formula.written;
         let width = if hovered == Some(term.joint) {
@@ -137,6 +144,7 @@ mod tests {
             moved: DVec3::ZERO,
             weighted: DVec3::ZERO,
         });
+        assert_eq!(heaviest_first(&terms), [8, 1, 6, 3, 0, 7, 5, 4, 2]);
         let colors = colors(&terms);
         assert_eq!(
             [8, 1, 6].map(|index| colors[index]),

@@ -2,11 +2,15 @@
 
 use super::Explained;
 use super::shown::Mistaken;
+use crate::editor::Session;
 use crate::ui::theme::Palette;
 use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
 
 /// Widest banner, in points.
 const WIDEST: f32 = 336.0;
+
+/// Part of a mesh that is in the picture below which it is said how to see it.
+const SEEN: f32 = 0.5;
 
 /// The banner as it was shown.
 pub(super) struct Shown {
@@ -21,6 +25,7 @@ pub(super) fn show(
     ui: &mut Ui,
     view: Rect,
     top: f32,
+    session: &Session,
     explained: &Explained,
     mistaken: &Mistaken,
 ) -> Shown {
@@ -42,8 +47,10 @@ pub(super) fn show(
         ui.set_width(width - 16.0);
         ui.label(RichText::new("⚠ Shown wrong on purpose").color(palette.warning));
         ui.add(Label::new(mistaken.made.sentence()).wrap());
-        if let Some(why) = why_right(explained, mistaken) {
-            ui.add(Label::new(RichText::new(why).color(palette.weak)).wrap());
+        let hint = why_right(explained, mistaken)
+            .or_else(|| where_seen(view, session, explained, mistaken));
+        if let Some(hint) = hint {
+            ui.add(Label::new(RichText::new(hint).color(palette.weak)).wrap());
         }
         ui.add(Button::new("Back to Correct"))
             .on_hover_text("Show the character as it is (Esc)")
@@ -53,6 +60,24 @@ pub(super) fn show(
         height: shown.response.rect.height(),
         ends: shown.inner,
     }
+}
+
+/// How the mesh comes into the picture, if the mistake takes most of it elsewhere.
+fn where_seen(
+    view: Rect,
+    session: &Session,
+    explained: &Explained,
+    mistaken: &Mistaken,
+) -> Option<&'static str> {
+    let mut shape = explained.evaluated.clone();
+    shape.geometry = mistaken.geometry.clone();
+    let aspect = view.width().max(1.0) / view.height().max(1.0);
+    let seen = session
+        .view()
+        .camera
+        .seen_part(&shape.world_bounds(), aspect);
+    (seen < SEEN)
+        .then_some("Most of it is outside of the picture: F fits it, and Shift+F everything.")
 }
 
 /// Why nothing can be seen of the mistake, if so.

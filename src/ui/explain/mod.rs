@@ -253,7 +253,7 @@ pub(super) fn over_view(
     let Some(mistaken) = &state.mistaken else {
         return top;
     };
-    let banner = banner::show(ui, view, top, &explained, mistaken);
+    let banner = banner::show(ui, view, top, session, &explained, mistaken);
     if banner.ends {
         state.made = None;
     }

@@ -1,7 +1,7 @@
 //! The formula of a vertex as a table: a row for each joint with a weight, and the sum.
 
 use super::Explained;
-use super::arrows::colors;
+use super::arrows::{colors, heaviest_first};
 use super::digits::{Digits, weight};
 use super::matrices;
 use super::vertex::Told;
@@ -103,7 +103,9 @@ pub(super) fn show(
     let name = |joint: usize| &*explained.shape.character.skeleton().joints()[joint].name;
     let mut hovered = None;
     let colors = colors(&formula.terms);
-    for (index, term) in formula.terms.iter().enumerate() {
+    // What counts most is in view where there is little room.
+    for index in heaviest_first(&formula.terms) {
+        let term = &formula.terms[index];
         let own = if term.joint == term.weight_of {
             name(term.joint).to_owned()
         } else {

@@ -158,8 +158,16 @@ impl Held {
         (0..3).filter_map(line).collect()
     }
 
-    /// By how much it has turned or moved, as text, or what is typed for that.
+    /// By how much it has turned or moved, as text, or what is typed for that; with the axes of the joint or shape if it
+    /// is along these that keys hold it.
     pub(super) fn readout(&self) -> String {
+        match self.typed.constraint(self.axes) {
+            Some((_, GizmoAxes::Local)) => format!("local {}", self.amount()),
+            _ => self.amount(),
+        }
+    }
+
+    fn amount(&self) -> String {
         let typed = self.typed.shown();
         let constraint = self.typed.constraint(self.axes).map(|(along, _)| along);
         let letter = |axis: usize| ["x ", "y ", "z "][axis];
