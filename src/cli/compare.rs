@@ -179,7 +179,15 @@ fn pictures(args: &Args) -> Result<(), CliError> {
             image::encode(&picture, format).map_err(|error| Diagnostic::new(path, error))?;
         disk::write_whole(path, &bytes)?;
     }
-    print_result(args, &comparison, comparison.passed)
+    let done = print_result(args, &comparison, comparison.passed);
+    if comparison.differs_in_outline() && !args.json {
+        let theirs = shell_word(&args.b.to_string_lossy());
+        print(&format!(
+            "If {theirs} shows a character alone in a pose, a mistake in skinning is found by\n  \
+             editor diagnose {theirs} --character MODEL.obj --pose POSE.json\n"
+        ))?;
+    }
+    done
 }
 
 fn picture_threshold(threshold: Option<f64>) -> Result<u8, CliError> {

@@ -153,6 +153,14 @@ impl Pair<'_> {
     }
 }
 
+impl PictureComparison {
+    /// Whether the outlines of what is drawn differ, and nothing is known that explains it.
+    pub fn differs_in_outline(&self) -> bool {
+        let mut findings = self.judgment.findings.iter();
+        findings.any(|finding| matches!(finding, Finding::Outline { .. }))
+    }
+}
+
 impl fmt::Display for PictureComparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Differences {
@@ -198,10 +206,14 @@ impl fmt::Display for PictureComparison {
             None => write!(f, "\nSSIM                none (needs 11×11 pixels)")?,
         }
         write!(f, "\nFLIP                {:.6}", self.judgment.flip)?;
+        let mut told = String::new();
         for finding in &self.judgment.findings {
             write!(f, "\nfound: {finding}")?;
-            if let Some((area, figure)) = finding.area().zip(self.judgment.figure) {
-                write!(f, "\n       {}", area.place_in(figure))?;
+            let place = finding.area().zip(self.judgment.figure);
+            let place = place.map(|(area, figure)| area.place_in(figure));
+            if let Some(place) = place.filter(|place| *place != told && !finding.is_everywhere()) {
+                write!(f, "\n       {place}")?;
+                told = place;
             }
         }
         if differing_pixels > 0 && self.judgment.findings.is_empty() {

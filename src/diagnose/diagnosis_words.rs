@@ -13,6 +13,10 @@ const TOLD: usize = 5;
 const LOOK_AT_POSE: &str = "whether the mesh was made in the given pose; if it was, how the program comes to \
                             its angles";
 
+/// What to look at where a mesh is moved, turned or scaled as a whole.
+const LOOK_AT_PLACE: &str = "what is done to vertices after skinning, or to the model when it is read: units, axes, a \
+                             matrix of the shape or of the camera that belongs only to drawing";
+
 impl fmt::Display for OfTheWhole {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (&self.0, self.0.brief()) {
@@ -157,7 +161,7 @@ impl Diagnosis {
         found.extend(self.coarse.map(|coarse| coarse.to_string()));
         if self.nearly_right() == Some(NearlyRight::ButForFew) {
             let vertices = if self.off == 1 { "vertex" } else { "vertices" };
-            found.push(format!("right but for {} {vertices}", self.off));
+            found.push(format!("all but {} {vertices} are right", self.off));
         }
         found
     }
@@ -184,11 +188,16 @@ impl Diagnosis {
         let error = of_size(self.error);
         let found = self.found();
         let mut found = found.iter();
+        let nearly_right = self.nearly_right();
+        let verdict = match nearly_right {
+            Some(NearlyRight::ButForFewWith(_)) | None => "unexplained",
+            Some(_) => "nearly right",
+        };
         match (&self.other_pose, found.next()) {
             (Some(other), _) => fmt_other_pose(f, other, &error)?,
             (None, Some(first)) => write!(
                 f,
-                "unexplained: {first}\n  away     {error}, from the exact result in this pose"
+                "{verdict}: {first}\n  away     {error}, from the exact result in this pose"
             )?,
             (None, None) => write!(
                 f,
@@ -213,9 +222,9 @@ impl Diagnosis {
             }
             fmt_where(std::slice::from_ref(mistake), f)?;
         }
-        if self.nearly_right() == Some(NearlyRight::Placed) {
+        if nearly_right == Some(NearlyRight::Placed) {
             // Every vertex is off, which says nothing.
-            return Ok(());
+            return write!(f, "\n  look at  {LOOK_AT_PLACE}");
         }
         if let Some(first) = &self.first {
             write!(f, "\n  shown by {first}")?;

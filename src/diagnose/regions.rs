@@ -3,7 +3,7 @@
 use super::Region;
 use crate::character::Joint;
 
-/// What each of `joints` moves and is off by the `distances` of vertices, the one with the most first.
+/// What each of `joints` moves and is off by the `distances` of vertices, the one with the farthest vertex first.
 /// `limits` are the distance up to which vertices agree, and the size. `joint_of` tells the joint that
 /// moves a vertex most, or the number of joints if none does.
 pub(super) fn regions(
@@ -39,6 +39,6 @@ pub(super) fn regions(
     for region in &mut regions {
         region.share = region.off as f64 / region.vertices as f64;
     }
-    regions.sort_by_key(|region| std::cmp::Reverse(region.off));
+    regions.sort_by(|a, b| b.worst.total_cmp(&a.worst));
     regions
 }

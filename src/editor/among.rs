@@ -10,7 +10,8 @@ const GAP: f32 = 0.1;
 /// Share of both boxes that has to be in the other for one to stand in the other: a lamp in a hand
 /// does not, nor does a figure in a room.
 const INSIDE: f32 = 0.1;
-/// Share of the smaller box of two figures from which on it stands in the other, however large that is.
+/// Share of the shorter side of two figures' boxes, in each direction, from which on one stands in the other, however
+/// large that is: a lizard whose tail looks out behind a man does, a rider on a horse does not.
 const MOSTLY_INSIDE: f32 = 0.5;
 /// Distance from the ground, relative to its height, from which on a figure hangs or sinks.
 const OFF_THE_GROUND: f32 = 0.02;
@@ -218,12 +219,10 @@ fn way_out(bounds: &Aabb, there: &[Stander]) -> Vec3 {
 fn stands_in(figure: &Aabb, other: &Stander) -> bool {
     let volume = |size: Vec3| size.max(Vec3::ZERO).element_product();
     let (a, b) = (figure, &other.bounds);
-    let common = volume(a.max.min(b.max) - a.min.max(b.min));
-    let [smaller, larger] = {
-        let (a, b) = (volume(a.size()), volume(b.size()));
-        [a.min(b), a.max(b)]
-    };
-    common > INSIDE * larger || other.is_figure && common > MOSTLY_INSIDE * smaller
+    let common = a.max.min(b.max) - a.min.max(b.min);
+    let larger = volume(a.size()).max(volume(b.size()));
+    let is_within = || common.cmpge(MOSTLY_INSIDE * a.size().min(b.size())).all();
+    volume(common) > INSIDE * larger || other.is_figure && is_within()
 }
 
 #[cfg(test)]
@@ -251,6 +250,9 @@ mod tests {
         assert!((way.x - 5.6).abs() < 1e-5, "{way}");
         let way = way_among(&giant, &[own], true);
         assert!((way.x - 6.5).abs() < 1e-5, "{way}");
+        let lizard = boxed([-0.3, 0.6, -1.5], [0.3, 0.9, 1.5]);
+        let way = way_among(&lizard, &[own], true);
+        assert!((way.x - 0.86).abs() < 1e-5, "{way}");
         let horse = boxed([-0.6, -1.5, -5.0], [0.6, 0.4, 5.0]);
         assert_eq!(way_among(&own, &[horse], true), Vec3::ZERO);
     }

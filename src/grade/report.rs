@@ -51,7 +51,7 @@ pub struct Submission {
     pub not_graded: f64,
     /// Points by section; `None` where a person has not given them yet.
     pub sections: BTreeMap<String, Option<f64>>,
-    /// Of sections that have other points than their tests together, why, in sentences.
+    /// Points of each section in words, and why they are others than those of its tests together, if they are.
     pub notes: Vec<String>,
     /// Results in the order of the tests.
     pub tests: Vec<GradedTest>,
@@ -172,13 +172,21 @@ impl Report {
     }
 }
 
+/// What is said of a file that is not explained, but nearly.
+pub(super) const NEARLY: &str = "nearly ";
+
 impl GradedTest {
     /// The mistakes of the text by name, or else the word for what the file is, and what more is known of it.
     pub fn summary(&self) -> String {
         let Some(mistakes) = self.causes.first() else {
             let word = self.outcome.word();
             let hint = self.hint.as_ref();
-            return hint.map_or(word.to_owned(), |hint| format!("{word}: {hint}"));
+            return match hint {
+                None => word.to_owned(),
+                Some(hint) if self.outcome != Outcome::Unexplained => format!("{word}: {hint}"),
+                Some(hint) if hint.starts_with(NEARLY) => hint.clone(),
+                Some(hint) => format!("{NEARLY}right: {hint}"),
+            };
         };
         // The same two are told alike, whichever of them accounts for more.
         let mut mistakes = mistakes.clone();

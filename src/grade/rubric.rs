@@ -6,6 +6,9 @@ use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, Rubri
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+/// The section in which posed meshes are made: a mesh that is nearly right does not show in which section the mistake is.
+pub(super) const OF_POSED_MESHES: &str = "4.2";
+
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
 /// pose of its test shows nothing of what the test asks for, whatever the section.
 pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
@@ -54,7 +57,7 @@ pub(super) fn counted_elsewhere(
     let ids = counted(test, graded, rubric).unwrap_or_default();
     let elsewhere = ids.iter().filter_map(|id| {
         let mistake = Mistake::find(id)?;
-        let section = section_of(mistake, test)?;
+        let section = section_of(mistake.section, test)?;
         let is_own = number(section) == number(mistake.section) || id == POSE_NOT_APPLIED;
         (!is_own).then(|| (mistake, section.to_owned()))
     });
@@ -129,9 +132,8 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
         let is_of_all = id == POSE_NOT_APPLIED;
         let share = share_left(id, rubric);
         let own = match Mistake::find(id) {
-            Some(mistake) => section_of(mistake, test),
-            // A mesh that is nearly right does not show in which section the mistake is.
-            None => largest(test),
+            Some(mistake) => section_of(mistake.section, test),
+            None => section_of(OF_POSED_MESHES, test),
         };
         for (section, points) in &mut left {
             if is_of_all || own == Some(section) {
@@ -142,11 +144,11 @@ fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<Str
     left
 }
 
-/// The section of a test in which a mistake costs points: its own, or else the one with the nearest number, of two
-/// as near the later one, which builds upon it; where no section has a number, the one with the most points. `None` in
-/// a test without sections.
-pub(super) fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'a str> {
-    let own = parts_of(mistake.section)?;
+/// The section of a test in which a mistake of the section `own` of the assignment costs points: that one, or else the one
+/// with the nearest number, of two as near the later one, which builds upon it; where no section has a number, the one
+/// with the most points. `None` in a test without sections.
+pub(super) fn section_of<'a>(own: &str, test: &'a TestData) -> Option<&'a str> {
+    let own = parts_of(own)?;
     let apart = |section: &&String| {
         let (chapter, part) = parts_of(section)?;
         let is_before = (chapter, part) < own;
@@ -167,7 +169,7 @@ pub(super) fn section_of<'a>(mistake: &Mistake, test: &'a TestData) -> Option<&'
 }
 
 /// The section of a test with the most points.
-pub(super) fn largest(test: &TestData) -> Option<&str> {
+fn largest(test: &TestData) -> Option<&str> {
     let sections = test.points.iter();
     let largest = sections.reduce(|most, other| if other.1 > most.1 { other } else { most });
     largest.map(|(section, _)| section.as_str())
@@ -322,7 +324,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn what_is_nearly_right_costs_less_than_a_mistake_and_in_the_largest_section() {
+    fn what_is_nearly_right_costs_less_than_a_mistake_and_in_the_section_of_posed_meshes() {
         let mut rubric = RubricData::default();
         let nearly = |names: &[&str], agrees| Graded {
             nearly: names.iter().map(|&name| name.to_owned()).collect(),
@@ -332,7 +334,12 @@ pub(super) mod tests {
         let few = nearly(&["right-but-for-few"], 0.998);
         assert_eq!(given(TWO, &few, &rubric), [6.0, 9.0]);
         let told = why(&test(TWO), &few, &rubric);
-        let text = "right-but-for-few leaves 90 % of 4.2, the section with the most points";
+        assert_eq!(told, ["right-but-for-few leaves 90 % of 4.2"]);
+        // Whatever has the most points.
+        let sections = [("3.4", 12.0), ("4.1", 4.0)];
+        assert_eq!(given(&sections, &few, &rubric), [12.0, 3.6]);
+        let told = why(&test(&sections), &few, &rubric);
+        let text = "right-but-for-few leaves 90 % of 4.1, since the test has no points for 4.2";
         assert_eq!(told, [text]);
         let moved = nearly(&["moved-as-a-whole"], 0.0);
         assert_eq!(given(TWO, &moved, &rubric), [6.0, 7.5]);

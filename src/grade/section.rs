@@ -105,7 +105,7 @@ pub(super) fn points_by_section(
     points.collect()
 }
 
-/// Of sections that have other points than their tests together, why.
+/// What a submission has in each section, and why it is not what its tests add up to, if so.
 pub(super) fn notes(
     file: &TestsFile,
     sections: &[Section],
@@ -114,19 +114,24 @@ pub(super) fn notes(
     points: &BTreeMap<String, Option<f64>>,
 ) -> Vec<String> {
     let given = file.rubric.given.get(name);
-    let told = sections.iter().filter_map(|section| {
-        let key = &section.section;
-        let points = (*points.get(key)?)?;
+    let told = sections.iter().map(|section| {
+        let (key, name, worth) = (&section.section, section.name(), section.possible);
+        let Some(points) = points.get(key).copied().flatten() else {
+            return format!("{name}: not graded yet, of {worth}");
+        };
+        let told = format!("{name}: {points} of {worth}");
         if given.is_some_and(|given| given.contains_key(key)) {
-            return Some(format!("{key}: {points} given by hand"));
+            return format!("{told}, given by hand");
         }
-        let possible = in_cents(file.points_of_tests(key)?);
-        let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
-        let worth = section.possible;
-        (possible != worth).then(|| {
-            let reached = in_cents(reached);
-            format!("{key}: {reached} of {possible} in the tests count as {points} of {worth}")
-        })
+        let of_tests = file.points_of_tests(key).map(in_cents);
+        match of_tests.filter(|possible| *possible != worth) {
+            Some(possible) => {
+                let reached: f64 = tests.iter().filter_map(|test| test.points.get(key)).sum();
+                let reached = in_cents(reached);
+                format!("{told}, for {reached} of {possible} in the tests")
+            }
+            None => told,
+        }
     });
     told.collect()
 }

@@ -1,6 +1,7 @@
 //! One test: a character in a pose, and what a file of it is.
 
 use super::graded::{Graded, Outcome, rounded};
+use super::report::NEARLY;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
@@ -18,6 +19,9 @@ use glam::Vec3;
 use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
+
+/// Most warnings about a file that are told.
+const TOLD: usize = 3;
 
 /// A test that is ready to grade files.
 #[derive(Debug)]
@@ -116,8 +120,8 @@ impl Test {
         if is_text && !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
             return Graded::without(Outcome::Blank, "the file has no vertices");
         }
-        let theirs = match read_character_obj(Path::new(&name), bytes) {
-            Ok(read) => read.value,
+        let (theirs, warnings) = match read_character_obj(Path::new(&name), bytes) {
+            Ok(read) => (read.value, read.warnings),
             Err(diagnostic) => {
                 return Graded::without(Outcome::Unreadable, diagnostic.to_string());
             }
@@ -128,7 +132,13 @@ impl Test {
         }
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {
-                let graded = self.diagnosed_mesh(&found, &theirs);
+                let mut graded = self.diagnosed_mesh(&found, &theirs);
+                if graded.outcome != Outcome::Right {
+                    let told = warnings.iter().take(TOLD);
+                    graded
+                        .text
+                        .extend(told.map(|warning| format!("\n  warning  {warning}")));
+                }
                 match found.verdict {
                     Verdict::OtherPose | Verdict::Unexplained => {
                         let mut others =
@@ -262,12 +272,12 @@ fn hint(found: &Diagnosis) -> Option<String> {
         return Some(brief);
     }
     Some(match found.nearly_right()? {
-        NearlyRight::Rounded => "right, with too few digits".to_owned(),
+        NearlyRight::Rounded => "too few digits".to_owned(),
         NearlyRight::Placed => return None,
-        NearlyRight::ButForFewWith(mistake) => format!("nearly {}", mistake.id),
+        NearlyRight::ButForFewWith(mistake) => format!("{NEARLY}{}", mistake.id),
         NearlyRight::ButForFew => match found.off {
-            1 => "right but for 1 vertex".to_owned(),
-            off => format!("right but for {off} vertices"),
+            1 => "all but 1 vertex".to_owned(),
+            off => format!("all but {off} vertices"),
         },
     })
 }

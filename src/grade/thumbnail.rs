@@ -16,7 +16,7 @@ const MARGIN: f32 = 6.0;
 /// As much of what is far off is shown, in sizes of the exact mesh from its center, and of a mesh that is so far off, or
 /// so large, that most of it would not be in the picture.
 const SHOWN: f32 = 1.0;
-const MOST_SHOWN: f32 = 30.0;
+const MOST_SHOWN: f32 = 1e4;
 /// The error at the end of the colors, by the size.
 pub(super) const LARGEST_ERROR: f32 = 0.25;
 /// Steps of color and of light: few, so that pictures stay small.
@@ -97,12 +97,7 @@ impl<'a> MeshThumbnail<'a> {
             &mut canvas,
             &frame,
             &theirs.positions,
-            // The exact triangles fit the same vertices; a file may have any number of its own.
-            if measure.is_some() {
-                self.triangles
-            } else {
-                &theirs.triangles
-            },
+            &theirs.triangles,
             |corners, weights| {
                 let errors = Vec3::from_array(corners.map(|corner| errors[corner as usize]));
                 match weights.dot(errors) {

@@ -2,7 +2,7 @@
 
 use super::graded::{Graded, Outcome};
 use super::rubric::{
-    POSE_NOT_APPLIED, counted, counts_as_mistakes, largest, number, section_of, share_left,
+    OF_POSED_MESHES, POSE_NOT_APPLIED, counted, counts_as_mistakes, number, section_of, share_left,
 };
 use crate::diagnose::Mistake;
 use crate::io::{RubricData, TestData, TestKind};
@@ -45,14 +45,9 @@ fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
     if id == POSE_NOT_APPLIED {
         return format!("{id} leaves {share} of every section");
     }
-    let Some(mistake) = Mistake::find(id) else {
-        let section = largest(test).unwrap_or_default();
-        return format!("{id} leaves {share} of {section}, the section with the most points");
-    };
-    let (own, section) = (
-        number(mistake.section),
-        section_of(mistake, test).unwrap_or_default(),
-    );
+    let own = Mistake::find(id).map_or(OF_POSED_MESHES, |mistake| mistake.section);
+    let section = section_of(own, test).unwrap_or_default();
+    let own = number(own);
     let told = format!("{id} leaves {share} of {section}");
     match own == number(section) {
         true => told,
@@ -60,8 +55,8 @@ fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
     }
 }
 
-/// A share in words.
-fn percent(share: f64) -> String {
+/// A share in words. What is not all is never told as all.
+pub(super) fn percent(share: f64) -> String {
     let percent = (share * 1000.0 + 1e-6).floor() / 10.0;
     format!("{percent} %")
 }

@@ -1,5 +1,6 @@
 //! The scene: shapes with their placement, what follows from them, and the camera.
 
+mod bone_picking;
 mod box_picking;
 mod camera;
 mod camera_fit;
@@ -23,6 +24,7 @@ mod turntable;
 mod vertex_numbers;
 mod view_settings;
 
+pub use bone_picking::{BoneHit, bones_in_world, pick_bone};
 pub use box_picking::pick_in_box;
 pub use camera::Camera;
 pub use camera_fit::FitArea;
@@ -39,7 +41,7 @@ pub use evaluate_curves::{EvaluatedCurve, EvaluatedCurves, EvaluatedSurface};
 pub use ik_settings::{IkPole, IkSettings};
 pub use import_curve::{CurveItem, CurveItemKind, CurveSet, CurveSetError, MAX_SET_POINTS};
 pub use missing_joints::{MissingJoints, MissingPose};
-pub use picking::{BoneHit, bones_in_world, pick_bone, pick_control_point, pick_shape};
+pub use picking::{pick_control_point, pick_shape};
 pub use shape::{Importer, MissingShape, NewShape, Placement, Shape, ShapeId, ShapeKind, Source};
 pub use shape_manager::{Scene, name_of_import};
 pub use turntable::{TURNTABLE_FRAMES, fit_turntable, turntable_cameras, turntable_milliseconds};

@@ -1,5 +1,5 @@
-use super::{Camera, Evaluated, EvaluatedShape, Scene, ShapeId, ShapeKind};
-use crate::math::{Cylinder, Ray};
+use super::{Camera, Evaluated, EvaluatedShape, ShapeId};
+use crate::math::Ray;
 use glam::{Vec2, Vec3};
 
 /// Relative error of distances to the same point.
@@ -102,99 +102,15 @@ fn passing(ray: &Ray, point: Vec3) -> Option<f32> {
     (distance > 0.0 && miss <= LINE_REACH).then_some(distance)
 }
 
-/// Radius of the cylinder around a bone by which it is picked, in the character's space.
-const BONE_RADIUS: f32 = 0.1;
-/// Upper bound of that radius, relative to the bone's length: the cylinders of fingers would
-/// otherwise hide each other and the hand.
-const MOST_OF_LENGTH: f32 = 0.4;
-
-/// Bone under the pointer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BoneHit {
-    /// Identifier of the character.
-    pub shape: ShapeId,
-    /// Index of the joint that turns the bone.
-    pub joint: usize,
-    /// Index in [`crate::character::Character::bones`].
-    pub bone: usize,
-    /// Distance from the eye, in the world, along the ray under the pointer.
-    pub distance: f32,
-    /// Intersection of that ray with the bone's cylinder, in the world.
-    pub point: Vec3,
-}
-
-/// Bones of an evaluated character, in the order of [`crate::character::Character::bones`]: the
-/// index of the joint, and both ends in the world. Empty if the shape is no character.
-pub fn bones_in_world<'a>(
-    scene: &'a Scene,
-    evaluated: &'a EvaluatedShape,
-) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
-    let world = evaluated.world_from_model;
-    let figure = evaluated.geometry.figure.as_ref();
-    let bones = scene
-        .character(evaluated.id)
-        .map_or(&[][..], |character| character.character.bones());
-    bones.iter().filter_map(move |bone| {
-        let (start, end) = bone.ends(&figure?.model_from_joint)?;
-        let (start, end) = (world.transform_point3(start), world.transform_point3(end));
-        Some((bone.joint, start, end))
-    })
-}
-
-/// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
-/// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
-/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or
-/// locked are ignored.
-pub fn pick_bone(
-    scene: &Scene,
-    evaluated: &Evaluated,
-    camera: &Camera,
-    pixel: Vec2,
-    size: Vec2,
-    reach: f32,
-) -> Option<BoneHit> {
-    let ray = camera.ray(pixel, size);
-    let characters = scene
-        .shapes()
-        .iter()
-        .zip(&evaluated.shapes)
-        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
-        .filter(|(_, evaluated)| evaluated.pickable);
-    let hits = characters.flat_map(|(_, shape)| {
-        let determinant = shape.world_from_model.determinant();
-        let radius = BONE_RADIUS * determinant.abs().cbrt();
-        bones_in_world(scene, shape)
-            .enumerate()
-            .filter_map(move |(bone, (joint, start, end))| {
-                let nearest = ray.nearest_on_segment(start, end);
-                let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
-                let least = reach * camera.pixel_at_depth(depth, size.y);
-                let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
-                let cylinder = Cylinder {
-                    start,
-                    end,
-                    radius: radius.max(least),
-                };
-                let distance = cylinder.entry(&ray)?;
-                Some(BoneHit {
-                    shape: shape.id,
-                    joint,
-                    bone,
-                    distance,
-                    point: ray.at(distance),
-                })
-            })
-    });
-    hits.min_by(|a, b| a.distance.total_cmp(&b.distance))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
     use crate::geometry::{Basis, Mesh};
     use crate::math::{Euler, Transform};
-    use crate::scene::{CharacterShape, CurveSet, CurveShape, Evaluator, NewShape};
+    use crate::scene::{
+        CharacterShape, CurveSet, CurveShape, Evaluator, NewShape, Scene, ShapeKind,
+    };
     use proptest::prelude::*;
     use std::sync::Arc;
 

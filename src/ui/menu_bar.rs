@@ -1,4 +1,5 @@
 use super::commands::{Command, Entry, Menu, full_label, full_tooltip, is_on, run, why_disabled};
+use super::context_menu::ContextMenu;
 use super::key_commands::is_there;
 use super::state::UiState;
 use super::theme::Palette;
@@ -69,6 +70,7 @@ pub(super) fn show(
         });
     });
     insert_at_pointer(root, &mut items);
+    context_menu(root, &mut items);
 }
 
 /// Opens the menu whose title comes under the pointer while another one is open, as menu bars do.
@@ -87,9 +89,41 @@ fn follow_pointer(ctx: &Context, menus: &[Response]) {
 /// has the keyboard then, since a key opened it: arrow keys and Return choose.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
+    at_pointer(root, "insert at pointer", opens, |ui| {
+        items.insertable(ui, opens);
+    });
+}
+
+/// The menu for what was under the pointer at a right click, while it is open.
+fn context_menu(root: &Ui, items: &mut Items) {
+    let about = Id::new("what the context menu is about");
+    let opens = items.state.opens_context_menu.take();
+    if let Some(menu) = opens {
+        root.data_mut(|data| data.insert_temp(about, menu));
+    }
+    let Some(menu) = root.data(|data| data.get_temp::<ContextMenu>(about)) else {
+        return;
+    };
+    at_pointer(root, "context menu", opens.is_some(), |ui| {
+        for (index, part) in menu.parts().iter().enumerate() {
+            if index > 0 {
+                ui.separator();
+            }
+            let entries = part
+                .iter()
+                .filter_map(|&command| commands::entry_of(command));
+            for entry in entries {
+                items.item(ui, entry);
+            }
+        }
+    });
+}
+
+/// A menu where the pointer was when it `opens`, while it is open.
+fn at_pointer(root: &Ui, name: &str, opens: bool, items: impl FnOnce(&mut Ui)) {
     let ctx = root.ctx().clone();
     Popup::new(
-        Id::new("insert at pointer"),
+        Id::new(name),
         ctx,
         PopupAnchor::PointerFixed,
         root.layer_id(),
@@ -98,7 +132,7 @@ fn insert_at_pointer(root: &Ui, items: &mut Items) {
     .layout(Layout::top_down_justified(egui::Align::Min))
     .style(menu_style)
     .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
-    .show(|ui| scrolled(ui, |ui| items.insertable(ui, opens)));
+    .show(|ui| scrolled(ui, items));
 }
 
 fn title(ui: &mut Ui, title: &str) {

@@ -12,6 +12,7 @@ mod color_field;
 mod command_search;
 mod commands;
 mod compare;
+mod context_menu;
 mod control_points;
 mod curve_panel;
 mod dropping;
@@ -57,7 +58,7 @@ mod widgets;
 mod windows;
 
 pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
-pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive};
+pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive, RELOADS};
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
     CompareView, MeshesShown, ShownPicture, course_panels, picture_texture,

@@ -24,7 +24,7 @@ pub enum Navigation {
 /// Movement of the camera by a drag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Motion {
-    /// [`Camera::pan`], the course's.
+    /// [`Camera::pan`], the course's, in its look, and else as [`Motion::Follow`].
     Pan,
     /// [`Camera::turn`], the course's.
     Turn,
@@ -67,7 +67,7 @@ const MIDDLE: PointerButton = PointerButton::Middle;
 /// The first row whose button and modifiers are held is used; rows without modifiers allow any.
 #[rustfmt::skip]
 const COURSE: &[Drag] = &[
-    drag(LEFT, NONE, Motion::Pan, "Left drag in the view", "Move the scene with the pointer"),
+    drag(LEFT, NONE, Motion::Pan, "Left drag in the view", "Move the scene; in the Course look as fast as the course does"),
     drag(RIGHT, NONE, Motion::Turn, "Right drag in the view", "Turn the camera about its target"),
     drag(MIDDLE, NONE, Motion::Turn, "Middle drag in the view", "Turn the camera about its target"),
 ];
@@ -155,6 +155,8 @@ pub(super) struct PointerMove {
     pub notches: f32,
     /// Point in the world that the wheel was turned over, if it was.
     pub turned_over: Option<Vec3>,
+    /// Whether the view is to move as fast as in the course's editor: in its look.
+    pub as_course: bool,
 }
 
 /// Step of one press of a key, in units of the world or in radians.
@@ -182,6 +184,8 @@ const OF_THE_MANNEQUIN: &[Key] = &[
 const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual Mannequin's keys work in \
                            View ⏵ Navigation ⏵ Mannequin";
 /// For those who want Blender's 5, which switches it.
+const WHERE_SHADING_IS: &str =
+    "Shading and colors are chosen in View; the look beside the axes, or by F3 and F10";
 const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {
@@ -220,6 +224,7 @@ impl Navigation {
         match self {
             Self::Mannequin => None,
             Self::Blender if is_pressed(&[Key::Num5]) => Some(NO_ORTHOGRAPHIC),
+            Self::Blender if is_pressed(&[Key::Z]) => Some(WHERE_SHADING_IS),
             _ if look == Look::Mannequin && is_pressed(OF_THE_MANNEQUIN) => Some(WHY_NOTHING),
             _ => None,
         }
@@ -301,9 +306,11 @@ impl Navigation {
         } else {
             motion
         } {
-            Some(Motion::Pan) => camera.pan(delta),
+            Some(Motion::Pan) if by.as_course => camera.pan(delta),
             Some(Motion::Turn) => camera.turn(delta),
-            Some(Motion::Follow) => camera.pan_with_pointer(by.all, height, by.held),
+            Some(Motion::Pan | Motion::Follow) => {
+                camera.pan_with_pointer(by.all, height, by.held);
+            }
             Some(Motion::Orbit) => camera.orbit(delta * (std::f32::consts::TAU / height)),
             Some(Motion::Dolly) => camera.dolly(delta.y * DOLLY_PER_PIXEL),
             None => {}

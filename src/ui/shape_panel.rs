@@ -186,6 +186,11 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         } else {
             leave_joints(state, actions);
         }
+        if let ShapeKind::Mesh(_) = &shape.kind {
+            ui.separator();
+            let color = Palette::of(ui.visuals()).weak;
+            ui.add(Label::new(RichText::new(WITHOUT_JOINTS).small().color(color)).wrap());
+        }
         if let ShapeKind::Missing(missing) = &shape.kind {
             ui.separator();
             missing_file(ui, shape, &missing.reason, actions);
@@ -198,6 +203,10 @@ fn selected(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         }
     });
 }
+
+/// What is said of an imported mesh, which may have been meant as a character.
+const WITHOUT_JOINTS: &str = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is \
+                              chosen or dropped together with them.";
 
 /// Says why the box stands in for a shape, and lets its file be found.
 fn missing_file(ui: &mut Ui, shape: &Shape, reason: &str, actions: &mut Vec<Action>) {

@@ -2,6 +2,7 @@ use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
 use super::compare::Outlined;
+use super::context_menu::ContextMenu;
 use super::curve_panel::CurveState;
 use super::explain::ExplainState;
 use super::fingers::SeveralFingers;
@@ -70,6 +71,8 @@ pub struct UiState {
     pub(super) gives_up_typing: bool,
     /// Whether the menu Insert opens at the pointer in the next frame.
     pub(super) opens_insert_menu: bool,
+    /// What the menu at the pointer that opens in the next frame is about.
+    pub(super) opens_context_menu: Option<ContextMenu>,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -142,6 +145,7 @@ impl Default for UiState {
             waiting: None,
             gives_up_typing: false,
             opens_insert_menu: false,
+            opens_context_menu: None,
             search: None,
             renaming: None,
             curves: CurveState::default(),

@@ -3,9 +3,9 @@
 use super::grab::PointerUse;
 use super::navigation::PointerMove;
 use super::scene_places::{Picked, ScenePlaces};
-use super::{Action, UiState, box_select, control_points, explain, fingers, posing};
+use super::{Action, UiState, box_select, context_menu, control_points, explain, fingers, posing};
 use crate::editor::{Session, Tool, View};
-use crate::scene::ShapeId;
+use crate::scene::{Look, ShapeId};
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Response};
 use glam::{Vec2, Vec3};
 
@@ -85,6 +85,9 @@ fn gestures(
     let selects = pointer == PointerUse::Over;
     let picks = !over_point
         && explain::pointer(view, places, session, &mut state.explain, selects, actions);
+    if view.secondary_clicked() && !view.long_touched() {
+        context_menu::ask(view, places, session, state, actions);
+    }
     if selects {
         return None;
     }
@@ -93,7 +96,12 @@ fn gestures(
         let picked = &mut state.pose.picked;
         let shape = clicked.and_then(|position| shape_at(picked, session, places, position));
         let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
+        let drops_joint = shape.is_none()
+            && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+            && session.selected_joint().is_some();
         match shape {
+            // Who misses a bone goes on with the same figure.
+            None if drops_joint => actions.push(Action::View(View::SelectJoint(None))),
             Some(shape) if adds => actions.push(Action::View(View::ToggleSelected(shape))),
             // A click that misses must not lose what was selected before.
             None if adds => {}
@@ -136,6 +144,7 @@ fn pointer_move(
         held: held.unwrap_or(session.view().camera.target),
         height: places.height(),
         notches,
+        as_course: session.view().look == Look::Course,
         turned_over: hovered
             .filter(|_| notches != 0.0)
             .and_then(|at| places.point_at(session, at)),
@@ -163,7 +172,7 @@ fn put_back_on_esc(
     }
 }
 
-fn shape_at(
+pub(super) fn shape_at(
     picked: &mut Picked,
     session: &Session,
     places: &ScenePlaces,

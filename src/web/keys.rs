@@ -1,7 +1,7 @@
 //! Keys that mean something to the program, and something else to the browser.
 
 use super::browser;
-use crate::ui::COMMANDS;
+use crate::ui::{COMMANDS, RELOADS};
 use egui::{Key, Modifiers};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Event, KeyboardEvent};
@@ -32,7 +32,12 @@ fn is_of_a_command(event: &KeyboardEvent) -> bool {
     let ctrl = event.ctrl_key() || event.meta_key();
     let is_function_key = event.key().len() > 1 && event.key().starts_with('F');
     // Other keys mean nothing to a browser, or are typed.
-    if !(is_function_key || ctrl && !OF_THE_BROWSER.contains(&key)) {
+    let is_kept = if ctrl {
+        OF_THE_BROWSER.contains(&key)
+    } else {
+        !is_function_key || key == RELOADS.logical_key
+    };
+    if is_kept {
         return false;
     }
     let pressed = Modifiers {

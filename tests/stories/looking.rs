@@ -163,6 +163,8 @@ fn the_six_views_look_at_the_origin_from_five_away_along_their_axis() {
 #[test]
 fn in_the_course_the_scene_follows_a_left_drag_turns_with_a_right_one_and_comes_with_the_wheel() {
     let mut story = Story::start(&[]);
+    // Its exact speed belongs to its look.
+    story.key(Key::F2);
     story.key(Key::Num1);
     // Toward the eye, to the right, up: the picture's axes from +Z are the world's.
     let start = story.camera();
@@ -189,6 +191,17 @@ fn in_the_course_the_scene_follows_a_left_drag_turns_with_a_right_one_and_comes_
     assert_eq!(story.camera().radius, 4.5);
     story.wheel(-2.0);
     assert_eq!(story.camera().radius, 5.5);
+}
+
+#[test]
+fn a_left_drag_keeps_what_it_takes_under_the_pointer_but_in_the_look_of_the_course() {
+    let mut story = Story::start(&[]);
+    story.key(Key::F3);
+    story.key(Key::Num1);
+    let start = story.pixel(Vec3::ZERO);
+    story.drag_with(PointerButton::Primary, vec2(40.0, 30.0));
+    let moved = story.pixel(Vec3::ZERO) - start;
+    assert!(moved.distance(Vec2::new(40.0, 30.0)) < 0.5, "{moved}");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod choosing;
 mod coloring;
 mod comparing;
 mod comparing_meshes;
+mod context_menus;
 mod documents;
 mod explaining;
 mod fetching;

@@ -218,6 +218,25 @@ fn a_finger_in_the_view_leaves_a_number_to_the_one_that_drags_it() {
 }
 
 #[test]
+fn a_finger_that_goes_up_over_the_numbers_scrolls_their_list_and_one_that_goes_aside_turns_a_joint()
+{
+    let mut story = Story::start(&["builtin:adult"]);
+    let number = story.place("Waist X");
+    let scrolled = |story: &Story| number.y - story.place("Waist X").y;
+    for (way, turns) in [(vec2(8.0, -60.0), false), (vec2(40.0, -8.0), true)] {
+        let at = story.place("Waist X");
+        let before = (scrolled(&story), story.degrees("Waist"));
+        let mut hand = Hand::new();
+        hand.put_down(&mut story, 1, at);
+        hand.move_by(&mut story, &[way]);
+        hand.lift_all(&mut story);
+        let after = (scrolled(&story), story.degrees("Waist"));
+        assert_eq!(after.1 != before.1, turns, "{way}");
+        assert_eq!(after.0 > before.0 + 20.0, !turns, "{way}");
+    }
+}
+
+#[test]
 fn what_is_said_while_a_finger_holds_something_needs_neither_keys_nor_buttons() {
     let (mut story, bone) = with_bones();
     let mut hand = Hand::new();

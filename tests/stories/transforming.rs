@@ -186,6 +186,7 @@ fn esc_and_a_right_click_put_everything_back_with_its_revision() {
             assert_eq!(story.transform(), before, "{key:?}");
             assert_eq!(story.session().document(), document, "{key:?}");
             assert_eq!(story.shape().name, "Cube", "it stays selected");
+            assert!(!story.has("Hide Others"), "and no menu opens");
         }
     }
 }

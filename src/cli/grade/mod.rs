@@ -4,6 +4,7 @@ mod command;
 mod interruption;
 mod kept;
 mod merge;
+mod missing;
 mod submissions;
 mod work;
 

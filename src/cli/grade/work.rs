@@ -3,6 +3,7 @@
 use super::command::{CommandFailure, TestCommand};
 use super::interruption::Interruption;
 use super::kept::{KeptResult, KeptResults, Store};
+use super::missing::missing;
 use super::submissions::Submission;
 use crate::cli::CliError;
 use crate::cli::output::{Progress, eprint_line};
@@ -170,7 +171,12 @@ impl Work<'_> {
         known: Option<&KeptResult>,
     ) -> KeptResult {
         let name = test.file_name();
-        let read = read(&submission.folder.join(&name), &name);
+        let missing = || {
+            let others = self.tests.iter().map(Test::file_name);
+            let others: Vec<String> = others.filter(|other| *other != name).collect();
+            missing(&submission.folder, &name, &others)
+        };
+        let read = read(&submission.folder.join(&name), &name, missing);
         let file = match &read {
             Ok(bytes) => fingerprint(bytes),
             Err(graded) => graded.text.clone(),
@@ -197,16 +203,15 @@ impl Work<'_> {
         let scratch = ScratchFolder::new()?;
         let output = scratch.path().join(&name);
         let ran = command.run(test.data(), &submission.folder, &output, interruption);
-        let written = read(&output, &name);
+        let nothing = || "the command ended without writing its file".to_owned();
+        let written = read(&output, &name, nothing);
         // A second signal ends the program, and should find no folder to leave behind.
         drop(scratch);
         let without = |text: &str| Graded::without(Outcome::Missing, told(text, submission, &name));
         let graded = match ran {
             Ok(()) => match written {
                 Ok(bytes) => test.grade(&bytes, self.tests),
-                Err(graded) if graded.outcome == Outcome::Missing => {
-                    without("the command ended without writing its file")
-                }
+                Err(graded) if graded.outcome == Outcome::Missing => without(&graded.text),
                 Err(graded) => *graded,
             },
             Err(CommandFailure::Interrupted) => return Ok(Made::Interrupted),
@@ -259,15 +264,15 @@ fn told(text: &str, submission: &Submission, name: &str) -> String {
     }
 }
 
-/// The content of the file at `path`, called `name`, or what there is in its place.
-fn read(path: &Path, name: &str) -> Result<Vec<u8>, Box<Graded>> {
+/// The content of the file at `path`, called `name`, or what there is in its place; `missing` says that there is none.
+fn read(path: &Path, name: &str, missing: impl Fn() -> String) -> Result<Vec<u8>, Box<Graded>> {
     let metadata = match std::fs::symlink_metadata(path) {
         Ok(metadata) => metadata,
         Err(error) if error.kind() == ErrorKind::PermissionDenied => {
             let text = format!("{name}: there is no permission to open its folder");
             return Err(Graded::without(Outcome::Unreadable, text).into());
         }
-        Err(_) => return Err(Graded::without(Outcome::Missing, missing(path, name)).into()),
+        Err(_) => return Err(Graded::without(Outcome::Missing, missing()).into()),
     };
     // It may lead to the file of another submission.
     if metadata.is_symlink() {
@@ -281,44 +286,6 @@ fn read(path: &Path, name: &str) -> Result<Vec<u8>, Box<Graded>> {
         };
         Graded::without(Outcome::Unreadable, told.to_string()).into()
     })
-}
-
-/// Folders within each other in which a file is sought that is not where it belongs.
-const DEEPEST: usize = 3;
-
-/// That there is no file called `name` at `path`, and which one there is with other capitals or in a folder beside it.
-fn missing(path: &Path, name: &str) -> String {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let is_alike = |found: &Path| {
-        let found = found.file_name().and_then(|found| found.to_str());
-        found.is_some_and(|found| found.to_lowercase() == name.to_lowercase())
-    };
-    let mut folders = vec![folder.to_owned()];
-    for _ in 0..=DEEPEST {
-        let entries = folders
-            .iter()
-            .filter_map(|folder| std::fs::read_dir(folder).ok());
-        let entries = entries.flatten().flatten();
-        // Links may lead to other submissions.
-        let kinds = entries.filter_map(|entry| Some((entry.path(), entry.file_type().ok()?)));
-        let (within, files): (Vec<_>, Vec<_>) = kinds.partition(|(_, kind)| kind.is_dir());
-        let files = files.into_iter().filter(|(_, kind)| kind.is_file());
-        let alike = files.map(|(path, _)| path).filter(|path| is_alike(path));
-        if let Some(found) = alike.min() {
-            let beside = found.strip_prefix(folder).unwrap_or(&found);
-            let why = if beside.components().count() == 1 {
-                "the names differ in capitals"
-            } else {
-                "it belongs into the folder of the submission itself"
-            };
-            return format!(
-                "there is no {name}, but {} is there: {why}",
-                beside.display()
-            );
-        }
-        folders = within.into_iter().map(|(path, _)| path).collect();
-    }
-    format!("there is no {name}")
 }
 
 /// A text that tells `bytes` from others.

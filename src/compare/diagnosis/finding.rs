@@ -182,6 +182,17 @@ impl Finding {
         sentence(&self.to_string())
     }
 
+    /// Whether its words say that it is in every part of the figure.
+    pub fn is_everywhere(&self) -> bool {
+        matches!(
+            self,
+            Self::Outline {
+                everywhere: true,
+                ..
+            }
+        )
+    }
+
     /// Where it shows: the area round all of it, unless it is about the pictures as a whole.
     pub fn area(&self) -> Option<Area> {
         match *self {

@@ -3,6 +3,7 @@
 use super::{Escaped, Page};
 use crate::grade::graded::Outcome;
 use crate::grade::report::{GradedTest, Report, Submission};
+use crate::grade::why::percent;
 
 /// Letters of labels in a diagnosis, such as `look at`, with the spaces around them.
 const LABEL: usize = 11;
@@ -15,8 +16,9 @@ impl Page {
         ));
         for section in &report.sections {
             self.add(format_args!(
-                "<th class=\"number\">{}</th>",
-                Escaped(&section.section)
+                "<th class=\"number\">{} <span class=\"dim\">of {}</span></th>",
+                Escaped(&section.section),
+                section.possible
             ));
         }
         self.add(format_args!("<th>Result</th></tr></thead>\n<tbody>\n"));
@@ -93,11 +95,7 @@ impl Page {
                 // A mesh that is known to be right as a whole has no vertex that is where it was expected.
                 Outcome::Unexplained if test.hint.is_some() && test.agrees < 0.01 => String::new(),
                 Outcome::Explained | Outcome::OtherPose | Outcome::Unexplained => {
-                    let percent = 100.0 * test.agrees;
-                    // What is not all is never told as all.
-                    let digits = if percent > 99.0 { 100.0 } else { 1.0 };
-                    let percent = (percent * digits).floor() / digits;
-                    format!(" · {percent} % of the {whole} right")
+                    format!(" · {} of the {whole} right", percent(test.agrees))
                 }
                 _ => String::new(),
             };

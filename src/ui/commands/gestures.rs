@@ -22,6 +22,10 @@ pub const GESTURES: &[Gesture] = &[
         "Select a shape; Ctrl or Shift adds one",
     ),
     gesture(
+        "Right click in the view",
+        "Menu for what is under the pointer",
+    ),
+    gesture(
         "Drag a control point",
         "Move it; Esc or right click cancels",
     ),

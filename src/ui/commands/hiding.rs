@@ -1,8 +1,8 @@
 //! Commands that hide, show, lock and unlock shapes.
 
 use super::Command;
-use crate::editor::{Edit, Session, for_all_selected};
-use crate::scene::Shape;
+use crate::editor::{BoxMode, Edit, Session, View, for_all_selected};
+use crate::scene::{Shape, ShapeId};
 use crate::ui::Action;
 
 /// Hides, shows, locks or unlocks the selected shape.
@@ -27,10 +27,13 @@ pub(super) fn others(session: &Session) -> impl Iterator<Item = &Shape> {
     shapes.filter(|shape| shape.visible && !session.is_selected(shape.id))
 }
 
-/// Shows the shapes that are hidden.
-pub(super) fn show_all(session: &Session) -> Action {
-    let show = hidden(session).map(|shape| Edit::SetVisible(shape.id, true));
-    Action::Edit(Edit::Together(show.collect()))
+/// Shows the shapes that are hidden, and selects them, as Blender does.
+pub(super) fn show_all(session: &Session) -> Vec<Action> {
+    let ids: Vec<ShapeId> = hidden(session).map(|shape| shape.id).collect();
+    let show = ids.iter().map(|&id| Edit::SetVisible(id, true));
+    let show = Edit::Together(show.collect());
+    let select = View::SelectInBox(ids, BoxMode::Replace);
+    vec![Action::Edit(show), Action::View(select)]
 }
 
 /// The shapes that are hidden.

@@ -33,11 +33,16 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     ),
 ];
 
-/// Shortcuts that open, close and change windows and tabs of browsers, which tell no page of them.
-const KEPT_BY_BROWSERS: [KeyboardShortcut; 2] = [
+/// Shortcuts that are the browser's on a page: those that open, close and change windows and tabs, of which it tells no
+/// page, and the one that reloads every page.
+const KEPT_BY_BROWSERS: [KeyboardShortcut; 3] = [
+    RELOADS,
     KeyboardShortcut::new(CTRL, Key::N),
     KeyboardShortcut::new(CTRL, Key::Tab),
 ];
+
+/// The key by which browsers reload a page.
+pub const RELOADS: KeyboardShortcut = KeyboardShortcut::new(NONE, Key::F5);
 
 impl Entry {
     /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.

@@ -11,6 +11,7 @@ mod sweep;
 mod table;
 
 pub use gestures::{GESTURES, Gesture};
+pub use keys::RELOADS;
 pub use table::{COMMANDS, Entry, Menu};
 
 pub(super) use enabled::why_disabled;

@@ -42,6 +42,7 @@ pub(in crate::ui) fn run(
             std::iter::once(all).chain(action).collect()
         }
         Command::MakeSweep => sweep(session).unwrap_or_default(),
+        Command::ShowAll => show_all(session),
         _ => action.into_iter().collect(),
     }
 }
@@ -164,7 +165,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             };
             return Some(Action::Edit(Edit::Insert(copies)));
         }
-        Command::BoxSelect | Command::MakeSweep => {}
+        Command::BoxSelect | Command::MakeSweep | Command::ShowAll => {}
         Command::SelectAll => return Some(Action::View(View::SelectAll)),
         Command::SelectNone => return Some(Action::View(View::Select(None))),
         Command::InvertSelection => {
@@ -183,7 +184,6 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             state.renaming = shape.map(Renaming::of);
         }
         Command::ToggleVisible | Command::ToggleLocked => return toggle(command, session),
-        Command::ShowAll => return Some(show_all(session)),
         Command::HideOthers => return Some(hide_others(session)),
         // Only the course's editor turns away from what is looked at.
         Command::ViewFrom(direction) => {

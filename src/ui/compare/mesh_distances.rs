@@ -48,9 +48,7 @@ impl Parts<'_> {
         }
         let title = "Vertices off, by the joint that moves them most (distances in % of the size):";
         say(ui, title, palette.weak);
-        let mut regions: Vec<_> = measure.regions.iter().collect();
-        regions.sort_by(|a, b| b.worst.total_cmp(&a.worst));
-        for region in regions {
+        for region in &measure.regions {
             let is_marked = self.chosen.marked == Some(region.worst_vertex);
             let worst = part_of_size(region.worst);
             let text = RichText::new(format!("{}, by up to {worst}", region.extent())).small();

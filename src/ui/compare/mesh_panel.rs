@@ -273,9 +273,9 @@ impl Parts<'_> {
             return;
         }
         let formula = ui.button("Show Its Formula");
-        let tip = "Explain how the joints move this vertex, in numbers that follow the pose (K)";
+        let tip = "Explain how the joints move the vertex that is marked, or this one, in numbers that follow the pose (K)";
         if formula.on_hover_text(tip).clicked() {
-            self.go_to(first.vertex);
+            self.go_to(self.chosen.marked.unwrap_or(first.vertex));
             self.chosen.explains = true;
         }
     }

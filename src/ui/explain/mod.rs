@@ -63,6 +63,8 @@ pub(super) struct ExplainState {
     /// Joint whose row is under the pointer.
     hovered: Option<usize>,
     stepper: Stepper,
+    /// How often a vertex was picked in the view or in a comparison: the formula of each begins at its top.
+    picks: usize,
     /// The vertex that is explained of a mesh until one is picked.
     first_vertex: Option<(Revision, usize)>,
 }

@@ -106,7 +106,7 @@ fn formula(
     }
     if !has_room_for_columns(ui) {
         ScrollArea::vertical()
-            .id_salt("formula")
+            .id_salt(("formula", state.picks))
             .auto_shrink(false)
             .show(ui, |ui| {
                 numbers(ui, session, compare, state);
@@ -121,7 +121,11 @@ fn formula(
     let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
         ui.shrink_clip_rect(left);
-        area("formula").show(ui, |ui| numbers(ui, session, compare, state));
+        area("formula")
+            .id_salt(("formula", state.picks))
+            .show(ui, |ui| {
+                numbers(ui, session, compare, state);
+            });
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
         area("mistakes").show(ui, |ui| {
@@ -183,7 +187,7 @@ fn numbers(
     state.hovered = hovered;
     state.told = Some(told);
     if let Some(vertex) = chosen {
-        state.pick(character, vertex as usize);
+        state.choose(character, vertex as usize);
     }
 }
 
@@ -224,6 +228,12 @@ fn steps(ui: &mut Ui, session: &Session, state: &mut ExplainState) {
     };
     if let Some(note) = digits.note() {
         ui.label(note);
+    }
+    if state.made.is_some() {
+        weak(
+            ui,
+            "These are the right matrices; what the mistake changes is in the formula.",
+        );
     }
     stack::show(ui, &explained, &mut state.stepper, digits);
 }

@@ -102,6 +102,11 @@ pub(super) fn show(
     titles(ui, &columns);
     let name = |joint: usize| &*explained.shape.character.skeleton().joints()[joint].name;
     let mut hovered = None;
+    if compared.is_some() {
+        // What is compared is in sight however many joints there are.
+        sums(ui, &columns, told, compared);
+        line(ui);
+    }
     let colors = colors(&formula.terms);
     // What counts most is in view where there is little room.
     for index in heaviest_first(&formula.terms) {
@@ -141,20 +146,24 @@ pub(super) fn show(
         };
         row.show(ui, &columns, digits, &format!("{}: left out", name(joint)));
     }
-    sums(ui, &columns, told, compared);
+    if compared.is_none() {
+        line(ui);
+        sums(ui, &columns, told, None);
+    }
     hovered
+}
+
+/// A line between the terms and their sum.
+fn line(ui: &Ui) {
+    let y = ui.cursor().min.y + 1.0;
+    let stroke = Stroke::new(1.0, Palette::of(ui.visuals()).line);
+    ui.painter().hline(ui.max_rect().x_range(), y, stroke);
 }
 
 /// The sum, what it should be where a mistake is made, and what it is in a compared mesh.
 fn sums(ui: &mut Ui, columns: &Columns, told: &Told, compared: Option<Compared>) {
     let palette = Palette::of(ui.visuals());
     let (formula, digits) = (&told.vertex, told.digits);
-    let line = ui.cursor().min + vec2(0.0, 1.0);
-    ui.painter().hline(
-        ui.max_rect().x_range(),
-        line.y,
-        Stroke::new(1.0, palette.line),
-    );
     let weights = formula.terms.iter().map(|term| term.weight).sum::<f64>();
     let sum = Row {
         weight: (!formula.terms.is_empty()).then_some(weights),
@@ -170,7 +179,7 @@ fn sums(ui: &mut Ui, columns: &Columns, told: &Told, compared: Option<Compared>)
     if let Some(compared) = compared {
         let off = digits.length(compared.at.distance(told.exact.sum));
         let name = format!("v' in {}, {off} off", compared.name);
-        let theirs = Row::plain(&name, vec![compared.at], palette.weak);
+        let theirs = Row::plain(&name, vec![compared.at], palette.strong);
         theirs.show(ui, columns, digits, &name);
     }
     if formula.terms.is_empty() {

@@ -93,10 +93,16 @@ impl ExplainState {
         vertex
     }
 
-    /// Picks a vertex of a character.
-    pub(in crate::ui) fn pick(&mut self, character: ShapeId, vertex: usize) {
+    /// Chooses a vertex of a character by its number.
+    pub(super) fn choose(&mut self, character: ShapeId, vertex: usize) {
         self.picked = Some((character, vertex));
         self.unfolded.clear();
+    }
+
+    /// Picks a vertex of a character in the view or in a comparison.
+    pub(in crate::ui) fn pick(&mut self, character: ShapeId, vertex: usize) {
+        self.choose(character, vertex);
+        self.picks += 1;
     }
 }
 

@@ -13,8 +13,8 @@ use crate::ui::theme::{Palette, number_font};
 use crate::ui::widgets::{forget_buttons, named, tip_beside_panel};
 use decimals::{fitted, precise};
 use egui::{
-    Align2, Context, CursorIcon, Id, Key, Modifiers, PointerButton, Rect, Response, Sense,
-    StrokeKind, Ui, Vec2, WidgetInfo, accesskit, pos2, vec2,
+    Align2, Context, CursorIcon, Id, InputState, Key, Modifiers, PointerButton, Rect, Response,
+    Sense, StrokeKind, Ui, Vec2, WidgetInfo, accesskit, pos2, vec2,
 };
 use std::ops::RangeInclusive;
 
@@ -178,6 +178,9 @@ impl<'a> NumberField<'a> {
         }
         if response.secondary_clicked() {
             return (response, Some(self.rest));
+        }
+        if swiped(ui, &response) {
+            return (response, None);
         }
         let given = self.dragged_to(ui, &response);
         (response, given)
@@ -351,6 +354,31 @@ impl<'a> NumberField<'a> {
             tip_beside_panel(ui, &response, &tip);
         }
     }
+}
+
+/// Scrolls what the field is in by a finger that goes more up or down than aside, wherever it began; whether it does, and
+/// so leaves the number as it is.
+fn swiped(ui: &Ui, response: &Response) -> bool {
+    let id = response.id.with("swiped");
+    let held = response.dragged_by(PointerButton::Primary);
+    if !held || !ui.input(InputState::any_touches) {
+        ui.data_mut(|data| data.remove_temp::<bool>(id));
+        return false;
+    }
+    let known = ui.data(|data| data.get_temp(id));
+    let all = response.total_drag_delta().unwrap_or_default();
+    let swipes = known.unwrap_or(all.y.abs() > all.x.abs());
+    ui.data_mut(|data| data.insert_temp(id, swipes));
+    if swipes {
+        let first = known.is_none();
+        let delta = if first {
+            all.y
+        } else {
+            response.drag_delta().y
+        };
+        ui.scroll_with_delta(vec2(0.0, delta));
+    }
+    swipes
 }
 
 /// Records the beginning or end of a drag of a field, for [`take_gestures`].

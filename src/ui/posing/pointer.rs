@@ -19,6 +19,9 @@ use glam::Vec2;
 const POINTER_REACH: f32 = 8.0;
 const FINGER_REACH: f32 = 24.0;
 
+/// Why a click on a bone does not add it to the selection.
+const ONE_JOINT: &str = "Joints are selected one at a time; IK turns several together";
+
 /// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks
 /// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
 /// selected character whose row in the list is under the pointer, `point` the control point that was
@@ -95,6 +98,15 @@ pub(in crate::ui) fn pointer(
         Under::Handle => {}
         Under::Bone(hit, place) if view.clicked() => {
             let joint = target_joint(session, state.tool, &hit, place);
+            let adds = view
+                .ctx
+                .input(|input| input.modifiers.shift || input.modifiers.command);
+            let is_other = session
+                .selected_joint()
+                .is_some_and(|selected| selected != joint);
+            if adds && is_other {
+                actions.push(Action::View(View::Tell(ONE_JOINT)));
+            }
             state.taken = Some(hit);
             state.without_gizmo = None;
             select(session, hit.shape, Some(joint), actions);

@@ -1,0 +1,246 @@
+//! Bones under the pointer.
+
+use super::picking::pick_shape;
+use super::{Camera, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind};
+use crate::math::{Cylinder, Ray};
+use glam::{Vec2, Vec3};
+
+/// Half the width, in pixels, in which the line of a bone is under the pointer.
+const LINE: f32 = 3.0;
+
+/// Most triangles of a mesh whose surface decides between bones: a larger one would hold the pointer up after each
+/// change of the pose.
+const LARGEST: usize = 200_000;
+
+/// Radius of the cylinder around a bone by which it is picked, in the character's space.
+const BONE_RADIUS: f32 = 0.1;
+/// Upper bound of that radius, relative to the bone's length: the cylinders of fingers would
+/// otherwise hide each other and the hand.
+const MOST_OF_LENGTH: f32 = 0.4;
+
+/// Bone under the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoneHit {
+    /// Identifier of the character.
+    pub shape: ShapeId,
+    /// Index of the joint that turns the bone.
+    pub joint: usize,
+    /// Index in [`crate::character::Character::bones`].
+    pub bone: usize,
+    /// Distance from the eye, in the world, along the ray under the pointer.
+    pub distance: f32,
+    /// Intersection of that ray with the bone's cylinder, in the world.
+    pub point: Vec3,
+}
+
+/// Bones of an evaluated character, in the order of [`crate::character::Character::bones`]: the
+/// index of the joint, and both ends in the world. Empty if the shape is no character.
+pub fn bones_in_world<'a>(
+    scene: &'a Scene,
+    evaluated: &'a EvaluatedShape,
+) -> impl Iterator<Item = (usize, Vec3, Vec3)> + 'a {
+    let world = evaluated.world_from_model;
+    let figure = evaluated.geometry.figure.as_ref();
+    let bones = scene
+        .character(evaluated.id)
+        .map_or(&[][..], |character| character.character.bones());
+    bones.iter().filter_map(move |bone| {
+        let (start, end) = bone.ends(&figure?.model_from_joint)?;
+        let (start, end) = (world.transform_point3(start), world.transform_point3(end));
+        Some((bone.joint, start, end))
+    })
+}
+
+/// Picks the bone of any character that the ray under `pixel`, in a picture of `size`, meets first.
+/// A bone is a cylinder with flat ends, of radius 0.1 times the shape's scale, thinner for short
+/// bones, and at least `reach` pixels on the screen, so that thin rigs can be picked. Characters that are hidden or
+/// locked are ignored.
+///
+/// Where the ray meets several bones and a mesh is seen there, it is one of that character: one whose line is under the
+/// pointer, or else the one that moves most what is seen, or else the first. A hand before a thigh is a hand, though
+/// the thigh's cylinder reaches out before it, and what is stuck inside another character is not seen.
+pub fn pick_bone(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    camera: &Camera,
+    pixel: Vec2,
+    size: Vec2,
+    reach: f32,
+) -> Option<BoneHit> {
+    let ray = camera.ray(pixel, size);
+    let characters = scene
+        .shapes()
+        .iter()
+        .zip(&evaluated.shapes)
+        .filter(|(shape, _)| matches!(shape.kind, ShapeKind::Character(_)))
+        .filter(|(_, evaluated)| evaluated.pickable);
+    let hits = characters.flat_map(|(_, shape)| {
+        let determinant = shape.world_from_model.determinant();
+        let radius = BONE_RADIUS * determinant.abs().cbrt();
+        bones_in_world(scene, shape)
+            .enumerate()
+            .filter_map(move |(bone, (joint, start, end))| {
+                let nearest = ray.nearest_on_segment(start, end);
+                let depth = (nearest - ray.origin).dot(ray.direction).max(0.0);
+                let least = reach * camera.pixel_at_depth(depth, size.y);
+                let radius = radius.min(start.distance(end) * MOST_OF_LENGTH);
+                let cylinder = Cylinder {
+                    start,
+                    end,
+                    radius: radius.max(least),
+                };
+                let distance = cylinder.entry(&ray)?;
+                let hit = BoneHit {
+                    shape: shape.id,
+                    joint,
+                    bone,
+                    distance,
+                    point: ray.at(distance),
+                };
+                let place = [start, end].map(|at| camera.pixel(at, size));
+                Some((hit, is_on_line(place, pixel)))
+            })
+    });
+    let mut hits: Vec<(BoneHit, bool)> = hits.collect();
+    hits.sort_by(|(a, _), (b, _)| a.distance.total_cmp(&b.distance));
+    let (first, _) = *hits.first()?;
+    let is_first = |hit: &BoneHit| (hit.shape, hit.joint) == (first.shape, first.joint);
+    if hits.iter().all(|(hit, _)| is_first(hit)) {
+        return Some(first);
+    }
+    let Some((shape, joint)) = seen_joint(scene, evaluated, &ray) else {
+        return Some(first);
+    };
+    hits.retain(|(hit, _)| hit.shape == shape);
+    let on_line = hits.iter().find(|(_, is_on_line)| *is_on_line);
+    let seen = || hits.iter().find(|(hit, _)| Some(hit.joint) == joint);
+    let hit = on_line.or_else(seen).or_else(|| hits.first());
+    Some(hit.map_or(first, |(hit, _)| *hit))
+}
+
+/// Whether the line between two places in a picture, if both are seen, is drawn at `pixel`.
+fn is_on_line([start, end]: [Option<Vec2>; 2], pixel: Vec2) -> bool {
+    let (Some(start), Some(end)) = (start, end) else {
+        return false;
+    };
+    let along = end - start;
+    let share = (pixel - start).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+    pixel.distance(start + along * share.clamp(0.0, 1.0)) < LINE
+}
+
+/// The character whose mesh is seen at the end of `ray`, and the joint that moves it most there; `None` if it is no
+/// character, or one of which the skeleton is seen.
+fn seen_joint(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeId, Option<usize>)> {
+    let are_large = |shape: &EvaluatedShape| shape.geometry.mesh.triangles.len() > LARGEST;
+    if evaluated.shapes.iter().any(are_large) {
+        return None;
+    }
+    let (id, _) = pick_shape(evaluated, ray)?;
+    let character = scene.character(id)?;
+    if character.display.mode == ModelDisplay::Skeleton {
+        return None;
+    }
+    let shape = evaluated.shape(id)?;
+    let ray = ray.transformed(shape.world_from_model.inverse());
+    let vertex = shape.geometry.nearest_vertex(&ray)?;
+    let attachments = character.character.attachments();
+    if vertex >= attachments.vertex_count() {
+        return Some((id, None));
+    }
+    let influences = attachments.of_vertex(vertex).iter();
+    let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
+    Some((id, most.map(|influence| influence.joint as usize)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::character::{Attachments, Character, Influence, Joint, SkeletalModel};
+    use crate::geometry::Mesh;
+    use crate::scene::{CharacterShape, Evaluator, NewShape};
+    use std::sync::Arc;
+
+    /// Two bones upward from the ground, one behind the other and `apart`, with a square before each: the front one is
+    /// moved by the joint `in_front`, the back one by the other.
+    fn figure(apart: f32, in_front: u32, mode: ModelDisplay) -> ShapeKind {
+        let joint = |z| Joint {
+            parent: None,
+            offset: Vec3::new(0.0, 0.0, z),
+            tip: Some(Vec3::Y),
+            ..Joint::default()
+        };
+        let mut attachments = Attachments::new();
+        let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+        for (z, joint) in [(0.5, in_front), (-0.5, 1 - in_front)] {
+            let first = positions.len() as u32;
+            for [x, y] in [[-1.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-1.0, 1.0]] {
+                let least = Influence {
+                    joint: 1 - joint,
+                    weight: 0.2,
+                };
+                attachments.push_vertex([Influence { joint, weight: 0.8 }, least]);
+                positions.push(Vec3::new(x, y, z));
+            }
+            triangles.extend(
+                [[0, 1, 2], [0, 2, 3]].map(|corners: [u32; 3]| corners.map(|at| at + first)),
+            );
+        }
+        let skeleton = SkeletalModel::new(vec![joint(0.0), joint(-apart)]).unwrap();
+        let mesh = Mesh::new(positions, triangles);
+        let character = Character::new(skeleton, attachments, mesh).unwrap();
+        let mut shape = CharacterShape::new(Arc::new(character));
+        shape.display.mode = mode;
+        ShapeKind::Character(shape)
+    }
+
+    /// The joint, and the index of the character, whose bone is beside the middle of a picture.
+    fn picked(figures: Vec<(ShapeKind, Vec3)>) -> Option<(usize, usize)> {
+        let mut scene = Scene::new();
+        let mut ids = Vec::new();
+        for (kind, place) in figures {
+            let id = scene.add(NewShape::new("Figure", kind));
+            scene.shape_mut(id).unwrap().placement.transform.position = place;
+            ids.push(id);
+        }
+        let evaluated = Evaluator::new().evaluate(&scene, 0.0);
+        let size = Vec2::new(800.0, 600.0);
+        let camera = Camera {
+            target: Vec3::new(0.0, 0.5, 0.0),
+            radius: 5.0,
+            ..Camera::default()
+        };
+        let beside = size / 2.0 + Vec2::new(4.0, 0.0);
+        let hit = pick_bone(&scene, &evaluated, &camera, beside, size, 4.0)?;
+        Some((ids.iter().position(|id| *id == hit.shape)?, hit.joint))
+    }
+
+    #[test]
+    fn of_several_bones_the_one_is_picked_that_moves_what_is_seen_there() {
+        for (in_front, mode, joint) in [
+            (0, ModelDisplay::Mesh, 0),
+            (1, ModelDisplay::Mesh, 1),
+            (1, ModelDisplay::Both, 1),
+            (1, ModelDisplay::Skeleton, 0),
+        ] {
+            let found = picked(vec![(figure(0.05, in_front, mode), Vec3::ZERO)]);
+            assert_eq!(found, Some((0, joint)), "{in_front} {mode:?}");
+        }
+    }
+
+    #[test]
+    fn a_bone_that_is_stuck_inside_another_character_is_not_picked() {
+        let [ours, other] = [0, 1].map(|_| figure(0.05, 0, ModelDisplay::Mesh));
+        // Its bones are before ours, and its mesh is behind ours.
+        let mut shrunk = Vec3::new(0.0, 0.0, 0.2);
+        let found = |other, at| {
+            picked(vec![
+                (figure(0.05, 0, ModelDisplay::Mesh), Vec3::ZERO),
+                (other, at),
+            ])
+        };
+        shrunk.z = -0.2;
+        assert_eq!(found(other, shrunk), Some((0, 0)));
+        shrunk.z = 0.2;
+        assert_eq!(found(ours, shrunk), Some((1, 0)));
+    }
+}
