@@ -211,8 +211,10 @@ pub enum View {
     SelectAll,
     /// Selects the shapes in a box, or adds them to those that are selected, or takes them out.
     SelectInBox(Vec<ShapeId>, BoxMode),
-    /// Selects a joint of the selected shape, or none.
+    /// Selects a joint of the selected shape alone, or none.
     SelectJoint(Option<usize>),
+    /// Adds a joint of the selected shape to those that are selected, as the active one, or takes it out.
+    ToggleJoint(usize),
     /// Highlights the joint of the selected shape that the pointer is over, or none.
     HoverJoint(Option<usize>),
     /// Highlights the joint of any character that the pointer is over in the view, or none.

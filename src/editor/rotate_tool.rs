@@ -19,12 +19,26 @@ pub struct JointTurn {
     model_from_world: DMat4,
     /// Position of the joint, which a turn does not change.
     center: DVec3,
+    /// The other selected joints, if this is one of them: they turn by as much about the same axis, each about its own
+    /// place, as fingers curl.
+    others: Vec<Self>,
 }
 
 impl JointTurn {
-    /// Begins to turn `joint` of the character `shape`. `None` if there is no such joint, or the
-    /// shape is scaled to zero.
+    /// Begins to turn `joint` of the character `shape`, and with it all others that are selected if it is one of them.
+    /// `None` if there is no such joint, or the shape is scaled to zero.
     pub fn begin(session: &Session, shape: ShapeId, joint: usize) -> Option<Self> {
+        let mut turn = Self::of_one(session, shape, joint)?;
+        let selected = session.selected_joints();
+        if session.selected() == Some(shape) && selected.contains(&joint) {
+            let others = selected.iter().filter(|other| **other != joint);
+            let others = others.filter_map(|&other| Self::of_one(session, shape, other));
+            turn.others = others.collect();
+        }
+        Some(turn)
+    }
+
+    fn of_one(session: &Session, shape: ShapeId, joint: usize) -> Option<Self> {
         let character = session.scene().character(shape)?;
         let evaluated = session.evaluated().shape(shape)?;
         let frames = &evaluated.geometry.figure.as_ref()?.model_from_joint;
@@ -46,6 +60,7 @@ impl JointTurn {
             world_from_model,
             model_from_world,
             center,
+            others: Vec::new(),
         })
     }
 
@@ -80,15 +95,24 @@ impl JointTurn {
     }
 
     /// Edit that turns the joint from its start by `angle` radians about `axis`, a unit vector in
-    /// the character's space; its angles are the nearest to those that it has in `session`.
+    /// the character's space, and others with it; their angles are the nearest to those that they have in `session`.
     pub fn turned(&self, session: &Session, axis: DVec3, angle: f64) -> Option<Edit> {
         let character = session.scene().character(self.shape)?;
-        self.turned_near(axis, angle, character.pose().rotation(self.joint))
+        self.all_turned(|turn| turn.turned_near(axis, angle, character.pose().rotation(turn.joint)))
     }
 
     /// The same with the angles that are nearest to those at the start.
     pub fn turned_exactly(&self, axis: DVec3, angle: f64) -> Option<Edit> {
-        self.turned_near(axis, angle, self.start)
+        self.all_turned(|turn| turn.turned_near(axis, angle, turn.start))
+    }
+
+    fn all_turned(&self, turned: impl Fn(&Self) -> Option<Edit>) -> Option<Edit> {
+        let own = turned(self)?;
+        if self.others.is_empty() {
+            return Some(own);
+        }
+        let others = self.others.iter().filter_map(turned);
+        Some(Edit::Together(std::iter::once(own).chain(others).collect()))
     }
 
     fn turned_near(&self, axis: DVec3, angle: f64, shown: Euler) -> Option<Edit> {

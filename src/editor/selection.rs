@@ -15,15 +15,15 @@ pub enum BoxMode {
     TakeOut,
 }
 
-/// Selected shapes, and the joint of the active one that is selected.
+/// Selected shapes, and the joints of the active one that are selected.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Selection {
     /// Active shape: the one whose properties are shown.
     pub shape: Option<ShapeId>,
     /// The others, in the order in which they were selected.
     pub others: Vec<ShapeId>,
-    /// Joint of the active shape.
-    pub joint: Option<usize>,
+    /// Joints of the active shape, the active one last.
+    pub joints: Vec<usize>,
 }
 
 impl Selection {
@@ -41,14 +41,14 @@ impl Selection {
             *self = Self {
                 shape: self.others.pop(),
                 others: std::mem::take(&mut self.others),
-                joint: None,
+                joints: Vec::new(),
             };
         } else if let Some(place) = self.others.iter().position(|other| *other == shape) {
             self.others.remove(place);
         } else {
             self.others.extend(self.shape);
             self.shape = Some(shape);
-            self.joint = None;
+            self.joints.clear();
         }
     }
 
@@ -58,12 +58,12 @@ impl Selection {
         Self {
             shape: active.or_else(|| others.pop()),
             others,
-            joint: None,
+            joints: Vec::new(),
         }
     }
 
-    /// Changes the selection by the shapes in a box. The active shape stays active, with its joint,
-    /// if it stays selected.
+    /// Changes the selection by the shapes in a box. The active shape stays active, with its
+    /// joints, if it stays selected.
     pub fn join(&mut self, shapes: &[ShapeId], mode: BoxMode) {
         let before: Vec<ShapeId> = self.others.iter().copied().chain(self.shape).collect();
         let is_in = |shape: &ShapeId| shapes.contains(shape);
@@ -76,11 +76,24 @@ impl Selection {
             BoxMode::TakeOut => before.into_iter().filter(|shape| !is_in(shape)).collect(),
         };
         let active = self.shape.filter(|shape| selected.contains(shape));
-        let joint = self.joint.filter(|_| active.is_some());
+        let joints = match active {
+            Some(_) => std::mem::take(&mut self.joints),
+            None => Vec::new(),
+        };
         *self = Self {
-            joint,
+            joints,
             ..Self::all(selected.into_iter(), active)
         };
+    }
+
+    /// Adds a joint of the active shape, which becomes the active one, or takes it out if it is selected.
+    pub fn toggle_joint(&mut self, joint: usize) {
+        match self.joints.iter().position(|selected| *selected == joint) {
+            Some(place) => {
+                self.joints.remove(place);
+            }
+            None => self.joints.push(joint),
+        }
     }
 
     pub fn has(&self, shape: ShapeId) -> bool {

@@ -180,7 +180,8 @@ impl Session {
             }
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),
             View::Tell(why) => self.messages.tell(Severity::Info, why),
-            View::SelectJoint(joint) => self.selection.joint = joint,
+            View::SelectJoint(joint) => self.selection.joints = Vec::from_iter(joint),
+            View::ToggleJoint(joint) => self.selection.toggle_joint(joint),
             View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
             View::HoverBone(bone) => self.hovered_bone = bone,
             View::HoverControlPoint(point) => self.hovered_control_point = point,
@@ -218,9 +219,15 @@ impl Session {
         self.selection.has(shape)
     }
 
-    /// Selected joint of the selected shape; always one that exists.
+    /// Active joint of the selected shape: the selected one, or of several the one that was selected last; always one
+    /// that exists.
     pub fn selected_joint(&self) -> Option<usize> {
-        self.selection.joint
+        self.selection.joints.last().copied()
+    }
+
+    /// All selected joints of the selected shape, in the order in which they were selected, the active one last.
+    pub fn selected_joints(&self) -> &[usize] {
+        &self.selection.joints
     }
 
     /// Joint of the selected shape that the pointer is over, in the view or in the panel.
@@ -334,8 +341,8 @@ impl Session {
                 .is_some_and(|shape| joint < shape.character.skeleton().joints().len())
         };
         let selected = self.selection.shape;
-        let joint = self.selection.joint;
-        self.selection.joint = joint.filter(|&j| selected.is_some_and(|shape| has(shape, j)));
+        let is_there = |&joint: &usize| selected.is_some_and(|shape| has(shape, joint));
+        self.selection.joints.retain(is_there);
         self.hovered_bone = self
             .hovered_bone
             .filter(|&(shape, joint)| has(shape, joint));

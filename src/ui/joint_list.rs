@@ -90,26 +90,42 @@ pub(super) fn show(
         actions.push(Action::View(View::HoverJoint(shown.hovered)));
     }
     let turned = turned_by_number(&shown.events);
-    if let Some(joint) = turned.filter(|&joint| session.selected_joint() != Some(joint)) {
+    let is_selected = |joint: usize| session.selected_joints().contains(&joint);
+    if let Some(joint) = turned.filter(|&joint| !is_selected(joint)) {
         select(joint, actions);
         // Its row is in sight already, and stays where the hand is.
         state.selected = Some((id, joint));
     }
+    let adds = ui.input(|input| input.modifiers.shift || input.modifiers.command);
     for (row, event) in shown.events {
         match event {
             RowEvent::Fold => toggle(state, id, row.joint),
+            RowEvent::Select if adds => {
+                actions.push(Action::View(View::ToggleJoint(row.joint)));
+            }
             RowEvent::Select => select(row.joint, actions),
-            RowEvent::Turn(axis, degrees) => actions.push(Action::Edit(Edit::SetJointAngle {
-                shape: id,
-                joint: row.joint,
-                axis,
-                radians: degrees.to_radians(),
-            })),
-            RowEvent::Reset => actions.push(Action::Edit(Edit::SetJointTransform {
-                shape: id,
-                joint: row.joint,
-                rotation: Euler::ZERO,
-            })),
+            RowEvent::Turn(axis, degrees) => {
+                let angle = |joint: usize| character.pose().rotation(joint).radians[axis];
+                let by = degrees.to_radians() - angle(row.joint);
+                let turned = |joint| Edit::SetJointAngle {
+                    shape: id,
+                    joint,
+                    axis,
+                    radians: match joint == row.joint {
+                        true => degrees.to_radians(),
+                        false => angle(joint) + by,
+                    },
+                };
+                actions.push(for_selected_joints(session, row.joint, turned));
+            }
+            RowEvent::Reset => {
+                let reset = |joint| Edit::SetJointTransform {
+                    shape: id,
+                    joint,
+                    rotation: Euler::ZERO,
+                };
+                actions.push(for_selected_joints(session, row.joint, reset));
+            }
             RowEvent::Offset(offset) => actions.push(Action::Edit(Edit::SetRootOffset {
                 shape: id,
                 root: row.joint,
@@ -125,6 +141,15 @@ pub(super) fn show(
             }
         }
     }
+}
+
+/// What is done to `joint`, and to the other selected ones if it is among them.
+fn for_selected_joints(session: &Session, joint: usize, edit: impl Fn(usize) -> Edit) -> Action {
+    let selected = session.selected_joints();
+    if selected.len() < 2 || !selected.contains(&joint) {
+        return Action::Edit(edit(joint));
+    }
+    Action::Edit(Edit::Together(selected.iter().copied().map(edit).collect()))
 }
 
 /// Rows as they were shown, with what was done in them.

@@ -11,9 +11,9 @@ use std::collections::BTreeSet;
 pub(super) struct Marks<'a> {
     skeleton: &'a SkeletalModel,
     pose: &'a Pose,
-    selected: Option<usize>,
+    selected: &'a [usize],
     hovered: Option<usize>,
-    /// Row that the selected joint is folded away in, with that joint; the same of the hovered one.
+    /// Row that the active joint is folded away in, with that joint; the same of the hovered one.
     folded_away: [Option<(usize, usize)>; 2],
     /// Joints above one that is not at rest.
     above_changed: BTreeSet<usize>,
@@ -22,10 +22,10 @@ pub(super) struct Marks<'a> {
 }
 
 impl<'a> Marks<'a> {
-    pub(super) fn new(session: &Session, character: &'a CharacterShape, rows: &[Row]) -> Self {
+    pub(super) fn new(session: &'a Session, character: &'a CharacterShape, rows: &[Row]) -> Self {
         let (skeleton, pose) = (character.character.skeleton(), character.pose());
-        let (selected, hovered) = (session.selected_joint(), session.hovered_joint());
-        let folded_away = [selected, hovered].map(|joint| {
+        let (active, hovered) = (session.selected_joint(), session.hovered_joint());
+        let folded_away = [active, hovered].map(|joint| {
             let joint = joint?;
             let row = rows.get(row_with(skeleton, rows, joint)?)?;
             (row.joint != joint).then_some((row.joint, joint))
@@ -40,11 +40,11 @@ impl<'a> Marks<'a> {
         Self {
             skeleton,
             pose,
-            selected,
+            selected: session.selected_joints(),
             hovered,
             folded_away,
             above_changed,
-            tab_stop: selected.or(rows.first().map(|row| row.joint)),
+            tab_stop: active.or(rows.first().map(|row| row.joint)),
         }
     }
 
@@ -55,7 +55,7 @@ impl<'a> Marks<'a> {
         let inside = inside.clone().find(|&&(at, _)| at == row.joint);
         let joint = inside.and_then(|&(_, joint)| self.skeleton.joints().get(joint));
         Look {
-            selected: self.selected == Some(row.joint),
+            selected: self.selected.contains(&row.joint),
             hovered: self.hovered == Some(row.joint),
             changed: self.pose.is_changed(row.joint),
             changed_inside: is_folded && self.above_changed.contains(&row.joint),

@@ -100,11 +100,11 @@ fn gestures(
             && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
             && session.selected_joint().is_some();
         match shape {
+            // A click that misses must not lose what was selected before.
+            None if adds => return None,
             // Who misses a bone goes on with the same figure.
             None if drops_joint => actions.push(Action::View(View::SelectJoint(None))),
             Some(shape) if adds => actions.push(Action::View(View::ToggleSelected(shape))),
-            // A click that misses must not lose what was selected before.
-            None if adds => {}
             _ => actions.push(Action::View(View::Select(shape))),
         }
         if state.pose.tool != Tool::Select {

@@ -23,6 +23,7 @@ mod navigating;
 mod picturing;
 mod posing;
 mod several;
+mod several_joints;
 mod sources;
 mod starting;
 mod touching;

@@ -155,13 +155,14 @@ fn why_no_pose(command: Command, session: &Session) -> Option<&'static str> {
         return Some("No character is selected");
     };
     let pose = character.pose();
-    match (command, session.selected_joint()) {
-        (Command::ResetJoint, None) => Some("No joint is selected"),
-        (Command::ResetJoint, Some(joint)) if !pose.is_changed(joint) => {
+    let joints = session.selected_joints();
+    match command {
+        Command::ResetJoint if joints.is_empty() => Some("No joint is selected"),
+        Command::ResetJoint if !joints.iter().any(|&joint| pose.is_changed(joint)) => {
             Some("The joint is at rest")
         }
-        (Command::ResetPose, _) if character.is_at_rest() => Some("Every joint is at rest"),
-        (Command::MirrorPose, _) if pose.is_bind() => Some("Every joint is at rest"),
+        Command::ResetPose if character.is_at_rest() => Some("Every joint is at rest"),
+        Command::MirrorPose if pose.is_bind() => Some("Every joint is at rest"),
         _ => None,
     }
 }

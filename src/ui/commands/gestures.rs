@@ -32,7 +32,10 @@ pub const GESTURES: &[Gesture] = &[
     gesture("Wheel in the view", "Move the camera closer or away"),
     gesture("Pose: drag a bone", "Turn it, with Ctrl by 15°"),
     gesture("Pose: Left, Right", "Roll the bone under the pointer"),
-    gesture("Pose: click a bone", "Show rings that turn it"),
+    gesture(
+        "Pose: click a bone",
+        "Show rings that turn it; Shift adds one",
+    ),
     gesture("Move: drag a bone", "Move its root, with Shift every root"),
     gesture("Move: drag a shape", "Move it, with Ctrl by 0.1"),
     gesture("Drag a ring", "Turn about it, with Ctrl by 15°"),

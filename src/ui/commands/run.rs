@@ -353,7 +353,14 @@ pub(in crate::ui) fn curves(set: &CurveSet) -> impl Iterator<Item = (usize, &Cur
 fn pose_action(command: Command, session: &Session) -> Option<Action> {
     let (shape, character) = selected_character(session)?;
     let edit = match command {
-        Command::ResetJoint => Edit::ResetJoint(shape, session.selected_joint()?),
+        Command::ResetJoint => {
+            let joints = session.selected_joints().iter();
+            Edit::Together(
+                joints
+                    .map(|&joint| Edit::ResetJoint(shape, joint))
+                    .collect(),
+            )
+        }
         Command::ResetPose => Edit::ResetPose(shape),
         Command::MirrorPose => {
             let mirror = Mirror::new(character.character.skeleton());

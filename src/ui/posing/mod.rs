@@ -253,6 +253,10 @@ fn held_name(session: &Session, held: &Held) -> Option<String> {
     if let Some(point) = held.point() {
         return Some(format!("Point {}", point + 1));
     }
+    let joints = session.selected_joints();
+    if joints.len() > 1 && held.joint().is_some_and(|joint| joints.contains(&joint)) {
+        return Some(format!("{} joints", joints.len()));
+    }
     let free = session.selected_shapes();
     let shapes = free.filter(|shape| is_pickable(session, shape.id)).count();
     if held.joint().is_none() && shapes > 1 {

@@ -40,7 +40,7 @@ pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session,
             };
             bones(painter, place, session, shape, None, thin);
         }
-        if let Some((shape, joint)) = selected.zip(session.selected_joint()) {
+        for (shape, &joint) in selected.into_iter().cycle().zip(session.selected_joints()) {
             bones(
                 painter,
                 place,

@@ -19,9 +19,6 @@ use glam::Vec2;
 const POINTER_REACH: f32 = 8.0;
 const FINGER_REACH: f32 = 24.0;
 
-/// Why a click on a bone does not add it to the selection.
-const ONE_JOINT: &str = "Joints are selected one at a time; IK turns several together";
-
 /// Handles the pointer over gizmos, bones and, with the Move tool, shapes, in this order: marks
 /// what is under it, selects by click, and turns or moves by drag. `list` is the joint of the
 /// selected character whose row in the list is under the pointer, `point` the control point that was
@@ -98,18 +95,15 @@ pub(in crate::ui) fn pointer(
         Under::Handle => {}
         Under::Bone(hit, place) if view.clicked() => {
             let joint = target_joint(session, state.tool, &hit, place);
-            let adds = view
-                .ctx
-                .input(|input| input.modifiers.shift || input.modifiers.command);
-            let is_other = session
-                .selected_joint()
-                .is_some_and(|selected| selected != joint);
-            if adds && is_other {
-                actions.push(Action::View(View::Tell(ONE_JOINT)));
-            }
+            let adds = |input: &InputState| input.modifiers.shift || input.modifiers.command;
+            let adds = view.ctx.input(adds) && session.selected() == Some(hit.shape);
             state.taken = Some(hit);
             state.without_gizmo = None;
-            select(session, hit.shape, Some(joint), actions);
+            if adds {
+                actions.push(Action::View(View::ToggleJoint(joint)));
+            } else {
+                select_alone(hit.shape, joint, session, actions);
+            }
         }
         Under::Bone(..) => {}
     }
@@ -265,10 +259,28 @@ fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Dr
     Some(Drag::Move(drag))
 }
 
-/// Selects a shape and a joint of it, or none, unless they are selected already.
+/// Selects a shape and one joint of it, and no other.
+fn select_alone(shape: ShapeId, joint: usize, session: &Session, actions: &mut Vec<Action>) {
+    if session.selected() != Some(shape) {
+        actions.push(Action::View(View::Select(Some(shape))));
+    }
+    if session.selected() != Some(shape) || session.selected_joints() != [joint] {
+        actions.push(Action::View(View::SelectJoint(Some(joint))));
+    }
+}
+
+/// Selects a shape and a joint of it, or none, unless they are selected already: of several joints the one that is taken
+/// becomes the active one.
 fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut Vec<Action>) {
     if session.selected() != Some(shape) {
         actions.push(Action::View(View::Select(Some(shape))));
+    } else if let Some(joint) = joint.filter(|joint| session.selected_joints().contains(joint)) {
+        if session.selected_joint() != Some(joint) {
+            // Taken out and added again it is the active one.
+            let toggle = Action::View(View::ToggleJoint(joint));
+            actions.extend([toggle.clone(), toggle]);
+        }
+        return;
     }
     if session.selected() != Some(shape) || session.selected_joint() != joint {
         actions.push(Action::View(View::SelectJoint(joint)));

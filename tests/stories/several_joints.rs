@@ -1,0 +1,90 @@
+//! Several joints of a figure that are selected and turned together.
+
+use super::Story;
+use editor_core::ui::Navigation;
+use egui::{Event, Key, Modifiers};
+use glam::Vec3;
+
+impl Story {
+    /// Clicks with Shift held.
+    fn add_by_click(&mut self, at: egui::Pos2) {
+        self.frame(vec![Event::ModifiersChanged(Modifiers::SHIFT)]);
+        self.point(at);
+        for pressed in [true, false] {
+            self.frame(vec![Event::PointerButton {
+                pos: at,
+                button: egui::PointerButton::Primary,
+                pressed,
+                modifiers: Modifiers::SHIFT,
+            }]);
+        }
+        self.frame(vec![Event::ModifiersChanged(Modifiers::NONE)]);
+        self.settle();
+    }
+
+    fn joint(&self, name: &str) -> usize {
+        let skeleton = self.character().character.skeleton();
+        let mut joints = skeleton.joints().iter();
+        joints.position(|joint| joint.name == name).unwrap()
+    }
+}
+
+#[test]
+fn joints_that_are_added_in_the_list_turn_by_as_much_as_the_one_whose_number_is_changed() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.type_into("Chest X", "10");
+    story.click("Waist");
+    let chest = story.place("Chest");
+    story.add_by_click(chest);
+    let expected = ["Waist", "Chest"].map(|name| story.joint(name));
+    assert_eq!(story.session().selected_joints(), expected);
+    story.type_into("Waist X", "20");
+    let degrees = |story: &Story, joint| story.degrees(joint).x;
+    assert!((degrees(&story, "Waist") - 20.0).abs() < 1e-3);
+    assert!((degrees(&story, "Chest") - 30.0).abs() < 1e-3);
+    story.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(degrees(&story, "Waist"), 0.0, "one step");
+    assert!((degrees(&story, "Chest") - 10.0).abs() < 1e-3);
+    // One that is not among them is turned alone, and selected.
+    story.type_into("Root X", "5");
+    assert_eq!(story.session().selected_joints(), [story.joint("Root")]);
+    assert_eq!(degrees(&story, "Waist"), 0.0);
+}
+
+#[test]
+fn joints_that_are_added_in_the_view_turn_together_about_the_axis_that_is_typed() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let bone = |story: &Story, joint: &str, below: &str| {
+        let places = story.character().character.skeleton().bind_positions();
+        let [from, to] = [joint, below].map(|name| places[story.joint(name)]);
+        story.at(from.lerp(to, 0.5))
+    };
+    let arm = bone(&story, "Left shoulder", "Left elbow");
+    story.click_at(arm);
+    let other = bone(&story, "Right shoulder", "Right elbow");
+    story.add_by_click(other);
+    let expected = ["Left shoulder", "Right shoulder"].map(|name| story.joint(name));
+    assert_eq!(story.session().selected_joints(), expected);
+    story.key(Key::R);
+    for key in [Key::X, Key::Num3, Key::Num0, Key::Enter] {
+        story.key(key);
+    }
+    for joint in ["Left shoulder", "Right shoulder"] {
+        let degrees = story.degrees(joint);
+        assert!(
+            degrees.abs_diff_eq(Vec3::new(30.0, 0.0, 0.0), 1e-2),
+            "{joint} {degrees}"
+        );
+    }
+    // A click that misses with Shift loses none, and one without drops the joints alone.
+    let beside = story.view().left_center() + egui::vec2(40.0, 60.0);
+    story.add_by_click(beside);
+    assert_eq!(story.session().selected_joints().len(), 2);
+    story.click_at(beside);
+    assert!(story.session().selected_joints().is_empty());
+    assert!(story.session().selected().is_some());
+    story.click_at(beside);
+    assert_eq!(story.session().selected(), None);
+}
