@@ -10,7 +10,7 @@ use super::{CliError, print};
 use crate::character::{Influence, SkeletalModel};
 use crate::disk::files;
 use crate::editor::Session;
-use crate::io::{Diagnostic, Files, Loaded, PoseFile, builtin, import_collada};
+use crate::io::{Diagnostic, Files, Loaded, PoseFile, TestsFile, builtin, import_collada};
 use crate::scene::{EvaluatedShape, Shape, ShapeKind, ViewSettings};
 use collada::ColladaReport;
 use names::Asked;
@@ -195,7 +195,12 @@ fn check_content(files: &dyn Files, path: &Path) -> Result<Checked, Diagnostic> 
             .is_some_and(|found| found.eq_ignore_ascii_case(extension))
     };
     if is("json") {
-        let pose = PoseFile::read(&file, &files.read(&file)?)?;
+        let bytes = files.read(&file)?;
+        let pose = PoseFile::read(&file, &bytes);
+        let pose = pose.map_err(|error| match TestsFile::read(&file, &bytes) {
+            Ok(_) => Diagnostic::new(&file, "expected a pose, found tests for editor grade"),
+            Err(_) => error,
+        })?;
         let data = pose.data();
         let keys = data.joints.keys().chain(data.roots.keys());
         let joints: BTreeSet<&str> = keys.map(|joint| joint.as_str()).collect();

@@ -233,18 +233,22 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     };
     let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
     let done = print_result(args, &comparison, comparison.passed);
-    if parts.is_some() && comparison.is_unexplained() && !args.json {
-        print(&format!("{}\n", how_to_diagnose(args)))?;
+    if comparison.is_unexplained() && !args.json {
+        print(&format!("{}\n", how_to_diagnose(args, parts.is_some())))?;
     }
     done
 }
 
-/// The command that finds mistakes in skinning, which no comparison of two meshes can.
-fn how_to_diagnose(args: &Args) -> String {
+/// The command that finds mistakes in skinning, which no comparison of two meshes can; whether a `character_is_known`.
+fn how_to_diagnose(args: &Args, character_is_known: bool) -> String {
     let model = args.character.as_ref().unwrap_or(&args.a);
     let [theirs, model] = [&args.b, model].map(|path| shell_word(&path.to_string_lossy()));
+    let (whose, model) = match character_is_known {
+        true => ("this", model),
+        false => ("a", "MODEL.obj".to_owned()),
+    };
     format!(
-        "If {theirs} is this character in a pose, a mistake in skinning is found by\n  \
+        "If {theirs} is {whose} character in a pose, a mistake in skinning is found by\n  \
          editor diagnose {theirs} --character {model} --pose POSE.json"
     )
 }

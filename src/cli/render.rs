@@ -16,8 +16,9 @@ use crate::render::{
     Backdrop, Background, Frame, LargePicture, Marks, Offscreen, ShapeNumbers, check_picture_size,
 };
 use crate::scene::{
-    FitArea, Look, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
+    Camera, FitArea, Look, ViewSettings, fit_turntable, turntable_cameras, turntable_milliseconds,
 };
+use std::io::IsTerminal;
 use std::path::PathBuf;
 
 /// Draw scenes, characters and shapes into a picture, without a window or a display.
@@ -344,6 +345,21 @@ fn session(args: &Args) -> Result<Session, CliError> {
         match args.turntable {
             Some(frames) => fit_turntable(&mut camera, frames, &bounds, aspect),
             None => camera.fit(&bounds, FitArea::whole(aspect)),
+        }
+        // A test of a picture, or another program, may have to look in the same way.
+        let Camera {
+            theta,
+            phi,
+            radius,
+            target,
+            ..
+        } = camera;
+        let [x, y, z] = target.to_array();
+        let numbers = [theta.to_degrees(), phi.to_degrees(), radius, x, y, z];
+        let numbers = numbers.map(|number| ((number * 1e4).round() / 1e4).to_string());
+        let numbers = numbers.join(",");
+        if std::io::stderr().is_terminal() {
+            eprint_line(format_args!("note: --fit looks with --camera {numbers}"));
         }
         session.look(View::SetCamera(camera));
     }

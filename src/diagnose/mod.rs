@@ -388,7 +388,13 @@ impl Findings<'_> {
         let Ok(compared) = compare_meshes(&exact, &theirs, &options) else {
             return Vec::new();
         };
-        let of_all = |finding: &&MeshFinding| !matches!(finding, MeshFinding::Permuted { .. });
+        let of_all = |finding: &&MeshFinding| {
+            let is_known_otherwise = matches!(
+                finding,
+                MeshFinding::Permuted { .. } | MeshFinding::Rounded { .. }
+            );
+            !is_known_otherwise
+        };
         let findings = compared.findings.iter().filter(of_all);
         findings.cloned().map(OfTheWhole).collect()
     }

@@ -17,7 +17,7 @@ const MOST_ROUNDING: f64 = 0.02;
 /// Half a unit of the last digit of the largest coordinate, as far as the numbers show: what
 /// rounding to the digits that were written moves a coordinate at most.
 pub(super) fn half_step(points: &[Vec3]) -> f64 {
-    let mut most_digits = 0;
+    let (mut most_digits, mut most_decimals) = (0, 0);
     let mut exponent = i32::MIN;
     for coordinate in points.iter().flat_map(|point| point.to_array()) {
         if coordinate == 0.0 || !coordinate.is_finite() {
@@ -25,7 +25,12 @@ pub(super) fn half_step(points: &[Vec3]) -> f64 {
         }
         let (digits, own) = digits(coordinate);
         most_digits = most_digits.max(digits);
+        most_decimals = most_decimals.max(digits as i32 - 1 - own);
         exponent = exponent.max(own);
+    }
+    if (most_digits, most_decimals) == (1, 1) {
+        // With one digit after the point, numbers from one on may look as if they had none.
+        return 0.05;
     }
     if most_digits == 0 || most_digits >= MOST_DIGITS {
         return 0.0;
@@ -103,6 +108,7 @@ mod tests {
             ),
             (vec![Vec3::new(1.2346, 0.0012, -0.5)], 0.5e-4),
             (vec![Vec3::new(180.1, 20.05, 3.0)], 0.5e-1),
+            (vec![Vec3::new(1.0, 0.9, -0.3)], 0.5e-1),
             (vec![Vec3::ZERO], 0.0),
             (vec![Vec3::splat(1.0 / 3.0), Vec3::splat(0.1 + 0.2)], 0.5e-9),
         ] {

@@ -213,6 +213,8 @@ pub enum View {
     SelectInBox(Vec<ShapeId>, BoxMode),
     /// Selects a joint of the selected shape alone, or none.
     SelectJoint(Option<usize>),
+    /// Selects these joints of the selected shape, of which the last one is the active one.
+    SelectJoints(Vec<usize>),
     /// Adds a joint of the selected shape to those that are selected, as the active one, or takes it out.
     ToggleJoint(usize),
     /// Highlights the joint of the selected shape that the pointer is over, or none.

@@ -181,6 +181,7 @@ impl Session {
             View::SelectInBox(shapes, mode) => self.selection.join(&shapes, mode),
             View::Tell(why) => self.messages.tell(Severity::Info, why),
             View::SelectJoint(joint) => self.selection.joints = Vec::from_iter(joint),
+            View::SelectJoints(joints) => self.selection.joints = joints,
             View::ToggleJoint(joint) => self.selection.toggle_joint(joint),
             View::HoverJoint(joint) => self.hovered_bone = self.selected().zip(joint),
             View::HoverBone(bone) => self.hovered_bone = bone,

@@ -117,7 +117,10 @@ pub(super) fn notes(
     let told = sections.iter().map(|section| {
         let (key, name, worth) = (&section.section, section.name(), section.possible);
         let Some(points) = points.get(key).copied().flatten() else {
-            return format!("{name}: not graded yet, of {worth}");
+            return match section.extra {
+                true => format!("{name}: none of {worth}"),
+                false => format!("{name}: not graded yet, of {worth}"),
+            };
         };
         let told = format!("{name}: {points} of {worth}");
         if given.is_some_and(|given| given.contains_key(key)) {

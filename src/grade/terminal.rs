@@ -30,8 +30,11 @@ impl Report {
             ];
             for section in &self.sections {
                 let points = submission.sections.get(&section.section).copied().flatten();
-                let points = points.map_or("-".to_owned(), |points| points.to_string());
-                row.push(format!("{points}/{}", section.possible));
+                row.push(match points {
+                    Some(points) => format!("{points}/{}", section.possible),
+                    None if section.extra => "none".to_owned(),
+                    None => format!("-/{}", section.possible),
+                });
             }
             let wrong = submission.summaries().into_iter().map(|(summary, tests)| {
                 // What is the same in all tests needs no list of them.

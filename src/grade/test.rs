@@ -20,6 +20,9 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::Arc;
 
+/// Width of the smallest picture by that of the test's.
+const LEAST_SCALE: f64 = 0.25;
+
 /// Most warnings about a file that are told.
 const TOLD: usize = 3;
 
@@ -156,11 +159,10 @@ impl Test {
         }
     }
 
-    /// Whether a mesh has the vertices of the exact result of this test.
+    /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.
     fn is_right(&self, theirs: &Mesh) -> bool {
-        self.data.kind == TestKind::Mesh
-            && measure(&self.character, &self.exact, &theirs.positions)
-                .is_some_and(|measure| measure.off == 0)
+        measure(&self.character, &self.exact, &theirs.positions)
+            .is_some_and(|measure| measure.off == 0)
     }
 
     fn diagnosed_mesh(&self, found: &Diagnosis, theirs: &Mesh) -> Graded {
@@ -207,9 +209,11 @@ impl Test {
             }
         };
         let [width, height] = size;
-        if [picture.width, picture.height] != size {
+        if !is_as_wide(size, [picture.width, picture.height]) {
             let found = format!("{}×{}", picture.width, picture.height);
-            let text = format!("{name}: expected {width}×{height} pixels, found {found}");
+            let text = format!(
+                "{name}: expected {width}×{height} pixels, or as many times more or less in both directions, found {found}"
+            );
             return Graded::without(Outcome::Unreadable, text);
         }
         let seen = camera.clip_from_world(width as f32 / height as f32);
@@ -225,7 +229,7 @@ impl Test {
         let drawn = || {
             as_base64(&of_silhouette(
                 Some(&picture),
-                size,
+                [picture.width, picture.height],
                 &camera,
                 &self.exact,
                 triangles,
@@ -251,6 +255,19 @@ impl Test {
         let facing = self.character.skeleton().facing();
         MeshThumbnail::new(&self.exact, &self.character.bind_mesh().triangles, facing)
     }
+}
+
+/// Whether a picture shows what one of the size `wanted` does: it may be taken on a scaled screen, but is large enough to
+/// tell mistakes apart.
+fn is_as_wide(wanted: [u32; 2], [width, height]: [u32; 2]) -> bool {
+    let [wanted_width, wanted_height] = wanted.map(f64::from);
+    let [by_width, by_height] = [
+        f64::from(width) / wanted_width,
+        f64::from(height) / wanted_height,
+    ];
+    // Sides are whole numbers of pixels.
+    let rounding = 1.0 / wanted_width.min(wanted_height);
+    (by_width - by_height).abs() <= rounding * by_width.max(1.0) && by_width >= LEAST_SCALE
 }
 
 fn outcome(verdict: Verdict) -> Outcome {

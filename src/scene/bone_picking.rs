@@ -160,9 +160,9 @@ mod tests {
     use crate::scene::{CharacterShape, Evaluator, NewShape};
     use std::sync::Arc;
 
-    /// Two bones upward from the ground, one behind the other and `apart`, with a square before each: the front one is
-    /// moved by the joint `in_front`, the back one by the other.
-    fn figure(apart: f32, in_front: u32, mode: ModelDisplay) -> ShapeKind {
+    /// Two bones upward from the ground, the first at `front` along Z and the other just behind it, between two squares:
+    /// the front one is moved most by the joint `in_front`, the back one by the other.
+    fn figure(front: f32, in_front: u32, mode: ModelDisplay) -> ShapeKind {
         let joint = |z| Joint {
             parent: None,
             offset: Vec3::new(0.0, 0.0, z),
@@ -185,7 +185,7 @@ mod tests {
                 [[0, 1, 2], [0, 2, 3]].map(|corners: [u32; 3]| corners.map(|at| at + first)),
             );
         }
-        let skeleton = SkeletalModel::new(vec![joint(0.0), joint(-apart)]).unwrap();
+        let skeleton = SkeletalModel::new(vec![joint(front), joint(front - 0.05)]).unwrap();
         let mesh = Mesh::new(positions, triangles);
         let character = Character::new(skeleton, attachments, mesh).unwrap();
         let mut shape = CharacterShape::new(Arc::new(character));
@@ -193,7 +193,7 @@ mod tests {
         ShapeKind::Character(shape)
     }
 
-    /// The joint, and the index of the character, whose bone is beside the middle of a picture.
+    /// The index of the character, and the joint, whose bone is beside the middle of a picture.
     fn picked(figures: Vec<(ShapeKind, Vec3)>) -> Option<(usize, usize)> {
         let mut scene = Scene::new();
         let mut ids = Vec::new();
@@ -222,25 +222,18 @@ mod tests {
             (1, ModelDisplay::Both, 1),
             (1, ModelDisplay::Skeleton, 0),
         ] {
-            let found = picked(vec![(figure(0.05, in_front, mode), Vec3::ZERO)]);
+            let found = picked(vec![(figure(0.0, in_front, mode), Vec3::ZERO)]);
             assert_eq!(found, Some((0, joint)), "{in_front} {mode:?}");
         }
     }
 
     #[test]
     fn a_bone_that_is_stuck_inside_another_character_is_not_picked() {
-        let [ours, other] = [0, 1].map(|_| figure(0.05, 0, ModelDisplay::Mesh));
-        // Its bones are before ours, and its mesh is behind ours.
-        let mut shrunk = Vec3::new(0.0, 0.0, 0.2);
-        let found = |other, at| {
-            picked(vec![
-                (figure(0.05, 0, ModelDisplay::Mesh), Vec3::ZERO),
-                (other, at),
-            ])
-        };
-        shrunk.z = -0.2;
-        assert_eq!(found(other, shrunk), Some((0, 0)));
-        shrunk.z = 0.2;
-        assert_eq!(found(ours, shrunk), Some((1, 0)));
+        for (z, expected) in [(-0.1, 0), (0.1, 1)] {
+            // Its bones are before ours, whichever mesh is in front.
+            let [ours, other] = [0.0, 0.3].map(|front| figure(front, 0, ModelDisplay::Mesh));
+            let found = picked(vec![(ours, Vec3::ZERO), (other, Vec3::Z * z)]);
+            assert_eq!(found, Some((expected, 0)), "{z}");
+        }
     }
 }

@@ -1,5 +1,6 @@
 use super::{Camera, Evaluated, EvaluatedShape, Scene, ShapeId, bones_in_world};
 use glam::{Mat4, Vec2, Vec3};
+use std::collections::BTreeSet;
 
 /// Picks every shape of which any part is seen in the box between two pixels, from the top left, in
 /// a picture of `size`: a corner of its mesh, a curve or a bone is enough, also behind other shapes.
@@ -19,6 +20,23 @@ pub fn pick_in_box(
         .filter(|shape| is_in(scene, shape, &frustum))
         .map(|shape| shape.id)
         .collect()
+}
+
+/// The joints of `shape` of which a bone is seen in the box between two pixels, as by [`pick_in_box`].
+pub fn pick_joints_in_box(
+    scene: &Scene,
+    shape: &EvaluatedShape,
+    camera: &Camera,
+    (one, other): (Vec2, Vec2),
+    size: Vec2,
+) -> Vec<usize> {
+    let Some(frustum) = Frustum::new(camera, one.min(other), one.max(other), size) else {
+        return Vec::new();
+    };
+    let bones = bones_in_world(scene, shape);
+    let seen = bones.filter(|(_, start, end)| frustum.holds_part_of(&[*start, *end]));
+    let joints: BTreeSet<usize> = seen.map(|(joint, ..)| joint).collect();
+    joints.into_iter().collect()
 }
 
 fn is_in(scene: &Scene, shape: &EvaluatedShape, frustum: &Frustum) -> bool {

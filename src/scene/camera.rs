@@ -7,6 +7,8 @@ use std::f32::consts::FRAC_PI_2;
 /// Least angle, in radians, between the direction of view and ±Y when the camera is turned by hand.
 const POLE_MARGIN: f32 = 0.1;
 const PAN_PER_PIXEL: f32 = 0.01;
+/// Radius from which on the scene moves as fast as in the course's editor.
+const NEAR_FOR_COURSE: f32 = 4.0;
 const TURN_PER_PIXEL: f32 = 0.005;
 const ZOOM_PER_NOTCH: f32 = 0.5;
 /// Least distance between eye and target to which the wheel zooms.
@@ -185,10 +187,12 @@ impl Camera {
     }
 
     /// Pans by a drag of `delta` pixels (y down): the scene moves with the pointer. The vertical
-    /// part runs along the world's +Y, as in the course's editor.
+    /// part runs along the world's +Y, as in the course's editor. Its speed is the same there however near the scene is,
+    /// which soon throws that out of the picture; nearer than [`NEAR_FOR_COURSE`] it is slower here.
     pub fn pan(&mut self, delta: Vec2) {
-        self.target -= self.right() * (delta.x * PAN_PER_PIXEL);
-        self.target += Vec3::Y * (delta.y * PAN_PER_PIXEL);
+        let per_pixel = PAN_PER_PIXEL * (self.radius / NEAR_FOR_COURSE).min(1.0);
+        self.target -= self.right() * (delta.x * per_pixel);
+        self.target += Vec3::Y * (delta.y * per_pixel);
     }
 
     /// Turns about the target by a drag of `delta` pixels (y down).

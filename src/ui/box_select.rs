@@ -1,12 +1,13 @@
 //! Selection of the shapes in a box that is drawn over the view.
 
 use super::grab::{PointerUse, released_at};
+use super::posing::posed;
 use super::scene_places::ScenePlaces;
 use super::theme::Palette;
 use super::widgets::forget_buttons;
 use super::{Action, Navigation};
-use crate::editor::{BoxMode, Session, View};
-use crate::scene::pick_in_box;
+use crate::editor::{BoxMode, Session, Tool, View};
+use crate::scene::{pick_in_box, pick_joints_in_box};
 use crate::ui::pointing::Pointing;
 use egui::{Context, CursorIcon, Key, Modifiers, PointerButton, Pos2, Rect, Response, Stroke};
 use egui::{StrokeKind, Ui};
@@ -72,7 +73,7 @@ pub(super) fn pointer(
     view: &Response,
     places: &ScenePlaces,
     session: &Session,
-    (state, navigation): (&mut BoxSelect, Navigation),
+    (state, navigation, tool): (&mut BoxSelect, Navigation, Tool),
     under: Option<PointerUse>,
     actions: &mut Vec<Action>,
 ) -> PointerUse {
@@ -116,7 +117,7 @@ pub(super) fn pointer(
         state.drawn = None;
     } else if !drawn.cancelled && !left_down {
         state.drawn = None;
-        actions.extend(selection(view, places, session, drawn));
+        actions.extend(selection(view, places, (session, tool), drawn));
     }
     PointerUse::Holding
 }
@@ -131,19 +132,34 @@ fn begin(view: &Response, places: &ScenePlaces) -> Option<Drawn> {
     })
 }
 
-/// What the box selects: Shift adds it to what is selected, Ctrl takes it out.
+/// What the box selects: Shift adds it to what is selected, Ctrl takes it out. While a figure is posed these are its
+/// joints.
 fn selection(
     view: &Response,
     places: &ScenePlaces,
-    session: &Session,
+    (session, tool): (&Session, Tool),
     drawn: Drawn,
 ) -> Option<Action> {
     let place = places.get(drawn.index)?;
     let corners = (place.pixel(drawn.from), place.pixel(drawn.to));
     let camera = &session.view().camera;
     let (scene, evaluated) = (session.scene(), session.evaluated());
-    let shapes = pick_in_box(scene, evaluated, camera, corners, place.size());
     let held = view.ctx.input(|input| input.modifiers);
+    if let Some(posed) = posed(session, tool) {
+        let shape = evaluated.shape(posed)?;
+        let boxed = pick_joints_in_box(scene, shape, camera, corners, place.size());
+        let before = session.selected_joints().iter().copied();
+        let joints = match (held.command, held.shift) {
+            (true, _) => before.filter(|joint| !boxed.contains(joint)).collect(),
+            (false, true) => {
+                let kept = before.filter(|joint| !boxed.contains(joint));
+                kept.chain(boxed.iter().copied()).collect()
+            }
+            (false, false) => boxed,
+        };
+        return Some(Action::View(View::SelectJoints(joints)));
+    }
+    let shapes = pick_in_box(scene, evaluated, camera, corners, place.size());
     let mode = match (held.command, held.shift) {
         (true, _) => BoxMode::TakeOut,
         (false, true) => BoxMode::Add,

@@ -5,7 +5,8 @@ use super::scene_places::ScenePlaces;
 use super::view_gestures::shape_at;
 use super::{Action, UiState};
 use crate::editor::{Session, View};
-use egui::Response;
+use crate::scene::ShapeId;
+use egui::Pos2;
 
 /// What the menu is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,29 +64,42 @@ impl ContextMenu {
     }
 }
 
-/// Opens the menu for what is under the pointer, which is selected first unless it is among what is selected.
+/// Opens the menu for what is at the point `at` of the window, which is selected first unless it is among what is
+/// selected. A gizmo's handle is a part of what it is of.
 pub(super) fn ask(
-    view: &Response,
     places: &ScenePlaces,
     session: &Session,
     state: &mut UiState,
+    at: Pos2,
     actions: &mut Vec<Action>,
 ) {
-    let Some(at) = view.interact_pointer_pos() else {
-        return;
-    };
     let bone = state.pose.hovered.map(|hit| (hit.shape, hit.joint));
     let of_bone = bone.map(|(shape, _)| shape);
-    let shape = of_bone.or_else(|| shape_at(&mut state.pose.picked, session, places, at));
-    state.opens_context_menu = Some(match shape {
+    let of_handle = session.selected().filter(|_| state.pose.hot.is_some());
+    let shape = of_bone.or(of_handle);
+    let shape = shape.or_else(|| shape_at(&mut state.pose.picked, session, places, at));
+    about(shape, session, state, at, actions);
+    let is_selected = |joint: usize| session.selected_joints().contains(&joint);
+    if let Some((_, joint)) = bone.filter(|&(_, joint)| !is_selected(joint)) {
+        actions.push(Action::View(View::SelectJoint(Some(joint))));
+    }
+}
+
+/// Opens the menu for a shape, or for the scene, at a point of the window.
+pub(super) fn about(
+    shape: Option<ShapeId>,
+    session: &Session,
+    state: &mut UiState,
+    at: Pos2,
+    actions: &mut Vec<Action>,
+) {
+    let menu = match shape {
         None => ContextMenu::Scene,
         Some(shape) if session.scene().character(shape).is_some() => ContextMenu::Character,
         Some(_) => ContextMenu::Shape,
-    });
+    };
+    state.opens_context_menu = Some((menu, at));
     if let Some(shape) = shape.filter(|&shape| !session.is_selected(shape)) {
         actions.push(Action::View(View::Select(Some(shape))));
-    }
-    if let Some((_, joint)) = bone {
-        actions.push(Action::View(View::SelectJoint(Some(joint))));
     }
 }

@@ -4,8 +4,11 @@ use super::commands::{Gesture, gesture};
 use super::scene_places::ScenePlaces;
 use super::{Action, UiState, control_points, posing};
 use crate::editor::{Session, View};
-use egui::{InputState, Response};
+use egui::{InputState, Pos2, Response};
 use glam::{Vec2, Vec3};
+
+/// Distance in points that a finger that rests may move.
+const STILL: f32 = 6.0;
 
 /// What fingers do, for Help ▸ Keys and Mouse, but for one that is drawn over the view (see
 /// [`Navigation::drag_of_a_finger`](super::Navigation::drag_of_a_finger)).
@@ -17,18 +20,33 @@ pub(super) const GESTURES: &[Gesture] = &[
     gesture("Pose: tap a bone", "Show rings that turn it"),
     gesture("Drag a number", "Change it"),
     gesture("Tap a number", "Type a value or a sum such as 45/2"),
-    gesture("Long press", "The right button: a number at rest"),
+    gesture("Long press", "The right button: a menu, a number at rest"),
 ];
 
 /// The view, which is dragged from now on if a finger has rested on it for long: it takes hold of what lies under it,
-/// which lights up. egui would take the rest for a right click, which means nothing there, and ignore the movement of
-/// the finger after it.
-pub(super) fn drag_after_rest(view: Response) -> Response {
+/// which lights up. egui would take the rest for a right click at once, and ignore the movement of the finger after it;
+/// here it is one if the finger is lifted where it `rested`.
+pub(super) fn drag_after_rest(view: Response, rested: &mut Option<Pos2>) -> Response {
     if !view.long_touched() {
         return view;
     }
+    *rested = view.interact_pointer_pos();
     view.ctx.set_dragged_id(view.id);
     view.ctx.read_response(view.id).unwrap_or(view)
+}
+
+/// Where a finger was lifted that had rested there, and has not moved since.
+pub(super) fn lifted_after_rest(view: &Response, rested: &mut Option<Pos2>) -> Option<Pos2> {
+    let at = (*rested)?;
+    let (is_down, now) = view
+        .ctx
+        .input(|input| (input.any_touches(), input.pointer.latest_pos()));
+    let has_moved = now.is_some_and(|now| now.distance(at) > STILL);
+    if has_moved || view.ctx.multi_touch().is_some() {
+        *rested = None;
+        return None;
+    }
+    if is_down { None } else { rested.take() }
 }
 
 /// What several fingers have been for since they came together. One that is left of them does nothing

@@ -10,7 +10,8 @@ use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
 use egui::{
     Button, Context, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor,
-    PopupCloseBehavior, PopupKind, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
+    PopupCloseBehavior, PopupKind, Pos2, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui,
+    Vec2,
 };
 
 /// Height of the bar and of a menu's margins, in points.
@@ -89,7 +90,8 @@ fn follow_pointer(ctx: &Context, menus: &[Response]) {
 /// has the keyboard then, since a key opened it: arrow keys and Return choose.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
-    at_pointer(root, "insert at pointer", opens, |ui| {
+    let pointer = PopupAnchor::PointerFixed;
+    popup_menu(root, ("insert at pointer", pointer), opens, |ui| {
         items.insertable(ui, opens);
     });
 }
@@ -101,10 +103,14 @@ fn context_menu(root: &Ui, items: &mut Items) {
     if let Some(menu) = opens {
         root.data_mut(|data| data.insert_temp(about, menu));
     }
-    let Some(menu) = root.data(|data| data.get_temp::<ContextMenu>(about)) else {
+    let Some(menu) = root.data(|data| data.get_temp::<(ContextMenu, Pos2)>(about)) else {
         return;
     };
-    at_pointer(root, "context menu", opens.is_some(), |ui| {
+    let (menu, at) = menu;
+    let tool = items.state.pose.tool;
+    let mut shown: Vec<Command> = Vec::new();
+    let place = ("context menu", PopupAnchor::Position(at));
+    popup_menu(root, place, opens.is_some(), |ui| {
         for (index, part) in menu.parts().iter().enumerate() {
             if index > 0 {
                 ui.separator();
@@ -113,26 +119,30 @@ fn context_menu(root: &Ui, items: &mut Items) {
                 .iter()
                 .filter_map(|&command| commands::entry_of(command));
             for entry in entries {
-                items.item(ui, entry);
+                // Delete puts a joint back while a figure is posed.
+                let meant = commands::meant(entry.command, items.session, tool);
+                if !shown.contains(&meant) {
+                    shown.push(meant);
+                    items.item(ui, entry);
+                }
             }
         }
     });
 }
 
-/// A menu where the pointer was when it `opens`, while it is open.
-fn at_pointer(root: &Ui, name: &str, opens: bool, items: impl FnOnce(&mut Ui)) {
-    let ctx = root.ctx().clone();
-    Popup::new(
-        Id::new(name),
-        ctx,
-        PopupAnchor::PointerFixed,
-        root.layer_id(),
-    )
-    .kind(PopupKind::Menu)
-    .layout(Layout::top_down_justified(egui::Align::Min))
-    .style(menu_style)
-    .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
-    .show(|ui| scrolled(ui, items));
+/// A menu called `name` at `place` from when it `opens` on, while it is open.
+fn popup_menu(
+    root: &Ui,
+    (name, place): (&str, PopupAnchor),
+    opens: bool,
+    items: impl FnOnce(&mut Ui),
+) {
+    Popup::new(Id::new(name), root.ctx().clone(), place, root.layer_id())
+        .kind(PopupKind::Menu)
+        .layout(Layout::top_down_justified(egui::Align::Min))
+        .style(menu_style)
+        .open_memory(opens.then_some(SetOpenCommand::Bool(true)))
+        .show(|ui| scrolled(ui, items));
 }
 
 fn title(ui: &mut Ui, title: &str) {

@@ -185,7 +185,7 @@ const WHY_NOTHING: &str = "This key does nothing in this navigation: the Virtual
                            View ⏵ Navigation ⏵ Mannequin";
 /// For those who want Blender's 5, which switches it.
 const WHERE_SHADING_IS: &str =
-    "Shading and colors are chosen in View; the look beside the axes, or by F3 and F10";
+    "Shading, colors and looks are chosen in View, looks also beside the axes";
 const NO_ORTHOGRAPHIC: &str = "The camera is always in perspective: there is no orthographic view";
 
 impl Navigation {

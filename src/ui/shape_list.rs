@@ -1,7 +1,7 @@
 use super::commands::Command;
 use super::theme::Palette;
 use super::widgets::{list_move, moved, named, section, select_all, tip_beside_panel};
-use super::{Action, commands};
+use super::{Action, UiState, commands, context_menu};
 use crate::editor::{Edit, Session, View, for_all_selected};
 use crate::scene::{Shape, ShapeId};
 use egui::{
@@ -41,7 +41,7 @@ pub(super) fn show(
     ui: &mut Ui,
     session: &Session,
     newly_selected: bool,
-    renaming: &mut Option<Renaming>,
+    state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
     section(ui, "Shape Selector");
@@ -56,7 +56,7 @@ pub(super) fn show(
         .show(ui, |ui| {
             ui.with_layout(Layout::top_down_justified(Align::LEFT), |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                rows(ui, session, newly_selected, renaming, actions);
+                rows(ui, session, newly_selected, state, actions);
             });
         });
 }
@@ -65,24 +65,25 @@ fn rows(
     ui: &mut Ui,
     session: &Session,
     newly_selected: bool,
-    renaming: &mut Option<Renaming>,
+    state: &mut UiState,
     actions: &mut Vec<Action>,
 ) {
     let shapes = session.scene().shapes();
-    if renaming
+    if state
+        .renaming
         .as_ref()
         .is_some_and(|r| session.scene().shape(r.shape).is_none())
     {
-        *renaming = None;
+        state.renaming = None;
     }
     let mut chosen: Option<ShapeId> = None;
     let mut responses = Vec::with_capacity(shapes.len());
     let mut movement = None;
     let mut line = None;
     for (index, shape) in shapes.iter().enumerate() {
-        if let Some(typed) = renaming.as_mut().filter(|r| r.shape == shape.id) {
+        if let Some(typed) = state.renaming.as_mut().filter(|r| r.shape == shape.id) {
             if rename(ui, shape, typed, actions) {
-                *renaming = None;
+                state.renaming = None;
             }
             continue;
         }
@@ -106,8 +107,12 @@ fn rows(
                 actions.push(Action::View(View::Select(Some(shape.id))));
             }
         }
+        if row.secondary_clicked() {
+            let at = row.interact_pointer_pos().unwrap_or(row.rect.center());
+            context_menu::about(Some(shape.id), session, state, at, actions);
+        }
         if row.double_clicked() {
-            *renaming = Some(Renaming::of(shape));
+            state.renaming = Some(Renaming::of(shape));
         }
         if let Some(landing) = Landing::over(&row, index) {
             if row.dnd_release_payload::<(ShapeId, usize)>().is_some() {

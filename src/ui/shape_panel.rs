@@ -89,7 +89,7 @@ fn content(ui: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Ve
     ui.separator();
     let newly_selected = session.selected() != state.selected;
     state.selected = session.selected();
-    shape_list::show(ui, session, newly_selected, &mut state.renaming, actions);
+    shape_list::show(ui, session, newly_selected, state, actions);
     ui.separator();
     ScrollArea::vertical()
         // That of another document begins at its top.

@@ -71,8 +71,10 @@ pub struct UiState {
     pub(super) gives_up_typing: bool,
     /// Whether the menu Insert opens at the pointer in the next frame.
     pub(super) opens_insert_menu: bool,
-    /// What the menu at the pointer that opens in the next frame is about.
-    pub(super) opens_context_menu: Option<ContextMenu>,
+    /// Where a finger rests, until it moves or is lifted.
+    pub(super) finger_rested: Option<Pos2>,
+    /// What the menu that opens in the next frame is about, and where that is.
+    pub(super) opens_context_menu: Option<(ContextMenu, Pos2)>,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -145,6 +147,7 @@ impl Default for UiState {
             waiting: None,
             gives_up_typing: false,
             opens_insert_menu: false,
+            finger_rested: None,
             opens_context_menu: None,
             search: None,
             renaming: None,

@@ -32,6 +32,12 @@ pub fn view_gestures(
     actions: &mut Vec<Action>,
 ) -> Option<ShapeId> {
     let shape = gestures(view, places, session, state, actions);
+    let pressed_long = fingers::lifted_after_rest(view, &mut state.finger_rested);
+    let clicked = view.secondary_clicked() && !view.long_touched() && !state.gesture_under_way();
+    let asked = view.interact_pointer_pos().filter(|_| clicked);
+    if let Some(at) = pressed_long.or(asked) {
+        context_menu::ask(places, session, state, at, actions);
+    }
     control_points::forget_clicked(&mut state.curves, actions);
     shape
 }
@@ -53,7 +59,7 @@ fn gestures(
     }
     let navigation = state.navigation;
     let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
-        let boxed = (&mut state.box_select, navigation);
+        let boxed = (&mut state.box_select, navigation, state.pose.tool);
         box_select::pointer(view, places, session, boxed, under, actions)
     };
     if box_of(state, None, actions) == PointerUse::Holding {
@@ -85,9 +91,6 @@ fn gestures(
     let selects = pointer == PointerUse::Over;
     let picks = !over_point
         && explain::pointer(view, places, session, &mut state.explain, selects, actions);
-    if view.secondary_clicked() && !view.long_touched() {
-        context_menu::ask(view, places, session, state, actions);
-    }
     if selects {
         return None;
     }

@@ -45,7 +45,7 @@ pub(super) fn show(
     free.max.x = (free.max.x - PANEL_EDGE).max(free.min.x);
     let response = root.interact(free, id, Sense::click_and_drag() | Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(WidgetType::Other, true, "View of the scene"));
-    let response = fingers::drag_after_rest(response);
+    let response = fingers::drag_after_rest(response, &mut state.finger_rested);
     let mut over = root.new_child(UiBuilder::new().id_salt("over the view").max_rect(rect));
     over.set_clip_rect(rect.intersect(root.clip_rect()));
 

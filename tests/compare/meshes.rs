@@ -570,13 +570,13 @@ fn differences_without_a_cause_are_told_by_how_many_vertices_agree_and_where_the
     let all = a.positions.len();
     let agreeing = all - differing().count();
     let told = format!(
-        "no single cause explains the differences: {agreeing} of {all} vertices agree; \
+        "B is not A moved, turned, scaled, rounded or in another order: {agreeing} of {all} vertices agree; \
          those that differ lie in A within ({:.6}, {:.6}, {:.6}) to ({:.6}, {:.6}, {:.6})\n",
         min.x, min.y, min.z, max.x, max.y, max.z
     );
     assert!(comparison.to_string().contains(&told), "{comparison}");
 
-    let unknown = "no single cause";
+    let unknown = "B is not A moved";
     let text = |b: &Mesh| compare(&a, b).to_string();
     assert!(!text(&a).contains(unknown));
     assert_eq!(compare(&a, &a).differing_bounds, None);
@@ -586,7 +586,7 @@ fn differences_without_a_cause_are_told_by_how_many_vertices_agree_and_where_the
     };
     assert!(!with(|p| p + Vec3::X).contains(unknown));
     let none = with(|p| p * Vec3::new(1.1, 1.2, 1.3));
-    let told = "no single cause explains the differences: no vertex agrees\n";
+    let told = "B is not A moved, turned, scaled, rounded or in another order: no vertex agrees\n";
     assert!(none.contains(told), "{none}");
     // Neither other triangles nor a vertex that is no number account for the others.
     b.triangles.pop();

@@ -92,7 +92,7 @@ fn the_example_with_everything_grades_a_folder_that_is_made_by_hand() {
         &format!("./editor export Model1.obj --pose walk.json -o {chen}/walk.obj"),
     );
     let picture = format!(
-        "./editor render Model1.obj --pose walk.json --camera 80,10,3 --size 800x600 -o {chen}/front.png"
+        "./editor render Model1.obj --pose walk.json --camera 80,10,1.5,0.5,0.5,0.5 --size 800x600 -o {chen}/front.png"
     );
     run(folder, &picture);
     let ran = run(

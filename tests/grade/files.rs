@@ -207,7 +207,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
 }
 
 #[test]
-fn pictures_are_graded_by_their_silhouette_and_size() {
+fn pictures_are_graded_by_their_silhouette_whatever_their_scale() {
     let (class, right) = class();
     let mut tests = class.tests_file();
     tests["tests"][0]["kind"] = "picture".into();
@@ -229,6 +229,8 @@ fn pictures_are_graded_by_their_silhouette_and_size() {
             "right.obj --camera 80,10,3,100,100,100 --size 400x300",
         ),
         ("dan", "right.obj --camera 80,10,3 --size 200x150"),
+        ("gus", "right.obj --camera 80,10,3 --size 300x300"),
+        ("hal", "right.obj --camera 80,10,3 --size 80x60"),
     ] {
         class.write(&format!("class/{name}/about.txt"), "");
         let output = format!("class/{name}/adult-1.png");
@@ -248,11 +250,13 @@ fn pictures_are_graded_by_their_silhouette_and_size() {
             "blank",
             "there is nothing in the picture but its background",
         ),
+        ("dan", "right", "right, as far as the silhouette tells"),
         (
-            "dan",
+            "gus",
             "unreadable",
-            "adult-1.png: expected 400×300 pixels, found 200×150",
+            "adult-1.png: expected 400×300 pixels, or as many times more or less in both",
         ),
+        ("hal", "unreadable", "adult-1.png: expected 400×300 pixels"),
         ("eve", "unreadable", "adult-1.png: "),
         ("fay", "blank", "the file is empty"),
     ] {

@@ -35,10 +35,10 @@ fn every_submission_has_a_row_on_the_terminal_and_the_same_mistake_is_one_line()
     let ran = class.run("class --tests tests.json -o report");
     let expected = "\
 submission   points  3.2  3.4   4.2    artifact  extra credit  result
-Ada & <Bob>  40/40 (10 wait)  8/8  12/12  20/20  -/10      -/5           right
+Ada & <Bob>  40/40 (10 wait)  8/8  12/12  20/20  -/10      none          right
 eve          45.5/50  8/8  6/12  20/20  9.5/10    2/5           euler-zyx
-kim, lee     34/40 (10 wait)  8/8  6/12  20/20  -/10      -/5           euler-zyx
-zoe          0/40 (10 wait)    0/8  0/12  0/20   -/10      -/5           unreadable (robot-1); missing (dog-2)
+kim, lee     34/40 (10 wait)  8/8  6/12  20/20  -/10      none          euler-zyx
+zoe          0/40 (10 wait)    0/8  0/12  0/20   -/10      none          unreadable (robot-1); missing (dog-2)
 wait: points that are still to be given by hand, by \"given\" in the rubric, in sections with -
 euler-zyx in 2 submissions: eve, kim, lee
 missing: there is no dog-2.obj (zoe)

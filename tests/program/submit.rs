@@ -290,7 +290,9 @@ fn without_a_terminal_what_is_not_answered_is_one_clear_error() {
     fs::write(folder.path().join("some.md"), some).unwrap();
     assert_eq!(
         errors("--scene two.scene --answers some.md -o out.zip"),
-        "error: some.md: expected an answer below each heading, found none for: References, Problems"
+        "error: some.md: expected an answer below each heading, found none below: \
+         References: Which references (books, papers, websites, models by others) helped you? \
+         Problems: Which problems does your code have, what causes them, and how would you fix them?"
     );
     fs::write(folder.path().join("twice.md"), "## Name\nA\n## Name\nB\n").unwrap();
     assert_eq!(

@@ -37,6 +37,17 @@ fn a_right_click_on_a_shape_selects_it_and_offers_what_is_done_with_it() {
 }
 
 #[test]
+fn a_row_of_the_list_has_the_menu_of_its_shape() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.click_at(pos2(60.0, 500.0));
+    assert_eq!(story.session().selected(), None);
+    let row = story.place("[1] Strip (ID: 1)");
+    story.right_click(row);
+    assert!(story.session().selected().is_some());
+    assert!(story.has("Mirror Pose") && story.has("Rename"));
+}
+
+#[test]
 fn on_a_bone_that_is_posed_it_is_about_its_joint() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.key(egui::Key::B);
@@ -48,6 +59,10 @@ fn on_a_bone_that_is_posed_it_is_about_its_joint() {
     story.right_click(at);
     assert!(story.session().selected_joint().is_some());
     assert!(story.has("Mirror Pose") && story.has("Reset Joint"));
+    // Again, where rings lie over the bone by now.
+    story.key(egui::Key::Escape);
+    story.right_click(at);
+    assert!(story.has("Mirror Pose"));
 }
 
 #[test]

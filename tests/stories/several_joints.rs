@@ -88,3 +88,37 @@ fn joints_that_are_added_in_the_view_turn_together_about_the_axis_that_is_typed(
     story.click_at(beside);
     assert_eq!(story.session().selected(), None);
 }
+
+#[test]
+fn while_a_figure_is_posed_a_box_and_select_all_are_about_its_joints() {
+    let mut story = Story::start(&["builtin:adult"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    story.key(Key::J);
+    let all = story.character().character.skeleton().joints().len();
+    story.key(Key::A);
+    assert_eq!(story.session().selected_joints().len(), all);
+    story.key_with(Modifiers::ALT, Key::A);
+    assert!(story.session().selected_joints().is_empty());
+    assert!(story.session().selected().is_some());
+    let places = story.character().character.skeleton().bind_positions();
+    let elbow = story.at(places[story.joint("Left elbow")]);
+    let at = |x: f32, y: f32| elbow + egui::vec2(x, y);
+    // From beside the figure over its lower arm.
+    story.drag(at(120.0, -40.0), at(4.0, 60.0));
+    assert_eq!(
+        story.session().selected_joints(),
+        [story.joint("Left elbow")]
+    );
+    story.key(Key::R);
+    for key in [Key::X, Key::Num2, Key::Num0, Key::Enter] {
+        story.key(key);
+    }
+    assert!(story.degrees("Left elbow").length() > 1.0);
+    story.key(Key::A);
+    story.key_with(Modifiers::ALT, Key::R);
+    assert_eq!(
+        story.degrees("Left elbow"),
+        Vec3::ZERO,
+        "all of them are put back"
+    );
+}

@@ -315,6 +315,10 @@ fn a_finger_that_rests_on_a_bone_before_it_moves_turns_it() {
     assert!(lit.is_some(), "what it holds lights up");
     hand.lift_all(&mut story);
     assert_eq!(story.session().done_steps(), 0, "the rest alone is no step");
+    assert!(story.has("Mirror Pose"), "it is the right click");
+    hand.put_down(&mut story, 1, pos2(60.0, 620.0));
+    hand.lift_all(&mut story);
+    assert!(!story.has("Mirror Pose"));
     hand.put_down(&mut story, 1, bone);
     story.wait(0.9);
     hand.move_by(&mut story, &[vec2(30.0, 0.0)]);

@@ -217,8 +217,15 @@ fn given_to_none(file: &TestsFile, submissions: &[Submission]) -> Vec<String> {
             .iter()
             .all(|submission| submission.name != *name)
         {
+            let is_alike = |one: &&Submission| one.name.to_lowercase() == name.to_lowercase();
+            let alike = submissions
+                .iter()
+                .find(is_alike)
+                .map_or(String::new(), |one| {
+                    format!(", but {}: the names differ in capitals", one.name)
+                });
             told.push(format!(
-                "points are given to {name}, but there is no such submission"
+                "points are given to {name}, but there is no such submission{alike}"
             ));
         }
         for section in given.keys().filter(|section| !sections.contains(section)) {

@@ -220,7 +220,12 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
     let keys = keys.join(", ");
     Err(match file {
         Some(file) => {
-            let message = format!("expected an answer below each heading, found none for: {keys}");
+            let headings = missing
+                .iter()
+                .map(|question| format!(" {}: {}", question.key, question.text));
+            let headings: String = headings.collect();
+            let message =
+                format!("expected an answer below each heading, found none below:{headings}");
             Diagnostic::new(&file, message).into()
         }
         None => CliError::Other(format!(

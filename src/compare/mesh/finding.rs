@@ -50,6 +50,11 @@ pub enum MeshFinding {
         /// The movement after all that; zero if there is none.
         offset: [f64; 3],
     },
+    /// B is A with fewer digits.
+    Rounded {
+        /// One unit of the last digit.
+        to: f64,
+    },
     /// Every vertex of B lies in one place.
     OnePlace {
         /// Which, in model space.
@@ -132,6 +137,7 @@ impl MeshFinding {
             | Self::Scaled { .. }
             | Self::Axes { .. }
             | Self::Turned { .. }
+            | Self::Rounded { .. }
             | Self::OnePlace { .. }
             | Self::Permuted { .. } => true,
             Self::Winding { .. } | Self::Triangles { .. } | Self::TriangleOrder => false,
@@ -177,6 +183,7 @@ impl MeshFinding {
             }
             Self::OnePlace { .. } => "all vertices in one place".to_owned(),
             Self::NotFinite { .. }
+            | Self::Rounded { .. }
             | Self::Permuted { .. }
             | Self::Winding { .. }
             | Self::Triangles { .. }
@@ -235,6 +242,11 @@ impl fmt::Display for MeshFinding {
                 write!(f, "turned by {degrees:.4} degrees about {}", vector(*axis))?;
                 scaled_and_moved(f, *factor, *offset)
             }
+            Self::Rounded { to } => write!(
+                f,
+                "B is A rounded to {}: it was written with fewer digits",
+                length(*to)
+            ),
             Self::OnePlace { at } => {
                 write!(f, "all vertices of B lie in one place, {}", vector(*at))
             }

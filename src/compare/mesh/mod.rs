@@ -4,6 +4,7 @@ mod finding;
 mod matching;
 mod place;
 mod placement;
+mod rounding;
 
 pub use finding::MeshFinding;
 pub use place::{MeshParts, MeshPlace};
@@ -71,7 +72,7 @@ pub struct MeshComparison {
     pub rms: f64,
     /// The vertices farthest apart, at most ten, those that do not differ left out.
     pub worst: Vec<WorstVertex>,
-    /// Where vertices differ, the place with the most first; empty where something that is wrong with
+    /// Where vertices differ, the place with the farthest first; empty where something that is wrong with
     /// the whole mesh accounts for them.
     pub places: Vec<MeshPlace>,
     /// Whether both have the same triangles, wound alike, in whatever order.
@@ -197,7 +198,7 @@ type Applies<E> = fn(&E) -> Option<MeshFinding>;
 impl Evidence<'_> {
     /// Every cause: first what keeps vertices from being compared, then the simplest movement
     /// that explains all of them, then their order, then the triangles.
-    const RULES: [Rule<Applies<Self>>; 14] = [
+    const RULES: [Rule<Applies<Self>>; 15] = [
         rule("not_finite_in_a", Everything, |e| {
             not_finite(Which::A, e.points.a)
         }),
@@ -217,6 +218,7 @@ impl Evidence<'_> {
             e.placed(placement::scaled_and_moved_axes)
         }),
         rule("turn", NOT_FINITE, |e| e.placed(placement::turn)),
+        rule("rounded", NOT_FINITE, |e| e.placed(rounding::rounded)),
         rule("one_place", NOT_FINITE, |e| e.placed(placement::one_place)),
         rule("permuted", Everything, |e| {
             let vertices = e.moved_in_order;
@@ -339,7 +341,9 @@ impl MeshComparison {
                 finding::vector(high)
             ),
         };
-        Some(format!("no single cause explains the differences: {place}"))
+        Some(format!(
+            "B is not A moved, turned, scaled, rounded or in another order: {place}"
+        ))
     }
 }
 

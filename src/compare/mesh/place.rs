@@ -36,7 +36,7 @@ pub struct MeshPlace {
     pub max: f64,
 }
 
-/// Where vertices of `a` differ, the place with the most first: by part if there are `parts`, which
+/// Where vertices of `a` differ, the place with the farthest first: by part if there are `parts`, which
 /// have an entry for each vertex.
 pub(super) fn places(
     a: &[DVec3],
@@ -65,7 +65,7 @@ pub(super) fn places(
         part.map_or(none, |part| part as usize)
     };
     let mut places = counted(a.len(), differing(), distances, names, part_of);
-    places.sort_by_key(|place| std::cmp::Reverse(place.vertices));
+    places.sort_by(|a, b| b.max.total_cmp(&a.max));
     places
 }
 

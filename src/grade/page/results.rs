@@ -29,9 +29,10 @@ impl Page {
                 submission.points,
                 submission.graded()
             ));
-            for points in submission.sections.values() {
+            for (points, section) in submission.sections.values().zip(&report.sections) {
                 match points {
                     Some(points) => self.add(format_args!("<td class=\"number\">{points}</td>")),
+                    None if section.extra => self.add(format_args!("<td></td>")),
                     None => self.add(format_args!("<td class=\"number dim\">not yet</td>")),
                 }
             }

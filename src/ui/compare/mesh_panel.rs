@@ -168,7 +168,8 @@ impl Parts<'_> {
         if lacks_pose {
             // What a student forgets first.
             let text = format!(
-                "The character is at rest, but {} seems to be posed: load the pose that it was made in.",
+                "The character is at rest, but {} seems to be posed: load the pose that it was made in, if it is of \
+                 this character.",
                 self.compare.name
             );
             say(ui, &text, palette.warning);

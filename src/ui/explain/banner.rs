@@ -76,8 +76,7 @@ fn where_seen(
         .view()
         .camera
         .seen_part(&shape.world_bounds(), aspect);
-    (seen < SEEN)
-        .then_some("Most of it is outside of the picture: F fits it, and Shift+F everything.")
+    (seen < SEEN).then_some("It reaches far out of the picture: F fits it, and Shift+F everything.")
 }
 
 /// Why nothing can be seen of the mistake, if so.

@@ -103,6 +103,7 @@ impl ExplainState {
             topic: self.topic,
             character: self.character,
             picked: self.picked,
+            picks: self.picks,
             ..Self::default()
         };
     }
@@ -118,6 +119,7 @@ impl ExplainState {
         *self = Self {
             is_open: self.is_open,
             topic: self.topic,
+            picks: self.picks,
             ..Self::default()
         };
     }

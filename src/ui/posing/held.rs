@@ -174,7 +174,11 @@ impl Held {
         let about = constraint.map_or("", |about| letter(about.named()));
         let turned = |angle: f64| match &typed {
             Some(typed) => format!("{about}{typed}°"),
-            None => format!("{about}{:+.1}°", (angle * self.sign()).to_degrees() + 0.0),
+            None => {
+                // What rounds to nothing has no sign.
+                let tenths = ((angle * self.sign()).to_degrees() * 10.0).round() / 10.0;
+                format!("{about}{:+.1}°", tenths + 0.0)
+            }
         };
         match &self.drag {
             Drag::Bone(drag) => turned(drag.angle()),

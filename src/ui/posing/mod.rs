@@ -248,6 +248,15 @@ fn ik_status(session: &Session, shape: ShapeId, grip: IkGrip) -> &'static str {
     }
 }
 
+/// The character whose joints are selected together, with a tool that turns them.
+pub(super) fn posed(session: &Session, tool: Tool) -> Option<ShapeId> {
+    let id = session
+        .selected()
+        .filter(|_| matches!(tool, Tool::Pose | Tool::Ik))?;
+    let is_free = session.scene().character(id).is_some() && is_pickable(session, id);
+    is_free.then_some(id)
+}
+
 /// Name of what is dragged: of a control point, a joint or a shape, or how many shapes.
 fn held_name(session: &Session, held: &Held) -> Option<String> {
     if let Some(point) = held.point() {

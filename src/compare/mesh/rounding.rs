@@ -1,0 +1,71 @@
+//! Meshes that differ by the digits of their numbers alone.
+
+use super::MeshFinding;
+use super::placement::Points;
+use glam::DVec3;
+
+/// Most digits after the point that rounding is told of: with more, single precision differs as much.
+const MOST_DIGITS: i32 = 7;
+/// Room for numbers that are not exact in binary: by the number itself, as single precision keeps them, and for halves by
+/// the step.
+const PRECISION: f64 = 1.2e-7;
+const ROOM: f64 = 1.001;
+/// Fewest vertices that are all as short as that by no chance.
+const FEWEST: usize = 12;
+
+/// The coarsest rounding to digits after the point that gives every vertex of B from that of A, if one does.
+pub(super) fn rounded(points: &Points) -> Option<MeshFinding> {
+    let pairs = || points.a.iter().zip(points.b);
+    let are_finite = pairs().all(|(a, b)| a.is_finite() && b.is_finite());
+    if points.b.len() < FEWEST || !are_finite {
+        return None;
+    }
+    let gives = |step: f64| {
+        pairs().all(|(a, b)| {
+            let exact = PRECISION * b.abs();
+            let is_round = |of: DVec3, exact: DVec3| {
+                let off = (of - (of / step).round() * step).abs();
+                off.cmple(exact).all()
+            };
+            let near = (*a - *b).abs().cmple(exact + ROOM * 0.5 * step).all();
+            near && is_round(*b, exact)
+        })
+    };
+    let steps = (0..=MOST_DIGITS).map(|digits| 10_f64.powi(-digits));
+    let to = steps.into_iter().find(|step| gives(*step))?;
+    Some(MeshFinding::Rounded { to })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(b: impl Fn(f64) -> f64) -> Option<MeshFinding> {
+        let a: Vec<DVec3> = (0..40)
+            .map(|index| DVec3::new(0.377, -0.0913, 1.207) * (f64::from(index) * 0.731).sin())
+            .collect();
+        let written = |at: &DVec3| at.to_array().map(|number| f64::from(b(number) as f32));
+        let b: Vec<DVec3> = a.iter().map(|at| DVec3::from_array(written(at))).collect();
+        let apart = a.iter().zip(&b).map(|(a, b)| a.distance(*b));
+        let apart = apart.fold(0.0, f64::max);
+        rounded(&Points {
+            a: &a,
+            b: &b,
+            tolerance: 1e-5,
+            apart,
+        })
+    }
+
+    #[test]
+    fn numbers_with_fewer_digits_are_told_with_the_unit_of_the_last_one() {
+        for digits in [1, 2, 3, 4] {
+            let unit = 10_f64.powi(digits);
+            let to = unit.recip();
+            let round = found(|number| (number * unit).round() / unit);
+            assert_eq!(round, Some(MeshFinding::Rounded { to }));
+            // Cut off, not rounded; and somewhere else.
+            assert_eq!(found(|number| (number * unit).trunc() / unit), None);
+            assert_eq!(found(|number| (number * unit).round() / unit + 1.0), None);
+        }
+    }
+}
