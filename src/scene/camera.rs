@@ -188,7 +188,7 @@ impl Camera {
 
     /// Pans by a drag of `delta` pixels (y down): the scene moves with the pointer. The vertical
     /// part runs along the world's +Y, as in the course's editor. Its speed is the same there however near the scene is,
-    /// which soon throws that out of the picture; nearer than [`NEAR_FOR_COURSE`] it is slower here.
+    /// which soon throws that out of the picture; nearer than at a radius of 4 it is slower here.
     pub fn pan(&mut self, delta: Vec2) {
         let per_pixel = PAN_PER_PIXEL * (self.radius / NEAR_FOR_COURSE).min(1.0);
         self.target -= self.right() * (delta.x * per_pixel);
