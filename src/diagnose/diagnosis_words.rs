@@ -171,7 +171,7 @@ impl Diagnosis {
         let (error, exact) = (of_size(self.error), of_size(self.error_from_exact));
         write!(
             f,
-            "\n  agrees   but for {error}; the exact result is {exact} away"
+            "\n  agrees   with what that gives, but for {error}; the exact result is {exact} away"
         )?;
         fmt_where(&self.mistakes, f)?;
         if let Some(first) = &self.first {

@@ -38,7 +38,7 @@ pub use mistaken::{MistakenMesh, skin_by};
 pub use mistakes::{MISTAKES, Mistake, Reading};
 pub use nearest::Nearest;
 pub use other_pose::{OtherPose, TurnedJoint};
-pub use picture::{PictureDiagnosis, PictureError, diagnose_picture};
+pub use picture::{PictureDiagnosis, PictureError, diagnose_picture, has_silhouette};
 pub use precision::Coarse;
 pub use vertex_formula::{Step, Term, VertexFormula};
 
@@ -53,6 +53,9 @@ use model::Model;
 use search::{Explanation, Made, Search};
 use skin::Placed;
 use std::rc::Rc;
+
+/// Part of the largest error from which on much is off.
+const MUCH: f64 = 0.25;
 
 /// Error up to which meshes agree, by the size: more than rounding to four digits after the point
 /// of a mesh of size 1, or computing in single precision, is off by.
@@ -342,7 +345,8 @@ impl Findings<'_> {
         joints.get(joint).map(|joint| joint.name.clone())
     }
 
-    /// The vertex farthest off of the first joint, from the root on, that has some.
+    /// The vertex farthest off of the first joint, from the root on, where much is off: what joints below move a little
+    /// shows little of the mistake.
     fn first(&self) -> Option<Shown> {
         let mut worst: Vec<Option<usize>> = vec![None; self.model.skeleton().joints().len() + 1];
         for index in 0..self.theirs.len() {
@@ -353,8 +357,14 @@ impl Findings<'_> {
             }
         }
         let none = worst.len() - 1;
+        let off = |vertex: usize| self.distances[vertex];
+        let most = worst.iter().flatten().map(|&vertex| off(vertex));
+        let enough = MUCH * most.fold(0.0, f64::max);
         let mut joints = self.model.by_depth.iter().copied().chain([none]);
-        let (joint, vertex) = joints.find_map(|joint| Some((joint, worst[joint]?)))?;
+        let (joint, vertex) = joints.find_map(|joint| {
+            let vertex = worst[joint].filter(|&vertex| off(vertex) >= enough);
+            Some((joint, vertex?))
+        })?;
         let name = self.name(joint);
         Some(Shown {
             joint_index: name.is_some().then_some(joint),

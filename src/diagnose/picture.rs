@@ -93,6 +93,18 @@ pub fn diagnose_picture(
     Ok(found)
 }
 
+/// Whether the silhouette in `picture` is the exact one, as by [`diagnose_picture`].
+pub fn has_silhouette(
+    character: &Character,
+    pose: &Pose,
+    picture: &Picture,
+    clip_from_model: Mat4,
+) -> bool {
+    let model = Model::new(character);
+    let search = PictureSearch::new(&model, pose, picture, clip_from_model.as_dmat4());
+    search.is_some_and(|search| search.error_from_exact <= TOLERANCE)
+}
+
 /// The least that is left.
 fn least(explanations: &[Explanation]) -> f64 {
     let errors = explanations.iter().map(|explanation| explanation.error);
@@ -137,7 +149,7 @@ impl fmt::Display for PictureDiagnosis {
                 fmt_mistakes(&self.mistakes, f)?;
                 write!(
                     f,
-                    "\n  agrees   but for {error} of the silhouette; the exact one is {exact} off"
+                    "\n  agrees   with what that gives, but for {error} of the silhouette; the exact one is {exact} off"
                 )?;
                 fmt_where(&self.mistakes, f)?;
                 if !self.same_as.is_empty() {

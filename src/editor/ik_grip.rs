@@ -1,4 +1,4 @@
-use super::limbs::{STUB, ankle_above, is_fork, root_at_hips, uppermost, wrist};
+use super::limbs::{STUB, ankle_above, is_end_of_limb, is_fork, root_at_hips, uppermost, wrist};
 use super::{Screen, Session};
 use crate::character::SkeletalModel;
 use crate::character::ik::IkChain;
@@ -69,7 +69,7 @@ impl IkGrip {
         };
         let led = match end {
             Self::Joint(joint) => root_at_hips(skeleton, joint),
-            Self::Tip { .. } => None,
+            Self::Tip { joint, tip } => is_end_of_limb(skeleton, joint, tip).then_some(joint),
         };
         let led = led.or_else(|| ankle_above(skeleton, end.joint()));
         Some(led.filter(|_| is_limb).map_or(end, Self::Joint))

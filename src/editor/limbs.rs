@@ -105,6 +105,21 @@ pub(super) fn ankle_above(skeleton: &SkeletalModel, toe: usize) -> Option<usize>
     (is_single && foot < SHORT * lower && are_alike).then_some(ankle)
 }
 
+/// Whether a bone of `joint` that ends at `tip`, where there is no joint, is a foot or a hand at the end of a limb: short
+/// beside the two long bones that lead to it, which are what should follow it.
+pub(super) fn is_end_of_limb(skeleton: &SkeletalModel, joint: usize, tip: Vec3) -> bool {
+    let joints = skeleton.joints();
+    let Some(above) = joints[joint]
+        .parent
+        .filter(|&above| joints[above].parent.is_some())
+    else {
+        return false;
+    };
+    let [lower, upper] = [joint, above].map(|joint| joints[joint].offset.length());
+    let are_alike = lower >= SHORT * upper && upper >= SHORT * lower;
+    skeleton.children(joint).is_empty() && are_alike && tip.length() < SHORT * lower
+}
+
 /// Index of the wrist above `bone`, or of the ankle above toes: a joint whose branches are much
 /// shorter than the bone that leads to it.
 pub(super) fn wrist(skeleton: &SkeletalModel, bone: &JointBone) -> Option<usize> {
@@ -185,6 +200,23 @@ pub(super) mod tests {
             .map(|joint| (joint.checked_sub(1), [0.0, 0.1, 0.0]))
             .collect();
         assert_eq!(wrist(&skeleton(&tail), &bone(8, [0.0, 0.1, 0.0])), None);
+    }
+
+    #[test]
+    fn a_short_bone_at_the_end_of_a_limb_is_its_end_and_a_forearm_or_a_head_is_none() {
+        let leg = skeleton(&[
+            (None, [0.0, 1.0, 0.0]),
+            (Some(0), [0.1, -0.05, 0.0]),
+            (Some(1), [0.0, -0.45, 0.0]),
+            (Some(2), [0.0, -0.4, 0.0]),
+            (Some(0), [0.0, 0.5, 0.0]),
+            (Some(4), [0.0, 0.1, 0.0]),
+        ]);
+        let is_end = |joint, tip: [f32; 3]| is_end_of_limb(&leg, joint, tip.into());
+        assert!(is_end(3, [0.0, -0.05, 0.15]), "a foot");
+        assert!(!is_end(3, [0.0, -0.3, 0.0]), "as long as a shin");
+        assert!(!is_end(5, [0.0, 0.05, 0.0]), "a head on a short neck");
+        assert!(!is_end(1, [0.0, -0.05, 0.0]), "a hip has a leg below it");
     }
 
     #[test]

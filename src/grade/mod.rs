@@ -7,6 +7,7 @@ mod canvas;
 mod csv;
 mod graded;
 mod name;
+mod no_numbers;
 mod page;
 mod report;
 mod rubric;

@@ -6,7 +6,7 @@ mod results;
 use super::canvas::Color;
 use super::report::{MistakeGroup, Report};
 use super::style::STYLE;
-use super::thumbnail::{AGREES, ERRORS, LARGEST_ERROR, ONLY_EXACT, ONLY_THEIRS};
+use super::thumbnail::{AGREES, ERRORS, GHOST, LARGEST_ERROR, ONLY_EXACT, ONLY_THEIRS};
 use std::collections::BTreeMap;
 use std::fmt::{Display, Write};
 
@@ -16,25 +16,50 @@ const SHOWN_NAMES: usize = 12;
 impl Report {
     /// The page.
     pub fn to_html(&self) -> String {
+        let mut page = self.begun_page(&self.title);
+        page.head(self);
+        page.sections(self);
+        page.mistakes(self);
+        page.tests(self);
+        page.submissions(self);
+        page.ended()
+    }
+
+    /// A page about each submission alone, with its name, in their order: for who made it.
+    pub fn to_pages(&self) -> impl Iterator<Item = (&str, String)> {
+        self.submissions
+            .iter()
+            .enumerate()
+            .map(|(number, submission)| {
+                let mut page = self.begun_page(&format!("{}: {}", self.title, submission.name));
+                page.add(format_args!("<h1>{}</h1>\n", Escaped(&self.title)));
+                page.submission(self, number, submission, true);
+                page.tests(self);
+                (&*submission.name, page.ended())
+            })
+    }
+
+    fn begun_page(&self, title: &str) -> Page {
         let mut page = Page::default();
-        let title = Escaped(&self.title);
+        let title = Escaped(title);
         page.add(format_args!(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
              <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; \
              style-src 'unsafe-inline'\"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n"
         ));
-        page.head(self);
-        page.sections(self);
-        page.mistakes(self);
-        page.tests(self);
-        page.submissions(self);
-        page.add(format_args!(
+        page
+    }
+}
+
+impl Page {
+    fn ended(mut self) -> String {
+        self.add(format_args!(
             "<footer>Pictures show what a submission gives, colored by how far each vertex is from the \
              exact result, before the exact mesh in light gray. Each result says what its mistakes leave of \
              which section's points; the shares are those of the rubric.</footer>\n</body>\n</html>\n"
         ));
-        page.0
+        self.0
     }
 }
 
@@ -149,8 +174,12 @@ impl Page {
                     "<td class=\"number dim\">–</td><td class=\"dim\">by hand, not graded yet</td></tr>\n"
                 ));
             } else {
+                let of = match points.len() {
+                    count if count == report.submissions.len() => String::new(),
+                    count => format!(" <span class=\"dim\">of {count}</span>"),
+                };
                 self.add(format_args!(
-                    "<td class=\"number\">{mean:.1}</td><td><span class=\"of\"><span class=\"bar\" \
+                    "<td class=\"number\">{mean:.1}{of}</td><td><span class=\"of\"><span class=\"bar\" \
                      style=\"width:{:.0}%\"></span></span></td></tr>\n",
                     100.0 * share
                 ));
@@ -231,10 +260,11 @@ impl Page {
         self.add(format_args!(
             "</div>\n<p class=\"legend\"><span><i style=\"background:{}\"></i>agrees</span>\
              <span><i class=\"ramp\" style=\"background:linear-gradient(90deg, {})\"></i>off, up to {:.0} % of the \
-             size and more</span>",
+             size and more</span><span><i style=\"background:{}\"></i>the exact mesh behind it</span>",
             css(AGREES),
             ERRORS.map(css).join(", "),
-            100.0 * LARGEST_ERROR
+            100.0 * LARGEST_ERROR,
+            css(GHOST)
         ));
         if report.tests.iter().any(|test| test.kind == "picture") {
             self.add(format_args!(

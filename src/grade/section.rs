@@ -23,15 +23,14 @@ pub struct Section {
 }
 
 impl Section {
-    /// Number and title, or the title where they say the same but for capitals.
+    /// Number and title; of a section without a number its title, or else its name.
     pub fn name(&self) -> String {
         let Self { section, title, .. } = self;
-        if title.is_empty() {
-            section.clone()
-        } else if title.eq_ignore_ascii_case(section) {
-            title.clone()
-        } else {
-            format!("{section} {title}")
+        let is_number = section.starts_with(|first: char| first.is_ascii_digit());
+        match (title.is_empty(), is_number) {
+            (true, _) => section.clone(),
+            (false, true) => format!("{section} {title}"),
+            (false, false) => title.clone(),
         }
     }
 }

@@ -1,11 +1,13 @@
 //! One test: a character in a pose, and what a file of it is.
 
 use super::graded::{Graded, Outcome, rounded};
+use super::no_numbers::NoNumbers;
 use super::report::NEARLY;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NearlyRight, PictureError, Verdict, diagnose, diagnose_picture, measure,
+    Diagnosis, NearlyRight, PictureError, Verdict, diagnose, diagnose_picture, has_silhouette,
+    measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
@@ -109,7 +111,7 @@ impl Test {
         }
         match self.data.kind {
             TestKind::Mesh => self.grade_mesh(bytes, tests),
-            TestKind::Picture { .. } => self.grade_picture(bytes),
+            TestKind::Picture { .. } => self.grade_picture(bytes, tests),
         }
     }
 
@@ -123,12 +125,21 @@ impl Test {
         if is_text && !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
             return Graded::without(Outcome::Blank, "the file has no vertices");
         }
-        let (theirs, warnings) = match read_character_obj(Path::new(&name), bytes) {
-            Ok(read) => (read.value, read.warnings),
+        let no_numbers = NoNumbers::find(bytes);
+        let readable = no_numbers.as_ref().map_or(bytes, |found| &found.without);
+        let (theirs, mut warnings) = match read_character_obj(Path::new(&name), readable) {
+            Ok(read) => (
+                read.value,
+                read.warnings
+                    .iter()
+                    .map(ToString::to_string)
+                    .collect::<Vec<_>>(),
+            ),
             Err(diagnostic) => {
                 return Graded::without(Outcome::Unreadable, diagnostic.to_string());
             }
         };
+        warnings.extend(no_numbers.map(|found| found.told(&name)));
         let places = &theirs.positions;
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
             return Graded::without(Outcome::Blank, "all vertices are in one place");
@@ -197,7 +208,7 @@ impl Test {
         }
     }
 
-    fn grade_picture(&self, bytes: &[u8]) -> Graded {
+    fn grade_picture(&self, bytes: &[u8], tests: &[Self]) -> Graded {
         let TestKind::Picture { camera, size } = self.data.kind else {
             return Graded::without(Outcome::Unreadable, "expected a mesh, found a picture");
         };
@@ -235,7 +246,7 @@ impl Test {
                 triangles,
             ))
         };
-        Graded {
+        let graded = Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
             hint: None,
@@ -248,6 +259,13 @@ impl Test {
             } else {
                 drawn()
             },
+        };
+        let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
+        let is_of = |test: &&Self| has_silhouette(&test.character, &test.pose, &picture, seen);
+        let swapped = others.find(|test| found.verdict == Verdict::Unexplained && is_of(test));
+        match swapped {
+            Some(test) => graded.of_other_test(&test.data.name),
+            None => graded,
         }
     }
 

@@ -23,7 +23,8 @@ pub(super) const LARGEST_ERROR: f32 = 0.25;
 const STEPS: f32 = 12.0;
 
 const PAPER: Color = [247, 247, 244];
-const GHOST: Color = [221, 223, 226];
+/// The exact mesh behind a file.
+pub(super) const GHOST: Color = [221, 223, 226];
 const EXACT: Color = [150, 163, 179];
 /// Where a file agrees.
 pub(super) const AGREES: Color = [176, 183, 192];
@@ -174,6 +175,9 @@ impl<'a> MeshThumbnail<'a> {
     }
 }
 
+/// Space around a silhouette, by its longer side.
+const ROOM: f32 = 0.08;
+
 /// The color of an error, by the size.
 fn error_color(error: f32) -> Color {
     let share = (error / LARGEST_ERROR).clamp(0.0, 1.0).sqrt();
@@ -186,7 +190,8 @@ fn error_color(error: f32) -> Color {
 }
 
 /// The silhouette in `theirs`, and where it differs from the exact one: a mesh with the vertices
-/// `exact`, seen with `camera` in a picture of `size` pixels. Without `theirs` the exact one alone.
+/// `exact`, seen with `camera` in a picture of `size` pixels; of that the part with both. Without `theirs` the exact one
+/// alone.
 pub(super) fn of_silhouette(
     theirs: Option<&Picture>,
     size: [u32; 2],
@@ -194,36 +199,52 @@ pub(super) fn of_silhouette(
     exact: &[Vec3],
     triangles: &[[u32; 3]],
 ) -> Picture {
-    let longer = size[0].max(size[1]).max(1);
-    let side = |pixels: u32| (pixels * SIDE / longer).max(1);
-    let (width, height) = (side(size[0]), side(size[1]));
-    let mut canvas = Canvas::new([width, height], PAPER);
-    let clip_from_world = camera.clip_from_world(size[0] as f32 / size[1].max(1) as f32);
+    let whole = Vec2::new(size[0] as f32, size[1] as f32);
+    let clip_from_world = camera.clip_from_world(whole.x / whole.y.max(1.0));
     let seen: Vec<Option<Vec3>> = exact
         .iter()
         .map(|&place| {
             let clip = clip_from_world * place.extend(1.0);
             let at = clip.truncate() / clip.w;
-            let (x, y) = (
-                (at.x + 1.0) * width as f32 / 2.0,
-                (1.0 - at.y) * height as f32 / 2.0,
-            );
-            (clip.w > 1e-6).then(|| Vec3::new(x, y, -at.z))
+            let at_pixel = Vec2::new(at.x + 1.0, 1.0 - at.y) * whole / 2.0;
+            (clip.w > 1e-6).then(|| at_pixel.extend(-at.z))
         })
         .collect();
-    for corners in triangles {
-        if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner as usize]) {
-            canvas.triangle([a, b, c], |_| EXACT);
+    let is_drawn = theirs.map(drawn);
+    let mut corners: Vec<Vec2> = seen.iter().flatten().map(|at| at.truncate()).collect();
+    if let Some(is_drawn) = &is_drawn {
+        for row in 0..size[1] as usize {
+            let mut columns = (0..size[0] as usize).filter(|&column| is_drawn(column, row));
+            let first = columns.next();
+            let both = [first, columns.next_back().or(first)];
+            corners.extend(
+                both.iter()
+                    .flatten()
+                    .map(|&column| Vec2::new(column as f32, row as f32)),
+            );
         }
     }
-    if let Some(theirs) = theirs {
-        let is_drawn = drawn(theirs);
-        let from = |place: usize, small: u32, large: u32| {
-            ((2 * place + 1) * large as usize / (2 * small as usize)).min(large as usize - 1)
+    let (from, shown) = part_with(&corners, whole);
+    let scale = SIDE as f32 / shown.max_element();
+    let [width, height] = shown
+        .to_array()
+        .map(|side| (side * scale).round().max(1.0) as u32);
+    let mut canvas = Canvas::new([width, height], PAPER);
+    let to_canvas = |at: Vec3| ((at.truncate() - from) * scale).extend(at.z);
+    for corners in triangles {
+        if let [Some(a), Some(b), Some(c)] = corners.map(|corner| seen[corner as usize]) {
+            canvas.triangle([a, b, c].map(to_canvas), |_| EXACT);
+        }
+    }
+    if let Some(is_drawn) = is_drawn {
+        let pixel = |x: usize, y: usize| {
+            let at = from + Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / scale;
+            let at = at.clamp(Vec2::ZERO, whole - 1.0);
+            (at.x as usize, at.y as usize)
         };
-        canvas.map(|x, y, pixel| {
-            let (column, row) = (from(x, width, size[0]), from(y, height, size[1]));
-            match (is_drawn(column, row), pixel != PAPER) {
+        canvas.map(|x, y, color| {
+            let (column, row) = pixel(x, y);
+            match (is_drawn(column, row), color != PAPER) {
                 (true, true) => AGREES,
                 (true, false) => ONLY_THEIRS,
                 (false, true) => ONLY_EXACT,
@@ -232,6 +253,20 @@ pub(super) fn of_silhouette(
         });
     }
     canvas.into_picture()
+}
+
+/// The part of a picture of the size `whole` that has these places, with some room: its corner and its size.
+fn part_with(places: &[Vec2], whole: Vec2) -> (Vec2, Vec2) {
+    let inside = places.iter().map(|place| place.clamp(Vec2::ZERO, whole));
+    let (low, high) = inside.fold((whole, Vec2::ZERO), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    if low.cmpge(high).any() {
+        return (Vec2::ZERO, whole.max(Vec2::ONE));
+    }
+    let room = ROOM * (high - low).max_element();
+    let (low, high) = ((low - room).max(Vec2::ZERO), (high + room).min(whole));
+    (low, (high - low).max(Vec2::ONE))
 }
 
 /// Whether a pixel, by column and row, differs from the background.

@@ -247,11 +247,25 @@ impl Camera {
         self.target += self.right() * by.x + Vec3::Y * by.y - self.outward() * by.z;
     }
 
-    /// Moves the eye towards the target by `notches` of the wheel, down to a distance of 0.5. If it
-    /// is nearer already, as after [`Camera::fit`] of something small, it stays.
+    /// Moves the eye towards the target by `notches` of the wheel. Its steps are all alike in the course's editor, as here
+    /// from a radius of 4 on; nearer, where they would soon be too large, they are parts of the radius.
     pub fn zoom(&mut self, notches: f32) {
-        let nearest = NEAREST.min(self.radius);
-        self.radius = (self.radius - ZOOM_PER_NOTCH * notches).max(nearest);
+        // Of a notch nearer, as a part of the radius in logarithms.
+        let nearer = (1.0 - ZOOM_PER_NOTCH / NEAR_FOR_COURSE).ln();
+        if notches > 0.0 {
+            let far = (self.radius - NEAR_FOR_COURSE) / ZOOM_PER_NOTCH;
+            let far = far.clamp(0.0, notches);
+            self.radius -= ZOOM_PER_NOTCH * far;
+            let before = self.radius;
+            self.dolly(nearer * (notches - far));
+            // As after a fit of something small, where it is nearer already than it may come.
+            self.radius = self.radius.min(before);
+        } else {
+            let near = (self.radius / NEAR_FOR_COURSE).ln() / nearer;
+            let near = near.clamp(0.0, -notches);
+            self.dolly(-nearer * near);
+            self.radius += ZOOM_PER_NOTCH * (-notches - near);
+        }
     }
 }
 
@@ -384,7 +398,24 @@ mod tests {
         camera.turn(Vec2::new(0.0, -10_000.0));
         assert!((camera.phi - (FRAC_PI_2 - 0.1)).abs() < 1e-6);
         camera.zoom(1000.0);
-        assert_eq!(camera.radius, 0.5);
+        assert_eq!(camera.radius, 2.0 * camera.near);
+    }
+
+    #[test]
+    fn the_wheel_goes_in_steps_of_a_half_far_away_and_of_an_eighth_nearer_and_back() {
+        let mut camera = Camera::default();
+        let mut radii = vec![camera.radius];
+        for _ in 0..6 {
+            camera.zoom(1.0);
+            radii.push(camera.radius);
+        }
+        assert_eq!(radii[..3], [5.0, 4.5, 4.0]);
+        let are_even = radii[2..]
+            .windows(2)
+            .all(|pair| (pair[1] / pair[0] - 0.875).abs() < 1e-5);
+        assert!(are_even, "{radii:?}");
+        camera.zoom(-6.0);
+        assert!((camera.radius - 5.0).abs() < 1e-5, "{}", camera.radius);
     }
 
     #[test]
@@ -396,6 +427,6 @@ mod tests {
         camera.zoom(1.0);
         assert_eq!(camera.radius, 0.05);
         camera.zoom(-1.0);
-        assert_eq!(camera.radius, 0.55);
+        assert!(camera.radius > 0.05);
     }
 }

@@ -73,7 +73,10 @@ pub(super) fn ask(
     at: Pos2,
     actions: &mut Vec<Action>,
 ) {
-    let bone = state.pose.hovered.map(|hit| (hit.shape, hit.joint));
+    // What lights up: the joint that the tool would take.
+    let bone = session
+        .hovered_bone()
+        .filter(|_| state.pose.hovered.is_some());
     let of_bone = bone.map(|(shape, _)| shape);
     let of_handle = session.selected().filter(|_| state.pose.hot.is_some());
     let shape = of_bone.or(of_handle);

@@ -17,9 +17,15 @@ const SIZE: egui::Vec2 = vec2(184.0, 24.0);
 /// Views lower than this, in points, have no switch.
 const ROOM: f32 = 320.0;
 
+/// Its lower end, if there is room for it.
+pub(super) fn bottom(view: Rect) -> Option<f32> {
+    let has_room = view.height() >= ROOM && view.width() >= ROOM;
+    has_room.then(|| axis_ball::bottom(view) + 4.0 + SIZE.y)
+}
+
 /// The switch between the looks, below the axis ball.
 pub(super) fn show(ui: &mut Ui, view: Rect, look: Look, actions: &mut Vec<Action>) {
-    if view.height() < ROOM || view.width() < ROOM {
+    if bottom(view).is_none() {
         return;
     }
     let corner = pos2(view.right() - SIZE.x - 8.0, axis_ball::bottom(view) + 4.0);

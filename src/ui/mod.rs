@@ -58,7 +58,9 @@ mod widgets;
 mod windows;
 
 pub use action::{Action, Answer, Ask, GestureStep, HistoryMove, Question, Screenshot, Turntable};
-pub use commands::{COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive, RELOADS};
+pub use commands::{
+    COMMANDS, Command, Entry, GESTURES, Gesture, Menu, Primitive, is_kept_by_browsers,
+};
 pub use compare::{
     CompareAction, CompareMeshAction, CompareMeshView, CompareMode, CompareReport, CompareSettings,
     CompareView, MeshesShown, ShownPicture, course_panels, picture_texture,

@@ -99,14 +99,12 @@ fn gestures(
         let picked = &mut state.pose.picked;
         let shape = clicked.and_then(|position| shape_at(picked, session, places, position));
         let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
-        let drops_joint = shape.is_none()
-            && matches!(state.pose.tool, Tool::Pose | Tool::Ik)
-            && session.selected_joint().is_some();
+        let goes_on_posing = posing::posed(session, state.pose.tool).is_some();
         match shape {
             // A click that misses must not lose what was selected before.
             None if adds => return None,
-            // Who misses a bone goes on with the same figure.
-            None if drops_joint => actions.push(Action::View(View::SelectJoint(None))),
+            // Who misses a bone goes on with the same figure; Esc lets it go.
+            None if goes_on_posing => actions.push(Action::View(View::SelectJoint(None))),
             Some(shape) if adds => actions.push(Action::View(View::ToggleSelected(shape))),
             _ => actions.push(Action::View(View::Select(shape))),
         }

@@ -163,10 +163,14 @@ fn viewer_reset(ui: &mut Ui, view: Rect) -> bool {
 }
 
 /// Picture that things are fitted into, `aspect` times as wide as high: what the tool bar leaves free
-/// of it, and as much at the bottom, so that what is fitted is in the middle.
+/// of it, or where it is higher than wide what the switch of the looks does, and as much at the bottom, so that what is
+/// fitted is in the middle.
 pub(super) fn fit_area(state: &UiState, aspect: f32) -> FitArea {
     const LEAST: f32 = 0.5;
-    let covered = 2.0 * tool_rows(state) * BAR_HEIGHT / state.view_rect.height().max(1.0);
+    let below_switch = look_switch::bottom(state.view_rect).filter(|_| aspect < 1.0);
+    let top = below_switch.map_or(0.0, |bottom| bottom - state.view_rect.top());
+    let top = top.max(tool_rows(state) * BAR_HEIGHT);
+    let covered = 2.0 * top / state.view_rect.height().max(1.0);
     FitArea {
         aspect,
         free: glam::Vec2::new(1.0, (1.0 - covered).max(LEAST)),

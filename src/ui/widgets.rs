@@ -174,6 +174,9 @@ pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
         ..EventFilter::default()
     };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(row.id, filter));
+    // With the pointer over something else, Home is about that.
+    let pointer = ui.input(|input| input.pointer.latest_pos());
+    let is_elsewhere = pointer.is_some_and(|at| !ui.clip_rect().x_range().contains(at.x));
     ui.input_mut(|input| {
         [
             (Key::ArrowUp, ListMove::Up),
@@ -184,6 +187,7 @@ pub(super) fn list_move(ui: &Ui, row: &Response) -> Option<ListMove> {
             (Key::ArrowRight, ListMove::Right),
         ]
         .into_iter()
+        .filter(|(key, _)| !is_elsewhere || !matches!(key, Key::Home | Key::End))
         .find(|&(key, _)| input.consume_key(Modifiers::NONE, key))
         .map(|(_, movement)| movement)
     })

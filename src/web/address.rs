@@ -102,6 +102,14 @@ fn linked_scene() -> Option<Result<String, String>> {
     Some(scene_link::from_link(fragment.strip_prefix(SCENE)?))
 }
 
+/// Takes the scene of a link out of the page's address: another document is open by now, which a reload must not put
+/// that scene in the place of.
+pub(super) fn leave_link() {
+    if browser::fragment().starts_with(SCENE) {
+        browser::clear_fragment();
+    }
+}
+
 /// Opens the scenes of links that are followed to the page while it is open.
 ///
 /// # Errors

@@ -1,11 +1,13 @@
 //! The program as eframe runs it: panels, and the scene below them.
 
+use super::address::leave_link;
 use super::error_watch::ErrorWatch;
 use super::page::Page;
 use super::{browser, fonts};
 use crate::gpu::{CanvasContext, Rect};
 use crate::program::{FingerPresses, Graphics, Pass, input_parts};
 use crate::render::view_place;
+use crate::revision::Revision;
 use eframe::{CreationContext, Frame};
 use egui::{Event, RawInput, Shape, Ui};
 use std::cell::RefCell;
@@ -25,6 +27,8 @@ pub(super) struct Application {
     later: Vec<Event>,
     /// Whether there has been a picture.
     is_shown: bool,
+    /// The document that is open, once the program has started.
+    opened: Option<Revision>,
 }
 
 thread_local! {
@@ -57,6 +61,7 @@ impl Application {
             presses: FingerPresses::default(),
             later: Vec::new(),
             is_shown: false,
+            opened: None,
         })
     }
 }
@@ -96,6 +101,15 @@ impl eframe::App for Application {
         self.errors.end_frame();
         root.painter().set(below, scene(rect));
         let told = program.session().messages.count() != messages;
+        let opened = program.session().opened();
+        if !program.is_starting()
+            && self
+                .opened
+                .replace(opened)
+                .is_some_and(|before| before != opened)
+        {
+            leave_link();
+        }
         let is_first = !program.is_starting() && !self.is_shown;
         self.is_shown |= is_first;
         if is_first {

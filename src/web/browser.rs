@@ -262,6 +262,14 @@ pub(super) fn fragment() -> String {
     hash.strip_prefix('#').unwrap_or_default().to_owned()
 }
 
+/// Takes what is behind `#` out of the page's address; the browser's way back has it still.
+pub(super) fn clear_fragment() {
+    if let Some(window) = window() {
+        // Nothing depends on it.
+        let _ = window.location().set_hash("");
+    }
+}
+
 /// Opens the page anew.
 pub(super) fn reload() {
     if let Some(window) = window() {

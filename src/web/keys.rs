@@ -1,7 +1,7 @@
 //! Keys that mean something to the program, and something else to the browser.
 
 use super::browser;
-use crate::ui::{COMMANDS, RELOADS};
+use crate::ui::{COMMANDS, is_kept_by_browsers};
 use egui::{Key, Modifiers};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Event, KeyboardEvent};
@@ -35,7 +35,7 @@ fn is_of_a_command(event: &KeyboardEvent) -> bool {
     let is_kept = if ctrl {
         OF_THE_BROWSER.contains(&key)
     } else {
-        !is_function_key || key == RELOADS.logical_key
+        !is_function_key
     };
     if is_kept {
         return false;
@@ -47,6 +47,9 @@ fn is_of_a_command(event: &KeyboardEvent) -> bool {
         command: ctrl,
         mac_cmd: false,
     };
+    if is_kept_by_browsers(pressed, key) {
+        return false;
+    }
     let mut shortcuts = COMMANDS.iter().flat_map(|entry| entry.shortcuts);
     shortcuts
         .any(|shortcut| shortcut.logical_key == key && pressed.matches_exact(shortcut.modifiers))

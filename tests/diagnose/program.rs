@@ -65,7 +65,7 @@ fn a_mistake_is_told_with_what_to_look_at_and_ends_with_1() {
     let ran = diagnose(folder().path(), "wrong.obj", "man.obj", "bend.json");
     let told = "\
 no-inverse-bind: vertices are moved by T alone, without the inverse of B
-  agrees   but for less than 0.001 % of the size; the exact result is 32.9 % of the size away
+  agrees   with what that gives, but for less than 0.001 % of the size; the exact result is 32.9 % of the size away
   section  4.2 SSD
   look at  updateMeshVertices: whether bindWorldToJointTransform is multiplied at all, and is filled
   shown by Tip, vertex 2 (from 0): theirs (-3.0000, 1.0000, 0.0000), exact (-2.0000, 1.0000, 0.0000)

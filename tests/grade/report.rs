@@ -3,6 +3,7 @@
 use crate::diagnose::figures::obj;
 use crate::diagnose::student::with;
 use crate::grade::support::{Class, result};
+use crate::program::editor_in;
 use glam::Vec3;
 use serde_json::json;
 
@@ -417,4 +418,48 @@ fn a_section_of_the_rubric_in_which_nobody_gets_points_is_told() {
     let mut told = ran.err.lines().filter(|line| line.contains("tests.json"));
     let warning = "warning: tests.json: no test has points for 42, and nobody is given any by hand";
     assert_eq!((told.next(), told.next()), (Some(warning), None));
+}
+
+#[test]
+fn each_submission_has_a_page_of_its_own_that_names_no_other() {
+    let class = class();
+    class.graded();
+    let page = String::from_utf8(class.read("report/pages/eve.html")).unwrap();
+    assert!(page.contains("<h3>eve</h3>") && page.contains("euler-zyx: "));
+    assert!(!page.contains("kim, lee") && !page.contains("&lt;Bob"));
+    let names = ["Ada - -Bob-.html", "kim- lee.html", "zoe.html"];
+    for name in names {
+        assert!(
+            !class.read(&format!("report/pages/{name}")).is_empty(),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn pictures_that_are_swapped_between_tests_are_said_to_be_and_what_is_no_number_counts_as_wrong() {
+    let class = Class::new(&["robot", "adult"]);
+    let mut tests = class.tests_file();
+    for test in tests["tests"].as_array_mut().unwrap() {
+        test["kind"] = "picture".into();
+        test["size"] = json!([400, 300]);
+    }
+    class.set_tests(&tests);
+    for (index, (test, figure)) in class.tests.iter().enumerate() {
+        let text = obj(&with(&[]).skin(figure), figure, |number| number.to_string());
+        class.write("right.obj", text);
+        let (other, _) = &class.tests[1 - index];
+        class.write("class/eve/about.txt", "");
+        let output = format!("class/eve/{other}.png");
+        let words = ["render", "right.obj", "--size", "400x300", "-o", &output];
+        let ran = editor_in(class.path(), &words);
+        assert_eq!(ran.code, Some(0), "{test}: {}", ran.err);
+    }
+    let report = class.graded();
+    for (index, (test, _)) in class.tests.iter().enumerate() {
+        let (other, _) = &class.tests[1 - index];
+        let found = result(&report, "eve", test);
+        assert_eq!(found["outcome"], "other-pose", "{found}");
+        assert_eq!(found["hint"], format!("the result of {other}"));
+    }
 }

@@ -329,6 +329,11 @@ fn pins_of_a_deleted_character_are_forgotten() {
     editor.add_character(figure::figure());
     editor.pin(LEFT_FOOT);
     assert!(editor.can_unpin());
+    // While a joint is selected, the key is about that.
+    editor.key(Key::Delete);
+    editor.settle();
+    assert!(editor.can_unpin());
+    editor.key(Key::Escape);
     editor.key(Key::Delete);
     editor.settle();
     assert!(!editor.can_unpin());

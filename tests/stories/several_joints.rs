@@ -86,6 +86,8 @@ fn joints_that_are_added_in_the_view_turn_together_about_the_axis_that_is_typed(
     assert!(story.session().selected_joints().is_empty());
     assert!(story.session().selected().is_some());
     story.click_at(beside);
+    assert!(story.session().selected().is_some(), "it is still posed");
+    story.key(Key::Escape);
     assert_eq!(story.session().selected(), None);
 }
 

@@ -26,8 +26,8 @@ use work::Work;
 /// FOLDER holds a folder for each submission, and each of these a file for each test: TEST.obj, a posed
 /// mesh, or TEST.png, a picture. TESTS.json says which tests there are, how points are given, and which command
 /// makes the files, if one does. Prints a row for each submission and writes grade.json, grade.csv and
-/// grade.html into REPORT. What is graded is kept there: started again, it resumes where it stopped, and
-/// only what has changed is graded anew.
+/// grade.html into REPORT, and a page for each submission alone into REPORT/pages. What is graded is kept there: started
+/// again, it resumes where it stopped, and only what has changed is graded anew.
 ///
 /// Beside "tests" and "rubric", TESTS.json can have a "command" that makes the files, run in the folder of each
 /// submission: {"run": ["./build/pose", "{character}", "{pose}", "{output}"], "seconds": 60, "memory": 1024}, with
@@ -87,6 +87,8 @@ const EXAMPLE: &str = include_str!("../../../docs/tests.json");
 const JSON: &str = "grade.json";
 const CSV: &str = "grade.csv";
 const PAGE: &str = "grade.html";
+/// Folder of the pages of single submissions.
+const PAGES: &str = "pages";
 
 /// Carries the command out. That solutions are wrong is no error.
 ///
@@ -293,6 +295,22 @@ fn beside(file: &Path, path: &Path) -> PathBuf {
     }
 }
 
+/// Name of the page of the submission `name`, unlike all `others`: a part that is merged may hold any.
+fn page_name(name: &str, others: &mut BTreeSet<String>) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || " -_".contains(c);
+    let plain: String = name
+        .chars()
+        .map(|c| if is_plain(c) { c } else { '-' })
+        .take(100)
+        .collect();
+    let plain = plain.trim().to_owned();
+    let numbered = (2..).map(|number| format!("{plain}-{number}"));
+    let mut free = std::iter::once(plain.clone()).chain(numbered);
+    // File systems may not tell capitals from small letters.
+    let free = free.find(|stem| others.insert(stem.to_lowercase()));
+    format!("{}.html", free.unwrap_or(plain))
+}
+
 /// Writes the report and prints its rows.
 fn report(
     folder: &Path,
@@ -301,11 +319,19 @@ fn report(
 ) -> Result<(), CliError> {
     let file = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
     let report = Report::new(&file, &run.pictures, graded.into_iter().collect());
-    disk::write_all_whole(&[
+    let mut written = vec![
         (folder.join(JSON), json_text(&report)?.into_bytes()),
         (folder.join(CSV), report.to_csv().into_bytes()),
         (folder.join(PAGE), report.to_html().into_bytes()),
-    ])?;
+    ];
+    let pages = folder.join(PAGES);
+    std::fs::create_dir_all(&pages).map_err(|error| Diagnostic::new(&pages, error.to_string()))?;
+    let mut names = BTreeSet::new();
+    for (name, page) in report.to_pages() {
+        let stem = page_name(name, &mut names);
+        written.push((pages.join(stem), page.into_bytes()));
+    }
+    disk::write_all_whole(&written)?;
     let rows = report
         .to_lines()
         .iter()

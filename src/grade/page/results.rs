@@ -42,18 +42,26 @@ impl Page {
         }
         self.add(format_args!("</tbody></table></div>\n<h2>Results</h2>\n"));
         for (number, submission) in report.submissions.iter().enumerate() {
-            self.submission(report, number, submission);
+            self.submission(report, number, submission, false);
         }
     }
 
-    fn submission(&mut self, report: &Report, number: usize, submission: &Submission) {
+    /// What was found in a submission, folded away unless it `is_open`.
+    pub(super) fn submission(
+        &mut self,
+        report: &Report,
+        number: usize,
+        submission: &Submission,
+        is_open: bool,
+    ) {
         let name = Escaped(&submission.name);
         let open = match submission.not_graded {
             0.0 => String::new(),
             open => format!("<span class=\"dim\">, {open} more not graded yet</span>"),
         };
         self.add(format_args!(
-            "<details><summary><h3>{name}</h3><span class=\"number\">{} of {}{open}</span><span>",
+            "<details{}><summary><h3>{name}</h3><span class=\"number\">{} of {}{open}</span><span>",
+            if is_open { " open=\"open\"" } else { "" },
             submission.points,
             submission.graded()
         ));

@@ -5,7 +5,7 @@ use super::table::{ALT, CTRL, NONE, SHIFT, entry_of, meant};
 use super::{COMMANDS, Command, Entry};
 use crate::editor::{Session, Tool};
 use crate::ui::{Navigation, UiState};
-use egui::{Context, Id, Key, KeyboardShortcut};
+use egui::{Context, Id, Key, KeyboardShortcut, Modifiers};
 
 /// Shortcuts that Blender's navigation adds, because its users' hands know them.
 const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
@@ -34,15 +34,25 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
 ];
 
 /// Shortcuts that are the browser's on a page: those that open, close and change windows and tabs, of which it tells no
-/// page, and the one that reloads every page.
-const KEPT_BY_BROWSERS: [KeyboardShortcut; 3] = [
+/// page or which it would take from tabs, and the one that reloads every page.
+const KEPT_BY_BROWSERS: [KeyboardShortcut; 6] = [
     RELOADS,
+    KeyboardShortcut::new(CTRL, Key::Num1),
+    KeyboardShortcut::new(CTRL, Key::Num3),
+    KeyboardShortcut::new(CTRL, Key::Num7),
     KeyboardShortcut::new(CTRL, Key::N),
     KeyboardShortcut::new(CTRL, Key::Tab),
 ];
 
 /// The key by which browsers reload a page.
-pub const RELOADS: KeyboardShortcut = KeyboardShortcut::new(NONE, Key::F5);
+const RELOADS: KeyboardShortcut = KeyboardShortcut::new(NONE, Key::F5);
+
+/// Whether a shortcut is the browser's on a page, where commands leave it alone.
+pub fn is_kept_by_browsers(modifiers: Modifiers, key: Key) -> bool {
+    KEPT_BY_BROWSERS
+        .iter()
+        .any(|kept| kept.logical_key == key && modifiers.matches_exact(kept.modifiers))
+}
 
 impl Entry {
     /// Shortcuts in a navigation, whose own come first and take precedence over the general ones.
@@ -78,7 +88,7 @@ impl Entry {
         navigation: Navigation,
     ) -> impl Iterator<Item = &'static KeyboardShortcut> {
         let quits = self.command == Command::Quit && !navigation.quits_by_esc();
-        let is_page = ctx.data(|data| data.get_temp(on_page()).unwrap_or_default());
+        let is_page = is_page(ctx);
         let is_told = move |shortcut: &&KeyboardShortcut| {
             let is_no_quit = quits && shortcut.logical_key == Key::Escape;
             let is_kept = is_page && KEPT_BY_BROWSERS.contains(shortcut);
@@ -152,6 +162,11 @@ pub(in crate::ui) fn remember_for_keys(ctx: &Context, navigation: Navigation, is
         data.insert_temp(Id::NULL, navigation);
         data.insert_temp(on_page(), is_page);
     });
+}
+
+/// Whether this is a page of a browser.
+pub(super) fn is_page(ctx: &Context) -> bool {
+    ctx.data(|data| data.get_temp(on_page()).unwrap_or_default())
 }
 
 fn on_page() -> Id {

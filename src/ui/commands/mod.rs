@@ -11,7 +11,7 @@ mod sweep;
 mod table;
 
 pub use gestures::{GESTURES, Gesture};
-pub use keys::RELOADS;
+pub use keys::is_kept_by_browsers;
 pub use table::{COMMANDS, Entry, Menu};
 
 pub(super) use enabled::why_disabled;

@@ -1,5 +1,6 @@
 //! Shortcuts of commands that are pressed.
 
+use super::keys::{is_kept_by_browsers, is_page};
 use super::table::{CTRL, SHIFT};
 use super::{COMMANDS, Command, Entry};
 use crate::ui::Navigation;
@@ -7,6 +8,7 @@ use egui::{Context, Event, Key, Modifiers};
 
 /// Commands whose shortcuts were pressed in this frame, with the keys; their events are consumed.
 pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Command, Key)> {
+    let is_page = is_page(ctx);
     ctx.input_mut(|input| {
         let mut commands = Vec::new();
         let held = input.pointer.any_down();
@@ -27,6 +29,7 @@ pub(in crate::ui) fn pressed(ctx: &Context, navigation: Navigation) -> Vec<(Comm
                 _ => return true,
             };
             let hit = command_of(modifiers, key, navigation)
+                .filter(|_| !(is_page && is_kept_by_browsers(modifiers, key)))
                 // Esc while a button is down cancels that drag, and ends nothing else.
                 .filter(|&command| !(held && command == Command::Quit))
                 .map(|command| (command, key));

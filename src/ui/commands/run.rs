@@ -204,6 +204,11 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
                 _ => View::SetCamera(session.view().camera.looking_from(direction)),
             }));
         }
+        Command::ResetCamera
+            if view.look == Look::Course && view.camera == *session.start_camera() =>
+        {
+            return Some(Action::View(View::SetCamera(Camera::default())));
+        }
         Command::ResetCamera => return Some(Action::View(View::ResetCamera)),
         Command::Fit | Command::FitAll => {
             let area = view_overlay::fit_area(state, aspect);

@@ -231,7 +231,7 @@ pub const COMMANDS: &[Entry] = &[
     entry(Command::ViewFrom(ViewDirection::MinusY), Menu::Directions, "View from -Y", "Look from below; in the course's navigation at the origin", &[key(CTRL, Key::Num7)]).also("bottom"),
     entry(Command::ViewFrom(ViewDirection::PlusZ), Menu::Directions, "View from +Z", "Look from +Z; in the course's navigation at the origin", &[key(NONE, Key::Num1)]).also("front"),
     entry(Command::ViewFrom(ViewDirection::MinusZ), Menu::Directions, "View from -Z", "Look from -Z; in the course's navigation at the origin", &[key(CTRL, Key::Num1)]).also("back rear behind"),
-    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started", &[key(NONE, Key::Home)]).also("home zoom"),
+    entry(Command::ResetCamera, Menu::View, "Reset to Default Camera View", "Put the camera back to where it started; once more, in the Course look, to where the course's editor starts", &[key(NONE, Key::Home)]).also("home zoom"),
     only_in(Navigation::Mannequin, entry(Command::ResetViewAndPose, Menu::View, "Reset View and Pose", "Put the camera and every character back to where they started, posed as they were opened", &[key(NONE, Key::R)])),
     entry(Command::Fit, Menu::View, "Fit to View", "Fill the view with the selected shape, or with everything if none is", &[key(NONE, Key::F)]).also("frame focus zoom center"),
     entry(Command::FitAll, Menu::View, "Fit All to View", "Fill the view with everything, whatever is selected", &[key(SHIFT, Key::F)]).also("frame focus zoom center"),
@@ -300,13 +300,15 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
     COMMANDS.iter().find(|entry| entry.command == command)
 }
 
-/// What the key of `command` does at the moment: with the Pose tool, Delete puts the selected joint back to
+/// What the key of `command` does at the moment: with the Pose and IK tools, Delete puts the selected joint back to
 /// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R in
 /// Blender's navigation does.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
     let has_joint = session.selected_joint().is_some();
     match command {
-        Command::Delete if has_joint && tool == Tool::Pose => Command::ResetJoint,
+        Command::Delete if has_joint && matches!(tool, Tool::Pose | Tool::Ik) => {
+            Command::ResetJoint
+        }
         Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetJoint,
         command => command,
     }

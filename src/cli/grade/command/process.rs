@@ -42,6 +42,9 @@ pub(super) fn run(
     let started = interruption.start(command.stderr(Stdio::piped()));
     let mut child = started.map_err(|error| match error.kind() {
         ErrorKind::NotFound => CommandFailure::Missing(format!("there is no program {name}")),
+        ErrorKind::PermissionDenied if program.is_file() => CommandFailure::Failed(format!(
+            "{name} cannot be started: it is not executable (chmod +x)"
+        )),
         _ => CommandFailure::Failed(format!("{name} cannot be started: {}", in_words(&error))),
     })?;
     let printed = read_on(child.stderr.take());
