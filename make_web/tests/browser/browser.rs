@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(90);
 pub const SIZE: (u32, u32) = (1280, 800);
 
 /// The middle of the view in pages of [`SIZE`], clear of bars and of the first help.
-pub const VIEW: Part = (200, 80, 900, 640);
+pub const VIEW: Part = (200, 80, 900, 600);
 
 /// Keys of WebDriver.
 pub const CTRL: &str = "\u{e009}";

@@ -37,6 +37,11 @@ fn a_link_to_a_scene_shows_it_to_whoever_opens_it() {
     // Nothing is selected in a scene that was opened, so the outlines are gone.
     assert!(difference(&changed, &shown, VIEW) < 0.05);
     assert!(difference(&changed, &shown, VIEW) < difference(&before, &shown, VIEW));
+    // Once another document is open, a reload is not to bring this one.
+    let fragment = || browser.script("return location.hash");
+    assert_ne!(fragment(), "");
+    browser.command("New");
+    browser.wait("the scene of the link is left", || fragment() == "");
     browser.finish();
 }
 

@@ -41,8 +41,12 @@ fn keys_of_commands_are_kept_from_the_browser_and_others_are_not() {
         );
         browser.script(&script) == true
     };
-    assert!(is_kept("F5", false) && is_kept("s", true) && is_kept("o", true));
+    assert!(is_kept("F6", false) && is_kept("s", true) && is_kept("o", true));
     assert!(!is_kept("r", true) && !is_kept("F11", false) && !is_kept("t", true));
+    assert!(
+        !is_kept("F5", false) && !is_kept("1", true),
+        "reloading, and the first tab"
+    );
     browser.finish();
 }
 
