@@ -63,6 +63,9 @@ fn frame(ui: &Ui) -> Frame {
     Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4))
 }
 
+/// Opacity of the drawer while something is dragged.
+const IN_A_DRAG: f32 = 0.35;
+
 /// The panel over the right of what is left of `root`, which it leaves to the view.
 fn drawer(root: &mut Ui, session: &Session, state: &mut UiState, actions: &mut Vec<Action>) {
     let mut place = root.available_rect_before_wrap();
@@ -73,6 +76,10 @@ fn drawer(root: &mut Ui, session: &Session, state: &mut UiState, actions: &mut V
         // egui would move it up where it was higher in the frame before, over the menu bar.
         .constrain(false);
     area.show(root.ctx(), |ui| {
+        if session.is_in_gesture() {
+            // What a number does is seen below it.
+            ui.set_opacity(IN_A_DRAG);
+        }
         frame(root).show(ui, |ui| {
             let inner = place.size() - frame(root).total_margin().sum();
             ui.set_min_size(inner);

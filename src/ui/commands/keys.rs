@@ -33,8 +33,7 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
     ),
 ];
 
-/// Shortcuts that are the browser's on a page: those that open, close and change windows and tabs, of which it tells no
-/// page or which it would take from tabs, and the one that reloads every page.
+/// Shortcuts that are the browser's on a page: those for its windows and tabs, and the one that reloads.
 const KEPT_BY_BROWSERS: [KeyboardShortcut; 6] = [
     RELOADS,
     KeyboardShortcut::new(CTRL, Key::Num1),
