@@ -204,19 +204,23 @@ pub(super) mod tests {
 
     #[test]
     fn a_short_bone_at_the_end_of_a_limb_is_its_end_and_a_forearm_or_a_head_is_none() {
-        let leg = skeleton(&[
+        let mut joints = vec![
             (None, [0.0, 1.0, 0.0]),
             (Some(0), [0.1, -0.05, 0.0]),
             (Some(1), [0.0, -0.45, 0.0]),
             (Some(2), [0.0, -0.4, 0.0]),
             (Some(0), [0.0, 0.5, 0.0]),
             (Some(4), [0.0, 0.1, 0.0]),
-        ]);
+        ];
+        let leg = skeleton(&joints);
         let is_end = |joint, tip: [f32; 3]| is_end_of_limb(&leg, joint, tip.into());
         assert!(is_end(3, [0.0, -0.05, 0.15]), "a foot");
         assert!(!is_end(3, [0.0, -0.3, 0.0]), "as long as a shin");
         assert!(!is_end(5, [0.0, 0.05, 0.0]), "a head on a short neck");
-        assert!(!is_end(1, [0.0, -0.05, 0.0]), "a hip has a leg below it");
+        joints.push((Some(3), [0.0, -0.05, 0.1]));
+        let with_toes = skeleton(&joints);
+        let heel = Vec3::new(0.0, -0.05, -0.05);
+        assert!(!is_end_of_limb(&with_toes, 3, heel), "toes hang on it");
     }
 
     #[test]
