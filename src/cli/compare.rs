@@ -181,11 +181,7 @@ fn pictures(args: &Args) -> Result<(), CliError> {
     }
     let done = print_result(args, &comparison, comparison.passed);
     if comparison.differs_in_outline() && !args.json {
-        let theirs = shell_word(&args.b.to_string_lossy());
-        print(&format!(
-            "If {theirs} shows a character alone in a pose, a mistake in skinning is found by\n  \
-             editor diagnose {theirs} --character MODEL.obj --pose POSE.json\n"
-        ))?;
+        print(&how_to_diagnose(args, "shows a character alone", None))?;
     }
     done
 }
@@ -234,22 +230,27 @@ fn meshes(args: &Args) -> Result<(), CliError> {
     let comparison = compare_meshes(&a, &b, &options).map_err(cannot_compare)?;
     let done = print_result(args, &comparison, comparison.passed);
     if comparison.is_unexplained() && !args.json {
-        print(&format!("{}\n", how_to_diagnose(args, parts.is_some())))?;
+        let (what, model) = match &parts {
+            Some(_) => {
+                let model = args.character.as_ref().unwrap_or(&args.a);
+                ("is this character", Some(model))
+            }
+            None => ("is a character", None),
+        };
+        print(&how_to_diagnose(args, what, model))?;
     }
     done
 }
 
-/// The command that finds mistakes in skinning, which no comparison of two meshes can; whether a `character_is_known`.
-fn how_to_diagnose(args: &Args, character_is_known: bool) -> String {
-    let model = args.character.as_ref().unwrap_or(&args.a);
-    let [theirs, model] = [&args.b, model].map(|path| shell_word(&path.to_string_lossy()));
-    let (whose, model) = match character_is_known {
-        true => ("this", model),
-        false => ("a", "MODEL.obj".to_owned()),
-    };
+/// The command that finds mistakes in skinning, which no comparison can, if B is `what`: of the character `model`, if that
+/// is known.
+fn how_to_diagnose(args: &Args, what: &str, model: Option<&PathBuf>) -> String {
+    let word = |path: &Path| shell_word(&path.to_string_lossy());
+    let theirs = word(&args.b);
+    let model = model.map_or("MODEL.obj".to_owned(), |model| word(model));
     format!(
-        "If {theirs} is {whose} character in a pose, a mistake in skinning is found by\n  \
-         editor diagnose {theirs} --character {model} --pose POSE.json"
+        "If {theirs} {what} in a pose, a mistake in skinning is found by\n  \
+         editor diagnose {theirs} --character {model} --pose POSE.json\n"
     )
 }
 

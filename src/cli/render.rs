@@ -347,21 +347,22 @@ fn session(args: &Args) -> Result<Session, CliError> {
             None => camera.fit(&bounds, FitArea::whole(aspect)),
         }
         // A test of a picture, or another program, may have to look in the same way.
-        let Camera {
-            theta,
-            phi,
-            radius,
-            target,
-            ..
-        } = camera;
-        let [x, y, z] = target.to_array();
-        let numbers = [theta.to_degrees(), phi.to_degrees(), radius, x, y, z];
-        let numbers = numbers.map(|number| ((number * 1e4).round() / 1e4).to_string());
-        let numbers = numbers.join(",");
         if std::io::stderr().is_terminal() {
-            eprint_line(format_args!("note: --fit looks with --camera {numbers}"));
+            eprint_line(format_args!(
+                "note: --fit looks with --camera {}",
+                in_words(&camera)
+            ));
         }
         session.look(View::SetCamera(camera));
     }
     Ok(session)
+}
+
+/// A camera as `--camera` reads it.
+fn in_words(camera: &Camera) -> String {
+    let [x, y, z] = camera.target.to_array();
+    let angles = [camera.theta, camera.phi].map(f32::to_degrees);
+    let numbers = [angles[0], angles[1], camera.radius, x, y, z];
+    let numbers = numbers.map(|number| ((number * 1e4).round() / 1e4).to_string());
+    numbers.join(",")
 }

@@ -2,11 +2,13 @@
 //! and the commands, which pass it to the layers below as [`crate::io::Files`].
 
 mod piped;
+mod plain_name;
 mod scratch;
 mod staged;
 mod write;
 
 pub use piped::{PIPE, is_pipe, pipe_of, take_standard_input};
+pub use plain_name::plain_name;
 pub use scratch::ScratchFolder;
 pub use write::{
     expect_place_for, in_new_folders, make_folder_of, write_all_keeping, write_all_whole,

@@ -98,11 +98,10 @@ pub(super) fn ankle_above(skeleton: &SkeletalModel, toe: usize) -> Option<usize>
     let knee = parent(ankle)?;
     // The hip hangs on something.
     parent(parent(knee)?)?;
-    let (foot, lower, upper) = (length(toe), length(ankle), length(knee));
-    let are_alike = lower >= SHORT * upper && upper >= SHORT * lower;
     // A palm has several fingers.
     let is_single = skeleton.children(ankle).len() == 1;
-    (is_single && foot < SHORT * lower && are_alike).then_some(ankle)
+    let is_foot = ends_limb(length(toe), [length(ankle), length(knee)]);
+    (is_single && is_foot).then_some(ankle)
 }
 
 /// Whether a bone of `joint` that ends at `tip`, where there is no joint, is a foot or a hand at the end of a limb: short
@@ -115,9 +114,13 @@ pub(super) fn is_end_of_limb(skeleton: &SkeletalModel, joint: usize, tip: Vec3) 
     else {
         return false;
     };
-    let [lower, upper] = [joint, above].map(|joint| joints[joint].offset.length());
-    let are_alike = lower >= SHORT * upper && upper >= SHORT * lower;
-    skeleton.children(joint).is_empty() && are_alike && tip.length() < SHORT * lower
+    let limb = [joint, above].map(|joint| joints[joint].offset.length());
+    skeleton.children(joint).is_empty() && ends_limb(tip.length(), limb)
+}
+
+/// Whether a bone of the length `end` is short beside the two that lead to it, the nearer first, which are alike.
+fn ends_limb(end: f32, [lower, upper]: [f32; 2]) -> bool {
+    lower >= SHORT * upper && upper >= SHORT * lower && end < SHORT * lower
 }
 
 /// Index of the wrist above `bone`, or of the ankle above toes: a joint whose branches are much

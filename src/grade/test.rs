@@ -155,13 +155,7 @@ impl Test {
                 }
                 match found.verdict {
                     Verdict::OtherPose | Verdict::Unexplained => {
-                        let mut others =
-                            tests.iter().filter(|test| test.data.name != self.data.name);
-                        let swapped = others.find(|test| test.is_right(&theirs));
-                        match swapped {
-                            Some(test) => graded.of_other_test(&test.data.name),
-                            None => graded,
-                        }
+                        self.or_of_other(graded, tests, |test| test.is_right(&theirs))
                     }
                     Verdict::Right | Verdict::Triangles | Verdict::Explained => graded,
                 }
@@ -260,10 +254,18 @@ impl Test {
                 drawn()
             },
         };
+        match found.verdict {
+            Verdict::Unexplained => self.or_of_other(graded, tests, |test| {
+                has_silhouette(&test.character, &test.pose, &picture, seen)
+            }),
+            _ => graded,
+        }
+    }
+
+    /// `graded`, or that the file is the exact result of another one of `tests`, if it `is_of` one.
+    fn or_of_other(&self, graded: Graded, tests: &[Self], is_of: impl Fn(&Self) -> bool) -> Graded {
         let mut others = tests.iter().filter(|test| test.data.name != self.data.name);
-        let is_of = |test: &&Self| has_silhouette(&test.character, &test.pose, &picture, seen);
-        let swapped = others.find(|test| found.verdict == Verdict::Unexplained && is_of(test));
-        match swapped {
+        match others.find(|test| is_of(test)) {
             Some(test) => graded.of_other_test(&test.data.name),
             None => graded,
         }

@@ -69,7 +69,7 @@ impl<'a> MeshThumbnail<'a> {
     /// The exact mesh alone.
     pub(super) fn of_exact(&self) -> Picture {
         let mut canvas = Canvas::new([SIDE; 2], PAPER);
-        let frame = self.frame(&[]);
+        let frame = self.frame(&[], SHOWN);
         self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
             EXACT
         });
@@ -80,11 +80,12 @@ impl<'a> MeshThumbnail<'a> {
     /// one where that is a small part of the picture.
     pub(super) fn of_theirs(&self, theirs: &Mesh, measure: Option<&MeshMeasure>) -> Picture {
         let mut canvas = Canvas::new([SIDE; 2], PAPER);
-        let frame = self.frame(&theirs.positions);
+        let is_elsewhere = self.is_mostly_elsewhere(&theirs.positions);
+        let sizes = if is_elsewhere { MOST_SHOWN } else { SHOWN };
+        let frame = self.frame(&theirs.positions, sizes);
         self.draw(&mut canvas, &frame, self.exact, self.triangles, |_, _| {
             GHOST
         });
-        let is_elsewhere = self.is_mostly_elsewhere(&theirs.positions);
         canvas.forget_depths();
         let tolerance = measure.map_or(0.0, |measure| measure.tolerance / measure.size);
         let errors: Vec<f32> = match measure {
@@ -116,12 +117,9 @@ impl<'a> MeshThumbnail<'a> {
         canvas.into_picture()
     }
 
-    /// Center of the picture in the view, and pixels by length.
-    fn frame(&self, theirs: &[Vec3]) -> (Vec2, f32) {
-        let sizes = match self.is_mostly_elsewhere(theirs) {
-            true => MOST_SHOWN,
-            false => SHOWN,
-        };
+    /// Center of the picture in the view, and pixels by length. As much of `theirs` is in it as lies within so many
+    /// `sizes` of the exact mesh.
+    fn frame(&self, theirs: &[Vec3], sizes: f32) -> (Vec2, f32) {
         let most = Vec3::splat(self.size() * sizes);
         let center = self.bounds.center();
         let near = theirs

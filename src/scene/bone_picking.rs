@@ -2,6 +2,7 @@
 
 use super::picking::pick_shape;
 use super::{Camera, Evaluated, EvaluatedShape, ModelDisplay, Scene, ShapeId, ShapeKind};
+use crate::character::Attachments;
 use crate::math::{Cylinder, Ray};
 use glam::{Vec2, Vec3};
 
@@ -147,15 +148,14 @@ fn seen_joint(scene: &Scene, evaluated: &Evaluated, ray: &Ray) -> Option<(ShapeI
     if vertex >= attachments.vertex_count() {
         return Some((id, None));
     }
-    let influences = attachments.of_vertex(vertex).iter();
-    let most = influences.max_by(|a, b| a.weight.total_cmp(&b.weight));
-    Some((id, most.map(|influence| influence.joint as usize)))
+    let strongest = Attachments::strongest(attachments.of_vertex(vertex));
+    Some((id, strongest.map(|joint| joint as usize)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::character::{Attachments, Character, Influence, Joint, SkeletalModel};
+    use crate::character::{Character, Influence, Joint, SkeletalModel};
     use crate::geometry::Mesh;
     use crate::scene::{CharacterShape, Evaluator, NewShape};
     use std::sync::Arc;

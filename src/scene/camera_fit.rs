@@ -1,4 +1,3 @@
-use super::camera::NEAREST;
 use super::{Camera, EvaluatedShape};
 use crate::math::Aabb;
 use glam::{Vec2, Vec3, Vec4};
@@ -6,6 +5,9 @@ use glam::{Vec2, Vec3, Vec4};
 /// Least distance between the eye and a target one unit away from the origin: nearer, `f32` could
 /// hardly tell the two apart.
 const LEAST_RADIUS: f32 = 1e-4;
+
+/// Radius with which something without a size is seen.
+const WITHOUT_SIZE: f32 = 0.5;
 
 /// Room for what is fitted, over its size.
 const MARGIN: f32 = 1.1;
@@ -63,7 +65,7 @@ impl Camera {
         }
         // What has no size can be seen from anywhere.
         if radius == 0.0 {
-            radius = NEAREST;
+            radius = WITHOUT_SIZE;
         }
         radius = radius.max(center.abs().max_element() * LEAST_RADIUS);
         self.target = center;

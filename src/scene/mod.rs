@@ -4,6 +4,7 @@ mod bone_picking;
 mod box_picking;
 mod camera;
 mod camera_fit;
+mod camera_moves;
 mod character_shape;
 mod coarse;
 mod color_presets;

@@ -145,27 +145,25 @@ fn selection(
     let camera = &session.view().camera;
     let (scene, evaluated) = (session.scene(), session.evaluated());
     let held = view.ctx.input(|input| input.modifiers);
-    if let Some(posed) = posed(session, tool) {
-        let shape = evaluated.shape(posed)?;
-        let boxed = pick_joints_in_box(scene, shape, camera, corners, place.size());
-        let before = session.selected_joints().iter().copied();
-        let joints = match (held.command, held.shift) {
-            (true, _) => before.filter(|joint| !boxed.contains(joint)).collect(),
-            (false, true) => {
-                let kept = before.filter(|joint| !boxed.contains(joint));
-                kept.chain(boxed.iter().copied()).collect()
-            }
-            (false, false) => boxed,
-        };
-        return Some(Action::View(View::SelectJoints(joints)));
-    }
-    let shapes = pick_in_box(scene, evaluated, camera, corners, place.size());
     let mode = match (held.command, held.shift) {
         (true, _) => BoxMode::TakeOut,
         (false, true) => BoxMode::Add,
         (false, false) => BoxMode::Replace,
     };
-    Some(Action::View(View::SelectInBox(shapes, mode)))
+    let Some(posed) = posed(session, tool) else {
+        let shapes = pick_in_box(scene, evaluated, camera, corners, place.size());
+        return Some(Action::View(View::SelectInBox(shapes, mode)));
+    };
+    let shape = evaluated.shape(posed)?;
+    let boxed = pick_joints_in_box(scene, shape, camera, corners, place.size());
+    let before = session.selected_joints().iter().copied();
+    let outside = before.filter(|joint| !boxed.contains(joint));
+    let joints = match mode {
+        BoxMode::TakeOut => outside.collect(),
+        BoxMode::Add => outside.chain(boxed.iter().copied()).collect(),
+        BoxMode::Replace => boxed,
+    };
+    Some(Action::View(View::SelectJoints(joints)))
 }
 
 /// Shows the box that is being drawn.

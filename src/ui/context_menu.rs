@@ -2,7 +2,6 @@
 
 use super::commands::Command;
 use super::scene_places::ScenePlaces;
-use super::view_gestures::shape_at;
 use super::{Action, UiState};
 use crate::editor::{Session, View};
 use crate::scene::ShapeId;
@@ -17,6 +16,16 @@ pub(super) enum ContextMenu {
     Shape,
     /// The scene.
     Scene,
+}
+
+/// The menu that was asked for last.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OpenMenu {
+    pub menu: ContextMenu,
+    /// Its corner, as a point of the window.
+    pub at: Pos2,
+    /// Whether it opens in the next frame.
+    pub opens: bool,
 }
 
 /// Parts of the menu, each with its commands.
@@ -80,7 +89,7 @@ pub(super) fn ask(
     let of_bone = bone.map(|(shape, _)| shape);
     let of_handle = session.selected().filter(|_| state.pose.hot.is_some());
     let shape = of_bone.or(of_handle);
-    let shape = shape.or_else(|| shape_at(&mut state.pose.picked, session, places, at));
+    let shape = shape.or_else(|| state.pose.picked.shape_at_point(session, places, at));
     about(shape, session, state, at, actions);
     let is_selected = |joint: usize| session.selected_joints().contains(&joint);
     if let Some((_, joint)) = bone.filter(|&(_, joint)| !is_selected(joint)) {
@@ -101,7 +110,11 @@ pub(super) fn about(
         Some(shape) if session.scene().character(shape).is_some() => ContextMenu::Character,
         Some(_) => ContextMenu::Shape,
     };
-    state.opens_context_menu = Some((menu, at));
+    state.context_menu = Some(OpenMenu {
+        menu,
+        at,
+        opens: true,
+    });
     if let Some(shape) = shape.filter(|&shape| !session.is_selected(shape)) {
         actions.push(Action::View(View::Select(Some(shape))));
     }

@@ -111,6 +111,7 @@ pub(super) fn show(
                     shape: id,
                     joint,
                     axis,
+                    // The one that was given is exact.
                     radians: match joint == row.joint {
                         true => degrees.to_radians(),
                         false => angle(joint) + by,
@@ -146,7 +147,7 @@ pub(super) fn show(
 /// What is done to `joint`, and to the other selected ones if it is among them.
 fn for_selected_joints(session: &Session, joint: usize, edit: impl Fn(usize) -> Edit) -> Action {
     let selected = session.selected_joints();
-    if selected.len() < 2 || !selected.contains(&joint) {
+    if !selected.contains(&joint) {
         return Action::Edit(edit(joint));
     }
     Action::Edit(Edit::Together(selected.iter().copied().map(edit).collect()))

@@ -1,5 +1,5 @@
 use super::commands::{Command, Entry, Menu, full_label, full_tooltip, is_on, run, why_disabled};
-use super::context_menu::ContextMenu;
+use super::context_menu::OpenMenu;
 use super::key_commands::is_there;
 use super::state::UiState;
 use super::theme::Palette;
@@ -10,8 +10,7 @@ use crate::scene::{Source, name_of_import};
 use egui::containers::menu::{MenuBar, MenuConfig, menu_style};
 use egui::{
     Button, Context, Frame, Id, Label, Layout, Margin, Panel, Popup, PopupAnchor,
-    PopupCloseBehavior, PopupKind, Pos2, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui,
-    Vec2,
+    PopupCloseBehavior, PopupKind, Rect, Response, RichText, ScrollArea, SetOpenCommand, Ui, Vec2,
 };
 
 /// Height of the bar and of a menu's margins, in points.
@@ -98,19 +97,18 @@ fn insert_at_pointer(root: &Ui, items: &mut Items) {
 
 /// The menu for what was under the pointer at a right click, while it is open.
 fn context_menu(root: &Ui, items: &mut Items) {
-    let about = Id::new("what the context menu is about");
-    let opens = items.state.opens_context_menu.take();
-    if let Some(menu) = opens {
-        root.data_mut(|data| data.insert_temp(about, menu));
-    }
-    let Some(menu) = root.data(|data| data.get_temp::<(ContextMenu, Pos2)>(about)) else {
+    let Some(OpenMenu { menu, at, opens }) = items.state.context_menu else {
         return;
     };
-    let (menu, at) = menu;
+    items.state.context_menu = Some(OpenMenu {
+        menu,
+        at,
+        opens: false,
+    });
     let tool = items.state.pose.tool;
     let mut shown: Vec<Command> = Vec::new();
     let place = ("context menu", PopupAnchor::Position(at));
-    popup_menu(root, place, opens.is_some(), |ui| {
+    popup_menu(root, place, opens, |ui| {
         for (index, part) in menu.parts().iter().enumerate() {
             if index > 0 {
                 ui.separator();

@@ -162,6 +162,17 @@ struct PickedFor {
 }
 
 impl Picked {
+    /// The shape at a point of the window, in whichever of `places` that is.
+    pub(super) fn shape_at_point(
+        &mut self,
+        session: &Session,
+        places: &ScenePlaces,
+        position: Pos2,
+    ) -> Option<ShapeId> {
+        let place = places.at(position)?;
+        self.shape_at(session, place.pixel(position), place.size())
+    }
+
     /// The shape under `pixel` in a picture of `size`.
     pub(super) fn shape_at(
         &mut self,

@@ -2,7 +2,7 @@ use super::box_select::BoxSelect;
 use super::command_search::CommandSearch;
 use super::commands::Command;
 use super::compare::Outlined;
-use super::context_menu::ContextMenu;
+use super::context_menu::OpenMenu;
 use super::curve_panel::CurveState;
 use super::explain::ExplainState;
 use super::fingers::SeveralFingers;
@@ -73,8 +73,8 @@ pub struct UiState {
     pub(super) opens_insert_menu: bool,
     /// Where a finger rests, until it moves or is lifted.
     pub(super) finger_rested: Option<Pos2>,
-    /// What the menu that opens in the next frame is about, and where that is.
-    pub(super) opens_context_menu: Option<(ContextMenu, Pos2)>,
+    /// The menu for what was clicked with the right button last.
+    pub(super) context_menu: Option<OpenMenu>,
     /// Search for a command, while it is open.
     pub(super) search: Option<CommandSearch>,
     /// Name typed for a shape.
@@ -148,7 +148,7 @@ impl Default for UiState {
             gives_up_typing: false,
             opens_insert_menu: false,
             finger_rested: None,
-            opens_context_menu: None,
+            context_menu: None,
             search: None,
             renaming: None,
             curves: CurveState::default(),

@@ -2,11 +2,11 @@
 
 use super::grab::PointerUse;
 use super::navigation::PointerMove;
-use super::scene_places::{Picked, ScenePlaces};
+use super::scene_places::ScenePlaces;
 use super::{Action, UiState, box_select, context_menu, control_points, explain, fingers, posing};
 use crate::editor::{Session, Tool, View};
 use crate::scene::{Look, ShapeId};
-use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, Response};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, Response};
 use glam::{Vec2, Vec3};
 
 /// Scrolling of a touchpad, in points, that counts as one notch of a wheel.
@@ -97,7 +97,7 @@ fn gestures(
     if view.clicked() && !picks {
         let clicked = view.interact_pointer_pos();
         let picked = &mut state.pose.picked;
-        let shape = clicked.and_then(|position| shape_at(picked, session, places, position));
+        let shape = clicked.and_then(|position| picked.shape_at_point(session, places, position));
         let adds = view.ctx.input(|i| i.modifiers.command || i.modifiers.shift);
         let goes_on_posing = posing::posed(session, state.pose.tool).is_some();
         match shape {
@@ -113,7 +113,7 @@ fn gestures(
         }
     }
     let position = view.hover_pos().filter(|_| !view.dragged())?;
-    shape_at(&mut state.pose.picked, session, places, position)
+    state.pose.picked.shape_at_point(session, places, position)
 }
 
 /// What the pointer did in this frame. `held` is the point of a surface where the drag under way
@@ -171,16 +171,6 @@ fn put_back_on_esc(
             actions.push(Action::View(View::SetCamera(before)));
         }
     }
-}
-
-pub(super) fn shape_at(
-    picked: &mut Picked,
-    session: &Session,
-    places: &ScenePlaces,
-    position: Pos2,
-) -> Option<ShapeId> {
-    let place = places.at(position)?;
-    picked.shape_at(session, place.pixel(position), place.size())
 }
 
 /// Notches of the wheel since the last frame. egui's smoothing would spread a notch over several

@@ -32,12 +32,7 @@ fn is_of_a_command(event: &KeyboardEvent) -> bool {
     let ctrl = event.ctrl_key() || event.meta_key();
     let is_function_key = event.key().len() > 1 && event.key().starts_with('F');
     // Other keys mean nothing to a browser, or are typed.
-    let is_kept = if ctrl {
-        OF_THE_BROWSER.contains(&key)
-    } else {
-        !is_function_key
-    };
-    if is_kept {
+    if !(is_function_key || ctrl && !OF_THE_BROWSER.contains(&key)) {
         return false;
     }
     let pressed = Modifiers {

@@ -60,6 +60,7 @@ fn a_program_that_hangs_crashes_or_eats_memory_harms_no_other() {
         ),
     ]);
     class.write("class/hal/readme.txt", "no program");
+    class.write("class/kim/pose", "#!/bin/sh\n");
     let report = class.graded();
     for (name, outcome, text) in [
         ("ada", "right", "right: "),
@@ -84,6 +85,11 @@ fn a_program_that_hangs_crashes_or_eats_memory_harms_no_other() {
         ("hal", "missing", "there is no program ./pose"),
         ("ida", "unreadable", "robot-1.obj:1:6: "),
         ("joe", "right", "right: "),
+        (
+            "kim",
+            "failed",
+            "./pose cannot be started: it is not executable (chmod +x)",
+        ),
     ] {
         let found = result(&report, name, "robot-1");
         assert_eq!(found["outcome"], outcome, "{name}: {found}");

@@ -227,6 +227,9 @@ fn five_says_that_there_is_no_orthographic_view_and_no_other_key_calls_for_the_m
     editor.key(Key::Num5);
     let told = editor.last_told().unwrap_or_default();
     assert!(told.contains("no orthographic view"), "{told}");
+    editor.key(Key::Z);
+    let told = editor.last_told().unwrap_or_default();
+    assert!(told.contains("are chosen in View"), "{told}");
 }
 
 #[test]

@@ -444,3 +444,13 @@ fn a_model_that_was_cut_off_is_said_to_be() {
                    be cut off\n";
     assert!(ran.out.ends_with(warning), "{}", ran.out);
 }
+
+#[test]
+fn tests_for_grade_are_not_taken_for_a_wrong_pose() {
+    let folder = folder();
+    let example = editor_in(folder.path(), &["grade", "--example"]).out;
+    std::fs::write(folder.path().join("tests.json"), example).unwrap();
+    let ran = editor_in(folder.path(), &["check", "tests.json"]);
+    let told = "error: tests.json: expected a pose, found tests for editor grade\n";
+    assert_eq!((ran.code, &*ran.err), (Some(1), told));
+}

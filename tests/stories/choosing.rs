@@ -186,3 +186,13 @@ fn models_in_an_archive_that_is_dropped_are_added() {
     story.type_into("Elbow Z", "30");
     assert!((story.degrees("Elbow").z - 30.0).abs() < 1e-4);
 }
+
+#[test]
+fn a_mesh_without_joints_says_how_a_character_is_opened() {
+    let told = "This mesh has no joints. A character's .obj has its .skel and .attach beside it, and is chosen or \
+                dropped together with them.";
+    let mesh = Story::start(&["builtin:gear"]);
+    assert!(mesh.has_text(told));
+    let character = Story::start(&["models/strip.obj"]);
+    assert!(!character.has_text(told));
+}

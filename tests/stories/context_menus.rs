@@ -71,6 +71,10 @@ fn beside_everything_it_is_about_the_scene_and_a_drag_of_the_camera_opens_none()
     let beside = pos2(60.0, 500.0);
     story.right_click(beside);
     assert!(story.has("Fit All to View") && !story.has("Rename"));
+    story.click("Insert Menu at Pointer");
+    story.click("Cube");
+    assert_eq!(story.names(), ["Strip", "Cube"]);
+    story.right_click(beside);
     story.click_at(beside);
     assert!(!story.has("Fit All to View"));
     let before = story.session().view().camera;

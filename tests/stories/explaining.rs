@@ -2,6 +2,7 @@
 
 use super::{Story, differing};
 use crate::host::MemoryHost;
+use editor_core::editor::View;
 use editor_core::io::image::{self, PictureFormat};
 use egui::accesskit::{Action, ActionRequest, TreeId};
 use egui::{Event, Key, Pos2, vec2};
@@ -201,6 +202,8 @@ fn a_mistake_is_shown_in_the_view_and_in_the_formula_and_nowhere_else() {
     assert!(story.has(elbow) && story.has("Sum (-0.400, 1.100, 0.000)"));
     assert!(story.has("Right (0.100, 1.100, 0.000)"));
     assert!(story.has_text("⚠ Shown wrong on purpose"));
+    let elsewhere = "It reaches far out of the picture: F fits it, and Shift+F everything.";
+    assert!(!story.has_text(elsewhere));
 
     // Neither the document nor what is written of it knows of the mistake.
     assert_eq!(story.session().document(), document);
@@ -422,4 +425,30 @@ fn a_comparison_with_a_picture_closes_the_panel_and_ends_the_mistake() {
         told.iter()
             .any(|(_, text)| text.starts_with("Skinning is not explained"))
     );
+}
+
+#[test]
+fn a_mistake_that_takes_the_figure_away_says_how_to_see_it_and_the_stack_that_it_has_no_part_in_it()
+{
+    let mut story = bent();
+    story.size = (1280, 1000);
+    story.settle();
+    let elsewhere = "It reaches far out of the picture: F fits it, and Shift+F everything.";
+    make(&mut story, NO_INVERSE);
+    assert!(!story.has_text(elsewhere), "it is in sight");
+    // As who looks at another part of it.
+    let at = story.view().center();
+    story.point(at);
+    let mut camera = story.session().view().camera;
+    camera.target += Vec3::X * 9.0;
+    story.program.session_mut().look(View::SetCamera(camera));
+    story.settle();
+    assert!(story.has_text(elsewhere));
+    story.key(Key::F);
+    assert!(!story.has_text(elsewhere));
+    story.click("Matrix Stack");
+    let right = "These are the right matrices; what the mistake changes is in the formula.";
+    assert!(story.has_text(right));
+    story.click("Back to Correct");
+    assert!(!story.has_text(right));
 }

@@ -194,6 +194,28 @@ fn in_the_course_the_scene_follows_a_left_drag_turns_with_a_right_one_and_comes_
 }
 
 #[test]
+fn home_is_about_the_view_under_the_pointer_and_twice_in_the_course_leads_to_its_own_camera() {
+    let mut story = Story::start(&["models/strip.obj", "builtin:gear"]);
+    story.key(Key::F2);
+    let start = *story.session().start_camera();
+    assert_ne!(start, Camera::default());
+    story.click("[2] Gear (ID: 2)");
+    let selected = story.session().selected();
+    assert!(selected.is_some());
+    story.wheel(1.0);
+    assert_ne!(story.camera(), start);
+    story.key(Key::Home);
+    assert_eq!(story.camera(), start);
+    assert_eq!(story.session().selected(), selected);
+    story.key(Key::Home);
+    assert_eq!(story.camera(), Camera::default());
+    // Over the list it is about that.
+    story.click("[2] Gear (ID: 2)");
+    story.key(Key::Home);
+    assert_ne!(story.session().selected(), selected);
+}
+
+#[test]
 fn a_left_drag_keeps_what_it_takes_under_the_pointer_but_in_the_look_of_the_course() {
     let mut story = Story::start(&[]);
     story.key(Key::F3);

@@ -10,7 +10,7 @@ mod work;
 
 use super::output::{eprint_line, json_text, visible};
 use super::{CliError, diagnose, print};
-use crate::disk::{self, files};
+use crate::disk::{self, files, plain_name};
 use crate::grade::{Graded, Report, Test};
 use crate::io::{Diagnostic, Files, NamedFile, PoseFile, Position, TestData, TestsFile, builtin};
 use command::TestCommand;
@@ -295,19 +295,13 @@ fn beside(file: &Path, path: &Path) -> PathBuf {
     }
 }
 
-/// Name of the page of the submission `name`, unlike all `others`: a part that is merged may hold any.
+/// Name of the page of the submission `name`, unlike all `others`.
 fn page_name(name: &str, others: &mut BTreeSet<String>) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || " -_".contains(c);
-    let plain: String = name
-        .chars()
-        .map(|c| if is_plain(c) { c } else { '-' })
-        .take(100)
-        .collect();
-    let plain = plain.trim().to_owned();
+    let plain = plain_name(name);
     let numbered = (2..).map(|number| format!("{plain}-{number}"));
     let mut free = std::iter::once(plain.clone()).chain(numbered);
     // File systems may not tell capitals from small letters.
-    let free = free.find(|stem| others.insert(stem.to_lowercase()));
+    let free = free.find(|stem| !stem.is_empty() && others.insert(stem.to_lowercase()));
     format!("{}.html", free.unwrap_or(plain))
 }
 
@@ -324,14 +318,13 @@ fn report(
         (folder.join(CSV), report.to_csv().into_bytes()),
         (folder.join(PAGE), report.to_html().into_bytes()),
     ];
-    let pages = folder.join(PAGES);
-    std::fs::create_dir_all(&pages).map_err(|error| Diagnostic::new(&pages, error.to_string()))?;
     let mut names = BTreeSet::new();
     for (name, page) in report.to_pages() {
-        let stem = page_name(name, &mut names);
-        written.push((pages.join(stem), page.into_bytes()));
+        let path = folder.join(PAGES).join(page_name(name, &mut names));
+        written.push((path, page.into_bytes()));
     }
-    disk::write_all_whole(&written)?;
+    let paths = written.iter().map(|(path, _)| path.as_path());
+    disk::in_new_folders(paths, || disk::write_all_whole(&written))?;
     let rows = report
         .to_lines()
         .iter()

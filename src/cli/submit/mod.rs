@@ -8,7 +8,7 @@ mod project;
 use super::output::{eprint_line, refuse_input};
 use super::pipes::{self, Ends};
 use super::{CliError, print};
-use crate::disk::{self, Disk};
+use crate::disk::{self, Disk, plain_name};
 use crate::io::{Diagnostic, Files};
 use crate::program::globals;
 use answers::Answers;
@@ -107,7 +107,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
     warn_if_older(&executable, &entries);
     let answers = complete_answers(args)?;
 
-    let submission = format!("submission-{}", file_name(answers.name()));
+    let submission = format!("submission-{}", plain_name(answers.name()));
     let output = match &args.output {
         Some(output) => output.clone(),
         None => PathBuf::from(format!("{submission}.zip")),
@@ -235,13 +235,6 @@ fn complete_answers(args: &Args) -> Result<Answers, CliError> {
     })
 }
 
-/// `name` as a part of a file's name on every system: letters, digits, and `-` for all else.
-fn file_name(name: &str) -> String {
-    let words = name.split(|c: char| !c.is_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    words.join("-")
-}
-
 /// Lines of the README about what is in the archive: the files of the `project`, the program and what is `shown`.
 fn contents(project: &[Entry], shown: &[Entry]) -> Vec<String> {
     let program = program_name();
@@ -291,15 +284,4 @@ fn summary(output: &Path, bytes: usize, parts: &[(String, usize)]) -> String {
         text.push_str(&format!("{}    {part}\n", mib(*bytes)));
     }
     text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_name_becomes_a_part_of_a_files_name() {
-        assert_eq!(file_name("Ada  Lovelace"), "Ada-Lovelace");
-        assert_eq!(file_name("../Jörg O'Neill/"), "Jörg-O-Neill");
-    }
 }

@@ -2,7 +2,6 @@
 
 use super::MeshFinding;
 use super::placement::Points;
-use glam::DVec3;
 
 /// Most digits after the point that rounding is told of: with more, single precision differs as much.
 const MOST_DIGITS: i32 = 7;
@@ -23,22 +22,20 @@ pub(super) fn rounded(points: &Points) -> Option<MeshFinding> {
     let gives = |step: f64| {
         pairs().all(|(a, b)| {
             let exact = PRECISION * b.abs();
-            let is_round = |of: DVec3, exact: DVec3| {
-                let off = (of - (of / step).round() * step).abs();
-                off.cmple(exact).all()
-            };
-            let near = (*a - *b).abs().cmple(exact + ROOM * 0.5 * step).all();
-            near && is_round(*b, exact)
+            let is_round = (*b - (*b / step).round() * step).abs().cmple(exact);
+            let is_near = (*a - *b).abs().cmple(exact + ROOM * 0.5 * step);
+            is_round.all() && is_near.all()
         })
     };
-    let steps = (0..=MOST_DIGITS).map(|digits| 10_f64.powi(-digits));
-    let to = steps.into_iter().find(|step| gives(*step))?;
+    let mut steps = (0..=MOST_DIGITS).map(|digits| 10_f64.powi(-digits));
+    let to = steps.find(|step| gives(*step))?;
     Some(MeshFinding::Rounded { to })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     fn found(b: impl Fn(f64) -> f64) -> Option<MeshFinding> {
         let a: Vec<DVec3> = (0..40)

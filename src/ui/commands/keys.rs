@@ -35,16 +35,13 @@ const AS_IN_BLENDER: &[(Command, KeyboardShortcut)] = &[
 
 /// Shortcuts that are the browser's on a page: those for its windows and tabs, and the one that reloads.
 const KEPT_BY_BROWSERS: [KeyboardShortcut; 6] = [
-    RELOADS,
+    KeyboardShortcut::new(NONE, Key::F5),
     KeyboardShortcut::new(CTRL, Key::Num1),
     KeyboardShortcut::new(CTRL, Key::Num3),
     KeyboardShortcut::new(CTRL, Key::Num7),
     KeyboardShortcut::new(CTRL, Key::N),
     KeyboardShortcut::new(CTRL, Key::Tab),
 ];
-
-/// The key by which browsers reload a page.
-const RELOADS: KeyboardShortcut = KeyboardShortcut::new(NONE, Key::F5);
 
 /// Whether a shortcut is the browser's on a page, where commands leave it alone.
 pub fn is_kept_by_browsers(modifiers: Modifiers, key: Key) -> bool {

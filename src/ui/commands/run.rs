@@ -166,20 +166,25 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
             return Some(Action::Edit(Edit::Insert(copies)));
         }
         Command::BoxSelect | Command::MakeSweep | Command::ShowAll => {}
-        Command::SelectAll | Command::SelectNone
-            if posing::posed(session, state.pose.tool).is_some() =>
-        {
-            let (_, character) = selected_character(session)?;
-            let all = 0..character.character.skeleton().joints().len();
-            return Some(Action::View(match command {
-                Command::SelectAll => View::SelectJoints(all.collect()),
-                // Again, and the figure is let go, too.
-                _ if session.selected_joint().is_none() => View::Select(None),
-                _ => View::SelectJoint(None),
+        Command::SelectAll => {
+            return Some(Action::View(
+                match posing::posed(session, state.pose.tool) {
+                    Some(shape) => {
+                        let skeleton = session.scene().character(shape)?.character.skeleton();
+                        View::SelectJoints((0..skeleton.joints().len()).collect())
+                    }
+                    None => View::SelectAll,
+                },
+            ));
+        }
+        Command::SelectNone => {
+            let is_posed = posing::posed(session, state.pose.tool).is_some();
+            let has_joint = session.selected_joint().is_some();
+            return Some(Action::View(match is_posed && has_joint {
+                true => View::SelectJoint(None),
+                false => View::Select(None),
             }));
         }
-        Command::SelectAll => return Some(Action::View(View::SelectAll)),
-        Command::SelectNone => return Some(Action::View(View::Select(None))),
         Command::InvertSelection => {
             let others = others(session).map(|shape| shape.id).collect();
             return Some(Action::View(View::SelectInBox(others, BoxMode::Replace)));

@@ -10,7 +10,6 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask};
 use egui::{Align, Button, Label, Layout, RichText, Ui};
-use std::iter::{once, repeat};
 
 /// At the height alone, what is wrong is read without scrolling in a window of 1280 points.
 const HEIGHTS: Heights = Heights {
@@ -225,12 +224,16 @@ impl Parts<'_> {
     fn unexplained(&mut self, ui: &mut Ui, diagnosis: &Diagnosis) {
         let palette = Palette::of(ui.visuals());
         let found = diagnosis.found();
-        let mut colors = once(palette.strong).chain(repeat(palette.text));
         if let Some(other) = &diagnosis.other_pose {
             self.other_pose(ui, other);
-            colors.next();
         }
-        for (finding, color) in found.iter().zip(colors) {
+        for (index, finding) in found.iter().enumerate() {
+            let is_first = index == 0 && diagnosis.other_pose.is_none();
+            let color = if is_first {
+                palette.strong
+            } else {
+                palette.text
+            };
             say(ui, finding, color);
         }
         if found.is_empty() && diagnosis.other_pose.is_none() {

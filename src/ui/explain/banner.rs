@@ -3,6 +3,7 @@
 use super::Explained;
 use super::shown::Mistaken;
 use crate::editor::Session;
+use crate::ui::aspect;
 use crate::ui::theme::Palette;
 use egui::{Button, Frame, Label, Margin, Rect, RichText, Sense, Stroke, Ui, UiBuilder, vec2};
 
@@ -69,13 +70,10 @@ fn where_seen(
     explained: &Explained,
     mistaken: &Mistaken,
 ) -> Option<&'static str> {
-    let mut shape = explained.evaluated.clone();
-    shape.geometry = mistaken.geometry.clone();
-    let aspect = view.width().max(1.0) / view.height().max(1.0);
-    let seen = session
-        .view()
-        .camera
-        .seen_part(&shape.world_bounds(), aspect);
+    let bounds = mistaken.geometry.bounds();
+    let bounds = bounds.transformed(explained.evaluated.world_from_model);
+    let camera = &session.view().camera;
+    let seen = camera.seen_part(&bounds, aspect(view));
     (seen < SEEN).then_some("It reaches far out of the picture: F fits it, and Shift+F everything.")
 }
 

@@ -12,7 +12,7 @@ use crate::ui::pointing::Pointing;
 use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{Action, Ask, CompareMeshAction, CompareMeshView};
-use egui::{Align, Button, Label, Layout, RichText, ScrollArea, Ui, UiBuilder, vec2};
+use egui::{Align, Button, Id, Label, Layout, RichText, ScrollArea, Ui, UiBuilder, vec2};
 
 const HEIGHTS: Heights = Heights {
     lowest: 96.0,
@@ -118,17 +118,13 @@ fn formula(
     let room = ui.available_rect_before_wrap();
     let (left, right) = room.split_left_right_at_x(room.right() - MISTAKES);
     let right = right.with_min_x(right.left() + 16.0);
-    let area = |id: &str| ScrollArea::vertical().id_salt(id).auto_shrink(false);
+    let area = |id: Id| ScrollArea::vertical().id_salt(id).auto_shrink(false);
     ui.scope_builder(UiBuilder::new().max_rect(left), |ui| {
         ui.shrink_clip_rect(left);
-        area("formula")
-            .id_salt(("formula", state.picks))
-            .show(ui, |ui| {
-                numbers(ui, session, compare, state);
-            });
+        area(Id::new(("formula", state.picks))).show(ui, |ui| numbers(ui, session, compare, state));
     });
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| {
-        area("mistakes").show(ui, |ui| {
+        area(Id::new("mistakes")).show(ui, |ui| {
             mistakes::show(ui, compare, state.character, &mut state.made)
         });
     });

@@ -40,7 +40,11 @@ pub(super) fn selected_bones(painter: &Painter, place: Place, session: &Session,
             };
             bones(painter, place, session, shape, None, thin);
         }
-        for (shape, &joint) in selected.into_iter().cycle().zip(session.selected_joints()) {
+        let joints = selected.into_iter().flat_map(|shape| {
+            let joints = session.selected_joints().iter();
+            joints.map(move |&joint| (shape, joint))
+        });
+        for (shape, joint) in joints {
             bones(
                 painter,
                 place,

@@ -102,7 +102,7 @@ pub(in crate::ui) fn pointer(
             if adds {
                 actions.push(Action::View(View::ToggleJoint(joint)));
             } else {
-                select_alone(hit.shape, joint, session, actions);
+                select_alone(session, hit.shape, Some(joint), actions);
             }
         }
         Under::Bone(..) => {}
@@ -259,31 +259,33 @@ fn move_root(session: &Session, hit: BoneHit, ray: &Ray, all: bool) -> Option<Dr
     Some(Drag::Move(drag))
 }
 
-/// Selects a shape and one joint of it, and no other.
-fn select_alone(shape: ShapeId, joint: usize, session: &Session, actions: &mut Vec<Action>) {
-    if session.selected() != Some(shape) {
+/// Selects a shape and one joint of it, or none, and no other.
+fn select_alone(
+    session: &Session,
+    shape: ShapeId,
+    joint: Option<usize>,
+    actions: &mut Vec<Action>,
+) {
+    let is_other = session.selected() != Some(shape);
+    if is_other {
         actions.push(Action::View(View::Select(Some(shape))));
     }
-    if session.selected() != Some(shape) || session.selected_joints() != [joint] {
-        actions.push(Action::View(View::SelectJoint(Some(joint))));
+    if is_other || session.selected_joints() != joint.as_slice() {
+        actions.push(Action::View(View::SelectJoint(joint)));
     }
 }
 
-/// Selects a shape and a joint of it, or none, unless they are selected already: of several joints the one that is taken
-/// becomes the active one.
+/// The same, but where the joint is selected among others it becomes the active one of them.
 fn select(session: &Session, shape: ShapeId, joint: Option<usize>, actions: &mut Vec<Action>) {
-    if session.selected() != Some(shape) {
-        actions.push(Action::View(View::Select(Some(shape))));
-    } else if let Some(joint) = joint.filter(|joint| session.selected_joints().contains(joint)) {
-        if session.selected_joint() != Some(joint) {
+    let among = joint.filter(|joint| session.selected_joints().contains(joint));
+    match among.filter(|_| session.selected() == Some(shape)) {
+        Some(joint) if session.selected_joint() != Some(joint) => {
             // Taken out and added again it is the active one.
             let toggle = Action::View(View::ToggleJoint(joint));
             actions.extend([toggle.clone(), toggle]);
         }
-        return;
-    }
-    if session.selected() != Some(shape) || session.selected_joint() != joint {
-        actions.push(Action::View(View::SelectJoint(joint)));
+        Some(_) => {}
+        None => select_alone(session, shape, joint, actions),
     }
 }
 
