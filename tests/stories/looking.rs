@@ -195,7 +195,7 @@ fn in_the_course_the_scene_follows_a_left_drag_turns_with_a_right_one_and_comes_
 
 #[test]
 fn home_is_about_the_view_under_the_pointer_and_twice_in_the_course_leads_to_its_own_camera() {
-    let mut story = Story::start(&["models/strip.obj", "builtin:gear"]);
+    let mut story = Story::start(&["builtin:adult", "builtin:gear"]);
     story.key(Key::F2);
     let start = *story.session().start_camera();
     assert_ne!(start, Camera::default());
