@@ -108,19 +108,37 @@ pub fn set_beside_each_other(
     placed
 }
 
-/// Lifts a shape that is to be added onto the ground of the characters, if the view shows a ground, which
-/// would hide what is below it, and a part of the shape or of its control points would be there.
-pub fn set_on_ground(session: &Session, shape: &mut NewShape) {
-    let view = session.view();
-    let Some(ground) = ground_of_characters(session).filter(|_| view.has_ground()) else {
+/// Places a new shape beside the figures in which it would be hidden, and lifts it onto their ground if a part of it
+/// or of its control points would be below. Only if the view shows a ground: elsewhere it is where the course's
+/// editor has it.
+pub fn set_beside_figures(session: &Session, shape: &mut NewShape) {
+    let Some(ground) = ground_of_characters(session).filter(|_| session.view().has_ground()) else {
         return;
     };
     let lowest = lowest_point(shape);
-    if lowest.is_finite() && lowest < ground {
-        for placement in [&mut shape.placement, &mut shape.start] {
-            placement.transform.position.y += ground - lowest;
-        }
+    let up = (ground - lowest).max(0.0);
+    let mut by = Vec3::Y * if up.is_finite() { up } else { 0.0 };
+    let mut bounds = bounds_of(std::slice::from_ref(shape));
+    if matches!(shape.kind, ShapeKind::Curve(_)) {
+        bounds = body_of(&bounds);
     }
+    let lifted = Aabb {
+        min: bounds.min + by,
+        max: bounds.max + by,
+    };
+    let mut figures = standing(session);
+    figures.retain(|other| other.is_figure);
+    by += way_out(&lifted, &figures);
+    for placement in [&mut shape.placement, &mut shape.start] {
+        placement.transform.position += by;
+    }
+}
+
+/// Height, in the world, of the ground that a figure with these `bounds` stands on; `None` if it stands on none.
+pub(super) fn ground_below(session: &Session, bounds: &Aabb) -> Option<f32> {
+    let ground = ground_of_characters(session).filter(|_| session.view().has_ground())?;
+    let above = bounds.min.y - ground;
+    (above.abs() <= OFF_THE_GROUND * bounds.size().y).then_some(bounds.min.y)
 }
 
 /// Height, in the world, of the lowest point of a shape that is in no scene yet, control points included.

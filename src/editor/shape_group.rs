@@ -1,3 +1,4 @@
+use super::among::ground_below;
 use super::{Edit, GizmoAxes, Session};
 use crate::math::{Euler, Transform};
 use crate::scene::{EvaluatedShape, Placement, ShapeId};
@@ -12,6 +13,9 @@ const SCALES: (f32, f32) = (0.001, 10_000.0);
 pub struct ShapeGroup {
     active: ShapeId,
     pivot: Vec3,
+    /// Height that stays when all are scaled: the pivot's, or that of the ground on which the active shape, a figure,
+    /// stands.
+    floor: f32,
     /// Own axes of the active shape.
     own: DMat3,
     shapes: Vec<(ShapeId, Placement)>,
@@ -28,10 +32,16 @@ impl ShapeGroup {
         let rotation = active.placement.transform.rotation;
         let shown = session.evaluated().shape(active.id)?;
         let pivot = shown.world_from_model.transform_point3(pivot_of(shown));
+        let at_rest = shown.geometry.mesh.bounds();
+        let at_rest = at_rest.transformed(shown.world_from_model);
+        let ground = active
+            .front()
+            .and_then(|_| ground_below(session, &at_rest));
         let all = session.selected_shapes();
         is_free(active.id).then(|| Self {
             active: active.id,
             pivot,
+            floor: ground.unwrap_or(pivot.y),
             own: rotation.to_dmat3(),
             shapes: all
                 .filter(|shape| is_free(shape.id))
@@ -81,7 +91,7 @@ impl ShapeGroup {
                 _ => Euler::nearest((turn * from.rotation.to_dmat3()).as_mat3(), near),
             };
             let transform = Transform {
-                position: self.about_pivot(from.position, turn),
+                position: about(self.pivot, from.position, turn),
                 rotation,
                 ..from
             };
@@ -91,16 +101,18 @@ impl ShapeGroup {
     }
 
     /// Edit that scales each by `factors` along its own axes, and its distance from the pivot along
-    /// those of the active shape. Scales stay away from 0. Uneven factors turn uniform scaling off.
+    /// those of the active shape; figures stay on the ground. Scales stay away from 0. Uneven factors turn uniform
+    /// scaling off.
     pub fn scaled(&self, factors: DVec3) -> Edit {
         let spread = self.own * DMat3::from_diagonal(factors) * self.own.transpose();
         let is_even = factors.x == factors.y && factors.y == factors.z;
+        let pivot = self.pivot.with_y(self.floor);
         let mut edits = Vec::new();
         for &(id, start) in &self.shapes {
             let from = start.transform;
             let scales = [0, 1, 2].map(|axis| scaled(from.scale[axis], factors[axis]));
             let transform = Transform {
-                position: self.about_pivot(from.position, spread),
+                position: about(pivot, from.position, spread),
                 scale: Vec3::from(scales),
                 ..from
             };
@@ -112,12 +124,12 @@ impl ShapeGroup {
         }
         Edit::Together(edits)
     }
+}
 
-    /// A point of the world after a linear map about the pivot; the pivot itself stays exactly.
-    fn about_pivot(&self, position: Vec3, map: DMat3) -> Vec3 {
-        let arm = (position - self.pivot).as_dvec3();
-        self.pivot + (map * arm).as_vec3()
-    }
+/// A point of the world after a linear map about `pivot`, which itself stays exactly.
+fn about(pivot: Vec3, position: Vec3, map: DMat3) -> Vec3 {
+    let arm = (position - pivot).as_dvec3();
+    pivot + (map * arm).as_vec3()
 }
 
 /// Point of a shape, in its model space, about which it is turned and scaled, and where its handles

@@ -76,7 +76,7 @@ impl SeveralFingers {
             // What egui takes for the start is where an earlier finger was, if two came at once.
             let pressed = view.ctx.input(|input| input.pointer.press_origin());
             let first = pressed.unwrap_or(touch.start_pos);
-            // A drawer, or a window, keeps the fingers on it to itself.
+            // A window over the view keeps the fingers on it to itself.
             let is_on_view = view.interact_rect.contains(first)
                 && view.ctx.layer_id_at(first) == Some(view.layer_id);
             *self = if is_on_view {

@@ -14,12 +14,12 @@ const LOOKS: [(Look, &str, &str); 3] = [
 ];
 /// Width and height, in points.
 const SIZE: egui::Vec2 = vec2(184.0, 24.0);
-/// Views lower than this, in points, have no switch.
-const ROOM: f32 = 320.0;
+/// Views smaller than this, in points, have no switch, which would lie over their figures.
+const ROOM: egui::Vec2 = vec2(320.0, 380.0);
 
 /// Its lower end, if there is room for it.
 pub(super) fn bottom(view: Rect) -> Option<f32> {
-    let has_room = view.height() >= ROOM && view.width() >= ROOM;
+    let has_room = view.size().min(ROOM) == ROOM;
     has_room.then(|| axis_ball::bottom(view) + 4.0 + SIZE.y)
 }
 

@@ -47,6 +47,8 @@ pub struct UiState {
     pub(super) is_narrow: bool,
     /// Whether the panel was asked for in a narrow window. Not kept: it is in the way there.
     pub(super) unfolded_in_narrow: bool,
+    /// Share of a narrow window's height that the panel takes at its bottom.
+    pub(super) sheet_share: f32,
     /// Width of the shape panel in points, once it is known. Kept by the program, too.
     pub panel_width: Option<f32>,
     /// How often the panel got its first width back, which begins its layout anew.
@@ -134,6 +136,7 @@ impl Default for UiState {
             panel_folded: false,
             is_narrow: false,
             unfolded_in_narrow: false,
+            sheet_share: 0.5,
             panel_width: None,
             panel_resets: 0,
             has_fingers_first: false,

@@ -52,11 +52,6 @@ fn gestures(
     if fingers::pointer(view, places, session, state, actions) {
         return None;
     }
-    if view.clicked() && state.is_narrow && !state.is_panel_folded() {
-        // As with menus: who clicks beside the drawer wants to be rid of it.
-        state.fold_panel(true);
-        return None;
-    }
     let navigation = state.navigation;
     let box_of = |state: &mut UiState, under, actions: &mut Vec<Action>| {
         let boxed = (&mut state.box_select, navigation, state.pose.tool);

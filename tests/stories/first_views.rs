@@ -76,6 +76,21 @@ fn what_is_inserted_beside_a_figure_stands_on_its_ground_and_all_of_it_is_seen()
 }
 
 #[test]
+fn what_is_inserted_stands_beside_the_figure_that_would_hide_it() {
+    for key in [Key::C, Key::S, Key::P] {
+        let mut story = Story::start(&["builtin:adult"]);
+        story.key_with(Modifiers::SHIFT, key);
+        let bounds = |at: usize| story.session().evaluated().shapes[at].world_bounds();
+        assert!(bounds(1).min.x > bounds(0).max.x, "{key:?}");
+    }
+    // Nothing hides it in an empty document.
+    let mut story = Story::start(&[]);
+    story.key(Key::F3);
+    story.key_with(Modifiers::SHIFT, Key::C);
+    assert_eq!(story.shape().placement.transform.position, Vec3::ZERO);
+}
+
+#[test]
 fn a_copy_that_would_be_out_of_sight_is_brought_into_the_view() {
     let mut story = Story::start(&["builtin:gem"]);
     let is_seen = |story: &Story| {

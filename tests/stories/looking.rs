@@ -453,66 +453,77 @@ fn the_panel_folds_away_leaves_a_handle_and_stays_so_at_the_next_start() {
 }
 
 #[test]
-fn in_a_narrow_window_the_panel_is_a_drawer_that_leaves_the_view_as_it_is() {
+fn in_a_narrow_window_the_panel_is_a_sheet_below_the_view() {
     let mut story = Story::start(&["models/strip.obj"]);
     story.size = (390, 700);
     story.settle();
     let (view, camera) = (story.view(), story.session().view().camera);
     assert!(!story.has("Elbow Z"), "it is closed at first");
     story.click("Shape Panel");
-    let field = story.place("Elbow Z");
-    assert_eq!(story.view(), view);
-    assert!(view.contains(field), "it lies over the view");
+    let (smaller, field) = (story.view(), story.place("Rotation Y"));
+    assert_eq!(smaller.min, view.min);
+    assert_eq!(smaller.width(), view.width());
+    assert!(smaller.height() > 0.4 * view.height());
+    assert!(smaller.bottom() < field.y && field.y < view.bottom());
     story.drag(field, field + vec2(30.0, 0.0));
-    assert_ne!(story.character().pose().rotation(2).radians.z, 0.0);
-    assert_eq!(
-        story.session().view().camera,
-        camera,
-        "the view got nothing of it"
-    );
+    assert_ne!(story.session().scene().shapes()[0].placement.transform.rotation.radians.y, 0.0);
+    assert_eq!(story.session().view().camera, camera, "all of it is seen");
     story.click("Shape Panel");
     assert!(!story.has("Elbow Z"));
-    story.drag(field, field + vec2(30.0, 0.0));
-    assert_ne!(
-        story.session().view().camera,
-        camera,
-        "the view is free again"
-    );
-    // Windows that are wider keep their panel beside the view.
+    assert_eq!(story.view(), view);
+    // Windows that are wider have their panel beside the view.
     story.size = (1000, 640);
     story.settle();
-    assert!(story.has("Elbow Z") && !story.view().contains(story.place("Elbow Z")));
+    assert!(story.has("Elbow Z") && story.place("Elbow Z").x > story.view().right());
 }
 
 #[test]
-fn a_click_beside_the_drawer_closes_it_and_does_nothing_else() {
+fn the_sheet_is_as_high_as_its_handle_is_dragged_and_folds_at_the_bottom() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.size = (390, 700);
+    story.settle();
+    let view = story.view();
+    for (y, unfolded) in [(400.0, true), (200.0, true), (690.0, false), (400.0, true)] {
+        let handle = story.place("Shape Panel");
+        story.drag(handle, egui::pos2(handle.x, y));
+        assert_eq!(story.has("Elbow Z"), unfolded, "{y}");
+        let handle = story.place("Shape Panel").y;
+        if unfolded {
+            assert!((handle - y).abs() < 8.0, "{handle} {y}");
+        } else {
+            assert_eq!(story.view(), view);
+        }
+    }
+    // Something of the view is left however high the handle is taken.
+    let handle = story.place("Shape Panel");
+    story.drag(handle, egui::pos2(handle.x, 0.0));
+    assert!(story.view().height() > 100.0);
+}
+
+#[test]
+fn a_click_above_the_sheet_is_about_the_scene_and_leaves_the_sheet_open() {
     let mut story = Story::start(&["builtin:robot"]);
     story.size = (412, 780);
     story.settle();
-    let selected = story.session().selected();
-    assert!(selected.is_some());
     story.click("Shape Panel");
+    let beside = story.view().left_center() + vec2(20.0, 0.0);
+    story.click_at(beside);
+    assert_eq!(story.session().selected(), None);
     assert!(story.has("Hide Robot"));
-    let beside = story.view().left_center() + vec2(40.0, 200.0);
-    story.click_at(beside);
-    assert!(!story.has("Hide Robot"));
-    assert_eq!(story.session().selected(), selected);
-    story.click_at(beside);
-    assert_eq!(story.session().selected(), None, "the next one counts");
 }
 
 #[test]
-fn the_drawer_stays_below_the_menus_where_the_window_gets_lower() {
-    let mut story = Story::start(&["builtin:showcase"]);
-    story.size = (412, 780);
-    story.settle();
-    story.click("Shape Panel");
-    let before = story.place("Hide Robot");
-    // As by the keyboard of a phone.
-    story.size = (412, 450);
-    for _ in 0..2 {
+fn tmp_sheet() {
+    for (name, open, size) in [("robot", "builtin:robot", (412, 780)), ("adult", "builtin:adult", (390, 700)), ("show", "builtin:showcase", (560, 420)), ("small", "builtin:adult", (420, 500))] {
+        let mut story = Story::start(&[open]);
+        story.size = size;
         story.settle();
-        assert_eq!(story.place("Hide Robot"), before);
+        for n in 0..2 {
+            let png = editor_core::io::image::encode(&story.picture(), editor_core::io::image::PictureFormat::Png).unwrap();
+            std::fs::write(format!("/tmp/u/sheet_{name}_{n}.png"), png).unwrap();
+            story.click("Shape Panel");
+            story.settle();
+        }
     }
 }
 

@@ -60,6 +60,28 @@ fn g_x_2_enter_moves_by_exactly_2_along_x_in_one_step() {
 }
 
 #[test]
+fn a_figure_that_is_scaled_stays_on_the_ground_of_the_others() {
+    let mut story = Story::start(&["builtin:showcase"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let bounds = |story: &Story| {
+        let session = story.session();
+        let shown = session.evaluated().shape(story.shape().id);
+        shown.expect("a figure").world_bounds()
+    };
+    let before = bounds(&story);
+    story.point(story.view().center());
+    story.keys(&[Key::S, Key::Num2, Key::Enter]);
+    let after = bounds(&story);
+    assert!((after.min.y - before.min.y).abs() < 1e-4, "{after:?}");
+    assert!((after.size().y / before.size().y - 2.0).abs() < 1e-4);
+    // Without a ground it grows about its origin.
+    story.key(Key::F2);
+    let position = story.transform().position;
+    story.keys(&[Key::S, Key::Num2, Key::Enter]);
+    assert_eq!(story.transform().position, position);
+}
+
+#[test]
 fn a_sign_over_a_digit_on_the_keyboard_is_that_sign_and_no_digit() {
     let mut story = Story::with_cube_in_blender();
     story.keys(&[Key::G, Key::X, Key::Num3]);

@@ -9,7 +9,7 @@ use super::{Command, Entry, Primitive};
 use crate::character::Mirror;
 use crate::editor::{
     BoxMode, Edit, GizmoAxes, Session, Tool, View, duplicates, duplicates_in_place,
-    for_all_selected, set_on_ground,
+    for_all_selected, set_beside_figures,
 };
 use crate::geometry::{Curve, CurveForm};
 use crate::scene::{
@@ -237,7 +237,7 @@ fn action(command: Command, session: &Session, state: &mut UiState, aspect: f32)
 /// Inserts a new shape, with the name that the menu has for it.
 fn insert(command: Command, primitive: Primitive, session: &Session) -> Action {
     let mut shape = NewShape::new(label(command), primitive.kind());
-    set_on_ground(session, &mut shape);
+    set_beside_figures(session, &mut shape);
     Action::Edit(Edit::Insert(vec![shape]))
 }
 
