@@ -13,8 +13,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
-use winit::event::WindowEvent;
+use winit::event::{KeyEvent, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, EventLoopProxy};
+use winit::keyboard::{Key, ModifiersState};
 
 /// Event that wakes the event loop from outside.
 #[derive(Debug)]
@@ -35,10 +36,19 @@ impl From<accesskit_winit::Event> for Wake {
     }
 }
 
+/// Whether an event is Ctrl+V, with these keys held.
+fn is_paste(event: &KeyEvent, held: ModifiersState) -> bool {
+    let is_v = matches!(&event.logical_key, Key::Character(key) if key.eq_ignore_ascii_case("v"));
+    let command = held.control_key() || cfg!(target_os = "macos") && held.super_key();
+    is_v && command && event.state.is_pressed()
+}
+
 /// The window as the place where the program runs.
 pub(super) struct WindowHost {
     egui: egui_winit::State,
     dialog: WindowFileDialog,
+    /// Keys such as Ctrl that are held.
+    held: ModifiersState,
     events: VecDeque<HostEvent>,
     finished: Receiver<JobResult>,
     finish: Sender<JobResult>,
@@ -75,6 +85,7 @@ impl WindowHost {
         Self {
             egui,
             dialog: WindowFileDialog::default(),
+            held: ModifiersState::empty(),
             events: VecDeque::new(),
             finished,
             finish,
@@ -127,9 +138,23 @@ impl WindowHost {
                 files: self.files(),
             });
         }
-        self.egui
-            .on_window_event(self.window.window(), event)
-            .repaint
+        let told = self.egui.on_window_event(self.window.window(), event);
+        match event {
+            WindowEvent::ModifiersChanged(held) => self.held = held.state(),
+            WindowEvent::KeyboardInput { event, .. } if is_paste(event, self.held) => {
+                self.paste_nothing();
+            }
+            _ => {}
+        }
+        told.repaint
+    }
+
+    /// Takes in Ctrl+V where there is no text on the clipboard, which egui leaves out: the program says so.
+    fn paste_nothing(&mut self) {
+        let events = &mut self.egui.egui_input_mut().events;
+        if !matches!(events.last(), Some(egui::Event::Paste(_))) {
+            events.push(egui::Event::Paste(String::new()));
+        }
     }
 
     /// Takes in that another program has changed a watched file.

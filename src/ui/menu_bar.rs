@@ -86,12 +86,17 @@ fn follow_pointer(ctx: &Context, menus: &[Response]) {
 }
 
 /// The menu Insert where the pointer was when the command asked for it, while it is open. Its first item
-/// has the keyboard then, since a key opened it: arrow keys and Return choose.
+/// has the keyboard then, since a key opened it: arrow keys and Return choose. The pointer takes over once it moves
+/// in the menu, so that only one item is lit.
 fn insert_at_pointer(root: &Ui, items: &mut Items) {
     let opens = std::mem::take(&mut items.state.opens_insert_menu);
     let pointer = PopupAnchor::PointerFixed;
     popup_menu(root, ("insert at pointer", pointer), opens, |ui| {
+        let moves = ui.input(|input| input.pointer.delta() != Vec2::ZERO);
         items.insertable(ui, opens);
+        if moves && !opens && ui.rect_contains_pointer(ui.min_rect()) {
+            ui.memory_mut(|memory| memory.stop_text_input());
+        }
     });
 }
 

@@ -1,6 +1,7 @@
 //! The menu that a right click in the view opens: for what is under the pointer, and only there.
 
 use super::Story;
+use editor_core::ui::Navigation;
 use egui::{Event, Modifiers, PointerButton, Pos2, pos2};
 use glam::Vec3;
 
@@ -63,6 +64,27 @@ fn on_a_bone_that_is_posed_it_is_about_its_joint() {
     story.key(egui::Key::Escape);
     story.right_click(at);
     assert!(story.has("Mirror Pose"));
+}
+
+#[test]
+fn one_item_of_the_menu_to_insert_is_lit_by_the_keyboard_or_by_the_pointer() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let focused = |story: &Story| {
+        let update = story.widgets.as_ref().expect("widgets");
+        let mut nodes = update.nodes.iter();
+        let node = nodes.find(|(id, _)| *id == update.focus);
+        node.and_then(|(_, node)| node.label().map(str::to_owned))
+    };
+    story.point(pos2(60.0, 300.0));
+    story.key_with(Modifiers::SHIFT, egui::Key::A);
+    story.settle();
+    assert!(focused(&story).is_some_and(|label| label.starts_with("Cube")));
+    let other = story.place("Sphere");
+    story.point(other);
+    story.settle();
+    assert!(story.has("Sphere"));
+    assert_eq!(focused(&story).filter(|label| label.starts_with("Cube")), None);
 }
 
 #[test]

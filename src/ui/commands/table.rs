@@ -1,7 +1,7 @@
 //! The table of commands: labels, tooltips, menus and keyboard shortcuts.
 
 use super::{Command, Primitive};
-use crate::editor::{Session, Tool};
+use crate::editor::{Session, Tool, root_of};
 use crate::scene::{Look, Shading, Skinning, ViewDirection};
 use crate::ui::{MeshColors, Navigation};
 use egui::{Key, KeyboardShortcut, Modifiers, ThemePreference};
@@ -302,14 +302,21 @@ pub(in crate::ui) fn entry_of(command: Command) -> Option<&'static Entry> {
 
 /// What the key of `command` does at the moment: with the Pose and IK tools, Delete puts the selected joint back to
 /// rest, rather than deleting all that hangs together with it, and with any tool that takes bones, Alt+R in
-/// Blender's navigation does.
+/// Blender's navigation does. There, G turns a bone that hangs on another one, as it does in Blender.
 pub(in crate::ui) fn meant(command: Command, session: &Session, tool: Tool) -> Command {
     let has_joint = session.selected_joint().is_some();
+    let hangs = |(shape, joint)| root_of(session, shape, joint) != Some(joint);
     match command {
         Command::Delete if has_joint && matches!(tool, Tool::Pose | Tool::Ik) => {
             Command::ResetJoint
         }
         Command::ResetRotation if has_joint && tool.takes_bones() => Command::ResetJoint,
+        Command::Begin(Tool::Move)
+            if matches!(tool, Tool::Pose | Tool::Ik)
+                && (session.selected().zip(session.selected_joint())).is_some_and(hangs) =>
+        {
+            Command::Begin(Tool::Rotate)
+        }
         command => command,
     }
 }
