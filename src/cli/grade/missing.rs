@@ -1,6 +1,8 @@
 //! Files that are not where they belong, and those that may be meant.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 /// Folders within each other in which a file is sought that is not where it belongs.
 const DEEPEST: usize = 3;
@@ -37,6 +39,44 @@ pub(super) fn missing(folder: &Path, name: &str, of_others: &[String]) -> String
     }
 }
 
+/// Files with the time at which each was written last.
+pub(super) type Times = BTreeMap<PathBuf, Option<SystemTime>>;
+
+/// When the files in `folder` were written.
+pub(super) fn times(folder: &Path) -> Times {
+    let files = files_within(folder).into_iter();
+    let with_time = files.map(|file| {
+        let written = file.metadata().and_then(|metadata| metadata.modified());
+        (file, written.ok())
+    });
+    with_time.collect()
+}
+
+/// That a command, which began with `before` in the `folder` of a submission, has not written the file called `name` in
+/// the folder `output`; and which one of its kind it has written in one of the two.
+pub(super) fn unwritten(name: &str, folder: &Path, before: &Times, output: &Path) -> String {
+    let is_of_kind = |file: &Path| file.extension() == Path::new(name).extension();
+    let now = times(folder).into_iter();
+    let here = now.filter(|(file, written)| before.get(file) != Some(written));
+    let here = here.map(|(file, _)| file).find(|file| is_of_kind(file));
+    let there = || files_within(output).into_iter().find(|file| is_of_kind(file));
+    let nothing = "the command ended without writing its file";
+    let beside = |file: &Path, folder: &Path| {
+        let name = file.strip_prefix(folder).unwrap_or(file);
+        name.display().to_string()
+    };
+    match here {
+        Some(file) => format!(
+            "{nothing}: it wrote {} in the submission's folder instead of what {{output}} names",
+            beside(&file, folder)
+        ),
+        None => there().map_or(nothing.to_owned(), |file| {
+            let found = beside(&file, output);
+            format!("{nothing}: it wrote {found} in the folder of {{output}}, not {name}")
+        }),
+    }
+}
+
 /// Files in `folder` and in folders within, those that lie less deep first, and otherwise by their names.
 fn files_within(folder: &Path) -> Vec<PathBuf> {
     let (mut folders, mut files) = (vec![folder.to_owned()], Vec::new());
@@ -65,7 +105,28 @@ fn name_of(path: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::missing;
+    use super::{missing, times, unwritten};
+
+    #[test]
+    fn a_command_that_writes_under_another_name_is_told_which() {
+        let (folder, output) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+        let write = |file: &std::path::Path| std::fs::write(file, "").unwrap();
+        write(&folder.path().join("old.obj"));
+        let before = times(folder.path());
+        let said = || unwritten("walk.obj", folder.path(), &before, output.path());
+        let plain = "the command ended without writing its file";
+        write(&folder.path().join("log.txt"));
+        assert_eq!(said(), plain);
+        write(&output.path().join("Walk.obj.obj"));
+        assert_eq!(
+            said(),
+            format!("{plain}: it wrote Walk.obj.obj in the folder of {{output}}, not walk.obj")
+        );
+        write(&folder.path().join("out.obj"));
+        let expected =
+            "it wrote out.obj in the submission's folder instead of what {output} names";
+        assert_eq!(said(), format!("{plain}: {expected}"));
+    }
 
     #[test]
     fn of_a_missing_file_the_one_is_named_that_may_be_meant() {

@@ -3,7 +3,7 @@
 use super::command::{CommandFailure, TestCommand};
 use super::interruption::Interruption;
 use super::kept::{KeptResult, KeptResults, Store};
-use super::missing::missing;
+use super::missing::{missing, times, unwritten};
 use super::submissions::Submission;
 use crate::cli::CliError;
 use crate::cli::output::{Progress, eprint_line};
@@ -202,8 +202,9 @@ impl Work<'_> {
         let name = test.file_name();
         let scratch = ScratchFolder::new()?;
         let output = scratch.path().join(&name);
+        let before = times(&submission.folder);
         let ran = command.run(test.data(), &submission.folder, &output, interruption);
-        let nothing = || "the command ended without writing its file".to_owned();
+        let nothing = || unwritten(&name, &submission.folder, &before, scratch.path());
         let written = read(&output, &name, nothing);
         // A second signal ends the program, and should find no folder to leave behind.
         drop(scratch);
