@@ -1,5 +1,5 @@
 use super::swing::{Swing, angle_about, snapped, unwound};
-use super::{Edit, GizmoAxes, Session};
+use super::{Edit, GizmoAxes, Session, root_of};
 use crate::math::{DRay, Euler, Ray};
 use crate::scene::ShapeId;
 use glam::{DMat3, DMat4, DQuat, DVec3, Vec3};
@@ -25,13 +25,23 @@ pub struct JointTurn {
 }
 
 impl JointTurn {
-    /// Begins to turn `joint` of the character `shape`, and with it all others that are selected if it is one of them.
+    /// Begins to turn `joint` of the character `shape`, and with it all others that are selected if it is one of them;
+    /// or the roots alone if all are, who mean the figure and not that it curls up.
     /// `None` if there is no such joint, or the shape is scaled to zero.
     pub fn begin(session: &Session, shape: ShapeId, joint: usize) -> Option<Self> {
-        let mut turn = Self::of_one(session, shape, joint)?;
+        let skeleton = session.scene().character(shape)?.character.skeleton();
         let selected = session.selected_joints();
-        if session.selected() == Some(shape) && selected.contains(&joint) {
+        let is_of_selected = session.selected() == Some(shape) && selected.contains(&joint);
+        let means_all = is_of_selected && selected.len() == skeleton.joints().len();
+        let joint = match root_of(session, shape, joint) {
+            Some(root) if means_all => root,
+            _ => joint,
+        };
+        let mut turn = Self::of_one(session, shape, joint)?;
+        if is_of_selected {
+            let is_root = |other: usize| root_of(session, shape, other) == Some(other);
             let others = selected.iter().filter(|other| **other != joint);
+            let others = others.filter(|other| !means_all || is_root(**other));
             let others = others.filter_map(|&other| Self::of_one(session, shape, other));
             turn.others = others.collect();
         }

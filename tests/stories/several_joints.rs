@@ -1,6 +1,7 @@
 //! Several joints of a figure that are selected and turned together.
 
 use super::Story;
+use editor_core::math::Euler;
 use editor_core::ui::Navigation;
 use egui::{Event, Key, Modifiers};
 use glam::Vec3;
@@ -123,4 +124,11 @@ fn while_a_figure_is_posed_a_box_and_select_all_are_about_its_joints() {
         Vec3::ZERO,
         "all of them are put back"
     );
+    // All of a figure that is turned turns as a whole, and does not curl up.
+    for key in [Key::R, Key::X, Key::Num2, Key::Num0, Key::Enter] {
+        story.key(key);
+    }
+    let pose = story.character().pose().clone();
+    let turned = (0..all).filter(|&joint| pose.rotation(joint) != Euler::ZERO);
+    assert_eq!(turned.collect::<Vec<_>>(), [story.joint("Root")]);
 }
