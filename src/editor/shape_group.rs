@@ -34,9 +34,7 @@ impl ShapeGroup {
         let pivot = shown.world_from_model.transform_point3(pivot_of(shown));
         let at_rest = shown.geometry.mesh.bounds();
         let at_rest = at_rest.transformed(shown.world_from_model);
-        let ground = active
-            .front()
-            .and_then(|_| ground_below(session, &at_rest));
+        let ground = active.front().and_then(|_| ground_below(session, &at_rest));
         let all = session.selected_shapes();
         is_free(active.id).then(|| Self {
             active: active.id,

@@ -46,6 +46,7 @@ mod scene_places;
 mod screenshot;
 mod shape_list;
 mod shape_panel;
+mod shape_properties;
 mod shortened;
 mod start_page;
 mod state;

@@ -164,9 +164,15 @@ fn with_a_bone_at_hand_g_moves_a_root_or_turns_the_bone_and_no_key_the_whole_cha
     assert_eq!(editor.place_of(0), Transform::default());
     // As in Blender, a bone that hangs on another one turns.
     for key in [Key::R, Key::G] {
-        let before = (editor.joint(NECK), editor.character().pose().root_offset(ROOT));
+        let before = (
+            editor.joint(NECK),
+            editor.character().pose().root_offset(ROOT),
+        );
         drag_by_key(&mut editor, NECK, key);
-        let after = (editor.joint(NECK), editor.character().pose().root_offset(ROOT));
+        let after = (
+            editor.joint(NECK),
+            editor.character().pose().root_offset(ROOT),
+        );
         assert!(after.0 != before.0 && after.1 == before.1, "{key:?}");
     }
 

@@ -84,7 +84,10 @@ fn one_item_of_the_menu_to_insert_is_lit_by_the_keyboard_or_by_the_pointer() {
     story.point(other);
     story.settle();
     assert!(story.has("Sphere"));
-    assert_eq!(focused(&story).filter(|label| label.starts_with("Cube")), None);
+    assert_eq!(
+        focused(&story).filter(|label| label.starts_with("Cube")),
+        None
+    );
 }
 
 #[test]

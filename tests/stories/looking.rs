@@ -466,7 +466,15 @@ fn in_a_narrow_window_the_panel_is_a_sheet_below_the_view() {
     assert!(smaller.height() > 0.4 * view.height());
     assert!(smaller.bottom() < field.y && field.y < view.bottom());
     story.drag(field, field + vec2(30.0, 0.0));
-    assert_ne!(story.session().scene().shapes()[0].placement.transform.rotation.radians.y, 0.0);
+    assert_ne!(
+        story.session().scene().shapes()[0]
+            .placement
+            .transform
+            .rotation
+            .radians
+            .y,
+        0.0
+    );
     assert_eq!(story.session().view().camera, camera, "all of it is seen");
     story.click("Shape Panel");
     assert!(!story.has("Elbow Z"));
@@ -514,12 +522,21 @@ fn a_click_above_the_sheet_is_about_the_scene_and_leaves_the_sheet_open() {
 
 #[test]
 fn tmp_sheet() {
-    for (name, open, size) in [("robot", "builtin:robot", (412, 780)), ("adult", "builtin:adult", (390, 700)), ("show", "builtin:showcase", (560, 420)), ("small", "builtin:adult", (420, 500))] {
+    for (name, open, size) in [
+        ("robot", "builtin:robot", (412, 780)),
+        ("adult", "builtin:adult", (390, 700)),
+        ("show", "builtin:showcase", (560, 420)),
+        ("small", "builtin:adult", (420, 500)),
+    ] {
         let mut story = Story::start(&[open]);
         story.size = size;
         story.settle();
         for n in 0..2 {
-            let png = editor_core::io::image::encode(&story.picture(), editor_core::io::image::PictureFormat::Png).unwrap();
+            let png = editor_core::io::image::encode(
+                &story.picture(),
+                editor_core::io::image::PictureFormat::Png,
+            )
+            .unwrap();
             std::fs::write(format!("/tmp/u/sheet_{name}_{n}.png"), png).unwrap();
             story.click("Shape Panel");
             story.settle();

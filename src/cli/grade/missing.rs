@@ -59,7 +59,11 @@ pub(super) fn unwritten(name: &str, folder: &Path, before: &Times, output: &Path
     let now = times(folder).into_iter();
     let here = now.filter(|(file, written)| before.get(file) != Some(written));
     let here = here.map(|(file, _)| file).find(|file| is_of_kind(file));
-    let there = || files_within(output).into_iter().find(|file| is_of_kind(file));
+    let there = || {
+        files_within(output)
+            .into_iter()
+            .find(|file| is_of_kind(file))
+    };
     let nothing = "the command ended without writing its file";
     let beside = |file: &Path, folder: &Path| {
         let name = file.strip_prefix(folder).unwrap_or(file);
@@ -123,8 +127,7 @@ mod tests {
             format!("{plain}: it wrote Walk.obj.obj in the folder of {{output}}, not walk.obj")
         );
         write(&folder.path().join("out.obj"));
-        let expected =
-            "it wrote out.obj in the submission's folder instead of what {output} names";
+        let expected = "it wrote out.obj in the submission's folder instead of what {output} names";
         assert_eq!(said(), format!("{plain}: {expected}"));
     }
 
