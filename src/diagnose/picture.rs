@@ -14,6 +14,8 @@ use std::fmt;
 
 /// Part of the silhouette that may be off in pictures that agree.
 const TOLERANCE: f64 = 0.001;
+/// Part of the silhouette up to which a picture is nearly right.
+const NEARLY: f64 = 0.005;
 /// Part by which mistakes may differ and are as good.
 const AS_GOOD: f64 = 0.0005;
 /// Other explanations that are told in words; the others are counted.
@@ -125,6 +127,11 @@ fn alike(explanations: &[Explanation], error: f64) -> Vec<&Explanation> {
 }
 
 impl PictureDiagnosis {
+    /// Whether nothing explains what is off, which is little, such as a speck beside the figure.
+    pub fn is_nearly_right(&self) -> bool {
+        self.verdict == Verdict::Unexplained && self.error_from_exact <= NEARLY
+    }
+
     /// Takes what gives the silhouette, if anything does, into account.
     fn explain(&mut self, explanations: &[Explanation]) {
         let alike = alike(explanations, least(explanations));
@@ -172,8 +179,13 @@ impl fmt::Display for PictureDiagnosis {
             }
             Verdict::OtherPose | Verdict::Unexplained => write!(
                 f,
-                "unexplained: {error} of the silhouette is off, and no known mistake gives this one, \
+                "{}: {error} of the silhouette is off, and no known mistake gives this one, \
                  nor do two of them{}",
+                if self.is_nearly_right() {
+                    "nearly right"
+                } else {
+                    "unexplained"
+                },
                 if self.error_from_exact > MUCH {
                     "; where so much is off, the picture may be seen through another camera, or have more around \
                      the view"

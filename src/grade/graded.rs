@@ -53,7 +53,7 @@ pub struct Graded {
     /// Mistakes that together give the file, by name; the first are those of the text, the others
     /// give the same.
     pub causes: Vec<Vec<String>>,
-    /// Of a mesh that nothing explains and that is nearly right, what is wrong with it, by name: a mistake,
+    /// Of a file that nothing explains and that is nearly right, what is wrong with it, by name: a mistake,
     /// [`RIGHT_BUT_FOR_FEW`](crate::io::RIGHT_BUT_FOR_FEW),
     /// [`RIGHT_BUT_FOR_DIGITS`](crate::io::RIGHT_BUT_FOR_DIGITS) or
     /// [`MOVED_AS_A_WHOLE`](crate::io::MOVED_AS_A_WHOLE).
@@ -63,6 +63,9 @@ pub struct Graded {
     pub error: Option<f64>,
     /// Share of the vertices or of the silhouette that agrees, 0 to 1.
     pub agrees: f64,
+    /// Of the joints that are turned or moved in another pose or in that of the test, the share that are as the test asks,
+    /// 0 to 1; 0 without another pose.
+    pub as_asked: f64,
     /// A PNG that shows what is off, as Base64.
     pub picture: Option<String>,
 }
@@ -78,6 +81,7 @@ impl Graded {
             nearly: Vec::new(),
             error: None,
             agrees: 0.0,
+            as_asked: 0.0,
             picture: None,
         }
     }
@@ -92,6 +96,7 @@ impl Graded {
                 "another test: this is exactly the result of {name}, so that the file may have the wrong name"
             ),
             hint: Some(format!("the result of {name}")),
+            as_asked: 0.0,
             ..self
         }
     }

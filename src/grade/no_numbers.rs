@@ -1,14 +1,20 @@
 //! Vertices that a program has written as what is no number.
 
+use crate::diagnose::Diagnosis;
+use std::collections::BTreeMap;
+
 /// A mesh in text, in which vertices are no numbers.
 #[derive(Debug, PartialEq)]
 pub(super) struct NoNumbers {
     /// The same with numbers in their place that lie outside of the mesh: these vertices are right by no chance, and all
     /// others can be looked at.
     pub without: Vec<u8>,
-    /// How many vertices, and the line of the first, from 1.
-    vertices: usize,
+    /// The vertices, from 0, and what the file has for them.
+    vertices: BTreeMap<usize, [f64; 3]>,
+    /// The line of the first, from 1.
     first: usize,
+    /// How many vertices the file has.
+    all: usize,
 }
 
 impl NoNumbers {
@@ -24,27 +30,59 @@ impl NoNumbers {
             .map(f32::abs);
         let outside = 1.0 + 2.0 * sizes.filter(|size| size.is_finite()).fold(0.0, f32::max);
         let outside = outside.min(f32::MAX).to_string();
-        let (mut without, mut vertices) = (String::with_capacity(text.len()), 0);
+        let mut without = String::with_capacity(text.len());
+        let (mut vertices, mut all) = (BTreeMap::new(), 0);
         for line in text.split_inclusive('\n') {
-            match words_of_vertex(line).filter(|_| has_none(line)) {
-                Some(words) => {
-                    let numbers = words.map(|word| if is_none(word) { &*outside } else { word });
-                    without += &format!("v {}\n", numbers.collect::<Vec<_>>().join(" "));
-                    vertices += 1;
-                }
-                None => without += line,
+            let Some(words) = words_of_vertex(line) else {
+                without += line;
+                continue;
+            };
+            let words: Vec<&str> = words.collect();
+            if words.iter().copied().any(is_none) {
+                let number = |axis: usize| words.get(axis).map_or(f64::NAN, |word| value(word));
+                vertices.insert(all, [0, 1, 2].map(number));
+                let numbers = words.iter();
+                let numbers = numbers.map(|word| if is_none(word) { &*outside } else { *word });
+                without += &format!("v {}\n", numbers.collect::<Vec<_>>().join(" "));
+            } else {
+                without += line;
             }
+            all += 1;
         }
         Some(Self {
             without: without.into_bytes(),
             vertices,
             first,
+            all,
         })
+    }
+
+    /// Whether no vertex of the file is a number.
+    pub fn are_all(&self) -> bool {
+        self.vertices.len() == self.all
+    }
+
+    /// A diagnosis of the mesh that is [`Self::without`] them, with what the file has in place of the numbers that stand
+    /// for it.
+    pub fn put_back_into(&self, found: &Diagnosis) -> Diagnosis {
+        let mut found = found.clone();
+        if let Some(first) = &mut found.first
+            && let Some(place) = self.vertices.get(&first.vertex)
+        {
+            first.theirs = *place;
+        }
+        let regions = found.regions.iter_mut();
+        for region in regions.filter(|region| self.vertices.contains_key(&region.worst_vertex)) {
+            region.worst = f64::INFINITY;
+        }
+        found.error = f64::INFINITY;
+        found.error_from_exact = f64::INFINITY;
+        found
     }
 
     /// In words, of a file called `name`.
     pub fn told(&self, name: &str) -> String {
-        let what = match self.vertices {
+        let what = match self.vertices.len() {
             1 => "1 vertex is no number (nan or infinite)".to_owned(),
             all => format!("{all} vertices are no numbers (nan or infinite)"),
         };
@@ -59,6 +97,17 @@ impl NoNumbers {
 fn words_of_vertex(line: &str) -> Option<impl Iterator<Item = &str>> {
     let mut words = line.split_whitespace();
     (words.next() == Some("v")).then_some(words)
+}
+
+/// The number that a word stands for, or that it is none.
+fn value(word: &str) -> f64 {
+    let is_infinite = word.to_ascii_lowercase().contains("inf") || word.contains("#INF");
+    match word.parse() {
+        Ok(value) => value,
+        Err(_) if is_infinite && word.starts_with('-') => f64::NEG_INFINITY,
+        Err(_) if is_infinite => f64::INFINITY,
+        Err(_) => f64::NAN,
+    }
 }
 
 /// Whether a word is what programs write for what is no number, as `nan`, `-inf` or `1.#QNAN`.
@@ -77,6 +126,14 @@ mod tests {
         let found = NoNumbers::find(text).unwrap();
         let without = "# nan\nv 1 2 3\nv 7 2 7\nv 1 7 3\nf 1 2 3\n";
         assert_eq!(String::from_utf8_lossy(&found.without), without);
+        let vertices = format!("{:?}", found.vertices);
+        assert_eq!(vertices, "{1: [NaN, 2.0, NaN], 2: [1.0, inf, 3.0]}");
+        assert!(!found.are_all());
+        assert!(
+            NoNumbers::find(b"v nan nan nan\nv 1 inf 2\n")
+                .unwrap()
+                .are_all()
+        );
         assert!(
             found
                 .told("a.obj")

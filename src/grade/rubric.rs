@@ -2,16 +2,21 @@
 
 use super::graded::{Graded, Outcome};
 use crate::diagnose::Mistake;
-use crate::io::{MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData};
+use crate::io::{
+    MOVED_AS_A_WHOLE, OTHER_POSE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, TestData,
+};
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-/// The section in which posed meshes are made: a mesh that is nearly right does not show in which section the mistake is.
+/// The section in which posed meshes are made: a file that is nearly right does not show in which section the mistake is.
 pub(super) const OF_POSED_MESHES: &str = "4.2";
 
 /// Name of the mistake that all of a result rests on, for which another pose counts, too: a mesh that is not in the
 /// pose of its test shows nothing of what the test asks for, whatever the section.
 pub(super) const POSE_NOT_APPLIED: &str = "pose-not-applied";
+/// Share of its joints from which on another pose shows what the test asks for: a slip in one angle is no worse than what
+/// nothing explains.
+const MOSTLY_AS_ASKED: f64 = 0.5;
 /// What that leaves unless the rubric says otherwise.
 const LEFT_WITHOUT_POSE: f64 = 0.0;
 /// What a mesh that is right but for little leaves, unless the rubric says otherwise: less is wrong than with any
@@ -37,8 +42,10 @@ pub(super) fn points(
             left_by(&graded.nearly, test, rubric)
         }
         Outcome::Unexplained => of_all(test, by_vertices(graded, rubric)),
-        // The pose that was asked for is as little in it as in one that is not posed at all.
-        Outcome::OtherPose => left_by(&[POSE_NOT_APPLIED.to_owned()], test, rubric),
+        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
+            of_all(test, by_vertices(graded, rubric))
+        }
+        Outcome::OtherPose => left_by(&[OTHER_POSE.to_owned()], test, rubric),
         Outcome::Explained => counted(test, graded, rubric)
             .map_or_else(|| of_all(test, 0.0), |ids| left_by(ids, test, rubric)),
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
@@ -104,6 +111,14 @@ fn by_vertices(graded: &Graded, rubric: &RubricData) -> f64 {
     rubric.unexplained.0 * graded.agrees
 }
 
+/// Whether another pose, which is mostly the one that was asked for, counts as what is unexplained does. A rubric that
+/// has a share for it means every other pose.
+pub(super) fn counts_by_vertices(graded: &Graded, rubric: &RubricData) -> bool {
+    !rubric.mistakes.contains_key(OTHER_POSE)
+        && graded.as_asked >= MOSTLY_AS_ASKED
+        && by_vertices(graded, rubric) > share_left(OTHER_POSE, rubric)
+}
+
 /// Whether something unexplained that is nearly right has more points as what is wrong with it than by its vertices.
 pub(super) fn counts_as_mistakes(test: &TestData, graded: &Graded, rubric: &RubricData) -> bool {
     let as_mistakes = left_by(&graded.nearly, test, rubric);
@@ -118,6 +133,8 @@ pub(super) fn share_left(id: &str, rubric: &RubricData) -> f64 {
     let mut by_little = LEFT_BY_LITTLE.iter();
     let without = match id {
         POSE_NOT_APPLIED => LEFT_WITHOUT_POSE,
+        // The pose that was asked for is as little in it as in one that is not posed at all.
+        OTHER_POSE => share_left(POSE_NOT_APPLIED, rubric),
         id => by_little
             .find(|(known, _)| *known == id)
             .map_or(rubric.mistake.0, |(_, share)| *share),
@@ -129,7 +146,7 @@ pub(super) fn share_left(id: &str, rubric: &RubricData) -> f64 {
 fn left_by(ids: &[String], test: &TestData, rubric: &RubricData) -> BTreeMap<String, f64> {
     let mut left = of_all(test, 1.0);
     for id in ids {
-        let is_of_all = id == POSE_NOT_APPLIED;
+        let is_of_all = id == POSE_NOT_APPLIED || id == OTHER_POSE;
         let share = share_left(id, rubric);
         let own = match Mistake::find(id) {
             Some(mistake) => section_of(mistake.section, test),
@@ -310,6 +327,34 @@ pub(super) mod tests {
         rubric.mistakes.insert(name, Share(0.25));
         assert_eq!(given(TWO, &at_rest, &rubric), [1.5, 2.5]);
         assert_eq!(given(TWO, &other_pose, &rubric), [1.5, 2.5]);
+        let name = OTHER_POSE.to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.5));
+        assert_eq!(given(TWO, &at_rest, &rubric), [1.5, 2.5]);
+        assert_eq!(given(TWO, &other_pose, &rubric), [3.0, 5.0]);
+    }
+
+    #[test]
+    fn a_slip_in_one_joint_of_the_pose_costs_no_more_than_what_nothing_explains() {
+        let mut rubric = RubricData::default();
+        let of_pose = |as_asked| Graded {
+            as_asked,
+            agrees: 0.8,
+            ..Graded::without(Outcome::OtherPose, "")
+        };
+        let slip = of_pose(0.5);
+        let unexplained = Graded {
+            outcome: Outcome::Unexplained,
+            ..slip.clone()
+        };
+        let points = given(TWO, &unexplained, &rubric);
+        assert_eq!(given(TWO, &slip, &rubric), points);
+        let told = "a pose in which at least half of the joints are as asked leaves 50 %, times the 80 % of the \
+                    vertices that are right";
+        assert_eq!(why(&test(TWO), &slip, &rubric), [told]);
+        assert_eq!(given(TWO, &of_pose(0.4), &rubric), [0.0, 0.0]);
+        let name = OTHER_POSE.to_owned().try_into().unwrap();
+        rubric.mistakes.insert(name, Share(0.25));
+        assert_eq!(given(TWO, &slip, &rubric), [1.5, 2.5]);
     }
 
     #[test]

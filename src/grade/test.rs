@@ -6,15 +6,16 @@ use super::report::NEARLY;
 use super::thumbnail::{MeshThumbnail, of_silhouette};
 use crate::character::{Character, Pose};
 use crate::diagnose::{
-    Diagnosis, NearlyRight, PictureError, Verdict, diagnose, diagnose_picture, has_silhouette,
-    measure,
+    Diagnosis, NearlyRight, OtherPose, PictureError, Verdict, diagnose, diagnose_picture,
+    has_silhouette, measure,
 };
 use crate::geometry::Mesh;
 use crate::io::image::{self, PictureFormat};
 use crate::io::{
-    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind,
+    MOVED_AS_A_WHOLE, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, TestData, TestKind, in_utf8,
     read_character_obj,
 };
+use crate::math::Euler;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::Vec3;
@@ -121,6 +122,7 @@ impl Test {
             line.starts_with(b"v ") || line.starts_with(b"v\t")
         };
         let name = self.file_name();
+        let bytes = &*in_utf8(bytes);
         let is_text = std::str::from_utf8(bytes).is_ok();
         if is_text && !bytes.split(|&byte| byte == b'\n').any(is_vertex) {
             return Graded::without(Outcome::Blank, "the file has no vertices");
@@ -139,7 +141,10 @@ impl Test {
                 return Graded::without(Outcome::Unreadable, diagnostic.to_string());
             }
         };
-        warnings.extend(no_numbers.map(|found| found.told(&name)));
+        if let Some(found) = no_numbers.as_ref().filter(|found| found.are_all()) {
+            return Graded::without(Outcome::Blank, found.told(&name));
+        }
+        warnings.extend(no_numbers.as_ref().map(|found| found.told(&name)));
         let places = &theirs.positions;
         if places.len() > 1 && places.iter().all(|place| *place == places[0]) {
             return Graded::without(Outcome::Blank, "all vertices are in one place");
@@ -147,6 +152,11 @@ impl Test {
         match diagnose(&self.character, &self.pose, &theirs) {
             Ok(found) => {
                 let mut graded = self.diagnosed_mesh(&found, &theirs);
+                if let Some(no_numbers) = &no_numbers {
+                    let found = no_numbers.put_back_into(&found);
+                    graded.text = found.to_string();
+                    graded.error = rounded(found.error_from_exact);
+                }
                 if graded.outcome != Outcome::Right {
                     let told = warnings.iter().take(TOLD);
                     graded
@@ -162,6 +172,17 @@ impl Test {
             }
             Err(error) => Graded::without(Outcome::Unreadable, format!("{name}: {error}")),
         }
+    }
+
+    /// Of the joints that are turned or moved in the test's pose or in `other`, the share that are as the test asks.
+    fn as_asked(&self, other: &OtherPose) -> f64 {
+        let is_asked = |joint: &usize| {
+            self.pose.rotation(*joint) != Euler::ZERO || self.pose.root_offset(*joint) != Vec3::ZERO
+        };
+        let differs = |joint: usize| other.joints.iter().any(|one| one.joint_index == joint);
+        let asked = (0..self.character.skeleton().joints().len()).filter(is_asked);
+        let right = asked.filter(|&joint| !differs(joint)).count();
+        right as f64 / (right + other.joints.len()) as f64
     }
 
     /// Whether a mesh has the vertices of the exact result of this test, of which the files may be pictures.
@@ -196,6 +217,10 @@ impl Test {
             hint: hint(found),
             causes,
             nearly: nearly(found).into_iter().map(str::to_owned).collect(),
+            as_asked: found
+                .other_pose
+                .as_ref()
+                .map_or(0.0, |other| self.as_asked(other)),
             error: rounded(found.error_from_exact),
             agrees: rounded(agrees).unwrap_or(0.0),
             picture: if is_right { None } else { drawn() },
@@ -217,7 +242,7 @@ impl Test {
         if !is_as_wide(size, [picture.width, picture.height]) {
             let found = format!("{}×{}", picture.width, picture.height);
             let text = format!(
-                "{name}: expected {width}×{height} pixels, or as many times more or less in both directions, found {found}"
+                "{name}: expected {width}×{height} pixels, or a picture of the same shape at least a quarter as wide, found {found}"
             );
             return Graded::without(Outcome::Unreadable, text);
         }
@@ -243,10 +268,18 @@ impl Test {
         let graded = Graded {
             outcome: outcome(found.verdict),
             text: found.to_string(),
-            hint: None,
+            hint: found.is_nearly_right().then(|| {
+                let off = 100.0 * found.error_from_exact;
+                format!("all but {off:.1} % of the silhouette")
+            }),
             causes: explanations(told, &found.same_as),
             error: rounded(found.error_from_exact),
-            nearly: Vec::new(),
+            nearly: (found
+                .is_nearly_right()
+                .then(|| RIGHT_BUT_FOR_FEW.to_owned()))
+            .into_iter()
+            .collect(),
+            as_asked: 0.0,
             agrees: rounded((1.0 - found.error_from_exact).clamp(0.0, 1.0)).unwrap_or(0.0),
             picture: if found.verdict == Verdict::Right {
                 None

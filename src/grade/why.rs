@@ -2,10 +2,11 @@
 
 use super::graded::{Graded, Outcome};
 use super::rubric::{
-    OF_POSED_MESHES, POSE_NOT_APPLIED, counted, counts_as_mistakes, number, section_of, share_left,
+    OF_POSED_MESHES, POSE_NOT_APPLIED, counted, counts_as_mistakes, counts_by_vertices, number,
+    section_of, share_left,
 };
 use crate::diagnose::Mistake;
-use crate::io::{RubricData, TestData, TestKind};
+use crate::io::{OTHER_POSE, RubricData, TestData, TestKind};
 
 /// Why a test has not all of its points, in sentences.
 pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<String> {
@@ -16,21 +17,26 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
         Outcome::Unexplained if counts_as_mistakes(test, graded, rubric) => {
             of_mistakes(&graded.nearly)
         }
+        Outcome::OtherPose if counts_by_vertices(graded, rubric) => {
+            vec![why_by_vertices(
+                "a pose in which at least half of the joints are as asked",
+                test,
+                graded,
+                rubric,
+            )]
+        }
         Outcome::Unexplained => {
-            let what = match test.kind {
-                TestKind::Mesh => "vertices",
-                TestKind::Picture { .. } => "silhouette",
-            };
-            let share = percent(rubric.unexplained.0);
-            let right = percent(graded.agrees);
-            vec![format!(
-                "what no known mistake explains leaves {share}, times the {right} of the {what} that are right"
+            vec![why_by_vertices(
+                "what no known mistake explains",
+                test,
+                graded,
+                rubric,
             )]
         }
         Outcome::OtherPose => {
-            let share = percent(share_left(POSE_NOT_APPLIED, rubric));
+            let share = percent(share_left(OTHER_POSE, rubric));
             vec![format!(
-                "a result in another pose than that of the test leaves {share} of every section, as {POSE_NOT_APPLIED} does"
+                "a result in another pose than that of the test leaves {share} of every section"
             )]
         }
         Outcome::Blank | Outcome::Missing | Outcome::Unreadable | Outcome::Failed => {
@@ -39,7 +45,17 @@ pub(super) fn why(test: &TestData, graded: &Graded, rubric: &RubricData) -> Vec<
     }
 }
 
-/// What a mistake, or a mesh that is nearly right, leaves of which section.
+/// What is left of what counts by its share that is right.
+fn why_by_vertices(of: &str, test: &TestData, graded: &Graded, rubric: &RubricData) -> String {
+    let what = match test.kind {
+        TestKind::Mesh => "vertices",
+        TestKind::Picture { .. } => "silhouette",
+    };
+    let (share, right) = (percent(rubric.unexplained.0), percent(graded.agrees));
+    format!("{of} leaves {share}, times the {right} of the {what} that are right")
+}
+
+/// What a mistake, or a file that is nearly right, leaves of which section.
 fn why_mistake(id: &str, test: &TestData, rubric: &RubricData) -> String {
     let share = percent(share_left(id, rubric));
     if id == POSE_NOT_APPLIED {

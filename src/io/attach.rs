@@ -1,5 +1,5 @@
 use super::numbers::finite;
-use super::scanner::{STRETCH, Scanner};
+use super::scanner::{STRETCH, Scanner, in_utf8};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Attachments, Influence};
 use crate::steps::{Pace, at_once};
@@ -38,7 +38,8 @@ pub(super) async fn read_attach_by(
     vertices: usize,
     pace: &Pace,
 ) -> Result<Imported<Attachments>, Diagnostic> {
-    let mut scanner = Scanner::new(path, bytes)?;
+    let bytes = in_utf8(bytes);
+    let mut scanner = Scanner::new(path, &bytes)?;
     let columns = joints.saturating_sub(1);
     let mut attachments = Attachments::new();
     let mut oddities = Oddities::default();

@@ -5,7 +5,7 @@ use super::obj;
 use super::obj_counts::Counts;
 use super::obj_face_reader::FaceReader;
 use super::obj_shape::{Data, Name, Shape, Use};
-use super::scanner::{STRETCH, Scanner, Word};
+use super::scanner::{STRETCH, Scanner, Word, in_utf8};
 use super::{Diagnostic, Files, Imported};
 use crate::geometry::Mesh;
 use crate::steps::{Pace, at_once};
@@ -40,10 +40,11 @@ pub(super) async fn read_shape_obj_by(
     bytes: impl AsRef<[u8]>,
     pace: &Pace,
 ) -> Result<Imported<Mesh>, Diagnostic> {
+    let bytes = in_utf8(bytes.as_ref());
     let mut reader = ShapeReader {
         files,
         folder: path.parent().unwrap_or(Path::new("")),
-        scanner: Scanner::new(path, bytes.as_ref())?,
+        scanner: Scanner::new(path, &bytes)?,
         data: Data::default(),
         faces: FaceReader::default(),
         libraries: Libraries::default(),

@@ -68,9 +68,10 @@ pub use pose_data::{Entries, Key, PoseData};
 pub use pose_file::PoseFile;
 pub use read_job::{ReadFiles, ReadJob, Wanted};
 pub use rubric_data::{
-    MOVED_AS_A_WHOLE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData, SectionData,
-    Share,
+    MOVED_AS_A_WHOLE, OTHER_POSE, Points, RIGHT_BUT_FOR_DIGITS, RIGHT_BUT_FOR_FEW, RubricData,
+    SectionData, Share,
 };
+pub use scanner::in_utf8;
 pub use scene::{
     Missing, Package, Reimported, SceneError, SceneFile, files_of_source, needed_files, normal,
     package, read_scene, reimport, scene_text,

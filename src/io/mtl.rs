@@ -2,7 +2,7 @@
 
 use super::diagnostic::Warnings;
 use super::pictures::{MissingPictures, Pictures};
-use super::scanner::{Scanner, quoted};
+use super::scanner::{Scanner, in_utf8, quoted};
 use super::{Diagnostic, Files};
 use crate::geometry::Material;
 use glam::Vec3;
@@ -20,7 +20,8 @@ const DEFAULT_COLOR: Vec3 = Vec3::splat(0.8);
 /// # Errors
 /// If the file is no text, or a material has no name.
 fn read_mtl(path: &Path, bytes: &[u8]) -> Result<ReadMtl, Diagnostic> {
-    let mut scanner = Scanner::new(path, bytes)?;
+    let bytes = in_utf8(bytes);
+    let mut scanner = Scanner::new(path, &bytes)?;
     let mut lines = String::new();
     let mut warnings = Warnings::default();
     loop {

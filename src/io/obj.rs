@@ -2,7 +2,7 @@
 
 use super::numbers::finite;
 use super::obj_face_reader::FaceReader;
-use super::scanner::{STRETCH, Scanner};
+use super::scanner::{STRETCH, Scanner, in_utf8};
 use super::{Diagnostic, Imported};
 use crate::geometry::{Mesh, Triangulator};
 use crate::steps::{Pace, at_once};
@@ -29,7 +29,8 @@ pub(super) async fn read_character_obj_by(
     bytes: &[u8],
     pace: &Pace,
 ) -> Result<Imported<Mesh>, Diagnostic> {
-    let mut scanner = Scanner::new(path, bytes)?;
+    let bytes = in_utf8(bytes);
+    let mut scanner = Scanner::new(path, &bytes)?;
     let mut positions = Vec::new();
     let mut faces = FaceReader::default();
     pace.begin(0.0..0.9);

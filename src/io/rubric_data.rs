@@ -20,14 +20,16 @@ pub struct Points(pub f64);
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct Share(pub f64);
 
-/// Name of a mesh that is right but for few vertices, which nothing explains.
+/// Name of a mesh that is right but for few vertices, or of a picture that is but for few pixels, which nothing explains.
 pub const RIGHT_BUT_FOR_FEW: &str = "right-but-for-few";
 /// Name of the exact mesh with numbers that are rounded too coarsely to tell mistakes apart.
 pub const RIGHT_BUT_FOR_DIGITS: &str = "right-but-for-digits";
 /// Name of the exact mesh moved, turned or scaled as a whole.
 pub const MOVED_AS_A_WHOLE: &str = "moved-as-a-whole";
+/// Name of the exact result of another pose.
+pub const OTHER_POSE: &str = "other-pose";
 
-/// Name of a mistake that is known, or of a mesh that is nearly right.
+/// Name of a mistake that is known, of a file that is nearly right, or of another pose.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(try_from = "String")]
 pub struct MistakeName(String);
@@ -83,15 +85,17 @@ impl TryFrom<String> for MistakeName {
     type Error = String;
 
     fn try_from(name: String) -> Result<Self, String> {
-        let nearly_right = [RIGHT_BUT_FOR_FEW, RIGHT_BUT_FOR_DIGITS, MOVED_AS_A_WHOLE];
-        if Mistake::find(&name).is_some() || nearly_right.contains(&&*name) {
+        let others = [
+            RIGHT_BUT_FOR_FEW,
+            RIGHT_BUT_FOR_DIGITS,
+            MOVED_AS_A_WHOLE,
+            OTHER_POSE,
+        ];
+        if Mistake::find(&name).is_some() || others.contains(&&*name) {
             return Ok(Self(name));
         }
-        if name == "other-pose" {
-            return Err("expected pose-not-applied, which is also for other poses".to_owned());
-        }
         let ids = MISTAKES.iter().map(|mistake| mistake.id);
-        let ids = ids.chain(nearly_right);
+        let ids = ids.chain(others);
         let nearest = ids.min_by_key(|id| strsim::levenshtein(id, &name));
         Err(format!(
             "expected the name of a mistake such as {}, found {}",

@@ -2,6 +2,7 @@
 
 use super::numbers::{finite, plain_corner, plain_decimal};
 use super::{Diagnostic, Position, image};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// Walks a text file word by word and line by line, and knows where it is, so that an error
@@ -240,6 +241,21 @@ impl<'a> Scanner<'a> {
     }
 }
 
+/// `bytes` in UTF-8. What is no such text but holds only characters that are printed is taken for Latin-1, in which
+/// older programs write names and comments; numbers are the same in both.
+pub fn in_utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let is_printed = |&byte: &u8| match byte {
+        b'\t' | b'\n' | b'\r' => true,
+        0..0x20 | 0x7f..0xa0 => false,
+        _ => true,
+    };
+    if std::str::from_utf8(bytes).is_ok() || !bytes.iter().all(is_printed) {
+        return Cow::Borrowed(bytes);
+    }
+    let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+    Cow::Owned(text.into_bytes())
+}
+
 /// `bytes` as text, without the mark that some editors put before it.
 ///
 /// # Errors
@@ -332,6 +348,22 @@ mod tests {
             error.to_string(),
             "a:2:2: expected text in UTF-8, found the byte 0xff"
         );
+    }
+
+    #[test]
+    fn a_text_in_latin_1_is_read_and_one_that_is_none_stays_as_it_is() {
+        let read = |bytes: &'static [u8]| in_utf8(bytes);
+        assert_eq!(
+            &*read(b"# J\xFCrgen\nv 1 2 3\n"),
+            "# Jürgen\nv 1 2 3\n".as_bytes()
+        );
+        for bytes in [
+            "# Jürgen\n".as_bytes(),
+            b"v \xFC\x00 1\n",
+            b"\x89PNG\r\n\x1a\n\xFF",
+        ] {
+            assert!(matches!(read(bytes), Cow::Borrowed(same) if same == bytes));
+        }
     }
 
     #[test]

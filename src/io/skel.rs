@@ -1,5 +1,5 @@
 use super::numbers::finite;
-use super::scanner::{Scanner, Word, quoted};
+use super::scanner::{Scanner, Word, in_utf8, quoted};
 use super::{Diagnostic, Imported, Position};
 use crate::character::{Joint, SkeletalModel, SkeletonError};
 use glam::Vec3;
@@ -23,7 +23,8 @@ struct Row<'a> {
 /// # Errors
 /// At the first line that is not that, and where the joints are no tree with one root.
 pub fn read_skel(path: &Path, bytes: &[u8]) -> Result<Imported<SkeletalModel>, Diagnostic> {
-    let mut scanner = Scanner::new(path, bytes)?;
+    let bytes = in_utf8(bytes);
+    let mut scanner = Scanner::new(path, &bytes)?;
     let mut rows = Vec::new();
     loop {
         if let Some(word) = scanner.word() {

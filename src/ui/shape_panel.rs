@@ -127,7 +127,7 @@ fn heading_text(ui: &mut Ui) {
 
 /// Width in points of the strip that is left of the panel at the right, and height of the sheet's handle.
 const STRIP: f32 = 24.0;
-const HANDLE: f32 = 32.0;
+const HANDLE: f32 = 30.0;
 
 /// Words on either, which say what the panel is.
 const HANDLE_TEXT: &str = "Shapes and Properties";

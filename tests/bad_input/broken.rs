@@ -44,7 +44,7 @@ fn what_is_no_text_is_told_with_its_place() {
     for name in names() {
         let mut bytes = good()[Path::new(name)].clone();
         bytes.truncate(3);
-        bytes.extend(b"\xFF\xFE");
+        bytes.extend(b"\xFF\xFE\0");
         let result = open(&with(name, bytes));
         let told = match result {
             Err(error) => error.to_string(),

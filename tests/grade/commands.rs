@@ -117,6 +117,39 @@ fn a_program_is_run_again_only_if_something_of_its_folder_has_changed() {
 }
 
 #[test]
+fn a_program_that_failed_is_run_again_since_what_it_lacked_may_be_there_by_now() {
+    let lines =
+        "test -f ../../module || { echo 'no module' >&2; exit 1; }; cp ../../right.obj \"$3\"";
+    let class = class(&[
+        ("ada", lines),
+        (
+            "bob",
+            "test -f ../../module && cp ../../right.obj \"$3\"; exit 0",
+        ),
+    ]);
+    class.write("class/cem/pose", "#!/bin/sh\ncp ../../right.obj \"$3\"\n");
+    let report = class.graded();
+    for (name, outcome) in [("ada", "failed"), ("bob", "missing"), ("cem", "failed")] {
+        assert_eq!(
+            result(&report, name, "robot-1")["outcome"],
+            outcome,
+            "{name}"
+        );
+    }
+    class.write("module", "");
+    let executable = fs::Permissions::from_mode(0o755);
+    fs::set_permissions(class.path().join("class/cem/pose"), executable).unwrap();
+    let report = class.graded();
+    for name in ["ada", "bob", "cem"] {
+        assert_eq!(
+            result(&report, name, "robot-1")["outcome"],
+            "right",
+            "{name}"
+        );
+    }
+}
+
+#[test]
 fn of_several_tests_none_is_run_again_for_what_a_later_one_leaves_in_the_folder() {
     let lines = "echo run >> ../../runs; date +%N > \"left-$4\"; cp ../../right.obj \"$3\"";
     let class = class(&[("ada", lines)]);

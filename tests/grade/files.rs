@@ -77,16 +77,19 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     }
     let bent = obj(&bent, figure, number);
     let nan = right.replacen("v ", "v nan ", 1);
+    let faces = &right[right.find("f ").unwrap()..];
+    let no_number = "v nan -inf 1\n".repeat(figure.positions.len()) + faces;
+    let latin = [b"# J\xFCrgen\n".as_slice(), right.as_bytes()].concat();
     let cut = &right[..right.len() / 3];
     let mut lines: Vec<&str> = right.lines().collect();
-    let (vertices, faces) = (figure.positions.len(), figure.triangles.len());
+    let (vertices, triangles) = (figure.positions.len(), figure.triangles.len());
     let no_faces = lines[..vertices].join("\n");
     // Of its last face two corners are left.
     let last = lines[vertices + 1000].rsplit_once(' ').unwrap().0;
     let cut_in_a_face = format!("{}\n{last}", lines[..vertices + 1000].join("\n"));
     let cut_text = format!(
-        "but      {} of the model's {faces} triangles are missing: the file may be cut off",
-        faces - 1000
+        "but      {} of the model's {triangles} triangles are missing: the file may be cut off",
+        triangles - 1000
     );
     let mut one_other = lines.clone();
     one_other[vertices + 100] = "f 1 2 3";
@@ -103,6 +106,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         ("gus", &origin),
         ("hal", cut),
         ("ida", &nan),
+        ("jan", &no_number),
         ("joe", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
         ("max", &cut_in_a_face),
         ("ned", &no_faces),
@@ -110,6 +114,7 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
     ] {
         class.write(&format!("class/{name}/adult-1.obj"), content);
     }
+    class.write("class/kai/adult-1.obj", latin);
     class.write("class/kim/Adult.obj", &right);
     class.write("class/pia/Adult-1.OBJ", &right);
     std::fs::create_dir_all(class.path().join("class/lee/adult-1.obj")).unwrap();
@@ -137,7 +142,13 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
             "unexplained",
             "nearly right: all but 1 vertex are right",
         ),
+        (
+            "jan",
+            "blank",
+            "adult-1.obj:1: 13301 vertices are no numbers (nan or infinite)",
+        ),
         ("joe", "unreadable", "adult-1.obj: expected "),
+        ("kai", "right", "right: this is the exact result"),
         ("raj", "unreadable", "adult-1.obj"),
         (
             "viv",
@@ -192,6 +203,9 @@ fn a_mesh_is_right_wrong_blank_missing_or_unreadable() {
         assert!(found["text"].as_str().unwrap().contains(told), "{found}");
         found["causes"].clone()
     };
+    // What the file has, and not what stands for it.
+    told("ida", "theirs (NaN, ");
+    told("ida", "away     more than any number");
     assert_eq!(told("max", &cut_text), json!([["triangles-differ"]]));
     assert_eq!(
         told("una", "triangles is missing, and 1 other is there"),
@@ -241,6 +255,14 @@ fn pictures_are_graded_by_their_silhouette_whatever_their_scale() {
     let png = class.read("class/ada/adult-1.png");
     class.write("class/eve/adult-1.png", &png[..png.len() / 2]);
     class.write("class/fay/adult-1.png", "");
+    let mut speck = image::load_from_memory(&png).unwrap().to_rgba8();
+    for (x, y) in (0..25).map(|at| (20 + at % 5, 20 + at / 5)) {
+        speck.put_pixel(x, y, image::Rgba([255, 255, 255, 255]));
+    }
+    class.write("class/ian/about.txt", "");
+    speck
+        .save(class.path().join("class/ian/adult-1.png"))
+        .unwrap();
     let report = class.graded();
     for (name, outcome, text) in [
         ("ada", "right", "right, as far as the silhouette tells"),
@@ -254,11 +276,12 @@ fn pictures_are_graded_by_their_silhouette_whatever_their_scale() {
         (
             "gus",
             "unreadable",
-            "adult-1.png: expected 400×300 pixels, or as many times more or less in both",
+            "adult-1.png: expected 400×300 pixels, or a picture of the same shape at least a quarter",
         ),
         ("hal", "unreadable", "adult-1.png: expected 400×300 pixels"),
         ("eve", "unreadable", "adult-1.png: "),
         ("fay", "blank", "the file is empty"),
+        ("ian", "unexplained", "nearly right: "),
     ] {
         let found = result(&report, name, "adult-1");
         assert_eq!(found["outcome"], outcome, "{name}: {found}");
@@ -267,6 +290,11 @@ fn pictures_are_graded_by_their_silhouette_whatever_their_scale() {
             "{name}: {found}"
         );
     }
+    let ian = result(&report, "ian", "adult-1");
+    let points = &ian["points"]["4.2"];
+    assert_eq!(points, 9.0, "{ian}");
+    let hint = ian["hint"].as_str().unwrap();
+    assert!(hint.starts_with("all but 0."), "{hint}");
 }
 
 #[test]

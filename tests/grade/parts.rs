@@ -67,6 +67,44 @@ fn parts_are_not_joined_into_one_of_them() {
 }
 
 #[test]
+fn a_part_replaces_no_report_of_the_class_and_none_of_another_part() {
+    let class = class();
+    run(&class, "class --tests tests.json -o whole");
+    run(&class, "class --tests tests.json --part 1/2 -o part");
+    let before = class.read("whole/grade.json");
+    for (output, found) in [("whole", "a whole class"), ("part", "part 1/2")] {
+        let ran = class.run(&format!("class --tests tests.json --part 2/2 -o {output}"));
+        let told = format!(
+            "error: {output}: expected a folder for the report of part 2/2, found that of {found}\n"
+        );
+        assert_eq!(ran.code, Some(1));
+        assert!(ran.err.ends_with(&told), "{}", ran.err);
+    }
+    assert_eq!(class.read("whole/grade.json"), before);
+    run(&class, "class --tests tests.json --part 1/2 -o part");
+}
+
+#[test]
+fn the_page_of_a_submission_that_is_gone_goes_too() {
+    let class = class();
+    run(&class, "class --tests tests.json -o report");
+    fs::write(class.path().join("report/pages/mine.html"), "").unwrap();
+    fs::rename(
+        class.path().join("class/ada"),
+        class.path().join("class/zoe"),
+    )
+    .unwrap();
+    run(&class, "class --tests tests.json -o report");
+    let there = |name: &str| {
+        class
+            .path()
+            .join(format!("report/pages/{name}.html"))
+            .exists()
+    };
+    assert!(!there("ada") && there("zoe") && there("bob") && there("mine"));
+}
+
+#[test]
 fn submissions_are_in_the_order_in_which_people_count_in_joined_reports_too() {
     let class = Class::new(&["robot"]);
     for name in ["S10", "S2", "S1", "s3", "S2b", "S02"] {

@@ -521,30 +521,6 @@ fn a_click_above_the_sheet_is_about_the_scene_and_leaves_the_sheet_open() {
 }
 
 #[test]
-fn tmp_sheet() {
-    for (name, open, size) in [
-        ("robot", "builtin:robot", (412, 780)),
-        ("adult", "builtin:adult", (390, 700)),
-        ("show", "builtin:showcase", (560, 420)),
-        ("small", "builtin:adult", (420, 500)),
-    ] {
-        let mut story = Story::start(&[open]);
-        story.size = size;
-        story.settle();
-        for n in 0..2 {
-            let png = editor_core::io::image::encode(
-                &story.picture(),
-                editor_core::io::image::PictureFormat::Png,
-            )
-            .unwrap();
-            std::fs::write(format!("/tmp/u/sheet_{name}_{n}.png"), png).unwrap();
-            story.click("Shape Panel");
-            story.settle();
-        }
-    }
-}
-
-#[test]
 fn the_size_of_the_window_is_kept_for_the_next_start() {
     let mut story = Story::start(&[]);
     let key = editor_core::program::StorageKey::Preferences;

@@ -35,8 +35,21 @@ pub(super) fn missing(folder: &Path, name: &str, of_others: &[String]) -> String
             let beside = found.strip_prefix(folder).unwrap_or(found).display();
             format!("there is no {name}, but {beside} is there, whose name is like it")
         }
-        None => format!("there is no {name}"),
+        None => match files.iter().find(|found| is_archive(found)) {
+            Some(found) => {
+                let beside = found.strip_prefix(folder).unwrap_or(found).display();
+                format!("there is no {name}, but {beside} is there: it has to be unpacked")
+            }
+            None => format!("there is no {name}"),
+        },
     }
+}
+
+/// Whether a file is called like an archive.
+fn is_archive(path: &Path) -> bool {
+    let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+    let known = ["zip", "gz", "tgz", "xz", "bz2", "tar", "7z", "rar"];
+    known.iter().any(|known| extension == *known)
 }
 
 /// Files with the time at which each was written last.
@@ -162,6 +175,10 @@ mod tests {
             (
                 &["my Walk (1).obj"],
                 "my Walk (1).obj is there, whose name is like it",
+            ),
+            (
+                &["src/hw2.tar.gz", "main.cpp"],
+                "src/hw2.tar.gz is there: it has to be unpacked",
             ),
             (
                 &["out/walk.png"],

@@ -38,8 +38,8 @@ use work::Work;
 ///
 /// A mistake costs points in its own section of the assignment, or, where the test has no points for that, in the one
 /// with the nearest number, as the result then says. A mesh in the bind pose or another pose
-/// than that of its test (pose-not-applied, other-pose) shows none of the sections and gets no points, unless the
-/// rubric leaves a share for pose-not-applied.
+/// than that of its test (pose-not-applied, other-pose) shows none of the sections and gets no points, unless at
+/// least half of the joints are as asked, or the rubric leaves a share for either.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  \
     editor grade --example > tests.json\n  \
@@ -108,7 +108,7 @@ pub fn run(args: &Args) -> Result<(), CliError> {
         _ => {
             check_joined(&args.output, &args.merge)?;
             let (run, graded) = merge::joined(&args.merge, &Store::new(&args.output))?;
-            report(&args.output, &run, graded)
+            report(&args.output, &run, graded).map(|_| ())
         }
     }
 }
@@ -141,6 +141,8 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         None => all,
     };
     let store = Store::new(&args.output);
+    let before = store.run().ok();
+    check_part(args, before.as_ref())?;
     store.prepare()?;
     let work = Work {
         tests: &tests,
@@ -168,7 +170,37 @@ fn grade(args: &Args, folder: &Path, path: &Path) -> Result<(), CliError> {
         part: args.part,
     };
     store.keep_run(&run)?;
-    report(&args.output, &run, graded)
+    let written = report(&args.output, &run, graded)?;
+    if let Some(before) = before {
+        remove_old_pages(&args.output, &before.submissions, &written);
+    }
+    Ok(())
+}
+
+/// Makes sure that the report of a part replaces none of the class or of another part.
+fn check_part(args: &Args, before: Option<&KeptRun>) -> Result<(), Diagnostic> {
+    match (args.part, before) {
+        (Some(part), Some(before)) if before.part != args.part => {
+            let found = match before.part {
+                Some(other) => format!("that of part {other}"),
+                None => "that of a whole class".to_owned(),
+            };
+            let message = format!("expected a folder for the report of part {part}, found {found}");
+            Err(Diagnostic::new(&args.output, message))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Removes the pages of submissions that were there `before`, so that they are not handed out with those that were
+/// `written`.
+fn remove_old_pages(folder: &Path, before: &[String], written: &BTreeSet<String>) {
+    let mut names = BTreeSet::new();
+    let old = before.iter().map(|name| page_name(name, &mut names));
+    for page in old.filter(|page| !written.contains(page)) {
+        // One that is gone already, or cannot be removed, does no harm.
+        let _ = std::fs::remove_file(folder.join(PAGES).join(page));
+    }
 }
 
 /// Makes sure that the report does not come to be a submission, or a submission the folder of a report.
@@ -305,12 +337,12 @@ fn page_name(name: &str, others: &mut BTreeSet<String>) -> String {
     format!("{}.html", free.unwrap_or(plain))
 }
 
-/// Writes the report and prints its rows.
+/// Writes the report and prints its rows; the names of the pages of single submissions.
 fn report(
     folder: &Path,
     run: &KeptRun,
     graded: BTreeMap<String, Vec<Graded>>,
-) -> Result<(), CliError> {
+) -> Result<BTreeSet<String>, CliError> {
     let file = TestsFile::read(Path::new("TESTS.json"), run.tests.as_bytes())?;
     let report = Report::new(&file, &run.pictures, graded.into_iter().collect());
     let mut written = vec![
@@ -318,10 +350,11 @@ fn report(
         (folder.join(CSV), report.to_csv().into_bytes()),
         (folder.join(PAGE), report.to_html().into_bytes()),
     ];
-    let mut names = BTreeSet::new();
+    let (mut names, mut pages) = (BTreeSet::new(), BTreeSet::new());
     for (name, page) in report.to_pages() {
-        let path = folder.join(PAGES).join(page_name(name, &mut names));
-        written.push((path, page.into_bytes()));
+        let file = page_name(name, &mut names);
+        written.push((folder.join(PAGES).join(&file), page.into_bytes()));
+        pages.insert(file);
     }
     let paths = written.iter().map(|(path, _)| path.as_path());
     disk::in_new_folders(paths, || disk::write_all_whole(&written))?;
@@ -335,5 +368,5 @@ fn report(
         "the report is in {}",
         folder.join(PAGE).display()
     ));
-    Ok(())
+    Ok(pages)
 }

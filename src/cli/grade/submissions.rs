@@ -7,6 +7,7 @@ use crate::disk::in_words;
 use crate::grade::Name;
 use crate::io::Diagnostic;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -42,6 +43,12 @@ impl FromStr for Part {
                 "expected I/N with I from 1 to N, such as 2/8, found {text}"
             )),
         }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}/{}", self.index, self.count)
     }
 }
 

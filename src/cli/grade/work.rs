@@ -119,6 +119,7 @@ impl Work<'_> {
             let known = before.0.get(name);
             let result = match (&self.command, &at_first) {
                 (Some(command), Some(files)) => {
+                    let known = known.filter(|known| has_made_a_file(&known.graded));
                     match known.filter(|known| self.holds(known, test, files)) {
                         Some(known) => known.clone(),
                         None => match self.make(test, submission, command, interruption)? {
@@ -254,6 +255,12 @@ fn fingerprint_of_build(path: std::io::Result<PathBuf>) -> String {
         let since = since.unwrap_or_default().as_nanos();
         format!("unread-{}-{since}", std::process::id())
     })
+}
+
+/// Whether a command has made a file. What it lacked may be there by now, such as a program that it starts: it is tried
+/// again.
+fn has_made_a_file(graded: &Graded) -> bool {
+    !matches!(graded.outcome, Outcome::Missing | Outcome::Failed)
 }
 
 /// Why a command made no file, with a word on one called `name` that the submission has nevertheless.
