@@ -23,9 +23,10 @@ impl fmt::Display for OfTheWhole {
             (MeshFinding::Scaled { offset, .. }, Some(brief)) if *offset == [0.0; 3] => {
                 f.write_str(&brief)
             }
-            (finding, _) => {
-                write!(f, "with A for the exact mesh and B for this one: {finding}")
-            }
+            (finding, _) => match finding.to_string().strip_prefix("B is A ") {
+                Some(how) => write!(f, "the exact result, {how}"),
+                None => write!(f, "with A for the exact mesh and B for this one: {finding}"),
+            },
         }
     }
 }

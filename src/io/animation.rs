@@ -1,14 +1,12 @@
 //! Animated pictures.
 
+use super::palette::in_few_colors;
 use crate::geometry::Picture;
 use ::image::codecs::gif::{GifEncoder, Repeat};
 use ::image::{Delay, Frame, RgbaImage};
 use std::cell::RefCell;
 use std::io::Write;
 use std::rc::Rc;
-
-/// From 1, slow, to 30, as for single pictures.
-const SPEED: i32 = 10;
 
 /// An animated GIF that starts anew when it ends, written picture by picture.
 pub struct Animation {
@@ -38,7 +36,7 @@ impl Animation {
     /// If it cannot be begun.
     pub fn new(milliseconds: u32) -> Result<Self, String> {
         let bytes = Bytes::default();
-        let mut encoder = GifEncoder::new_with_speed(bytes.clone(), SPEED);
+        let mut encoder = GifEncoder::new(bytes.clone());
         encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
         Ok(Self {
             encoder,
@@ -53,7 +51,8 @@ impl Animation {
     /// If the format cannot hold it.
     pub fn add(&mut self, picture: Picture) -> Result<(), String> {
         let (width, height) = (picture.width, picture.height);
-        let pixels = RgbaImage::from_raw(width, height, picture.rgba)
+        let pixels = in_few_colors(&picture.rgba, width, height)
+            .and_then(|pixels| RgbaImage::from_raw(width, height, pixels))
             .ok_or_else(|| format!("expected 4 bytes for each of {width}×{height} pixels"))?;
         let frame = Frame::from_parts(pixels, 0, 0, self.delay);
         self.encoder.encode_frame(frame).map_err(failed)

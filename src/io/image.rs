@@ -1,5 +1,6 @@
 //! Pictures as files: PNG, JPEG and GIF.
 
+use super::palette::in_few_colors;
 use super::{Diagnostic, file_access};
 use crate::geometry::Picture;
 use ::image::codecs::gif::GifEncoder;
@@ -26,8 +27,6 @@ pub enum PictureFormat {
 
 /// Of 100; here differences from the original are hardly visible.
 const JPEG_QUALITY: u8 = 95;
-/// From 1, slow, to 30; below 10 the search for colors takes seconds and gains nothing seen.
-const GIF_SPEED: i32 = 10;
 
 impl PictureFormat {
     /// The format that the extension of `path` asks for.
@@ -83,12 +82,12 @@ pub fn encode(picture: &Picture, format: PictureFormat) -> Result<Vec<u8>, Strin
                 ExtendedColorType::Rgb8,
             )
         }
-        PictureFormat::Gif => GifEncoder::new_with_speed(&mut bytes, GIF_SPEED).encode(
-            &picture.rgba,
-            width,
-            height,
-            ExtendedColorType::Rgba8,
-        ),
+        PictureFormat::Gif => {
+            let rgba = in_few_colors(&picture.rgba, width, height)
+                .ok_or_else(|| format!("expected 4 bytes for each of {width}×{height} pixels"))?;
+            let rgba8 = ExtendedColorType::Rgba8;
+            GifEncoder::new(&mut bytes).encode(&rgba, width, height, rgba8)
+        }
     }
     .map_err(|error| format!("the picture cannot be written: {error}"))?;
     Ok(bytes)

@@ -32,6 +32,7 @@ mod obj_counts;
 mod obj_face_reader;
 mod obj_faces;
 mod obj_shape;
+mod palette;
 mod pictures;
 mod pose_collection;
 mod pose_data;

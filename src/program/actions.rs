@@ -108,7 +108,7 @@ impl Program {
                 self.choose_file(Purpose::ExportCurve(id), &format!("{stem}.swp"), host);
             }
             Ask::ExportGeometry => {
-                let name = format!("{}.obj", self.document_stem());
+                let name = format!("{}.obj", self.free_stem(self.document_stem(), "posed"));
                 self.choose_file(Purpose::ExportGeometry, &name, host);
             }
             Ask::Screenshot(shot) => {
@@ -131,16 +131,18 @@ impl Program {
                     (Some(shape), None) => file_stem(&shape.name),
                     _ => self.document_stem(),
                 };
-                self.choose_file(Purpose::ExportSelected, &format!("{stem}.obj"), host);
+                let name = format!("{}.obj", self.free_stem(stem, "posed"));
+                self.choose_file(Purpose::ExportSelected, &name, host);
             }
             Ask::ExportMaterials => {
-                let name = format!("{}.obj", self.document_stem());
+                let name = format!("{}.obj", self.free_stem(self.document_stem(), "posed"));
                 self.choose_file(Purpose::ExportMaterials, &name, host);
             }
             Ask::ExportCharacter(id) => {
                 let shape = self.session.scene().shape(id);
                 let stem = file_stem(shape.map_or("character", |shape| &shape.name));
-                self.choose_file(Purpose::ExportCharacter(id), &format!("{stem}.skel"), host);
+                let name = format!("{}.skel", self.free_stem(stem, "copy"));
+                self.choose_file(Purpose::ExportCharacter(id), &name, host);
             }
             Ask::SavePose(shape, kept) => {
                 let name = self.name_of_pose(shape, kept);

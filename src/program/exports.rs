@@ -23,6 +23,22 @@ pub(super) struct Together {
 }
 
 impl Program {
+    /// `stem`, with a hyphen and the word `to_tell` where that is the name of a file that the document needs, which
+    /// exports do not replace.
+    pub(super) fn free_stem(&self, stem: String, to_tell: &str) -> String {
+        let sources = self.session.scene().shapes().iter();
+        let mut sources = sources.filter_map(|shape| shape.source.as_ref());
+        let is_needed = sources.any(|source| {
+            let own = Path::new(&source.file).file_stem();
+            own.is_some_and(|own| own.eq_ignore_ascii_case(&stem))
+        });
+        if is_needed {
+            format!("{stem}-{to_tell}")
+        } else {
+            stem
+        }
+    }
+
     pub(super) fn export_curve(&mut self, shape: ShapeId, path: &Path, host: &mut dyn Host) {
         // It may have been deleted while the dialog was open.
         let curves = self.session.scene().curve(shape);

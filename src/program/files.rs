@@ -141,7 +141,10 @@ impl Program {
     /// Compares the view with the picture at `path` from now on, with what was chosen before.
     pub(super) fn compare_with(&mut self, path: &Path, files: &dyn Files) {
         match self.reference_picture(path, files) {
-            Ok((name, picture)) => self.begin_comparison(name, picture),
+            Ok((name, picture)) => {
+                self.begin_comparison(name, picture);
+                self.compared_path = Some(path.to_owned());
+            }
             Err(error) => self.tell(Severity::Error, error.to_string()),
         }
     }

@@ -10,11 +10,17 @@ impl Purpose {
     /// its formats, as in Blender, so that `v1.2` and `Dr. No` are names; or once with one that was
     /// given twice. Dialogs select a name without its extension, so that one that is typed with it
     /// comes out as `my.scene.scene`. An extension of another format of this program gives way: who types
-    /// `turn.png` for an animation, to which a dialog adds `.gif`, wants no file called `turn.png.gif`.
+    /// `turn.png` for an animation, to which a dialog adds `.gif`, wants no file called `turn.png.gif`; and who types
+    /// `a.jpg` for a picture, to which it adds `.png`, wants that.
     pub fn completed(self, path: &Path) -> Option<PathBuf> {
         let (_, extension) = self.written().first()?;
         let stem = path.file_stem().map(Path::new)?;
         if path.extension().is_some() && path.extension() == stem.extension() {
+            return Some(path.with_file_name(stem));
+        }
+        if path.extension().is_some_and(|end| self.writes(end))
+            && stem.extension().is_some_and(|typed| self.writes(typed))
+        {
             return Some(path.with_file_name(stem));
         }
         let is_other = |end: &OsStr| is_known(end) && !self.writes(end);

@@ -14,7 +14,7 @@ use crate::render::{Ghost, GhostPaint, Marks, ShapeNumbers};
 use crate::revision::Revision;
 use crate::scene::{EvaluatedGeometry, EvaluatedShape, ShapeId, SkinningMethod, VertexNumbers};
 use crate::ui::{CompareMeshAction, CompareMeshView, Legend, MeshesShown};
-use glam::Vec3;
+use glam::{Mat4, Vec3};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -260,7 +260,7 @@ impl Program {
         let read = files
             .read(path)
             .and_then(|bytes| io::read_character_obj(path, &bytes));
-        let theirs = match read {
+        let mut theirs = match read {
             Ok(read) => {
                 self.tell_all(Severity::Warning, read.warnings);
                 read.value
@@ -292,6 +292,16 @@ impl Program {
             );
             return self.tell(Severity::Error, text);
         }
+        let is_placed = self.is_placed_like(shape, &theirs);
+        if let Some(model_from_world) = is_placed {
+            for position in &mut theirs.positions {
+                *position = model_from_world.transform_point3(*position);
+            }
+            let text = format!(
+                "{name} has the position, rotation and scale of {ours}: it is compared without them"
+            );
+            self.tell(Severity::Info, text);
+        }
         self.end_comparison();
         let shown = self.mesh_comparison.take().map(|before| before.shown);
         if shown.is_none() {
@@ -300,6 +310,24 @@ impl Program {
         let mut comparison = MeshComparison::new(self.session.opened(), shape, name, theirs);
         comparison.shown = shown.unwrap_or_default();
         self.mesh_comparison = Some(comparison);
+        self.compared_path = Some(path.to_owned());
+    }
+
+    /// The transform that takes `theirs` to the space of the model, if it is in the world with the placement of the
+    /// character `shape`, as this program exports geometry: less of it is off then.
+    fn is_placed_like(&self, shape: ShapeId, theirs: &Mesh) -> Option<Mat4> {
+        let character = &self.session.scene().character(shape)?.character;
+        let shown = self.session.evaluated().shape(shape)?;
+        let model_from_world = shown.world_from_model.inverse();
+        if shown.world_from_model == Mat4::IDENTITY || !model_from_world.is_finite() {
+            return None;
+        }
+        let exact = shown.geometry.positions();
+        let off = |theirs: &[Vec3]| Some(measure(character, exact, theirs)?.off);
+        let in_model = |place: &Vec3| model_from_world.transform_point3(*place);
+        let placed: Vec<Vec3> = theirs.positions.iter().map(in_model).collect();
+        let is_less = 2 * off(&placed)? < off(&theirs.positions)?;
+        is_less.then_some(model_from_world)
     }
 
     pub(super) fn compare_mesh(&mut self, action: CompareMeshAction, host: &mut dyn Host) {

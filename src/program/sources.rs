@@ -5,6 +5,7 @@ use super::document::Next;
 use super::document_file::Writing;
 use super::exports::needed_error;
 use super::files::file_name;
+use super::mesh_comparison::MeshComparison;
 use super::running::Program;
 use super::{Host, Purpose};
 use crate::editor::{Edit, Severity};
@@ -19,9 +20,11 @@ type Saved = (Vec<(PathBuf, Vec<u8>)>, Option<Writing>);
 impl Program {
     /// Has the host watch the files of the document, if they are others than before.
     pub(super) fn watch_files(&mut self, host: &mut dyn Host) {
+        let compared = self.compared_file().map(Path::to_owned);
         let of = (
             self.session.document(),
             self.document.path().map(Path::to_owned),
+            compared.clone(),
         );
         if self.session.is_in_gesture() || self.watched_of.as_ref() == Some(&of) {
             return;
@@ -30,16 +33,20 @@ impl Program {
         let shapes = self.session.scene().shapes().iter();
         let files = shapes.filter_map(file_on_disk).flat_map(with_companions);
         let document = self.document.path().map(Path::to_owned);
-        let files: BTreeSet<PathBuf> = files.chain(document).collect();
+        let files: BTreeSet<PathBuf> = files.chain(document).chain(compared).collect();
         if files != self.watched {
             host.watch(files.iter().cloned().collect());
             self.watched = files;
         }
     }
 
-    /// Says that a file of the document was changed by another program, if it was.
+    /// Says that a file of the document was changed by another program, if it was. One that something is compared with
+    /// is read anew.
     pub(super) fn notice_change(&mut self, path: &Path, host: &mut dyn Host) {
         let is_there = host.files().exists(path);
+        if is_there && self.compared_file() == Some(path) {
+            self.compare_anew(host);
+        }
         let text = if self.document.path() == Some(path) {
             if is_there && self.document.is_on_disk(&*host.files()) {
                 return self.document.find();
@@ -60,6 +67,26 @@ impl Program {
             )
         };
         self.tell(Severity::Warning, text);
+    }
+
+    /// The file that something is compared with, while it is.
+    fn compared_file(&self) -> Option<&Path> {
+        let compares = self.comparison.is_some() || self.mesh_comparison.is_some();
+        self.compared_path.as_deref().filter(|_| compares)
+    }
+
+    /// Reads the file that something is compared with again; whether there is one.
+    fn compare_anew(&mut self, host: &mut dyn Host) -> bool {
+        let Some(path) = self.compared_file().map(Path::to_owned) else {
+            return false;
+        };
+        let text = format!("{} is read and compared anew", file_name(&path));
+        self.tell(Severity::Info, text);
+        match self.mesh_comparison.as_ref().map(MeshComparison::shown) {
+            Some((shape, _)) => self.compare_with_mesh(shape, &path, &*host.files()),
+            None => self.compare_with(&path, &*host.files()),
+        }
+        true
     }
 
     /// Opens the document's file as it is now, after asking about changes that are not saved.
@@ -87,8 +114,9 @@ impl Program {
             .map(|shape| shape.id)
             .collect();
         let (count, failed) = self.replace(&ids, &|_| None, &*host.files());
+        let compares = self.compare_anew(host);
         match count {
-            0 if failed > 0 => {}
+            0 if failed > 0 || compares => {}
             0 => self.tell(Severity::Info, "No model has changed since it was read"),
             1 => self.tell(Severity::Info, "1 shape was read again"),
             count => self.tell(Severity::Info, format!("{count} shapes were read again")),

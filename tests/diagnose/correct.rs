@@ -57,7 +57,7 @@ fn a_mesh_whose_root_is_moved_is_right_and_one_whose_root_stays_is_not() {
     assert!(
         found.findings[0]
             .to_string()
-            .ends_with("B is A moved by (-0.300000, 0.100000, -0.200000)"),
+            .ends_with("the exact result, moved by (-0.300000, 0.100000, -0.200000)"),
         "{found}"
     );
 }

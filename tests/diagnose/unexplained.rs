@@ -137,7 +137,7 @@ fn a_mesh_that_is_moved_or_scaled_as_a_whole_is_told_to_be() {
     assert!(
         found.findings[0]
             .to_string()
-            .ends_with("B is A moved by (1.000000, 0.000000, 0.000000)"),
+            .ends_with("the exact result, moved by (1.000000, 0.000000, 0.000000)"),
         "{found}"
     );
     let larger: Vec<Vec3> = right.iter().map(|place| *place * 3.0).collect();

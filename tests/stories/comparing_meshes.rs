@@ -6,8 +6,9 @@ use crate::diagnose::figures::{Figure, obj, turned};
 use crate::diagnose::student::{RIGHT, Student};
 use editor_core::editor::{Edit, Severity, View};
 use editor_core::geometry::Picture;
-use editor_core::io::PoseData;
-use editor_core::program::Purpose;
+use editor_core::io::{PoseData, export_obj};
+use editor_core::math::Euler;
+use editor_core::program::{HostEvent, Purpose};
 use editor_core::scene::{Camera, SCALE_GRAY, ShapeKind, SkinningMethod, scale_color};
 use egui::accesskit::Node;
 use egui::{Event, Key, Modifiers, MouseWheelUnit, Pos2, TouchPhase, pos2, vec2};
@@ -55,8 +56,13 @@ fn posed() -> Story {
 
 /// Compares the dog with what `student` makes of it.
 fn compare(story: &mut Story, student: &Student) {
-    let files = &mut story.host.files;
-    files.insert("mine.obj".into(), mine(&dog(), student));
+    let mesh = mine(&dog(), student);
+    compare_with(story, mesh);
+}
+
+/// Compares the dog with the mesh in a file.
+fn compare_with(story: &mut Story, mesh: Vec<u8>) {
+    story.host.files.insert("mine.obj".into(), mesh);
     story.click("View");
     story.click("Compare with Mesh…");
     let id = story.session().scene().shapes()[0].id;
@@ -739,4 +745,56 @@ fn the_entry_of_the_menu_ends_a_comparison_with_a_mesh_as_its_key_does() {
     assert_eq!(story.host.requests.len(), asked, "no file is asked for");
     story.click("View");
     assert!(story.has("Compare with Mesh…"));
+}
+
+#[test]
+fn a_mesh_that_its_program_writes_anew_is_compared_anew() {
+    let mut story = comparing(&off_by_one());
+    diagnose(&mut story);
+    text(&story, "weights-shifted:");
+    let write = |story: &mut Story, mesh: Vec<u8>| {
+        story.host.files.insert("mine.obj".into(), mesh);
+        let changed = HostEvent::Changed("mine.obj".into());
+        story.host.events.push_back(changed);
+        story.settle();
+    };
+    write(&mut story, mine(&dog(), &RIGHT));
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    // One that cannot be read, since it is only half written, changes nothing.
+    write(&mut story, b"v 1 2".to_vec());
+    text(&story, "Right: this is the exact result");
+    // Reload Models reads it, too.
+    let wrong = mine(&dog(), &off_by_one());
+    story.host.files.insert("mine.obj".into(), wrong);
+    story.click("File");
+    story.click("Reload Models");
+    diagnose(&mut story);
+    text(&story, "weights-shifted:");
+}
+
+#[test]
+fn a_mesh_that_was_exported_where_the_character_stands_is_compared_without_that() {
+    let mut story = posed();
+    let id = story.shape().id;
+    let mut transform = story.shape().placement.transform;
+    transform.position += Vec3::new(0.5, -0.25, 1.0);
+    transform.scale *= 1.5;
+    transform.rotation = Euler::from_degrees(Vec3::new(10.0, 30.0, -5.0));
+    let edit = Edit::SetTransform(id, transform);
+    story.program.session_mut().edit(edit).expect("a place");
+    story.settle();
+    let session = story.session();
+    let exported = export_obj(session.scene(), session.evaluated()).expect("a mesh");
+    compare_with(&mut story, exported.into_bytes());
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
+    assert!(story.has_text(
+        "mine.obj has the position, rotation and scale of Dog: it is compared without them"
+    ));
+    // One that another program made in the space of the model is compared as it is.
+    story.click("Stop comparing with the mesh");
+    compare(&mut story, &RIGHT);
+    diagnose(&mut story);
+    text(&story, "Right: this is the exact result");
 }
