@@ -34,8 +34,20 @@ pub(super) struct Comparison {
     /// State that is being drawn.
     drawing: Option<Drawn>,
     settings: CompareSettings,
+    edges: Edges,
     report: CompareReport,
     measuring: Measuring,
+}
+
+/// How far it is known whether the reference has smooth edges, as pictures of this program have and those of the
+/// course's have not: the live view is drawn both ways, and that which is nearer is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Edges {
+    Unknown,
+    /// Hard ones leave so many pixels that differ.
+    Hard(u64),
+    /// They were chosen, here or by the user.
+    Chosen,
 }
 
 /// State that a picture of the live view follows from.
@@ -116,7 +128,11 @@ impl Comparison {
             difference: None,
             drawn: None,
             drawing: None,
-            settings,
+            edges: Edges::Unknown,
+            settings: CompareSettings {
+                smooth_edges: false,
+                ..settings
+            },
             report: CompareReport::default(),
             measuring: Measuring::default(),
         }
@@ -190,6 +206,9 @@ impl Comparison {
     /// Takes what was chosen in the panel; what depends on it is measured anew.
     pub fn set(&mut self, settings: CompareSettings, now: Duration) {
         let measured_by = |s: &CompareSettings| (s.threshold, s.masks.clone());
+        if settings.smooth_edges != self.settings.smooth_edges {
+            self.edges = Edges::Chosen;
+        }
         let measures_change = measured_by(&settings) != measured_by(&self.settings);
         self.settings = settings;
         if measures_change {
@@ -282,6 +301,16 @@ impl Comparison {
         (half == Half::Judge).then_some(LOOK)
     }
 
+    /// Chooses the edges of the live view, of whose pixels so many differ as it is drawn now.
+    fn choose_edges(&mut self, differing: u64) {
+        (self.edges, self.settings.smooth_edges) = match self.edges {
+            Edges::Unknown if differing > 0 => (Edges::Hard(differing), true),
+            Edges::Unknown => (Edges::Chosen, false),
+            Edges::Hard(hard) => (Edges::Chosen, differing < hard),
+            Edges::Chosen => return,
+        };
+    }
+
     /// Takes in the result of a job. That of an earlier comparison is ignored.
     pub fn take_result(&mut self, result: Compared) {
         let running = &mut self.measuring.running;
@@ -295,6 +324,9 @@ impl Comparison {
                 heat_map,
             })) => {
                 self.measuring.measured = Some(result.of);
+                if is_newest {
+                    self.choose_edges(differences.differing_pixels);
+                }
                 self.difference = Some(Textured::new(heat_map));
                 self.report.differences = Some(differences);
                 self.report.problem = None;
@@ -349,6 +381,35 @@ impl Program {
 mod tests {
     use super::*;
     use crate::compare::Area;
+
+    #[test]
+    fn the_edges_that_leave_fewer_differences_are_kept_unless_the_user_has_chosen() {
+        for (hard, smooth, kept) in [
+            (0, None, false),
+            (90, Some(91), false),
+            (90, Some(89), true),
+        ] {
+            let picture = Picture {
+                width: 1,
+                height: 1,
+                rgba: vec![0; 4],
+            };
+            let settings = CompareSettings::default();
+            let mut comparison =
+                Comparison::new("a.png".to_owned(), picture, settings, Look::Course);
+            comparison.choose_edges(hard);
+            assert_eq!(comparison.settings.smooth_edges, smooth.is_some());
+            comparison.choose_edges(smooth.unwrap_or(0));
+            assert_eq!(comparison.settings.smooth_edges, kept);
+            let chosen = CompareSettings {
+                smooth_edges: !kept,
+                ..CompareSettings::default()
+            };
+            comparison.set(chosen, Duration::ZERO);
+            comparison.choose_edges(5);
+            assert_eq!(comparison.settings.smooth_edges, !kept);
+        }
+    }
 
     #[test]
     fn what_is_left_out_goes_on_with_another_picture_as_far_as_it_is_inside() {
