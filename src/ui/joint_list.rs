@@ -76,8 +76,10 @@ pub(super) fn show(
     joint_rows::show_header(ui, &columns);
 
     let shown = show_rows(ui, session, character, &rows, &columns);
-    // A joint that is only under the pointer is lit: rows that moved by themselves would be missed.
-    let wanted = selected.filter(|_| newly_selected);
+    // A joint that is only under the pointer is lit: rows that moved by themselves would be missed. All of them are
+    // everywhere.
+    let are_all = session.selected_joints().len() == skeleton.joints().len();
+    let wanted = selected.filter(|_| newly_selected && !are_all);
     if let Some(row) = wanted.and_then(|(_, joint)| row_with(skeleton, &rows, joint)) {
         scroll_to(ui, shown.places[row]);
     }

@@ -1,5 +1,6 @@
 //! Commands that keys ask for: which of them wait, and what each means at the moment.
 
+use super::commands::selected_character;
 use super::compare::{CompareAction, CompareMeshAction};
 use super::popups::is_in_dialog;
 use super::posing::Typed;
@@ -206,7 +207,22 @@ pub(super) fn press(
         )));
         return;
     }
+    let poses = matches!(state.pose.tool, Tool::Pose | Tool::Ik)
+        && selected_character(session).is_some()
+        && session.selected_joint().is_none();
+    if command == Command::Delete && poses {
+        // Who has just clicked beside a bone does not mean the whole figure.
+        return actions.extend(tell_once(
+            "No joint is selected to be put back. The Select tool (V) deletes the character",
+            session,
+        ));
+    }
     let command = match commands::meant(command, session, state.pose.tool) {
+        Command::Begin(Tool::Rotate) if command == Command::Begin(Tool::Move) => {
+            let why = "Only the root moves: this bone turns, and numbers are degrees";
+            actions.extend(tell_once(why, session));
+            Command::Begin(Tool::Rotate)
+        }
         // In Blender the same key leaves the mode again.
         Command::SetTool(Tool::Pose)
             if pressed.key == egui::Key::Tab && state.pose.tool == Tool::Pose =>

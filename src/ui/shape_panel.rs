@@ -139,6 +139,7 @@ fn strip(root: &mut Ui, state: &mut UiState) {
     strip.resizable(false).exact_size(STRIP).show(root, |ui| {
         let place = ui.max_rect();
         let button = handle(ui, place, Sense::click(), state);
+        let button = button.on_hover_text(commands::tooltip(ui.ctx(), Command::TogglePanel));
         let (font, color) = handle_style(ui, &button);
         let top = place.center_top() + vec2(0.0, 16.0);
         let painter = ui.painter();
@@ -150,7 +151,7 @@ fn strip(root: &mut Ui, state: &mut UiState) {
     });
 }
 
-/// A click anywhere in `place` unfolds the panel, or folds it away.
+/// A click anywhere in `place` unfolds the panel, or folds it away, as the words on it say.
 fn handle(ui: &mut Ui, place: Rect, sense: Sense, state: &mut UiState) -> Response {
     let button = ui.allocate_rect(place, sense);
     let command = Command::TogglePanel;
@@ -159,7 +160,6 @@ fn handle(ui: &mut Ui, place: Rect, sense: Sense, state: &mut UiState) -> Respon
         let fill = ui.style().interact(&button).weak_bg_fill;
         ui.painter().rect_filled(place, 0.0, fill);
     }
-    let button = button.on_hover_text(commands::tooltip(ui.ctx(), command));
     if button.clicked() {
         state.fold_panel(!state.is_panel_folded());
     }

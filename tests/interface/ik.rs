@@ -334,7 +334,9 @@ fn pins_of_a_deleted_character_are_forgotten() {
     editor.settle();
     assert!(editor.can_unpin());
     editor.key(Key::Escape);
+    editor.key(Key::V);
     editor.key(Key::Delete);
+    editor.key(Key::I);
     editor.settle();
     assert!(!editor.can_unpin());
 }

@@ -132,3 +132,41 @@ fn while_a_figure_is_posed_a_box_and_select_all_are_about_its_joints() {
     let turned = (0..all).filter(|&joint| pose.rotation(joint) != Euler::ZERO);
     assert_eq!(turned.collect::<Vec<_>>(), [story.joint("Root")]);
 }
+
+#[test]
+fn delete_beside_all_joints_does_not_take_the_figure_that_is_posed() {
+    for tool in [Key::B, Key::I] {
+        let mut story = Story::start(&["builtin:robot"]);
+        story.key(tool);
+        story.key(Key::Delete);
+        assert_eq!(story.names(), ["Robot"]);
+        assert!(story.has_text(
+            "No joint is selected to be put back. The Select tool (V) deletes the character"
+        ));
+        story.key(Key::V);
+        story.key(Key::Delete);
+        assert!(story.names().is_empty());
+    }
+}
+
+#[test]
+fn arrow_keys_roll_the_bone_that_was_dragged_last_until_the_pointer_moves() {
+    let mut story = Story::start(&["models/strip.obj"]);
+    story.program.ui_mut().set_navigation(Navigation::Mannequin);
+    story.key(Key::B);
+    let rotations = |story: &Story| [0, 1, 2].map(|joint| story.character().pose().rotation(joint));
+    let changed =
+        |a: [Euler; 3], b: [Euler; 3]| (0..3).filter(|&at| a[at] != b[at]).collect::<Vec<_>>();
+    let before = rotations(&story);
+    let bone = story.at(Vec3::new(0.0, 0.7, 0.0));
+    // Far from all bones.
+    story.drag(bone, bone + egui::vec2(150.0, 40.0));
+    let dragged = rotations(&story);
+    story.key(Key::ArrowRight);
+    let rolled = rotations(&story);
+    assert_eq!(changed(before, dragged).len(), 1);
+    assert_eq!(changed(dragged, rolled), changed(before, dragged));
+    story.point(story.view().left_top() + egui::vec2(30.0, 200.0));
+    story.key(Key::ArrowRight);
+    assert_eq!(rotations(&story), rolled);
+}

@@ -237,6 +237,29 @@ fn a_finger_that_goes_up_over_the_numbers_scrolls_their_list_and_one_that_goes_a
 }
 
 #[test]
+fn move_with_pointer_chooses_the_tool_for_a_finger_which_is_nowhere_yet() {
+    let mut story = Story::start(&["builtin:robot"]);
+    story.program.ui_mut().set_navigation(Navigation::Blender);
+    let at = story.view().center();
+    let mut hand = Hand::new();
+    hand.put_down(&mut story, 1, at);
+    hand.lift_all(&mut story);
+    let place = |story: &Story| {
+        let offset = story.character().pose().root_offset(0);
+        (story.session().scene().shapes()[0].placement, offset)
+    };
+    let before = place(&story);
+    story.key(Key::G);
+    hand.put_down(&mut story, 1, at + vec2(60.0, 0.0));
+    assert_eq!(place(&story), before, "it does not jump to the finger");
+    hand.lift_all(&mut story);
+    hand.put_down(&mut story, 1, at);
+    hand.move_by(&mut story, &[vec2(40.0, 0.0)]);
+    hand.lift_all(&mut story);
+    assert_ne!(place(&story), before);
+}
+
+#[test]
 fn what_is_said_while_a_finger_holds_something_needs_neither_keys_nor_buttons() {
     let (mut story, bone) = with_bones();
     let mut hand = Hand::new();

@@ -22,7 +22,7 @@ use crate::scene::{BoneHit, ShapeId};
 use crate::ui::grab::is_pickable;
 use crate::ui::pointing::Pointing;
 use crate::ui::{Action, GestureStep};
-use egui::{Context, Painter, Response, Ui};
+use egui::{Context, Painter, Pos2, Response, Ui};
 use held::{Held, PoseGesture};
 use std::borrow::Cow;
 
@@ -35,6 +35,8 @@ pub(super) struct PoseState {
     /// The character and its grip under the pointer in the view, with the IK tool, while nothing is
     /// dragged.
     pub hovered_grip: Option<(ShapeId, IkGrip)>,
+    /// Where a drag has left the pointer, until that moves, with the character and the joint that were dragged.
+    pub let_go: Option<(Pos2, (ShapeId, usize))>,
     /// What a command asked to be done to the selection with the pointer from now on, and how that gesture begins.
     pub asked: Option<(Tool, GestureStep)>,
     /// The drag under way.

@@ -9,8 +9,9 @@ use crate::editor::{
 use crate::math::Ray;
 use crate::scene::{BoneHit, ModelDisplay, ShapeId, pick_bone};
 use crate::ui::grab::{Grab, PointerUse, is_pickable};
+use crate::ui::pointing::Pointing;
 use crate::ui::scene_places::{Place, ScenePlaces};
-use crate::ui::{Action, Navigation, UiState};
+use crate::ui::{Action, GestureStep, Navigation, UiState};
 use egui::{Context, CursorIcon, InputState, Key, Modifiers, Pos2, Response};
 use glam::Vec2;
 
@@ -33,6 +34,13 @@ pub(in crate::ui) fn pointer(
 ) -> PointerUse {
     state.over_view = view.hovered();
     state.by_finger = view.ctx.input(InputState::any_touches);
+    // Nothing can follow a finger that is not on the screen: the tool waits for the next drag.
+    let by_fingers = Pointing::of(&view.ctx) == Pointing::Fingers;
+    if let Some((does, step)) = state.asked.take_if(|_| by_fingers)
+        && step == GestureStep::Begin
+    {
+        state.tool = does;
+    }
     let inserts = |action: &Action| matches!(action, Action::Edit(Edit::Insert(_)));
     if state.asked.is_some() && actions.iter().any(inserts) {
         // What is inserted is selected from the next frame on.
@@ -59,10 +67,21 @@ pub(in crate::ui) fn pointer(
         let held = held.joint().map(|joint| (held.shape(), joint));
         if !gesture.follow(view, places, session, actions) {
             state.gesture = None;
+            state.let_go = view.hover_pos().zip(held);
         }
         view.ctx.set_cursor_icon(CursorIcon::Grabbing);
         mark(session, held, actions);
         return PointerUse::Holding;
+    }
+    // What was let go is still at hand, wherever the drag has left the pointer, until that moves.
+    let is_at_rest = |at: Pos2| view.hover_pos() == Some(at) && !view.clicked();
+    state.let_go = state.let_go.filter(|&(at, _)| is_at_rest(at));
+    if let Some((_, held)) = state.let_go
+        && let Some(hit) = state.taken.filter(|hit| (hit.shape, hit.joint) == held)
+    {
+        state.hovered = Some(hit);
+        mark(session, Some(held), actions);
+        return PointerUse::Over;
     }
     // A finger that lies on a bone has not said yet what it wants; one that has tapped it has.
     let under = view
