@@ -1,11 +1,11 @@
 //! Lines and points of shapes made of curves.
 
-use super::backdrop::Colors;
 use super::frame::{Frame, PassContext};
 use super::upload_cache::UploadCache;
 use crate::geometry::Normals;
 use crate::gpu::{DepthTest, DisplayList, DrawState, Gl, Immediate, Mode, PointShape};
 use crate::revision::Revision;
+use crate::scene::Look;
 use crate::scene::{
     CurveDisplay, CurveShape, CurveVisibility, EvaluatedCurve, EvaluatedCurves, EvaluatedGeometry,
     EvaluatedShape, Shape, ShapeKind, SurfaceVisibility,
@@ -26,7 +26,6 @@ impl CurvePass {
     /// Uploads the lines of all visible shapes that have changed.
     pub fn update(&mut self, gl: &Gl, frame: &Frame, immediate: &mut Immediate) {
         self.lines.forget_deleted(frame.evaluated);
-        let colors = LineColors::of(frame.backdrop.colors(frame.view.look));
         for Shown {
             shape,
             curve,
@@ -35,6 +34,7 @@ impl CurvePass {
         } in shown(frame)
         {
             let geometry = &evaluated.geometry;
+            let colors = LineColors::of(frame, shape);
             let key = (geometry.revision, curve.display, colors);
             let keep = |_: &mut DisplayList| Ok(());
             self.lines.update(shape.id, key, keep, || {
@@ -160,9 +160,14 @@ struct LineColors {
 }
 
 impl LineColors {
-    fn of(colors: &Colors) -> Self {
+    /// Those of the backdrop; where a color was chosen for the shape, its curves have that, but in the Course look, whose
+    /// original colors surfaces alone.
+    fn of(frame: &Frame, shape: &Shape) -> Self {
+        let colors = frame.backdrop.colors(frame.view.look);
+        let (own, first) = (shape.placement.color, shape.start.color);
+        let is_chosen = own != first && frame.view.look != Look::Course;
         Self {
-            curve: colors.curve,
+            curve: if is_chosen { own.rgb() } else { colors.curve },
             control: colors.control,
         }
     }

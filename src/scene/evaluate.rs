@@ -174,10 +174,24 @@ impl EvaluatedGeometry {
     }
 }
 
-/// See [`EvaluatedShape::sunk`].
-fn sunk(shape: &Shape) -> f32 {
-    let height = |placement: &Placement| placement.transform.position.y;
-    (height(&shape.start) - height(&shape.placement)).max(0.0)
+/// See [`EvaluatedShape::sunk`]. What is scaled about its middle has another position, but has not been moved; what is
+/// turned about its feet has its middle elsewhere, but has not been moved either.
+fn sunk(shape: &Shape, geometry: &EvaluatedGeometry) -> f32 {
+    let bounds = match &geometry.curves {
+        Some(_) => geometry.bounds(),
+        None => geometry.mesh.bounds(),
+    };
+    let middle = bounds.center();
+    let down = |height: &dyn Fn(&Placement) -> f32| {
+        (height(&shape.start) - height(&shape.placement)).max(0.0)
+    };
+    let position = down(&|placement| placement.transform.position.y);
+    let of_middle = down(&|placement| {
+        let world_from_model = placement.transform.world_from_model();
+        world_from_model.transform_point3(middle).y
+    });
+    // The middle of nothing is nowhere.
+    position.min(of_middle)
 }
 
 impl EvaluatedShape {
@@ -229,13 +243,16 @@ impl Evaluator {
         let shapes = scene
             .shapes()
             .iter()
-            .map(|shape| EvaluatedShape {
-                id: shape.id,
-                visible: shape.visible,
-                pickable: shape.visible && !shape.locked,
-                world_from_model: shape.placement.transform.world_from_model(),
-                sunk: sunk(shape),
-                geometry: self.geometry(shape, time),
+            .map(|shape| {
+                let geometry = self.geometry(shape, time);
+                EvaluatedShape {
+                    id: shape.id,
+                    visible: shape.visible,
+                    pickable: shape.visible && !shape.locked,
+                    world_from_model: shape.placement.transform.world_from_model(),
+                    sunk: sunk(shape, &geometry),
+                    geometry,
+                }
             })
             .collect();
         Evaluated { shapes }
@@ -290,6 +307,30 @@ mod tests {
     use crate::character::{Attachments, Character, Influence, Joint, Pose, SkeletalModel};
     use crate::geometry::Mesh;
     use crate::scene::NewShape;
+
+    #[test]
+    fn a_shape_has_sunk_if_it_was_moved_down_and_not_if_it_was_scaled_or_turned_about_itself() {
+        let tall = vec![Vec3::new(-0.2, 0.0, 0.0), Vec3::new(0.2, 2.0, 0.1)];
+        let mesh = SharedMesh::new(Mesh::new(tall, Vec::new()));
+        let bounds = mesh.bounds();
+        let geometry = EvaluatedGeometry::rigid(mesh, bounds, Revision::new());
+        let sunk_by = |y: f32, scale: f32, turn: f32| {
+            let mut scene = Scene::new();
+            let id = scene.add(NewShape::new("Cube", ShapeKind::Cube));
+            let shape = scene.shape_mut(id).unwrap();
+            let transform = &mut shape.placement.transform;
+            transform.position.y = y;
+            transform.scale = Vec3::splat(scale);
+            transform.rotation = crate::math::Euler::from_degrees(Vec3::X * turn);
+            sunk(shape, &geometry)
+        };
+        assert_eq!(sunk_by(-0.5, 1.0, 0.0), 0.5);
+        assert_eq!(sunk_by(0.5, 1.0, 0.0), 0.0);
+        // Twice as large about the middle, which stays at 1.
+        assert_eq!(sunk_by(-1.0, 2.0, 0.0), 0.0);
+        assert_eq!(sunk_by(-1.5, 2.0, 0.0), 0.5);
+        assert_eq!(sunk_by(0.0, 1.0, 90.0), 0.0);
+    }
 
     #[test]
     fn vertices_are_deformed_when_they_are_asked_for_and_not_before() {

@@ -9,7 +9,8 @@ use editor_core::render::{Marks, Renderer};
 use editor_core::scene::NewShape;
 use editor_core::scene::{
     BoneStyle, CharacterShape, CurveItemKind, CurveSet, CurveShape, CurveVisibility, Evaluator,
-    JointStyle, ModelDisplay, Scene, ShapeId, ShapeKind, SurfaceVisibility, ViewSettings,
+    JointStyle, Look, ModelDisplay, Scene, ShapeColor, ShapeId, ShapeKind, SurfaceVisibility,
+    ViewSettings,
 };
 use glam::{Vec2, Vec3};
 
@@ -258,6 +259,34 @@ fn a_selected_skeleton_and_a_selected_curve_are_outlined_where_they_are() {
                 assert!(nearby.iter().any(is_outlined), "{x}");
             }
         }
+    });
+}
+
+#[test]
+fn a_curve_has_the_color_that_was_chosen_for_it_but_not_in_the_course_s_program() {
+    on_each_backend(|gl| {
+        let colored = |look: Look, color: Option<Vec3>| {
+            let mut shape = CurveShape::new(CurveSet::start_circle());
+            shape.display.control_points = false;
+            let mut scene = Scene::new();
+            let id = scene.add(NewShape::new("Wire", ShapeKind::Curve(shape)));
+            if let Some(color) = color {
+                let placement = &mut scene.shape_mut(id).expect("the curve").placement;
+                placement.color = ShapeColor::Custom(color);
+            }
+            let mut view = ViewSettings { look, ..view() };
+            view.grid = false;
+            let mut renderer = Renderer::new(gl).expect("a renderer");
+            draw_scene(&mut renderer, gl, SIZE, &scene, &view, Marks::default())
+        };
+        let green = Vec3::new(0.0, 1.0, 0.0);
+        let is_green = |pixel: &&[u8]| pixel[..3] == [0, 255, 0];
+        let count = |picture: &Picture| picture.rgba.chunks_exact(4).filter(is_green).count();
+        let studio = colored(Look::Studio, Some(green));
+        assert!(count(&studio) > 100, "{}", count(&studio));
+        assert_eq!(count(&colored(Look::Studio, None)), 0);
+        let course = colored(Look::Course, None);
+        assert_eq!(colored(Look::Course, Some(green)).rgba, course.rgba);
     });
 }
 
