@@ -41,7 +41,7 @@ pub use selection::{
     set_apart,
 };
 pub use session::Session;
-pub use shape_group::ShapeGroup;
+pub use shape_group::{SCALES, ShapeGroup};
 pub use shape_scale::{ScaleBy, ShapeScale};
 pub use shape_turn::ShapeTurn;
 

@@ -379,7 +379,12 @@ fn model_from_world(session: &Session, shape: ShapeId) -> Option<DMat3> {
     model_from_world.is_finite().then_some(model_from_world)
 }
 
-/// Point where the ray meets the plane, or comes nearest to the line, through `anchor`.
+/// Sine of the angle at which a plane of two axes is seen, below which it is seen from its edge: the cursor's rays meet it
+/// far away, behind the eye or not at all.
+const FROM_ITS_EDGE: f64 = 0.15;
+
+/// Point where the ray meets the plane, or comes nearest to the line, through `anchor`. In a plane that is seen from its
+/// edge, the point below or above the one across the view.
 fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
     let ray = DRay::from(ray);
     match along {
@@ -389,7 +394,13 @@ fn meeting(ray: &Ray, anchor: DVec3, along: MoveAlong) -> Option<DVec3> {
         }
         MoveAlong::Plane(normal) => ray.meet_plane(anchor, normal.as_dvec3()),
         MoveAlong::Axes(first, second) => {
-            ray.meet_plane(anchor, first.as_dvec3().cross(second.as_dvec3()))
+            let normal = first.as_dvec3().cross(second.as_dvec3()).try_normalize()?;
+            let sight = (anchor - ray.origin).try_normalize()?;
+            if sight.dot(normal).abs() >= FROM_ITS_EDGE {
+                return ray.meet_plane(anchor, normal);
+            }
+            let across = ray.meet_plane(anchor, sight)?;
+            Some(across - normal * (across - anchor).dot(normal))
         }
     }
 }

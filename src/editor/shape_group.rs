@@ -5,7 +5,7 @@ use crate::scene::{EvaluatedShape, Placement, ShapeId};
 use glam::{DMat3, DVec3, Vec3};
 
 /// Least and greatest scale along an axis: a shape must neither vanish nor leave what can be drawn.
-const SCALES: (f32, f32) = (0.001, 10_000.0);
+pub const SCALES: (f32, f32) = (0.001, 10_000.0);
 
 /// The selected shapes as they were when a gesture began, to be turned or scaled together about the
 /// pivot of the active one. Those that are hidden or locked stay as they are.

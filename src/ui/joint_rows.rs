@@ -3,6 +3,7 @@
 use super::joint_columns::{Columns, OFFSET, arrow, font, name_left, offset_left, shortened_path};
 use super::joint_tree::Row;
 use super::number_field::NumberField;
+use super::shape_properties::STEP;
 use super::shortened::shortened;
 use super::theme::{Palette, number_font};
 use super::widgets::{ListMove, list_move, named, spoken, tip_beside_panel};
@@ -263,7 +264,7 @@ pub(super) fn show_offset(
     let mut offset = None;
     for (axis, letter) in ["X", "Y", "Z"].into_iter().enumerate() {
         let called = format!("{called} {letter}");
-        let field = NumberField::new(&called, now[axis], 0.1)
+        let field = NumberField::new(&called, now[axis], STEP)
             .decimals(2..=3)
             .axis(axis)
             .quiet(true);

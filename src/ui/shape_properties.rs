@@ -4,7 +4,7 @@ use super::state::UiState;
 use super::theme::Palette;
 use super::widgets::labelled;
 use super::{Action, Ask, character_panel, color_field, commands, curve_panel, joint_list};
-use crate::editor::{Edit, Session, View, for_all_selected};
+use crate::editor::{self, Edit, Session, View, for_all_selected};
 use crate::math::Transform;
 use crate::scene::{Shape, ShapeKind};
 use egui::{Align, Button, Label, Layout, RichText, Ui, vec2};
@@ -76,7 +76,10 @@ fn leave_joints(state: &mut UiState, actions: &mut Vec<Action>) {
 }
 
 /// Scale factors that can be set.
-const SCALES: RangeInclusive<f64> = 0.1..=10.0;
+const SCALES: RangeInclusive<f64> = editor::SCALES.0 as f64..=editor::SCALES.1 as f64;
+/// What a pixel of a drag changes a place or a scale by: figures are a unit or two high, and stay in sight. The course's
+/// editor has ten times as much, as Ctrl gives here.
+pub(super) const STEP: f64 = 0.01;
 
 /// Position, scale, rotation and color of a shape, with Delete and Reset.
 fn properties(
@@ -93,7 +96,7 @@ fn properties(
     let mut edited = None;
 
     let position = row_of_three(ui, "Position", "Position", |axis, name| {
-        NumberField::new(name, now.position[axis], 0.1)
+        NumberField::new(name, now.position[axis], STEP)
             .rest(start.position[axis])
             .decimals(2..=3)
     });
@@ -104,7 +107,7 @@ fn properties(
     uniform_scaling(ui, session, shape, actions);
     if placement.uniform_scaling {
         let scale = labelled(ui, "Uniform Scale", |ui, size| {
-            NumberField::new("Uniform Scale", now.scale.x, 0.1)
+            NumberField::new("Uniform Scale", now.scale.x, STEP)
                 .rest(start.scale.x)
                 .range(SCALES)
                 .decimals(2..=3)
@@ -115,7 +118,7 @@ fn properties(
         }
     } else {
         let scale = row_of_three(ui, "Scale (X, Y, Z)", "Scale", |axis, name| {
-            NumberField::new(name, now.scale[axis], 0.1)
+            NumberField::new(name, now.scale[axis], STEP)
                 .rest(start.scale[axis])
                 .range(SCALES)
                 .decimals(2..=3)

@@ -1,7 +1,7 @@
 //! The shape panel: list, properties, color, display.
 
 use crate::interface::Editor;
-use editor_core::editor::Edit;
+use editor_core::editor::{Edit, SCALES};
 use editor_core::scene::{
     BoneStyle, COLOR_PRESETS, JointStyle, ModelDisplay, NewShape, ShapeColor, ShapeId, ShapeKind,
 };
@@ -88,13 +88,13 @@ fn dragging_changes_by_a_step_a_pixel_finer_with_shift_and_coarser_with_ctrl() {
     let mut editor = with_cube();
     editor.drag("Position X", 30.0);
     let x = |editor: &Editor| editor.shape().placement.transform.position.x;
-    assert!((x(&editor) - 3.0).abs() < 1e-5, "{}", x(&editor));
+    assert!((x(&editor) - 0.3).abs() < 1e-5, "{}", x(&editor));
     editor.drag_with("Position X", 30.0, Modifiers::SHIFT);
-    assert!((x(&editor) - 3.3).abs() < 1e-5, "{}", x(&editor));
+    assert!((x(&editor) - 0.33).abs() < 1e-5, "{}", x(&editor));
     editor.right_click("Position X");
     assert_eq!(x(&editor), 0.0, "right click resets");
     editor.drag_with("Position X", 30.0, Modifiers::COMMAND | Modifiers::CTRL);
-    assert!((x(&editor) - 30.0).abs() < 1e-4, "{}", x(&editor));
+    assert!((x(&editor) - 3.0).abs() < 1e-4, "{}", x(&editor));
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn up_and_down_step_a_number_while_it_is_typed() {
     editor.key(Key::ArrowDown);
     editor.key(Key::Enter);
     let x = editor.shape().placement.transform.position.x;
-    assert!((x - 0.1).abs() < 1e-6, "{x}");
+    assert!((x - 0.01).abs() < 1e-6, "{x}");
 }
 
 #[test]
@@ -120,8 +120,16 @@ fn scaling_goes_from_uniform_to_each_axis_and_back() {
     assert_eq!(scale(&editor), Vec3::new(2.0, 3.0, 2.0));
     editor.click("Uniform Scaling");
     assert_eq!(scale(&editor), Vec3::splat(2.0));
-    editor.type_into("Uniform Scale", "99");
-    assert_eq!(scale(&editor), Vec3::splat(10.0), "10 at most");
+    // What the Scale tool can do can be typed.
+    for (typed, taken) in [
+        ("99", 99.0),
+        ("0.05", 0.05),
+        ("0", SCALES.0),
+        ("1e9", SCALES.1),
+    ] {
+        editor.type_into("Uniform Scale", typed);
+        assert!((scale(&editor).x - taken).abs() <= 1e-6 * taken, "{typed}");
+    }
 }
 
 #[test]

@@ -60,6 +60,25 @@ fn g_x_2_enter_moves_by_exactly_2_along_x_in_one_step() {
 }
 
 #[test]
+fn along_a_floor_that_is_seen_from_its_edge_a_shape_follows_sideways_wherever_the_pointer_begins() {
+    for y in [0.9, 0.0, -0.9] {
+        let mut story = Story::with_cube_in_blender();
+        let from = story.at(Vec3::new(1.0, y, 0.0));
+        story.point(from);
+        story.key(Key::G);
+        story.key_with(Modifiers::SHIFT, Key::Y);
+        let to = story.at(Vec3::new(1.6, y - 0.3, 0.0));
+        story.point(to);
+        let moved = story.transform().position;
+        assert!(
+            (moved.x - 0.6).abs() < 1e-2 && moved.y == 0.0,
+            "{y}: {moved}"
+        );
+        assert!(moved.z.abs() < 0.1, "{y}: {moved}");
+    }
+}
+
+#[test]
 fn a_figure_that_is_scaled_stays_on_the_ground_of_the_others() {
     let mut story = Story::start(&["builtin:showcase"]);
     story.program.ui_mut().set_navigation(Navigation::Blender);
