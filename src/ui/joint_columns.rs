@@ -6,7 +6,6 @@ use super::shortened::{shortened, text_width};
 use crate::character::SkeletalModel;
 use egui::{FontId, Rect, TextStyle, Ui, pos2, vec2};
 
-const HEIGHT: f32 = 20.0;
 /// So many levels are indented by so many points each; deeper ones no further: names need the room,
 /// but what hangs on what is to be seen, too.
 const INDENTS: [(usize, f32); 3] = [(8, 4.0), (8, 2.0), (32, 1.0)];
@@ -78,7 +77,7 @@ impl Columns {
     /// Allocates the next row.
     pub(super) fn place(&self, ui: &mut Ui) -> Rect {
         let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.y, 0.0);
-        let (_, rect) = ui.allocate_space(vec2(self.width, HEIGHT));
+        let (_, rect) = ui.allocate_space(vec2(self.width, ui.spacing().interact_size.y));
         ui.spacing_mut().item_spacing.y = spacing;
         rect
     }
@@ -95,7 +94,7 @@ impl Columns {
     /// Rectangle of the reset button at the end of a row.
     pub(super) fn reset(&self, row: Rect) -> Rect {
         let corner = pos2(row.right() - RESET, row.top() + 2.0);
-        Rect::from_min_size(corner, vec2(RESET, HEIGHT - 4.0))
+        Rect::from_min_size(corner, vec2(RESET, row.height() - 4.0))
     }
 
     /// Rectangle of the name in a row, from `left` within it.
@@ -110,7 +109,7 @@ impl Columns {
 /// Rectangle of the arrow before a name that starts at `left` within a row.
 pub(super) fn arrow(row: Rect, left: f32) -> Rect {
     let corner = pos2(row.left() + left - ARROW, row.top());
-    Rect::from_min_size(corner, vec2(ARROW, HEIGHT))
+    Rect::from_min_size(corner, vec2(ARROW, row.height()))
 }
 
 /// Left edge of the name within a row.

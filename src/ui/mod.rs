@@ -165,9 +165,9 @@ pub const LEAST_SIZE: (u32, u32) = (420, 400);
 /// Shows all panels in `root`, the `Ui` of the whole window, and handles keys.
 pub fn show(root: &mut Ui, session: &Session, state: &mut UiState, input: &ViewInput) -> UiOutput {
     let ctx = root.ctx().clone();
-    if !state.styled {
-        theme::apply(&ctx);
-        state.styled = true;
+    if state.styled_for_fingers != Some(state.has_fingers_first) {
+        theme::apply(&ctx, state.has_fingers_first);
+        state.styled_for_fingers = Some(state.has_fingers_first);
     }
     if ctx.options(|options| options.theme_preference) != state.theme {
         ctx.set_theme(state.theme);

@@ -111,8 +111,8 @@ pub struct UiState {
     pub(super) refused_at: Option<f64>,
     /// Time when Esc was pressed last with nothing left to end but the program, by the same clock.
     pub(super) escaped_at: Option<f64>,
-    /// Whether fonts, spacing and colors were set.
-    pub(super) styled: bool,
+    /// Whether fonts, spacing and colors were set for fingers; `None` before they were set.
+    pub(super) styled_for_fingers: Option<bool>,
     /// Whether the view is compared with a picture, and a character with a mesh.
     pub(super) compares: [bool; 2],
     /// Rectangle of the titles in the menu bar in the last frame, in points.
@@ -171,7 +171,7 @@ impl Default for UiState {
             busy_at: f64::NEG_INFINITY,
             refused_at: None,
             escaped_at: None,
-            styled: false,
+            styled_for_fingers: None,
             compares: [false; 2],
             menu_titles: Rect::NOTHING,
             view_rect: Rect::from_min_size(Pos2::ZERO, vec2(4.0, 3.0)),
@@ -275,7 +275,7 @@ impl UiState {
 
     /// Goes on in another context of egui, which knows nothing of fonts and colors yet.
     pub fn replace_context(&mut self) {
-        self.styled = false;
+        self.styled_for_fingers = None;
     }
 
     /// The scene as the view shows it while a mistake in skinning is made on purpose, or else while

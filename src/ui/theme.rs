@@ -101,11 +101,16 @@ pub(super) fn number_font() -> FontId {
     FontId::proportional(12.5)
 }
 
-/// Gives both of egui's themes the program's fonts, spacing and colors.
-pub(super) fn apply(ctx: &Context) {
+/// Gives both of egui's themes the program's fonts, spacing and colors; rows and buttons are higher `for_fingers`.
+pub(super) fn apply(ctx: &Context, for_fingers: bool) {
     for (theme, palette) in [(Theme::Dark, &DARK), (Theme::Light, &LIGHT)] {
         ctx.style_mut_of(theme, |style| {
             set_spacing(style);
+            if for_fingers {
+                style.spacing.button_padding.y = 5.0;
+                style.spacing.interact_size.y = 28.0;
+                style.spacing.item_spacing.y = 6.0;
+            }
             set_colors(&mut style.visuals, palette);
         });
     }

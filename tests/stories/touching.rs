@@ -355,3 +355,21 @@ fn a_finger_that_rests_on_a_bone_before_it_moves_turns_it() {
     hand.lift_all(&mut story);
     assert_ne!(story.session().view().camera, camera);
 }
+
+#[test]
+fn on_a_machine_for_fingers_rows_and_buttons_are_higher() {
+    let mut story = Story::start(&["builtin:adult"]);
+    let heights = |story: &Story| {
+        ["Hide Adult", "Waist X", "Position X"].map(|label| {
+            let bounds = story.node(label).and_then(egui::accesskit::Node::bounds);
+            let bounds = bounds.expect("its place");
+            bounds.y1 - bounds.y0
+        })
+    };
+    let before = heights(&story);
+    story.program.ui_mut().has_fingers_first = true;
+    story.settle();
+    for (before, after) in before.into_iter().zip(heights(&story)) {
+        assert!(after >= before + 6.0, "{before} {after}");
+    }
+}

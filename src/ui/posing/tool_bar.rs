@@ -13,7 +13,8 @@ use crate::ui::theme::Palette;
 use crate::ui::widgets::named;
 use crate::ui::{axis_ball, commands};
 use egui::{
-    Atom, Button, Color32, ComboBox, Frame, Id, Margin, Rect, Sense, TextStyle, Ui, UiBuilder, vec2,
+    Atom, Button, Color32, ComboBox, Context, Frame, Id, Margin, Rect, Sense, TextStyle, Ui,
+    UiBuilder, vec2,
 };
 
 /// Height of the tool bar with its margins, in points; a second line for the IK tool adds at most
@@ -113,8 +114,23 @@ fn tool_button(ui: &mut Ui, tool: Tool, word: Option<&str>, on: bool) -> bool {
         tool_icons::paint(ui.painter(), rect, tool, color);
     }
     named(shown.response, commands::label(command))
-        .on_hover_text(commands::tooltip(ui.ctx(), command))
+        .on_hover_text(tip(ui.ctx(), command))
         .clicked()
+}
+
+/// Name of a tool and what it does, in words for what points: where there is little room, no word stands beside its icon.
+fn tip(ctx: &Context, command: Command) -> String {
+    let label = commands::label(command);
+    match Pointing::of(ctx) {
+        Pointing::Mouse => format!("{label}: {}", commands::tooltip(ctx, command)),
+        Pointing::Fingers => {
+            let tip = commands::entry_of(command).map_or("", |entry| entry.tooltip);
+            let tip = tip
+                .replace("Left drag", "a finger")
+                .replace("the pointer", "it");
+            format!("{label}: {tip}")
+        }
+    }
 }
 
 /// The switch between the axes of the world and those of the joint or shape.
